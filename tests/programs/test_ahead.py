@@ -13,7 +13,7 @@ import pytest
 
 import archlint
 from archlint.interpreter.modules import ModuleIndex
-from archlint.programs.ahead import apart
+from archlint.programs.ahead import independent_groups
 from archlint.syntax.python.lowering import lower
 from archlint.workspace.model import SourceFile
 
@@ -130,7 +130,7 @@ def test_modules_that_import_the_same_belong_together():
     files = [SourceFile(f"/ws/{path}", path, "python", path[0], name) for path, name in names.items()]
     index = ModuleIndex(files, lambda file: lower(texts[file.relative]))
     modules = [index.module(file) for file in files if file.module != "a.names"]
-    groups = apart([module for module in modules if module is not None], index)
+    groups = independent_groups([module for module in modules if module is not None], index)
     assert sorted(sorted(module.path for module in group) for group in groups) == [
         ["a/a/node.py", "a/a/other.py"],
         ["b/b/node.py"],

@@ -91,8 +91,12 @@ def _publishes(system: System) -> dict[Place, list[ApiCall]]:
 
 def _asks(system: System, owner: Endpoint) -> frozenset[_Word]:
     """The words that a publisher asks; none where it publishes anything without asking, or where that is not seen."""
-    told, workspace, file = _told(source_code(system), owner.node), system.workspace, owner.place.file
-    file_facts = workspace.facts_at(file) if told and workspace is not None else None
+    by_attribute, workspace, file = (
+        _attribute_words(source_code(system), owner.node),
+        system.workspace,
+        owner.place.file,
+    )
+    file_facts = workspace.facts_at(file) if by_attribute and workspace is not None else None
     if file_facts is None or workspace is None:
         return frozenset()
     kept = kept_calls(workspace, file).get((owner.place.line, owner.place.column))
@@ -106,21 +110,21 @@ def _asks(system: System, owner: Endpoint) -> frozenset[_Word]:
         for function in map(code.definition, end.creation.callbacks.values())
         if function is not None and end.name is not None
     }
-    here = {name: words for (file, name), words in told.items() if file == owner.place.file}
+    here = {name: words for (file, name), words in by_attribute.items() if file == owner.place.file}
     idle = idle_methods(workspace, file)
     called = [item for item in cls.body if isinstance(item, facts.Function) and item.name not in idle]
     return _Source(called, here, answers).before(kept, owner.place.line)
 
 
 class _Source:
-    """The methods of a class in which publishing is looked for: ``told`` are the attributes that words set, ``answers``
-    the words by the method that takes them in."""
+    """The methods of a class in which publishing is looked for: ``by_attribute`` are the words that set each attribute,
+    ``answers`` the words by the method that takes them in."""
 
     def __init__(
-        self, methods: Sequence[facts.Function], told: dict[str, set[_Word]], answers: dict[str, _Word]
+        self, methods: Sequence[facts.Function], by_attribute: dict[str, set[_Word]], answers: dict[str, _Word]
     ) -> None:
         self.methods = methods
-        self.told = told
+        self.by_attribute = by_attribute
         self.answers = answers
         self.waiting: set[str] = set()
 
@@ -133,14 +137,14 @@ class _Source:
             for part in parts_of(method.body, facts.Attribute)
             if part.attr == attribute and part.span[0] != set_at
         ]
-        asked = [(method, self._on_the_way(method, part.span)) for method, part in uses]
+        asked = [(method, self._before_use(method, part.span)) for method, part in uses]
         words = frozenset(word for _, some in asked for word in some)
         return words if all(some or self.answers.get(method.name) in words for method, some in asked) else frozenset()
 
-    def _on_the_way(self, method: facts.Function, span: facts.Span) -> frozenset[_Word]:
+    def _before_use(self, method: facts.Function, span: facts.Span) -> frozenset[_Word]:
         """The words that are asked in a method before a place, or else before the method is called, wherever it is."""
         names = (name for test in _guards(method.body, span) for name in _of_self(test))
-        here = frozenset(word for name in names for word in self.told.get(name, ()))
+        here = frozenset(word for name in names for word in self.by_attribute.get(name, ()))
         if here or method.name in self.waiting or method.name.startswith("__"):
             return here
         self.waiting.add(method.name)
@@ -154,7 +158,7 @@ def _class_around(file_facts: facts.Facts, place: Place) -> facts.Class | None:
     return max(around, key=lambda cls: cls.span[0], default=None)
 
 
-def _told(code: SourceCode, node: Node) -> dict[tuple[str, str], set[_Word]]:
+def _attribute_words(code: SourceCode, node: Node) -> dict[tuple[str, str], set[_Word]]:
     """The attributes of ``self``, with their file, that callbacks for such words set."""
     words: dict[tuple[str, str], set[_Word]] = {}
     for end in node.of_kind(EntityKind.SUBSCRIBER, EntityKind.SERVICE):
@@ -201,13 +205,13 @@ def _guards(body: Sequence[facts.Stmt], span: facts.Span) -> Iterator[facts.Expr
 def _speaks_anyway(block: Block) -> bool:
     """Whether something is published after either outcome of a condition, for which the other does not lead there: then
     it chooses what is said, not whether."""
-    ways = [reach([edge.target], _in_this_round) for edge in block.edges if edge.test is not None]
-    return len(ways) > 1 and all(
-        any(map(_publishes_in, way.difference(*ways[:i], *ways[i + 1 :]))) for i, way in enumerate(ways)
+    reached = [reach([edge.target], _in_this_iteration) for edge in block.edges if edge.test is not None]
+    return len(reached) > 1 and all(
+        any(map(_publishes_in, blocks.difference(*reached[:i], *reached[i + 1 :]))) for i, blocks in enumerate(reached)
     )
 
 
-def _in_this_round(edge: Edge) -> bool:
+def _in_this_iteration(edge: Edge) -> bool:
     return edge.kind is not Kind.BACK and without_exceptions(edge)
 
 
@@ -221,7 +225,7 @@ def _is_in(line: int, item: facts.Stmt) -> bool:
 
 
 def _gives(node: Node) -> frozenset[_Word]:
-    """The words that a node says to others, as :func:`_told` names them."""
+    """The words that a node says to others, as :func:`_attribute_words` names them."""
     to_user = {EntityKind.PUBLISHER: EntityKind.SUBSCRIBER, EntityKind.CLIENT: EntityKind.SERVICE}
     return frozenset(
         (to_user[end.kind], end.name)

@@ -99,7 +99,7 @@ _TIMED = {distro: {"humble": NO_SUCH_ARGUMENT, "jazzy": GIVES_NONE}.get(distro, 
 _TIMED_FINE = _humble_and_later(NO_SUCH_ARGUMENT, FINE)
 
 _GROUPS: tuple[Relation, ...] = (SAME, OTHER, REENTRANT, UNCLEAR)
-_APART: tuple[Relation, ...] = (OTHER, REENTRANT)
+_CONCURRENT: tuple[Relation, ...] = (OTHER, REENTRANT)
 _THREADS: tuple[Threads, ...] = (ONE, SEVERAL, NOBODY, ANY)
 
 
@@ -109,8 +109,8 @@ def _stuck(form: Form, outcomes: Outcomes, fine: Outcomes) -> dict[_Cell, Outcom
     return {
         **{(form, ONE, group): outcomes for group in _GROUPS},
         **{(form, threads, SAME): outcomes for threads in _THREADS},
-        **{(form, SEVERAL, group): fine for group in _APART},
-        **{(form, threads, group): unknown for threads in (NOBODY, ANY) for group in _APART},
+        **{(form, SEVERAL, group): fine for group in _CONCURRENT},
+        **{(form, threads, group): unknown for threads in (NOBODY, ANY) for group in _CONCURRENT},
         **{(form, threads, UNCLEAR): unknown for threads in (SEVERAL, NOBODY, ANY)},
     }
 
@@ -121,8 +121,8 @@ def _nested(form: Form, stuck: str, sometimes: str) -> dict[_Cell, Outcomes]:
     Several threads then spin one executor at a time.  One of them takes the wake-up that was meant for the other, or
     too few threads of the pool are left.
     """
-    by_group = {SAME: stuck, **dict.fromkeys(_APART, FINE), UNCLEAR: UNKNOWN}
-    threaded = {**by_group, **dict.fromkeys(_APART, sometimes)}
+    by_group = {SAME: stuck, **dict.fromkeys(_CONCURRENT, FINE), UNCLEAR: UNKNOWN}
+    threaded = {**by_group, **dict.fromkeys(_CONCURRENT, sometimes)}
     of_threads = {**dict.fromkeys(_THREADS, by_group), SEVERAL: threaded, POOL_OF_ONE: dict.fromkeys(_GROUPS, stuck)}
     return {
         (form, threads, group): _humble_and_later(outcome, RAISES_NESTED)
@@ -136,13 +136,13 @@ MATRIX: dict[_Cell, Outcomes] = {
     **_stuck(LIMITED_CALL, _everywhere(TIMES_OUT), _everywhere(FINE)),
     **_stuck(TIMED_CALL, _TIMED, _TIMED_FINE),
     **{(AWAIT, threads, SAME): _everywhere(HANGS) for threads in _THREADS},
-    **{(AWAIT, threads, group): _everywhere(FINE) for threads in _THREADS for group in _APART},
+    **{(AWAIT, threads, group): _everywhere(FINE) for threads in _THREADS for group in _CONCURRENT},
     **{(AWAIT, threads, UNCLEAR): _everywhere(UNKNOWN) for threads in _THREADS},
     **_nested(SPIN, HANGS, SOMETIMES_HANGS),
     **_nested(LIMITED_SPIN, TIMES_OUT, SOMETIMES_TIMES_OUT),
     # Another executor takes the node along, and serves it while the callback spins; afterwards nobody does.
     **{(STEAL, threads, SAME): _everywhere(HANGS) for threads in _THREADS},
-    **{(STEAL, threads, group): _everywhere(STRANDS) for threads in _THREADS for group in (*_APART, UNCLEAR)},
+    **{(STEAL, threads, group): _everywhere(STRANDS) for threads in _THREADS for group in (*_CONCURRENT, UNCLEAR)},
     **{(LIMITED_STEAL, threads, group): _everywhere(STRANDS) for threads in _THREADS for group in _GROUPS},
     **{(RATE, ONE, group): _everywhere(HANGS) for group in _GROUPS},
     **{(RATE, SEVERAL, group): _everywhere(FINE) for group in _GROUPS},

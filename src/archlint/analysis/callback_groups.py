@@ -61,11 +61,11 @@ def only_excludes(program: Program, node: Blueprint) -> bool:
     return len(groups) == 1 or own[0].place.file not in chosen_in
 
 
-def keeps_some_apart(node: Blueprint) -> bool:
+def serializes_callbacks(node: Blueprint) -> bool:
     """Whether the one group that a node makes is exclusive and holds several callbacks: it may be there only to keep
     these apart, which one thread does anyway."""
-    held = [creation.group for creation in node.creations if creation.kind in SERVED]
-    own = [group for group in held if group.kind != GroupKind.DEFAULT]
+    groups = [creation.group for creation in node.creations if creation.kind in SERVED]
+    own = [group for group in groups if group.kind != GroupKind.DEFAULT]
     if len(own) <= 1 or len(set(own)) > 1 or own[0].key is None:
         return False
     return own[0].kind == GroupKind.MUTUALLY_EXCLUSIVE

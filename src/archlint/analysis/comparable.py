@@ -29,7 +29,7 @@ def place_of(node: Node) -> Place:
     return node.blueprint.place
 
 
-def whole_node(system: System, node: Node) -> bool:
+def is_complete_node(system: System, node: Node) -> bool:
     """Whether all that a node creates was seen, so that anything else is a difference."""
     if node.doubt is not None or node.unfollowed is not None or not node.blueprints:
         return False

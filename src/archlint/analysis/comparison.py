@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterator, Sequence, Set
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.analysis.comparable import place_of, what_is_compared, whole_node
+from archlint.analysis.comparable import is_complete_node, place_of, what_is_compared
 from archlint.analysis.comparison_of_ends import Ends, ends_of
 from archlint.analysis.comparison_of_topics import topics_of
 from archlint.launch.kinds import StartedKind
@@ -94,7 +94,9 @@ class _Comparing:
 
     def _ends(self, seen: SeenNode, candidates: Sequence[Node]) -> Ends:
         """Of several nodes that could be meant, the comparison that leaves the fewest differences."""
-        every = [ends_of(self.system, node, seen, self.observed, whole_node(self.system, node)) for node in candidates]
+        every = [
+            ends_of(self.system, node, seen, self.observed, is_complete_node(self.system, node)) for node in candidates
+        ]
         return min(every, key=lambda ends: (len(ends.differences), -ends.same))
 
     # ------------------------------------------------------------------------------------------------------- missing

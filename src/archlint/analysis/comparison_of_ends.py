@@ -43,15 +43,15 @@ class Ends:
     left_open: list[str] = field(default_factory=list)
 
 
-def ends_of(system: System, node: Node, seen: SeenNode, observed: Observed, whole: bool) -> Ends:
-    """``whole`` says that all that the node's source creates was seen.  Of a node whose source is not here nothing is
-    known, and nothing is said."""
+def ends_of(system: System, node: Node, seen: SeenNode, observed: Observed, complete: bool) -> Ends:
+    """``complete`` says that all that the node's source creates was seen.  Of a node whose source is not here nothing
+    is known, and nothing is said."""
     result = Ends()
     if node.blueprint is None:
         return result
     for kind in VERBS:
         if kind in observed.kinds:
-            _Kind(system, node, seen, kind, whole, result).compare()
+            _Kind(system, node, seen, kind, complete, result).compare()
     result.differences += _parameters(node, seen)
     return result
 
@@ -83,8 +83,10 @@ def _parameters(node: Node, seen: SeenNode) -> Iterator[Difference]:
 class _Kind:
     """All ends of one kind of one node."""
 
-    def __init__(self, system: System, node: Node, seen: SeenNode, kind: EntityKind, whole: bool, result: Ends) -> None:
-        self.system, self.node, self.seen_node, self.kind, self.whole = system, node, seen, kind, whole
+    def __init__(
+        self, system: System, node: Node, seen: SeenNode, kind: EntityKind, complete: bool, result: Ends
+    ) -> None:
+        self.system, self.node, self.seen_node, self.kind, self.complete = system, node, seen, kind, complete
         self.result = result
         self.expected: dict[str, list[Endpoint]] = {}
         self.open: list[Endpoint] = []
@@ -138,7 +140,7 @@ class _Kind:
             place = may_be[0].place
             said = f"{self.node.name} {verb} {name}; it may be the {noun} of {place.file}:{place.line}"
             self.result.left_open.append(said)
-        elif not self.whole:
+        elif not self.complete:
             said = f"{self.node.name} {verb} {name}; not all of the node's code could be followed"
             self.result.left_open.append(said)
         else:

@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING
 
 from archlint.analysis.coexistence import certain
-from archlint.analysis.comparable import what_is_compared, whole_node
+from archlint.analysis.comparable import is_complete_node, what_is_compared
 from archlint.analysis.comparison_of_ends import contradictions, may_be_compared
 from archlint.model import (
     EntityKind,
@@ -114,7 +114,7 @@ def _may_publish(system: System, name: str) -> str | None:
     for node in system.nodes:
         if node.test:
             continue
-        if not whole_node(system, node):
+        if not is_complete_node(system, node):
             return f"not all that {node.name or 'one of the nodes'} publishes is known"
         for end in node.of_kind(EntityKind.PUBLISHER):
             if not end.resolved and (end.name is None or pattern_matches(end.name, name)):

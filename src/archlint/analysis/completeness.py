@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 _NODE_BASES = frozenset({"Node", "LifecycleNode", "object", "ABC", "Generic", "Protocol"})
 
 
-def is_whole(workspace: WorkspaceIndex | None, node: Node) -> bool:
+def is_complete(workspace: WorkspaceIndex | None, node: Node) -> bool:
     """True where nothing outside of this workspace is handed the node or is its base class, and each of its
     endpoints has a known name."""
     if workspace is None or node.blueprint is None or node.program is None or node.doubt is not None:
@@ -115,5 +115,5 @@ __all__ = [
     "enclosing_class",
     "enclosing_function",
     "in_sight",
-    "is_whole",
+    "is_complete",
 ]

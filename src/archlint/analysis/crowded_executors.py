@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.polling import is_unguarded
 from archlint.analysis.sleeps import stay_of
 from archlint.analysis.source_code import SourceCode, source_code
-from archlint.analysis.threaded_waits import as_a_whole, threaded_waits
+from archlint.analysis.threaded_waits import complete_wait, threaded_waits
 from archlint.analysis.waits import Wait
 from archlint.model import ExecutorKind, GroupKind, Role
 
@@ -62,7 +62,7 @@ def _coincide(code: SourceCode, waits: Collection[Wait]) -> bool:
 def _period(code: SourceCode, wait: Wait) -> float | None:
     """The period of a timer that waits each time, one wait for each tick."""
     creation = wait.call.context.creation
-    if wait.call.context.role != Role.TIMER or creation is None or not is_unguarded(code, as_a_whole(wait.call)):
+    if wait.call.context.role != Role.TIMER or creation is None or not is_unguarded(code, complete_wait(wait.call)):
         return None
     return creation.period
 

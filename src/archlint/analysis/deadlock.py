@@ -59,8 +59,8 @@ __all__ = [
 
 _TIMED = "rclpy.client.Client.call"
 
-_ONE_HELD = "the executor's only thread is blocked in this {who}, so the response is never processed"
-_GROUP_HELD = (
+_THREAD_BLOCKED = "the executor's only thread is blocked in this {who}, so the response is never processed"
+_GROUP_BLOCKED = (
     "the client is in the mutually exclusive callback group of this {who}, so the response is not processed until "
     "the {who} returns"
 )
@@ -109,12 +109,12 @@ def _form(kind: Form, call: ApiCall, limited: bool) -> Form:
 def _why(form: Form, threads: Threads, relation: Relation, role: Role | None) -> str:
     who = "handler" if role == Role.SERVICE else "callback"
     if form == AWAIT:
-        words = {SAME: _GROUP_HELD, UNCLEAR: _NO_GROUP, REENTRANT: _FREE_REENTRANT}.get(relation, _FREE)
+        words = {SAME: _GROUP_BLOCKED, UNCLEAR: _NO_GROUP, REENTRANT: _FREE_REENTRANT}.get(relation, _FREE)
         return words.format(who=who)
     if threads == ONE:
-        return _ONE_HELD.format(who=who)
+        return _THREAD_BLOCKED.format(who=who)
     if relation == SAME and threads != NOBODY:
-        return _GROUP_HELD.format(who=who)
+        return _GROUP_BLOCKED.format(who=who)
     if threads == SEVERAL:
         return {UNCLEAR: _NO_GROUP, REENTRANT: _THREADS_REENTRANT}.get(relation, _THREADS).format(who=who)
     return _NO_SPIN if threads == NOBODY else _NO_EXECUTOR
@@ -228,12 +228,12 @@ def _relation_of_spin(call: ApiCall, spun: Blueprint | None, client: Creation | 
     """How the group of what a spin is for relates to that of the callback which spins."""
     callback = call.context
     if client is not None:
-        apart = callback.node is not None and client.node is not callback.node
-        return OTHER if apart else group_relation(callback.group, client.group)
+        other_node = callback.node is not None and client.node is not callback.node
+        return OTHER if other_node else group_relation(callback.group, client.group)
     if callback.node is not None and spun is not None and spun is not callback.node:
         # A default group is the node's own; any other may be handed from node to node.
-        handed = callback.group is not None and callback.group.kind != GroupKind.DEFAULT
-        return UNCLEAR if handed and any(creation.group == callback.group for creation in spun.creations) else OTHER
+        shareable = callback.group is not None and callback.group.kind != GroupKind.DEFAULT
+        return UNCLEAR if shareable and any(creation.group == callback.group for creation in spun.creations) else OTHER
     relation = group_relation(callback.group, None)
     if "future" not in call.arguments and relation == UNCLEAR:
         # What spins without a future waits for any work, and the group keeps out that of its own.

@@ -56,7 +56,7 @@ def _undecided(system: System, callback: Callback, function: facts.Function) -> 
 
     def step(state: _State, fact: facts.Base) -> _State:
         decided, known = state
-        return decided or _decides(fact, goal) or _hands_on(fact, goal), after(known, fact, followed)
+        return decided or _decides(fact, goal) or _passes_on(fact, goal), after(known, fact, followed)
 
     def branch(state: _State, test: facts.Expr, truth: bool) -> _State | None:
         if _says_it_is_down(test, truth):
@@ -107,7 +107,7 @@ def _decides(fact: facts.Base, goal: _Goal) -> bool:
     return any(attribute.attr in _DECIDES and dotted(attribute.value) in goal.names for attribute in attributes)
 
 
-def _hands_on(fact: facts.Base, goal: _Goal) -> bool:
+def _passes_on(fact: facts.Base, goal: _Goal) -> bool:
     """Whether a statement gives the goal to somebody who may end it, or keeps it where others find it."""
     targets: list[facts.Expr] = []
     if isinstance(fact, facts.Assign):

@@ -28,7 +28,7 @@ _HAPPENED = frozenset(
 )
 
 
-def tell_what_happened(system: System, publishers: Sequence[Endpoint]) -> bool:
+def are_events(system: System, publishers: Sequence[Endpoint]) -> bool:
     """Whether publishers of one topic signal events: its name says so, and no Bool takes one back with false, which
     makes it a state."""
     if any(end.type not in _SIGNALS or not _is_event(end.name) for end in publishers):

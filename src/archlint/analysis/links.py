@@ -56,25 +56,18 @@ def links(system: System, *groups: Globs) -> Iterator[Link]:
         targets = connection.users if topic else connection.providers
         for source in in_source_order(end for end in sources if counts(end)):
             for target in in_source_order(end for end in targets if counts(end)):
-                if source.node is target.node or not _meet(source, target):
+                if source.node is target.node or not _may_coexist(source, target):
                     continue
-                if not separately or not _launched_together(system, source.node, target.node):
+                if not separately or not system.in_same_launch(source.node, target.node):
                     yield Link(connection, source, target)
 
 
-def _meet(end: Endpoint, other: Endpoint) -> bool:
+def _may_coexist(end: Endpoint, other: Endpoint) -> bool:
     return (
         not exclusive(end.node.alternatives, other.node.alternatives)
         and not exclusive(end.creation.branch_arms, other.creation.branch_arms)
         and end.node.name != other.node.name
     )
-
-
-def _launched_together(system: System, node: Node, other: Node) -> bool:
-    """Whether some launch file starts nodes of these two classes."""
-    if node.blueprint is None or other.blueprint is None:
-        return False
-    return frozenset((b.place, b.class_name) for b in (node.blueprint, other.blueprint)) in system.launched_pairs
 
 
 def connections(system: System) -> tuple[Connection, ...]:

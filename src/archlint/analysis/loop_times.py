@@ -40,14 +40,14 @@ def in_loops(
     for loop, limit in reversed(tuple(zip(loops, call.limits, strict=True))):
         seconds = seconds * _times(code, call.file, loop, unknown) if limit is None else max(seconds, limit)
     for place in call.enclosing_loops[: max(0, len(call.enclosing_loops) - len(call.loops))]:
-        seconds *= _rounds_at(code, place) if with_callers else math.inf
+        seconds *= _iterations_at(code, place) if with_callers else math.inf
     seconds = seconds if stay.seconds > 0 else 0.0
     if math.isinf(seconds) and stay.seconds <= TINY and not any(loop.tests for loop in loops if loop is not None):
         return stay.seconds  # a pause between the bytes or lines of something: it takes many to make it long
     return seconds
 
 
-def _rounds_at(code: SourceCode, place: Place) -> float:
+def _iterations_at(code: SourceCode, place: Place) -> float:
     """How often the ``for`` of a caller goes round; for all that is not known, without end."""
     loop = code.loop_at(place)
     return math.inf if loop is None or loop.tests else _times(code, place.file, loop, math.inf)
@@ -119,7 +119,7 @@ def is_retried(code: SourceCode, call: ApiCall) -> bool:
     return any(part.attr == "done" for part in tests)
 
 
-def varies_with_the_round(code: SourceCode, call: ApiCall) -> bool:
+def varies_by_iteration(code: SourceCode, call: ApiCall) -> bool:
     """Whether what a call is given depends on the round of a ``for``: ``sleep(PAUSE * (attempt + 1))``."""
     used = names_in(code.expression(call))
     return any(not used.isdisjoint(names_in(to)) for loop in code.loops(call) for to in loop.assigned)

@@ -14,11 +14,11 @@ if TYPE_CHECKING:
     from archlint.finding import Place
     from archlint.model import ApiCall
 
-_Way = tuple["Place", ...]
+_Path = tuple["Place", ...]
 """The calls that lead from the body of a callback to a call, that one last."""
 
 
-def ways_to(call: ApiCall) -> Iterator[_Way]:
+def paths_to(call: ApiCall) -> Iterator[_Path]:
     """Each way from what runs to a call."""
     for chain in (call.chain, *(other for other, _, _ in call.call_chains)):
         yield (*(frame.place for frame in chain), call.place)
@@ -26,10 +26,10 @@ def ways_to(call: ApiCall) -> Iterator[_Way]:
 
 def always_comes_before(code: SourceCode, first: ApiCall, later: ApiCall) -> bool:
     """Whether a callback cannot get to a call without another one, be that in a function which it calls on its way."""
-    return all(any(_comes_before(code, way, other) for way in ways_to(first)) for other in ways_to(later))
+    return all(any(_comes_before(code, path, other) for path in paths_to(first)) for other in paths_to(later))
 
 
-def _comes_before(code: SourceCode, first: _Way, later: _Way) -> bool:
+def _comes_before(code: SourceCode, first: _Path, later: _Path) -> bool:
     shared = 0
     while first[shared] == later[shared]:
         shared += 1
@@ -54,10 +54,10 @@ def _always_runs(code: SourceCode, place: Place) -> bool:
     return bool(blocks) and graph.post_dominates(blocks, graph.entry, without_exceptions)
 
 
-def certainly_true(code: SourceCode, way: Sequence[Place]) -> Iterator[tuple[str, facts.Call]]:
-    """The calls, each with its file, that have returned something true by the time a way is gone: ``if not
+def certainly_true(code: SourceCode, path: Sequence[Place]) -> Iterator[tuple[str, facts.Call]]:
+    """The calls, each with its file, that have returned something true by the time a path is gone: ``if not
     client.wait_for_service(1.0): return`` stands in front."""
-    for place in way:
+    for place in path:
         graph = graph_of(code.body_at(place))
         for edge in graph.outcomes(graph.evaluating(place.span)):
             if edge.test is not None:
@@ -80,4 +80,4 @@ def _true_calls(test: facts.Expr, holds: bool) -> Iterator[facts.Call]:
             yield test
 
 
-__all__ = ["always_comes_before", "certainly_true", "ways_to"]
+__all__ = ["always_comes_before", "certainly_true", "paths_to"]

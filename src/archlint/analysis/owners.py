@@ -59,6 +59,6 @@ def _left_out(node: Node, other: Node) -> bool:
     return one_file and node.program.executable != other.program.executable
 
 
-def run_together(system: System, owners: list[Endpoint]) -> bool:
+def some_coexist(system: System, owners: list[Endpoint]) -> bool:
     """Whether something is seen to start two of them together."""
     return system.closed or any(known_to_coexist(system, a.node, b.node) for a, b in combinations(owners, 2))

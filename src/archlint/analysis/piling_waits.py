@@ -10,7 +10,7 @@ from archlint.analysis.polling import is_unguarded, notes_that_it_ran
 from archlint.analysis.reach import argument
 from archlint.analysis.sleeps import longest
 from archlint.analysis.source_code import source_code
-from archlint.analysis.threaded_waits import as_a_whole, threaded_waits
+from archlint.analysis.threaded_waits import complete_wait, threaded_waits
 from archlint.analysis.waits import DONE, Wait
 from archlint.model import ExecutorKind, Role
 
@@ -47,7 +47,7 @@ def _outruns(system: System, wait: Wait) -> bool:
 def comes_each_time(system: System, call: ApiCall) -> bool:
     """Whether a callback comes to a wait each time it runs, for all that is seen."""
     code = source_code(system)
-    return not call.conditional and is_unguarded(code, as_a_whole(call)) and not notes_that_it_ran(code, call)
+    return not call.conditional and is_unguarded(code, complete_wait(call)) and not notes_that_it_ran(code, call)
 
 
 def outlasts(pace: Pace, limited: bool, limit: float | None, threads: int | None) -> bool:

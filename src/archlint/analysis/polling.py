@@ -56,8 +56,8 @@ def _is_decided(body: Sequence[facts.Stmt], place: Place) -> bool | None:
         return None
     if reach([graph.entry], without_exceptions).isdisjoint(blocks):
         return True  # only an exception leads there
-    rounds = {loop.head for block in blocks for loop in block.loops} - set(blocks)
-    return any(block in rounds or not _is_readiness(block) for block in graph.deciders(blocks))
+    heads = {loop.head for block in blocks for loop in block.loops} - set(blocks)
+    return any(block in heads or not _is_readiness(block) for block in graph.deciders(blocks))
 
 
 def _is_readiness(block: Block) -> bool:

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
-from archlint.analysis.order import certainly_true, ways_to
+from archlint.analysis.order import certainly_true, paths_to
 from archlint.analysis.reach import creations_of, judged_calls
 from archlint.analysis.source_code import SourceCode, source_code
 from archlint.finding import Place
@@ -45,17 +45,17 @@ def is_there(system: System, call: ApiCall) -> bool:
         return True
     if any(client.context is call.context for client in clients):
         return False  # it has not found anybody yet
-    return _has_answered(system, call) or all(_was_found(system, way, _places(call)) for way in ways_to(call))
+    return _has_answered(system, call) or all(_was_found(system, path, _places(call)) for path in paths_to(call))
 
 
 def _places(call: ApiCall) -> _Clients:
     return frozenset(client.place for client in creations_of(call.receiver))
 
 
-def _was_found(system: System, way: Sequence[Place], clients: _Clients) -> bool:
+def _was_found(system: System, path: Sequence[Place], clients: _Clients) -> bool:
     """Whether the way to a call leads on only where the server of the same client has been found."""
     asked = _asked_at(system)
-    true_calls = certainly_true(source_code(system), way)
+    true_calls = certainly_true(source_code(system), path)
     return any(asked.get(Place.of(file, call.span)) == {clients} for file, call in true_calls)
 
 

@@ -27,7 +27,7 @@ _ENDING = _KILLING | {"SIGINT", 2, "SIGTERM", 15, "SIGHUP", 1, "SIGQUIT", 3}
 """Signals that end a process: always, or unless it does otherwise."""
 
 
-def is_told_to_end(code: SourceCode, call: ApiCall, stay: Stay) -> bool:
+def is_signalled_to_end(code: SourceCode, call: ApiCall, stay: Stay) -> bool:
     """Whether a process that is waited for has just been told to end: ``process.terminate(); process.wait(timeout=1)``.
     Without a limit it has to be killed: only that cannot be ignored."""
     expression = code.expression(call)
@@ -36,7 +36,7 @@ def is_told_to_end(code: SourceCode, call: ApiCall, stay: Stay) -> bool:
     if not name:
         return False
     graph = graph_of(code.body(call))
-    earlier = graph.before(graph.evaluating(call.place.span), _in_this_round)
+    earlier = graph.before(graph.evaluating(call.place.span), _in_this_iteration)
     groups = _numbers_of(code.body(call), name)
     return any(
         (earlier_call.func.attribute in ends and _owner(earlier_call) == name)
@@ -46,7 +46,7 @@ def is_told_to_end(code: SourceCode, call: ApiCall, stay: Stay) -> bool:
     )
 
 
-def _in_this_round(edge: Edge) -> bool:
+def _in_this_iteration(edge: Edge) -> bool:
     return edge.kind is not Kind.BACK
 
 
@@ -108,4 +108,4 @@ def _owner(call: facts.Call) -> str:
     return dotted(call.func.value) if isinstance(call.func, facts.Attribute) else ""
 
 
-__all__ = ["ends_the_machine", "ends_with_the_node", "is_told_to_end"]
+__all__ = ["ends_the_machine", "ends_with_the_node", "is_signalled_to_end"]

@@ -37,9 +37,9 @@ def _names_of_request(code: SourceCode, call: ApiCall) -> set[str]:
     """The variables, in the function that holds a call, that a handler's request decides."""
     function, bound = code.definition(call.context), call.context.bound_arguments
     known = set() if function is None else {param.name for param in function.params[bound : bound + 1]}
-    ways = [*(frame.place for frame in call.chain), call.place]
-    for caller, inside in pairwise(ways):
-        known = set(_handed_over(code, caller, inside, _with_derived(code, caller, known)))
+    places = [*(frame.place for frame in call.chain), call.place]
+    for caller, inside in pairwise(places):
+        known = set(_passed_on(code, caller, inside, _with_derived(code, caller, known)))
     return _with_derived(code, call.place, known)
 
 
@@ -52,7 +52,7 @@ def _with_derived(code: SourceCode, place: Place, known: set[str]) -> set[str]:
     return known
 
 
-def _handed_over(code: SourceCode, caller: Place, inside: Place, known: set[str]) -> Iterator[str]:
+def _passed_on(code: SourceCode, caller: Place, inside: Place, known: set[str]) -> Iterator[str]:
     """The parameters of the function around ``inside``, which ``caller`` calls, that some variables decide."""
     call, callee = code.call_at(caller), code.function_at(inside)
     if call is None or callee is None:

@@ -26,7 +26,7 @@ _WAITS = {
 }
 _WAIT_FOR_MESSAGE = "rclpy.wait_for_message.wait_for_message"
 
-_OUTSIDE = frozenset(row.path for row in tables.ROWS if row.waits_for_io)
+_IO_CALLS = frozenset(row.path for row in tables.ROWS if row.waits_for_io)
 _LOCKS = ("fcntl.flock", "fcntl.lockf")
 _NETWORK = ("urllib.", "requests.", "socket.")
 
@@ -66,7 +66,7 @@ def stay_of(code: SourceCode, call: ApiCall) -> Stay | None:
         return Stay("keyboard", None, "waits for keyboard input")
     if call.api in _LOCKS:
         return Stay("lock", None, f"waits for a file lock in {call.api}()") if _waits_for_lock(code, call) else None
-    if call.api in _OUTSIDE:
+    if call.api in _IO_CALLS:
         name = call.api.rpartition(".")[2] if call.api.startswith("urllib.") else call.api
         if call.api.startswith(_NETWORK):
             return Stay("network", None, f"waits for the network in {name}()")

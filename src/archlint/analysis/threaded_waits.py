@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from archlint.systems.model import System
 
 
-def as_a_whole(call: ApiCall) -> ApiCall:
+def complete_wait(call: ApiCall) -> ApiCall:
     """The wait as a whole: ``while not future.done()`` is one, where the loop stands."""
     return replace(call, loops=call.loops[:-1]) if call.api == DONE else call
 

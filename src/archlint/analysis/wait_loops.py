@@ -57,8 +57,8 @@ def _may_end(loop: Loop, there: bool) -> bool:
             return False
         return there or edge.test is None or not _says(edge.test, there=edge.holds)
 
-    rounds = [edge.target for edge in loop.head.edges if edge.holds and edge.kind is not Kind.RAISE]
-    return any(loop not in block.loops or _may_raise(block) for block in reach(rounds, along, avoiding=[loop.head]))
+    starts = [edge.target for edge in loop.head.edges if edge.holds and edge.kind is not Kind.RAISE]
+    return any(loop not in block.loops or _may_raise(block) for block in reach(starts, along, avoiding=[loop.head]))
 
 
 def _may_raise(block: Block) -> bool:

@@ -34,7 +34,7 @@ _GROUP_HELP = (
 )
 
 _STORE = "store what arrives in an attribute and continue in the callback that receives it"
-_APART = "give the callback that sets the event a callback group of its own, and wait here with a timeout"
+_OWN_GROUP = "give the callback that sets the event a callback group of its own, and wait here with a timeout"
 
 
 def when_done(callback: Callback, client: Creation | None) -> str:
@@ -137,4 +137,4 @@ def _to_hear(wait: EventWait) -> str:
     if callback.role not in (Role.SERVICE, Role.EXECUTE):
         return _STORE
     several = threads_of(callback.node, wait.program) == blocking.SEVERAL
-    return _APART if several else f"spin the node with a MultiThreadedExecutor, {_APART}"
+    return _OWN_GROUP if several else f"spin the node with a MultiThreadedExecutor, {_OWN_GROUP}"

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
-from archlint.checks.unmatched import in_sight, whole
+from archlint.checks.unmatched import in_sight, is_complete
 from archlint.finding import Finding, Related
 from archlint.model import (
     EntityKind,
@@ -23,13 +23,13 @@ if TYPE_CHECKING:
 @rule("GRF001", scope=Scope.SYSTEM)
 def isolated_node(system: System, options: Options) -> Iterator[Finding]:
     """Nodes of a closed system that share no name with another node."""
-    if not whole(system) or any(not end.resolved for end in system.endpoints):
+    if not is_complete(system) or any(not end.resolved for end in system.endpoints):
         return
     tied = connected(system)
     judged = [node for node in system.nodes if _judged(node)]
     for node in judged:
-        outside = any(end.name is not None and options.is_external(end.name) for end in node.endpoints)
-        if len(judged) > 1 and id(node) not in tied and not outside:
+        external = any(end.name is not None and options.is_external(end.name) for end in node.endpoints)
+        if len(judged) > 1 and id(node) not in tied and not external:
             yield _finding(
                 "GRF001",
                 node,

@@ -11,9 +11,9 @@ from archlint.analysis.callback_groups import (
     all_nodes,
     groups_in_use,
     groups_made,
-    keeps_some_apart,
     needing_groups,
     only_excludes,
+    serializes_callbacks,
 )
 from archlint.analysis.deadlock import related_executor, threads_of
 from archlint.analysis.idle_nodes import started_nodes
@@ -69,4 +69,4 @@ def _useless(system: System, program: Program, node: Blueprint, groups: list[tup
         node=node_name(system, node),
         identity=(node.class_name,),
     )
-    return replace(diagnostic, severity=Severity.INFO) if keeps_some_apart(node) else diagnostic
+    return replace(diagnostic, severity=Severity.INFO) if serializes_callbacks(node) else diagnostic

@@ -24,7 +24,7 @@ from archlint.checks.wait_words import (
     WAIT_FOR_SERVICE,
     kind_of,
     name_of,
-    way_to,
+    related_path,
 )
 from archlint.finding import Finding, Place
 
@@ -64,7 +64,7 @@ def _ignored(system: System, call: ApiCall) -> Finding:
         f"the result of {function}() for {endpoint_words(call.creation, kind_of(call))} is ignored: after the "
         "timeout the code continues as if it were available",
         help=f"check the result, and handle the case that the server is not available: if not ….{function}(…):",
-        related=way_to(call, call.creation),
+        related=related_path(call, call.creation),
         node=node_name(system, call.node or call.context.node),
         identity=(call.function, name_of(call.creation), function),
     )

@@ -218,7 +218,7 @@ def _finding(sources: list[str], unknown: list[str], given: dict[str, Place], de
         related=[Related(given[name], f"'{name}' is set here" + did_you_mean(name, declared)) for name in others],
         identity=(*sources, *unknown),
     )
-    severity = Severity.INFO if set(unknown) <= _HANDED_TO_ALL else diagnostic.severity
+    severity = Severity.INFO if set(unknown) <= _PASSED_TO_ALL else diagnostic.severity
     return replace(diagnostic, severity=severity, group=(*sources, *unknown))
 
 
@@ -240,7 +240,7 @@ def _not_scoped(diagnostic: Finding, read_on: Mapping[str, Place]) -> Finding:
     )
 
 
-_HANDED_TO_ALL = frozenset({"use_sim_time"})
+_PASSED_TO_ALL = frozenset({"use_sim_time"})
 """Arguments that launch files hand to every include as a matter of course, to those of drivers as well."""
 
 
@@ -253,8 +253,8 @@ def _of_one_file(findings: Sequence[Finding]) -> Finding:
 
 def _is_known(target: Launched) -> bool:
     """Whether everything is seen that may take an argument of an included file."""
-    outside = any(include.reference.source is None for include in target.included)
-    if outside or target.gaps or target.ros1 or not target.is_launch_file or target.reads_any:
+    includes_others = any(include.reference.source is None for include in target.included)
+    if includes_others or target.gaps or target.ros1 or not target.is_launch_file or target.reads_any:
         return False
     return not _substitutes_in_parameters(target)
 

@@ -17,14 +17,14 @@ def argument_notices(system: System) -> Iterator[str]:
     launched = system.launched
     if launched is None:
         return
-    whole = not any(launched.not_followed())
+    complete = not any(launched.not_followed())
     declared = {argument.name for argument in launched.declared}
     known = declared | {use.name for use in launched.undeclared} | launched.undecided.keys()
     for name in sorted(launched.arguments.keys() - known):
         meant = did_you_mean(name, declared)
-        if meant or whole:
+        if meant or complete:
             yield f"{launched.file} has no argument '{name}'{meant}"
-    if not whole:
+    if not complete:
         return
     for argument in launched.declared:
         own = argument.file == launched.file and not argument.dormant  # whoever includes a file gives it values

@@ -26,7 +26,7 @@ from archlint.analysis.waits import other_arm_only_sends
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.timeouts import is_uncalled
-from archlint.checks.wait_words import kind_of, name_of, way_to
+from archlint.checks.wait_words import kind_of, name_of, related_path
 from archlint.finding import Finding, Severity
 from archlint.model import ExecutorKind, Role
 
@@ -51,13 +51,13 @@ def call_without_timeout(system: System, options: Options) -> Iterator[Finding]:
     yield from one_for_each_place(
         _limitless_call(system, program, call, options.distros)
         for program, call in calls_of(system, (_CALL, _SEND_GOAL))
-        if not _waits_apart(system, program, call)
+        if not _is_wait_of_daemon(system, program, call)
         and call.place not in reported
         and (call.api == _SEND_GOAL or waits_for_ever(source_code(system), call, "timeout_sec", negative=False))
     )
 
 
-def _waits_apart(system: System, program: Program, call: ApiCall) -> bool:
+def _is_wait_of_daemon(system: System, program: Program, call: ApiCall) -> bool:
     """Whether a call is what a daemon thread was made for: it waits once, nobody waits for it, and it is gone when
     the program ends."""
     callback, workspace = call.context, system.workspace
@@ -77,7 +77,7 @@ def _limitless_call(system: System, program: Program, call: ApiCall, distros: tu
         f"{function}() waits for {answer} {endpoint_words(call.creation, kind_of(call))} without a timeout: if it "
         f"is lost, this never returns{_if_often(system, call)}",
         help=_help(source_code(system), call, spinner, distros),
-        related=way_to(call, call.creation),
+        related=related_path(call, call.creation),
         node=node_name(system, call.node or call.context.node),
         identity=(call.function, name_of(call.creation), function),
     )

@@ -16,7 +16,7 @@ from archlint.analysis.loop_times import (
     in_loops,
     is_retry,
     reads_until_it_has,
-    varies_with_the_round,
+    varies_by_iteration,
     watches_the_clock,
 )
 from archlint.analysis.reach import endpoint_words, judged_calls, node_name, one_for_each_place
@@ -76,11 +76,13 @@ def _endless_first(code: SourceCode, sleep: _Sleep) -> tuple[bool, Place]:
 def _in_all(system: System, sleeps: Sequence[_Sleep]) -> float:
     """Seconds that a handler sleeps for certain, each way through its branches by itself; what nobody knows has no
     end."""
-    ways: dict[BranchArms, dict[Place, float]] = {frozenset(): {}}
+    by_branch: dict[BranchArms, dict[Place, float]] = {frozenset(): {}}
     for call, stay in sleeps:
-        way = conditions(system.workspace, call.branch_arms)
-        ways.setdefault(way, {})[call.place] = _seconds(source_code(system), call, stay)
-    return max(sum(sum(seconds.values()) for other, seconds in ways.items() if other <= way) for way in ways)
+        branch = conditions(system.workspace, call.branch_arms)
+        by_branch.setdefault(branch, {})[call.place] = _seconds(source_code(system), call, stay)
+    return max(
+        sum(sum(seconds.values()) for other, seconds in by_branch.items() if other <= branch) for branch in by_branch
+    )
 
 
 def _seconds(code: SourceCode, call: ApiCall, stay: Stay) -> float:
@@ -138,7 +140,7 @@ def _how_long(code: SourceCode, sleeps: Sequence[_Sleep], total: float, asked: b
     if any(other.place != call.place for other, _ in others):
         up_to = "up to " if any(limit is not None for sleep_call, _ in sleeps for limit in sleep_call.limits) else ""
         words = f"sleeps for {up_to}{total:.3g} s in all"
-    elif call.looped and varies_with_the_round(code, call):
+    elif call.looped and varies_by_iteration(code, call):
         words = "sleeps repeatedly, for a time that depends on the loop"
     elif call.looped and math.isinf(in_loops(code, call, stay)):
         words += " in each iteration of a loop"

@@ -70,7 +70,7 @@ def missing_launch_file(system: System, options: Options) -> Iterator[Finding]:
 def _of_one_file(several: Sequence[Finding]) -> Finding:
     """One finding for a file that is not there, however many launch files name it."""
     first, *others = several
-    places = (Related(told.place, "it is named here, too") for told in others)
+    places = (Related(other.place, "it is named here, too") for other in others)
     return replace(first, related=(*first.related, *places))
 
 

@@ -43,7 +43,7 @@ _NAMES_SHOWN = 3
 
 _GO_ON = "send the request with call_async(), return, and publish the outcome from the done callback"
 _AWAIT = "make the handler async, give the client its own callback group, and await {}"
-_APART = "give {} its own callback group, so that the other callbacks keep running"
+_OWN_GROUP = "give {} its own callback group, so that the other callbacks keep running"
 _NOT_WITH_IT = "give {} a different callback group from the handlers that wait here"
 _LONGER = "make the timeout here longer than the total time that {} may wait"
 _KEEP = "keep the timeout, and give the callers of {} a longer one"
@@ -88,13 +88,13 @@ def _nested(system: System, rows: list[_Row]) -> Finding:
     service = endpoint_words(handler.creation)
     awaited = _all_words([wait, *further]) if verdict.safe else endpoint_words(wait.client)
     rivals = {rival.call.context.place for rival in waits(system) if rival.call.place == call.place} - {handler.place}
-    held_up = [callback for callback in _held_up(wait) if callback.place not in rivals]
+    blocked = [callback for callback in _blocked_callbacks(wait) if callback.place not in rivals]
     behind = waits_behind(system, wait) if verdict.safe else []
     diagnostic = finding(
         "SRV003",
         call.place,
-        f"the handler of {service} {_waits_for(wait, verdict, awaited)}{_outcome(wait, verdict, held_up, behind)}",
-        help=_help(system, wait, verdict, held_up, behind, bool(rivals)),
+        f"the handler of {service} {_waits_for(wait, verdict, awaited)}{_outcome(wait, verdict, blocked, behind)}",
+        help=_help(system, wait, verdict, blocked, behind, bool(rivals)),
         related=[
             Related(handler.place, f"{handler.name} handles {service}"),
             *related_chain(call),
@@ -114,7 +114,7 @@ def _nested(system: System, rows: list[_Row]) -> Finding:
     mild = verdict.safe or (wait.kind == SPIN and verdict.unknown)
     if (
         verdict.safe
-        and not held_up
+        and not blocked
         and not behind
         and all(_careful(system, each_wait) for each_wait in (wait, *further))
     ):
@@ -133,7 +133,7 @@ def _thrown_away(system: System, wait: Wait) -> bool:
     return wait.call.api in BLOCKING_CALLS and stands_alone(source_code(system), wait.call)
 
 
-def _held_up(wait: Wait) -> list[Callback]:
+def _blocked_callbacks(wait: Wait) -> list[Callback]:
     """The callbacks that cannot run meanwhile: those of the exclusive group that the handler holds to its end."""
     handler = wait.call.context
     if handler.node is None or handler.group is None or handler.group.kind == GroupKind.REENTRANT:
@@ -160,12 +160,12 @@ def _all_words(waits: list[Wait]) -> str:
         return f"{words[0]}, at {len(waits)} places"
     if len(words) > _NAMES_SHOWN:
         words[_NAMES_SHOWN - 1 :] = [f"{len(words) - _NAMES_SHOWN + 1} more"]
-    if not _on_one_way(waits):
+    if not _on_one_path(waits):
         return f"{', '.join(words[:-1])} or {words[-1]}"
     return f"{', '.join(words[:-1])} and {words[-1]} one after the other"
 
 
-def _on_one_way(waits: list[Wait]) -> bool:
+def _on_one_path(waits: list[Wait]) -> bool:
     """Whether one way through the branches comes to all of the waits."""
     arms = sorted((wait.call.branch_arms for wait in waits), key=len)
     return all(longer[: len(shorter)] == shorter for shorter, longer in pairwise(arms))
@@ -175,13 +175,13 @@ def _help(
     system: System,
     wait: Wait,
     verdict: Verdict,
-    held_up: Sequence[Callback],
+    blocked: Sequence[Callback],
     behind: Sequence[Edge],
-    kept_apart: bool,
+    has_rivals: bool,
 ) -> str:
     """What to do: whoever looks at the answer needs it before the handler returns."""
     if wait.kind == AWAIT:
-        if verdict.safe and not held_up:
+        if verdict.safe and not blocked:
             return _BOUND
         return _IF_IT_CAN if verdict.safe else _GROUP
     if wait.kind == CALL and _thrown_away(system, wait):
@@ -190,11 +190,11 @@ def _help(
     if verdict.safe and wait.bounded and wait.kind != SPIN:
         if behind:
             return _LONGER.format(behind[0].server.name)
-        if held_up and kept_apart:
-            return _NOT_WITH_IT.format(_names_of(held_up))
-        return _APART.format(service) if held_up else _KEEP.format(service)
+        if blocked and has_rivals:
+            return _NOT_WITH_IT.format(_names_of(blocked))
+        return _OWN_GROUP.format(service) if blocked else _KEEP.format(service)
     if wait.kind == SPIN and _is_spun_here(wait):
-        return _of_a_node_apart(wait, verdict, service)
+        return _advice_for_another_node(wait, verdict, service)
     if verdict.safe and wait.limited:
         return _IF_IT_CAN
     return _AWAIT.format("send_goal_async(…)" if wait.client.kind == EntityKind.ACTION_CLIENT else "call_async(…)")
@@ -207,7 +207,7 @@ def _is_spun_here(wait: Wait) -> bool:
     return node is not wait.call.context.node and is_spun_for_moments(node, wait.program)
 
 
-def _of_a_node_apart(wait: Wait, verdict: Verdict, service: str) -> str:
+def _advice_for_another_node(wait: Wait, verdict: Verdict, service: str) -> str:
     if not verdict.safe:
         return OWN_EXECUTOR.format(wait.call.api.rpartition(".")[2])
     return _KEEP.format(service) if wait.limited else _SET_LIMIT
@@ -224,10 +224,10 @@ def _other_handlers(first: Callback, waits: list[Wait]) -> Iterator[Related]:
             yield Related(handler.place, f"{handler.name}, the handler of {service}, gets here too")
 
 
-def _outcome(wait: Wait, verdict: Verdict, held_up: Sequence[Callback], behind: Sequence[Edge]) -> str:
+def _outcome(wait: Wait, verdict: Verdict, blocked: Sequence[Callback], behind: Sequence[Edge]) -> str:
     if verdict.safe:
-        meanwhile = "" if wait.kind == AWAIT and not held_up else "meanwhile "
-        return f"{_second_level(behind)}, which works here ({verdict.why}), but {meanwhile}{_cost(wait, held_up)}"
+        meanwhile = "" if wait.kind == AWAIT and not blocked else "meanwhile "
+        return f"{_second_level(behind)}, which works here ({verdict.why}), but {meanwhile}{_cost(wait, blocked)}"
     if wait.kind == SPIN:
         return f", and {verdict.why}" + ("" if verdict.unknown else f": this {verdict.words}")
     if verdict.unknown:
@@ -243,11 +243,11 @@ def _second_level(behind: Sequence[Edge]) -> str:
     return f" (the handler of {behind[0].server.name} itself waits for {names[0]}{further})"
 
 
-def _cost(wait: Wait, held_up: Sequence[Callback]) -> str:
+def _cost(wait: Wait, blocked: Sequence[Callback]) -> str:
     """What a wait costs that ends well."""
     handler = wait.call.context
-    if held_up:
-        return f"its own caller waits, and the other callbacks of its group cannot run: {_names_of(held_up)}"
+    if blocked:
+        return f"its own caller waits, and the other callbacks of its group cannot run: {_names_of(blocked)}"
     if wait.kind == AWAIT:
         return "the await has no timeout: if the response never comes, the handler and its caller wait forever"
     if handler.group is not None and handler.group.kind == GroupKind.REENTRANT:

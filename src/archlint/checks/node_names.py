@@ -49,12 +49,12 @@ def _twins(system: System) -> Iterator[Twins]:
     named = [n for n in system.nodes if n.name is not None and n.resolution == "exact" and n.launch_place]
     for _, group in groupby(sorted(named, key=lambda n: n.name or ""), key=lambda node: node.name):
         pairs = combinations(list(group), 2)
-        twins = next((pair for pair in pairs if _together(system, *pair)), None)
+        twins = next((pair for pair in pairs if _coexist(system, *pair)), None)
         if twins is not None:
             yield twins
 
 
-def _together(system: System, node: Node, other: Node) -> bool:
+def _coexist(system: System, node: Node, other: Node) -> bool:
     """Whether two nodes certainly run at the same time."""
     if not runs_along(node.alternatives, other.alternatives):
         return False
@@ -182,7 +182,7 @@ def _namesakes(system: System, first: Node, other: Node) -> list[Place]:
     places: dict[Place, None] = {}
     for node in system.nodes:
         named = node.name == first.name and node.resolution == "exact" and node.launch_place is not None
-        if named and node not in (first, other) and _together(system, node, first) and _together(system, node, other):
+        if named and node not in (first, other) and _coexist(system, node, first) and _coexist(system, node, other):
             assert node.launch_place is not None
             places.setdefault(node.launch_place)
     return sorted(place for place in places if place not in (first.launch_place, other.launch_place))
@@ -192,7 +192,7 @@ def _of_one_process(first: Node, other: Node) -> Iterator[Finding]:
     if other.launch_place is None:
         return
     renamed = first.started is not None and first.started.name is not None
-    apart = _own_name(first) != _own_name(other)
+    differ = _own_name(first) != _own_name(other)
     message = f"this executable creates several nodes with the name '{first.name}'"
     if renamed:
         message = f"name= renames every node of this executable, so several have the name '{first.name}'"
@@ -201,7 +201,7 @@ def _of_one_process(first: Node, other: Node) -> Iterator[Finding]:
         other.launch_place,
         message,
         help="remove name=, so that each node keeps the name from its code"
-        if renamed and apart
+        if renamed and differ
         else "give each its own name in the code" + (", and remove name= here" if renamed else ""),
         related=list(dict.fromkeys(related for node in (first, other) for related in _made(node))),
         node=first.name,

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from dataclasses import astuple, replace
 from typing import TYPE_CHECKING
 
-from archlint.analysis.owners import run_together
+from archlint.analysis.owners import some_coexist
 from archlint.checks.registry import finding
 from archlint.finding import Finding, Related, Severity
 
@@ -20,7 +20,7 @@ def finding_for_owners(
 ) -> Finding:
     """The finding at the last owner; for information only where nothing is seen to start any two of them."""
     last, others = owners[-1], owners[:-1]
-    proven = run_together(system, owners)
+    proven = some_coexist(system, owners)
     diagnostic = finding(
         code,
         last.place,

@@ -12,8 +12,8 @@ from archlint.analysis.aside import is_not_installed
 from archlint.analysis.coexistence import (
     has_launch_files,
 )
-from archlint.analysis.happenings import are_requests, tell_what_happened
-from archlint.analysis.owners import run_together, several_owners
+from archlint.analysis.happenings import are_events, are_requests
+from archlint.analysis.owners import several_owners, some_coexist
 from archlint.analysis.sharing import are_words, is_bus, is_state
 from archlint.analysis.switched_off import switch_of
 from archlint.checks.folding import folds
@@ -48,9 +48,9 @@ def multiple_publishers(system: System, options: Options) -> Iterator[Finding]:
 
 def _is_meant(system: System, connection: Connection, owners: list[Endpoint]) -> bool:
     """Whether several nodes are there to publish a topic, or do not do so at once."""
-    if is_bus(system.workspace, connection, owners) or tell_what_happened(system, owners) or are_requests(connection):
+    if is_bus(system.workspace, connection, owners) or are_events(system, owners) or are_requests(connection):
         return True
-    if not run_together(system, owners) and (
+    if not some_coexist(system, owners) and (
         has_launch_files(system)
         or _says_what_happens(connection.name)
         or _are_exercises(owners)

@@ -107,11 +107,11 @@ def _without_one_function(several: Sequence[Finding]) -> Finding:
     if not others:
         return first
     _, function = first.group
-    names = [told.identity[1] for told in several]
+    names = [entry.identity[1] for entry in several]
     return replace(
         first,
         message=f"{len(names)} executables cannot start: their modules have no function '{function}': {listed(names)}",
-        related=tuple(Related(told.place, f"the entry of '{told.identity[1]}'") for told in others),
+        related=tuple(Related(entry.place, f"the entry of '{entry.identity[1]}'") for entry in others),
         identity=(first.identity[0], *names),
     )
 

@@ -30,7 +30,7 @@ def unknown_parameter_override(system: System, options: Options) -> Iterator[Fin
     every: dict[tuple[str, str], set[str] | None] = {}
     said: set[tuple[Place, Place, str]] = set()
     shared = _Bundles(system)
-    taken_apart: dict[tuple[str | None, str, str, Place | None], tuple[Node, list[Setting]]] = {}
+    split_dicts: dict[tuple[str | None, str, str, Place | None], tuple[Node, list[Setting]]] = {}
     for node, settings in set_nodes(system):
         declared = declared_by(node)
         assert node.blueprint is not None
@@ -60,14 +60,14 @@ def unknown_parameter_override(system: System, options: Options) -> Iterator[Fin
             if line in said:
                 continue  # a line that starts several nodes of one class is wrong once
             said.add(line)
-            whole = _declared_dict(setting, declared)
-            if whole is None:
+            declared_dict = _declared_dict(setting, declared)
+            if declared_dict is None:
                 yield _never_used(system, node, node.blueprint, setting, declared, settings)
             else:
-                name, place = whole
-                taken_apart.setdefault((node.name, setting.place.file, name, place), (node, []))[1].append(setting)
-    for (_, _, name, place), (node, parts) in taken_apart.items():
-        yield _taken_apart(node, name, place or parts[0].place, parts)
+                name, place = declared_dict
+                split_dicts.setdefault((node.name, setting.place.file, name, place), (node, []))[1].append(setting)
+    for (_, _, name, place), (node, parts) in split_dicts.items():
+        yield _split_dict(node, name, place or parts[0].place, parts)
 
 
 def _is_gone_before(node: Node, siblings: Sequence[Node]) -> bool:
@@ -79,8 +79,8 @@ def _is_gone_before(node: Node, siblings: Sequence[Node]) -> bool:
 
 def _declared_in_sight(workspace: WorkspaceIndex | None, node: Node) -> dict[str, list[ParameterDeclaration]] | None:
     """The declarations of a node by name; None where it may have others, from a base class that is not known, say."""
-    whole = all(declares_all(workspace, blueprint) for blueprint in node.blueprints) and followed(node)
-    return declared_by(node) if whole else None
+    complete = all(declares_all(workspace, blueprint) for blueprint in node.blueprints) and followed(node)
+    return declared_by(node) if complete else None
 
 
 class _Bundles:
@@ -210,7 +210,7 @@ def _declared_dict(
     return name, None
 
 
-def _taken_apart(node: Node, name: str, place: Place, parts: Sequence[Setting]) -> Finding:
+def _split_dict(node: Node, name: str, place: Place, parts: Sequence[Setting]) -> Finding:
     rows = [row for row in node.parameters if row.name.text == name]
     text = bool(rows) and rows[0].type == "string"
     in_launch = parts[0].written is None

@@ -62,9 +62,9 @@ def parameters_for_unknown_node(system: System, options: Options) -> Iterator[Fi
         for section in workspace.parameters_of(file).sections:
             if "*" in section.key or "$(" in section.key or _any_matches(section.key, started):
                 continue
-            told = _judged(workspace, Place(file, *section.span), section.key, started, unmet)
-            if told is not None:
-                yield told
+            finding_ = _judged(workspace, Place(file, *section.span), section.key, started, unmet)
+            if finding_ is not None:
+                yield finding_
 
 
 def _any_matches(key: str, started: Sequence[_Loader]) -> bool:
@@ -116,11 +116,11 @@ def _finding(place: Place, key: str, meant: str, help: str, group: Sequence[str]
 @folds("PRM005")
 def _one_for_a_namespace(several: Sequence[Finding]) -> Finding:
     """One finding for all sections of a file that lack their nodes in the same way."""
-    keys = [told.identity[1] for told in several]
+    keys = [reported.identity[1] for reported in several]
     return replace(
         several[0],
         message=f"no launch file that loads this file starts any of these {len(keys)} nodes: {listed(keys)}",
-        related=tuple(Related(told.place, f"'{told.identity[1]}'") for told in several[1:]),
+        related=tuple(Related(reported.place, f"'{reported.identity[1]}'") for reported in several[1:]),
         identity=(several[0].identity[0], *keys),
     )
 

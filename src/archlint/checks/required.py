@@ -33,10 +33,10 @@ def missing_connection(system: System, options: Options) -> Iterator[Finding]:
     for contract in options.contracts:
         if contract.kind != REQUIRE or not is_concerned(system, contract):
             continue
-        outside = any(options.is_external(glob) for glob in contract.patterns)
+        external = any(options.is_external(glob) for glob in contract.patterns)
         if contract.through:
-            yield from _around(system, contract, outside)
-        elif not outside:
+            yield from _around(system, contract, external)
+        elif not external:
             missing = _missing_link(system, contract) if contract.source else _missing_end(system, contract)
             if missing is not None:
                 yield _finding(contract, f"{missing}, which the contract '{contract.name}' requires")
@@ -142,10 +142,10 @@ def _ends(connection: Connection, kind: EntityKind) -> list[Endpoint]:
     return [end for end in (*connection.providers, *connection.users) if end.kind == kind and counts(end)]
 
 
-def _around(system: System, contract: Contract, outside: bool) -> Iterator[Finding]:
+def _around(system: System, contract: Contract, external: bool) -> Iterator[Finding]:
     """Publishers of a topic whose messages reach somebody else than the node that they must pass, or nobody.
 
-    ``outside`` is True where that node is not in this workspace, and nobody can tell what it listens to.
+    ``external`` is True where that node is not in this workspace, and nobody can tell what it listens to.
     """
     candidates = [link for link in links(system, contract.through) if is_named(contract, link.connection)]
     passing = {id(link.source) for link in candidates if is_meant(contract.through, link.target.node)}
@@ -156,7 +156,7 @@ def _around(system: System, contract: Contract, outside: bool) -> Iterator[Findi
             past = [
                 link for link in candidates if link.source is end and not is_meant(contract.through, link.target.node)
             ]
-            if past or not (outside or id(end) in passing or not _all_followed(system, contract.through)):
+            if past or not (external or id(end) in passing or not _all_followed(system, contract.through)):
                 yield _passes_by(contract, topic, end, past)
 
 

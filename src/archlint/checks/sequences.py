@@ -33,7 +33,7 @@ class _Step:
     ``client`` is the one that this way asks."""
 
     line: Place
-    way: tuple[Frame, ...]
+    chain: tuple[Frame, ...]
     wait: Wait
     client: Creation
 
@@ -84,13 +84,13 @@ def _runs(system: System) -> Iterator[list[_Step]]:
             continue  # SRV003 says of a handler that it waits, and for how many answers
         if wait.kind != AWAIT and is_retried(code, call):
             continue
-        for way, rounds, clients in ((call.chain, call.enclosing_loops, ()), *call.call_chains):
+        for chain, loops, clients in ((call.chain, call.enclosing_loops, ()), *call.call_chains):
             # What is in the same arms of all branches runs together or not at all; a program that is no
             # callback has to go round all of it.
-            round_ = rounds[:1] if not runs_in_executor(call.context) else ()
-            key = (id(wait.program), id(call.context), call.branch_arms, round_)
+            outermost = loops[:1] if not runs_in_executor(call.context) else ()
+            key = (id(wait.program), id(call.context), call.branch_arms, outermost)
             client = clients[0] if clients else wait.client
-            by_run.setdefault(key, []).append(_Step(call.place, way, wait, client))
+            by_run.setdefault(key, []).append(_Step(call.place, chain, wait, client))
     for steps in by_run.values():
         yield from _sequences(steps)
 
@@ -99,11 +99,11 @@ def _sequences(steps: list[_Step]) -> Iterator[list[_Step]]:
     """One sequence a function that makes the waits, directly or through a helper each."""
     by_function: dict[str, dict[tuple[Place, Place], _Step]] = {}
     for step in steps:
-        call, way = step.wait.call, step.way
+        call, chain = step.wait.call, step.chain
         # The function that holds the call, and the one that calls the helper which does.
         by_function.setdefault(f"{call.file}:{call.function}", {})[call.place, call.place] = step
-        if way:
-            last = way[-1]
+        if chain:
+            last = chain[-1]
             by_caller = by_function.setdefault(f"{last.place.file}:{last.caller}", {})
             by_caller[last.place, call.place] = replace(step, line=last.place)
     for sequence in by_function.values():
@@ -127,7 +127,7 @@ def _in_turn(system: System, steps: list[_Step]) -> Finding:
         else "send the requests with call_async() and continue when their futures are done",
         related=[
             Related(
-                step.way[-1].place if step.way else step.wait.call.place, f"waits for {endpoint_words(step.client)}"
+                step.chain[-1].place if step.chain else step.wait.call.place, f"waits for {endpoint_words(step.client)}"
             )
             for step in steps
         ],

@@ -46,11 +46,12 @@ def waits_behind(system: System, wait: Wait) -> list[Edge]:
         for edge in row
         if edge.wait is wait
         for behind in edges.get(edge.target, ())
-        if behind.wait.call.context is not wait.call.context and _meet(system, behind.server.node, edge.server.node)
+        if behind.wait.call.context is not wait.call.context
+        and _may_coexist(system, behind.server.node, edge.server.node)
     ]
 
 
-def _meet(system: System, node: Node, other: Node) -> bool:
+def _may_coexist(system: System, node: Node, other: Node) -> bool:
     return system.may_coexist(node, other) or system.in_same_launch(node, other)
 
 
@@ -109,7 +110,7 @@ def _circle(circle: list[Edge]) -> Finding:
     at = circle.index(last)
     turned = circle[at + 1 :] + circle[: at + 1]
     names = [edge.server.name or "" for edge in (turned[-1], *turned)]
-    way = " → ".join([names[0], *(edge.target[1] for edge in [turned[-1], *turned[:-1]])])
+    path = " → ".join([names[0], *(edge.target[1] for edge in [turned[-1], *turned[:-1]])])
     alone = len(circle) == 1
     limited = any(edge.wait.limited for edge in circle)
     end = "all of them time out" if limited else "none of them ever responds"
@@ -117,7 +118,7 @@ def _circle(circle: list[Edge]) -> Finding:
         "SRV006",
         last.wait.call.place,
         f"the handler of {names[0]} waits for {names[0] if alone else last.target[1]}"
-        + (", which it serves itself" if alone else f", which closes a circle: {way}")
+        + (", which it serves itself" if alone else f", which closes a circle: {path}")
         + f": {end}",
         help="let one of them publish the data that the others request",
         related=[

@@ -14,7 +14,7 @@ from archlint.analysis.deadlock import threads_of
 from archlint.analysis.loop_times import around_future, in_loops
 from archlint.analysis.own_timers import ends_its_timer_before
 from archlint.analysis.present_servers import is_there
-from archlint.analysis.processes import ends_the_machine, ends_with_the_node, is_told_to_end
+from archlint.analysis.processes import ends_the_machine, ends_with_the_node, is_signalled_to_end
 from archlint.analysis.reach import argument, creations_of, judged_calls, node_name, one_for_each_place
 from archlint.analysis.sleeps import Stay, stay_of
 from archlint.analysis.source_code import SourceCode, source_code
@@ -121,7 +121,7 @@ def _stays(system: System) -> Iterator[_Row]:
         if stay is None or _trifle(call) or not _is_long(system, call, stay) or _harmless(call.context, program):
             continue
         if (
-            is_told_to_end(code, call, stay)
+            is_signalled_to_end(code, call, stay)
             or (stay.kind == "discovery" and is_there(system, call))
             or ends_with_the_node(code, call, stay)
             or ends_the_machine(code, call)
@@ -182,8 +182,8 @@ def _waiting(code: SourceCode, call: ApiCall, program: Program) -> str:
         return _OTHERS
     # The transitions of a lifecycle node wait, too, if anybody asks for one.
     known = callback.role in _ITS_NEXT and not node.lifecycle
-    whole = known and node.executor in (ExecutorKind.SINGLE_THREADED, ExecutorKind.MULTI_THREADED)
-    return _NOBODY if whole and all(spun.complete for spun in nodes) else _UNKNOWN
+    known_executor = known and node.executor in (ExecutorKind.SINGLE_THREADED, ExecutorKind.MULTI_THREADED)
+    return _NOBODY if known_executor and all(spun.complete for spun in nodes) else _UNKNOWN
 
 
 def _takes_in_more(code: SourceCode, node: Blueprint, call: ApiCall, program: Program) -> bool:
@@ -192,12 +192,12 @@ def _takes_in_more(code: SourceCode, node: Blueprint, call: ApiCall, program: Pr
     callback = call.context
     later = {id(creation) for creation in node.creations if _is_made_after(creation, call)}
     follow = _callbacks_that_follow(code, node, call)
-    apart = threads_of(callback.node, program) == blocking.SEVERAL
+    several_threads = threads_of(callback.node, program) == blocking.SEVERAL
     entities = (creation for creation in node.creations if creation.kind in _TAKE_IN and not creation.destroyed)
     return any(
         creation is not callback.creation
         and id(creation) not in later
-        and not (apart and creation.group != callback.group)
+        and not (several_threads and creation.group != callback.group)
         and (not creation.callbacks or any(handler.place != callback.place for handler in creation.callbacks.values()))
         for creation in entities
     ) or any(
@@ -207,7 +207,7 @@ def _takes_in_more(code: SourceCode, node: Blueprint, call: ApiCall, program: Pr
         and (other.creation is not callback.creation or other.role == Role.CANCEL)
         and runs_in_executor(other)
         for other in node.callbacks
-        if not (apart and other.group != callback.group) and other.role != Role.LIFECYCLE
+        if not (several_threads and other.group != callback.group) and other.role != Role.LIFECYCLE
     )
 
 
@@ -263,12 +263,12 @@ def _slow(system: System, rows: Sequence[_Row], only_network: bool) -> Finding:
         end = _of_loop(source_code(system), call, stay)
     if others:
         end += f", as {'does another line' if len(others) == 1 else f'do {len(others)} more lines'} of {call.function}"
-    held_up = {_waiting(source_code(system), row[1], row[0]) for row in rows}
-    mild = _OTHERS not in held_up or all(_answers_in_time(row[1], row[2]) or row[2].kind == "lock" for row in rows)
+    waiting = {_waiting(source_code(system), row[1], row[0]) for row in rows}
+    mild = _OTHERS not in waiting or all(_answers_in_time(row[1], row[2]) or row[2].kind == "lock" for row in rows)
     meanwhile = _meanwhile(callback, program)
-    if held_up == {_NOBODY}:
+    if waiting == {_NOBODY}:
         meanwhile = f"the node has no other callback, but its next {_ITS_NEXT[callback.role]} has to wait"
-    elif _OTHERS not in held_up:
+    elif _OTHERS not in waiting:
         meanwhile = "everything else on its thread has to wait"
     diagnostic = finding(
         "EXE003",

@@ -25,7 +25,7 @@ from archlint.checks.scope import Scope
 from archlint.checks.wait_words import (
     is_at_its_default,
     name_of,
-    way_to,
+    related_path,
 )
 from archlint.finding import Finding
 from archlint.model import Role
@@ -63,7 +63,7 @@ def _limitless_spin(system: System, call: ApiCall) -> Finding:
         call.place,
         f"spins until {awaited} arrives, without a timeout: if it never does, the next line never runs",
         help=_help_for_spin(call),
-        related=way_to(call, client),
+        related=related_path(call, client),
         node=node_name(system, call.context.node),
         identity=(call.function, name_of(client), "spin_until_future_complete"),
         group=(call.file, call.function),

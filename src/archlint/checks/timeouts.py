@@ -27,7 +27,7 @@ from archlint.checks.wait_words import (
     kind_of,
     made_here,
     name_of,
-    way_to,
+    related_path,
 )
 from archlint.finding import Finding, Severity
 from archlint.model import Role
@@ -66,7 +66,7 @@ def _limitless_wait(system: System, call: ApiCall) -> Finding:
         call.place,
         f"{function}() waits for {awaited} without a timeout: if it never comes, nothing after this line runs",
         help=_help_for_wait(call, function),
-        related=way_to(call, call.creation if call.api != WAIT_FOR_MESSAGE else None),
+        related=related_path(call, call.creation if call.api != WAIT_FOR_MESSAGE else None),
         node=node_name(system, call.node or call.context.node),
         identity=(call.function, name_of(call.creation), function),
     )

@@ -92,7 +92,7 @@ def _lonely(
     system: System, options: Options, connections: Mapping[str, Connection], kind: EntityKind
 ) -> Iterator[Endpoint]:
     """Certain endpoints without a partner, one for each name; none where somebody unknown may be one."""
-    if not whole(system):
+    if not is_complete(system):
         return
     implicit = implicit_names(system)
     unknown = [end for end in system.endpoints if end.kind == _PARTNER[kind] and not end.resolved]
@@ -103,11 +103,11 @@ def _lonely(
         if connection.name in implicit or options.is_external(connection.name):
             continue
         sure = [end for end in ends if certain(end) and not named_by_library(end)]
-        if sure and not any(_may_meet(end, other) for end in sure for other in unknown):
+        if sure and not any(_may_match(end, other) for end in sure for other in unknown):
             yield in_source_order(sure)[0]
 
 
-def whole(system: System) -> bool:
+def is_complete(system: System) -> bool:
     """Whether the system is closed, all of it is in sight, and it is no part of another one."""
     if not system.closed or not in_sight(system):
         return False
@@ -144,7 +144,7 @@ def _seen(node: Node, workspace: WorkspaceIndex | None) -> bool:
     return workspace is None or all(declares_all(workspace, blueprint) for blueprint in node.blueprints)
 
 
-def _may_meet(end: Endpoint, other: Endpoint) -> bool:
+def _may_match(end: Endpoint, other: Endpoint) -> bool:
     if end.type is not None and other.type is not None and end.type != other.type:
         return False
     return other.name is None or fnmatchcase(end.name or "", other.name)

@@ -16,7 +16,7 @@ from archlint.analysis.wait_loops import only_the_server_ends
 from archlint.checks.folding import folds, of_one_function
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
-from archlint.checks.wait_words import READY, WAIT_FOR_SERVER, WAIT_FOR_SERVICE, way_to
+from archlint.checks.wait_words import READY, WAIT_FOR_SERVER, WAIT_FOR_SERVICE, related_path
 from archlint.finding import Finding, Place, Severity
 
 if TYPE_CHECKING:
@@ -60,7 +60,7 @@ def _endless(system: System, calls: Sequence[ApiCall]) -> Finding:
         help=f"check without waiting, and handle the case that it is missing: if not ….{ready}():"
         if in_callback
         else "end the loop when ROS shuts down: while rclpy.ok() and not …:",
-        related=way_to(call, call.creation),
+        related=related_path(call, call.creation),
         node=node_name(system, call.node or call.context.node),
         identity=(call.function, "" if call.creation is None else call.creation.name.text or "", "loop"),
     )

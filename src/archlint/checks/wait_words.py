@@ -38,7 +38,7 @@ def name_of(creation: Creation | None) -> str:
     return "" if creation is None else creation.name.text or ""
 
 
-def way_to(call: ApiCall, client: Creation | None) -> list[Related]:
+def related_path(call: ApiCall, client: Creation | None) -> list[Related]:
     """The calls on the way from a callback; what leads there from ``main`` goes without saying, but for the
     call that leaves out a limit which this one passes on."""
     hops = list(related_chain(call))

@@ -61,7 +61,7 @@ def follow_ahead(
             kept.add(answer[end:])
 
 
-def apart(modules: Iterable[Module], index: ModuleIndex) -> list[list[Module]]:
+def independent_groups(modules: Iterable[Module], index: ModuleIndex) -> list[list[Module]]:
     """Modules in groups of which none imports anything that another imports, too; the largest group first."""
     groups: dict[str, list[Module]] = {}
     group_of: dict[str, str] = {}
@@ -82,4 +82,4 @@ def by_weight(groups: Iterable[list[_Item]], weight: Callable[[_Item], int]) -> 
     return sorted(groups, key=lambda group: -sum(map(weight, group)))
 
 
-__all__ = ["WORTH_IT", "apart", "by_weight", "follow_ahead"]
+__all__ = ["WORTH_IT", "by_weight", "follow_ahead", "independent_groups"]

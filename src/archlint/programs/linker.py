@@ -28,7 +28,7 @@ from archlint.libraries.python import command_line
 from archlint.libraries.rclpy import escapes
 from archlint.libraries.run import Run
 from archlint.monitor import Monitor
-from archlint.programs.ahead import WORTH_IT, apart, follow_ahead
+from archlint.programs.ahead import WORTH_IT, follow_ahead, independent_groups
 from archlint.programs.budget import Budget, cut_short
 from archlint.programs.followed import Followed, FollowedProgram, Progress
 from archlint.programs.helpers import helpers_in, note_unfollowed, prune_uncalled, settle_helpers
@@ -119,7 +119,11 @@ class Linker:
         self.monitor.following(len(entries) + len(modules))
         if sum(module.file.size for module in modules) > WORTH_IT:
             every = {module.file.path: module for module in (*modules, *(module for _, module in entries))}
-            self.ahead(lambda: [self._part(group, entries, modules) for group in apart(every.values(), self.index)])
+            self.ahead(
+                lambda: [
+                    self._part(group, entries, modules) for group in independent_groups(every.values(), self.index)
+                ]
+            )
         self._run_in_order(entries, modules)
         programs = self.progress.programs
         prune_uncalled(programs)
@@ -304,7 +308,7 @@ class Linker:
                 _run_block(run, module, main_guard(module.facts))
             elif ran_before:
                 _run_block(run, module, module.facts)
-            _make_handed_out(run)
+            _make_escaped_class(run)
         return root.result()
 
     def _names_in_file(self, file: str) -> frozenset[str]:
@@ -332,7 +336,7 @@ class Linker:
         with FollowedProgram(run, module, None if guard is None else Place(module.path, *guard.span)) as root:
             run.import_module(module)
             _run_block(run, module, guard)
-            _make_handed_out(run)
+            _make_escaped_class(run)
         return root.result()
 
 
@@ -352,7 +356,7 @@ def _run_block(run: Run, module: Module, block: facts.If | facts.Facts | None) -
     run.execute(block.body)
 
 
-def _make_handed_out(run: Run) -> None:
+def _make_escaped_class(run: Run) -> None:
     """An entry point that makes no node itself, and gives one node class to code that is not here, has that make
     the node."""
     if run.program.nodes or len(run.escapes.classes) != 1:
