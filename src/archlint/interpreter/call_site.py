@@ -25,6 +25,11 @@ class CallSite:
         """All that is given, by position or by name."""
         return [*self.args, *self.keywords.values()]
 
+    @property
+    def is_starred(self) -> bool:
+        """Whether ``*args`` or ``**options`` is written among the arguments, be it known what is in them."""
+        return self.expression is not None and any(argument.star for argument in self.expression.args)
+
     def after(self, *first: Value) -> CallSite:
         """The same call with other arguments in front: ``self`` of a method, those of a partial."""
         return CallSite([*first, *self.args], self.keywords, self.expression, self.open)

@@ -21,7 +21,6 @@ from archlint.launch.substitutions.paths import package_share
 from archlint.launch.substitutions.texts import each_text
 from archlint.launch.tables import CONDITIONS, SUBSTITUTIONS
 from archlint.libraries.api_use import argument_places
-from archlint.syntax import facts
 
 if TYPE_CHECKING:
     from archlint.interpreter.call_site import CallSite
@@ -84,12 +83,12 @@ EFFECTS = {
 """By the names that the rows of launch's table have."""
 
 
-def _add(run: Run, receiver: Value, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+def _add(run: Run, receiver: Value, site: CallSite) -> Value:
     """``LaunchDescription.add_action``."""
     if not isinstance(receiver, Instance):
         return NONE
     items = entities_of(run, receiver) or Items(())
-    for value in [*args, *keywords.values()]:
+    for value in site.values:
         items = Items((*items.values, _in_branch(run, value)), items.open)
     run.store.set(receiver.key, ENTITIES, items)
     return NONE
@@ -103,17 +102,17 @@ def _in_branch(run: Run, value: Value) -> Value:
     return launch_object(run.store.new_key(), "Branch", None, {"action": value}, branch_arms=arms)
 
 
-def _find(run: Run, receiver: Value, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+def _find(run: Run, receiver: Value, site: CallSite) -> Value:
     """``FindPackageShare('pkg').find('pkg')``."""
-    names = [*args, *keywords.values()]
+    names = site.values
     return each_text(names[0], package_share) if names else Unknown("no value")
 
 
-def _performed(run: Run, receiver: Value, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+def _performed(run: Run, receiver: Value, site: CallSite) -> Value:
     return Unknown("a substitution outside of a launch")
 
 
-def _evaluated(run: Run, receiver: Value, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+def _evaluated(run: Run, receiver: Value, site: CallSite) -> Value:
     return Unknown(UNDECIDED)
 
 
@@ -130,31 +129,31 @@ METHODS = {
 }
 
 
-def _performed_all(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+def _performed_all(run: Run, site: CallSite) -> Value:
     return Unknown("a substitution outside of a launch")
 
 
-def _same(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
-    return args[0] if args else Unknown("no argument")
+def _same(run: Run, site: CallSite) -> Value:
+    return site.args[0] if site.args else Unknown("no argument")
 
 
-def _path(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
-    return Instance(External("pathlib.Path"), run.store.new_key(), None, {str(i): a for i, a in enumerate(args)})
+def _path(run: Run, site: CallSite) -> Value:
+    return Instance(External("pathlib.Path"), run.store.new_key(), None, {str(i): a for i, a in enumerate(site.args)})
 
 
-def _path_of_machine(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+def _path_of_machine(run: Run, site: CallSite) -> Value:
     return Unknown("a path of this machine")
 
 
-def _open(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
-    return Unknown(reason(*args) if args else "a file")
+def _open(run: Run, site: CallSite) -> Value:
+    return Unknown(reason(*site.args) if site.args else "a file")
 
 
-def _yaml(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+def _yaml(run: Run, site: CallSite) -> Value:
     return Unknown("the content of a YAML file")
 
 
-def _nothing(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+def _nothing(run: Run, site: CallSite) -> Value:
     return NONE
 
 

@@ -28,10 +28,10 @@ from archlint.launch.perform_calls import perform_method, stops_the_launch
 from archlint.launch.substitutions.paths import package_prefix, package_share
 from archlint.launch.tables import CONDITIONS, SUBSTITUTIONS
 from archlint.libraries.python.effects import path_join
-from archlint.syntax import facts
 from archlint.syntax.safe_yaml import YamlError, YamlReader
 
 if TYPE_CHECKING:
+    from archlint.interpreter.call_site import CallSite
     from archlint.launch.run import LaunchRun
     from archlint.libraries.api_use import ApiUse
 
@@ -94,17 +94,13 @@ EFFECTS = {
 }
 
 
-def _perform_argument(
-    run: LaunchRun, receiver: Value, args: list[Value], keywords: dict[str, Value], e: facts.Call | None
-) -> Value:
-    values = [*args, *keywords.values()]
+def _perform_argument(run: LaunchRun, receiver: Value, site: CallSite) -> Value:
+    values = site.values
     asked = values[-1] if values else NONE
     return run.perform(made_by_base(run, asked) or asked)  # a class of the workspace asks its base
 
 
-def _evaluate(
-    run: LaunchRun, receiver: Value, args: list[Value], keywords: dict[str, Value], e: facts.Call | None
-) -> Value:
+def _evaluate(run: LaunchRun, receiver: Value, site: CallSite) -> Value:
     """``IfCondition(…).evaluate(context)``."""
     verdict = run.judge(receiver)
     return Unknown(calls.UNDECIDED) if verdict.holds is None else Known(verdict.holds)
@@ -117,28 +113,28 @@ METHODS = {
 }
 
 
-def _perform_all(run: LaunchRun, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
-    return _perform_argument(run, NONE, args, keywords, e)
+def _perform_all(run: LaunchRun, site: CallSite) -> Value:
+    return _perform_argument(run, NONE, site)
 
 
-def _path(run: LaunchRun, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+def _path(run: LaunchRun, site: CallSite) -> Value:
     """``Path(a, b)`` in a launch file is a text for us: launch takes both."""
-    texts = [text for text in map(known_text, args) if text is not None]
-    if len(texts) != len(args) or not args:
-        return Unknown(reason(*args))
+    texts = [text for text in map(known_text, site.args) if text is not None]
+    if len(texts) != len(site.args) or not site.args:
+        return Unknown(reason(*site.args))
     return Known(posixpath.join(*texts), kind="path")
 
 
-def _same_path(run: LaunchRun, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
-    path = known_text(args[0]) if args else None
+def _same_path(run: LaunchRun, site: CallSite) -> Value:
+    path = known_text(site.args[0]) if site.args else None
     return Unknown("a path of this machine") if path is None else Known(posixpath.normpath(path))
 
 
-def _open(run: LaunchRun, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+def _open(run: LaunchRun, site: CallSite) -> Value:
     """``open(path)`` in a launch file: the file, for whoever loads YAML from it."""
-    if args and isinstance(args[0], Known):
-        return opened(run, args[0])
-    return Unknown(reason(*args) if args else "a file")
+    if site.args and isinstance(site.args[0], Known):
+        return opened(run, site.args[0])
+    return Unknown(reason(*site.args) if site.args else "a file")
 
 
 def opened(run: LaunchRun, path: Known) -> Instance:
@@ -146,9 +142,9 @@ def opened(run: LaunchRun, path: Known) -> Instance:
     return Instance(External("io.TextIOWrapper"), run.store.new_key(), None, {"path": path})
 
 
-def _load_yaml(run: LaunchRun, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+def _load_yaml(run: LaunchRun, site: CallSite) -> Value:
     """``yaml.safe_load(file)``: what a YAML file of this workspace holds."""
-    text = _text_in(run, args)
+    text = _text_in(run, site.args)
     if isinstance(text, Unknown):
         return text
     try:
@@ -158,9 +154,11 @@ def _load_yaml(run: LaunchRun, args: list[Value], keywords: dict[str, Value], e:
         return Unknown("the content of a YAML file that is broken")
 
 
-def _load_json(run: LaunchRun, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+def _load_json(run: LaunchRun, site: CallSite) -> Value:
     """``json.load(file)``: what a JSON file of this workspace holds."""
-    text = Unknown("the content of a file that is read in a way of its own") if keywords else _text_in(run, args)
+    text = (
+        Unknown("the content of a file that is read in a way of its own") if site.keywords else _text_in(run, site.args)
+    )
     if isinstance(text, Unknown):
         return text
     try:
@@ -190,11 +188,11 @@ def _value_of(run: LaunchRun, value: object) -> Value:
     raise AssertionError(value)
 
 
-def _run_path(run: LaunchRun, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+def _run_path(run: LaunchRun, site: CallSite) -> Value:
     """``runpy.run_path(path)``: the variables of a file of this workspace, once it has run."""
-    if len(args) != 1 or keywords:
+    if len(site.args) != 1 or site.keywords:
         return Unknown("what a file makes of the variables that it is given")
-    source = run.resolve(FileKind.LAUNCH, run.perform(args[0]), run.place_now).source
+    source = run.resolve(FileKind.LAUNCH, run.perform(site.args[0]), run.place_now).source
     file = None if source is None else run.files.source_file(source)
     module = None if file is None else run.index.module(file)
     if module is None or module.state == "running":

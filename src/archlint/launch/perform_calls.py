@@ -13,26 +13,25 @@ from archlint.launch.objects import argument, kind_of, made_by_base
 from archlint.syntax import facts
 
 if TYPE_CHECKING:
+    from archlint.interpreter.call_site import CallSite
     from archlint.launch.run import LaunchRun
 
 _TEXT = "TextSubstitution"
 """Its ``perform`` does not look at the context."""
 
 
-def perform_method(
-    run: LaunchRun, receiver: Value, args: list[Value], keywords: dict[str, Value], e: facts.Call | None
-) -> Value:
+def perform_method(run: LaunchRun, receiver: Value, site: CallSite) -> Value:
     """``substitution.perform(context)``."""
     asked = made_by_base(run, receiver) or receiver  # a class of the workspace asks its base
-    given = [*args, *keywords.values()]
+    given = site.values
     wrong = _not_a_context(given[0] if given else None)
     if wrong is not None and kind_of(asked) != _TEXT:
-        _note(run, e, asked, wrong)
+        _note(run, site.expression, asked, wrong)
         return Unknown("perform() without the launch context")
-    if not _is_new_context(given, e):
+    if not _is_new_context(given, site.expression):
         return run.perform(asked)
     if kind_of(asked) == "LaunchConfiguration" and argument(asked, "default") is None:
-        _note(run, e, asked, "")
+        _note(run, site.expression, asked, "")
         return Unknown("a launch configuration in a context of its own")
     with _empty_context(run):
         return run.perform(asked)

@@ -12,6 +12,7 @@ from archlint.libraries.tables import Api
 from archlint.syntax import facts
 
 if TYPE_CHECKING:
+    from archlint.interpreter.call_site import CallSite
     from archlint.libraries.run import Run
 
 
@@ -61,8 +62,8 @@ def argument_places(run: Run, api: Api, e: facts.Call | None, skip: int = 0) -> 
 
 
 Effect = Callable[["Run", ApiUse], Value]
-Method = Callable[["Run", Value, list[Value], dict[str, Value], "facts.Call | None"], Value]
-Plain = Callable[["Run", list[Value], dict[str, Value], "facts.Call | None"], Value]
+Method = Callable[["Run", Value, "CallSite"], Value]
+Plain = Callable[["Run", "CallSite"], Value]
 
 
 @dataclass(frozen=True)

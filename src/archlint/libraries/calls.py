@@ -44,7 +44,7 @@ def call_external(run: Run, offers: Offers, function: External, site: CallSite) 
         return use(run, offers, api, receiver, site)
     plain = offers.plain.get(path)
     if plain is not None:
-        return plain(run, site.args, site.keywords, site.expression)
+        return plain(run, site)
     if not escapes.is_own(path):
         escapes.to_call(run, site.values, path, site.expression)
     name = path.rpartition(".")[2]
@@ -79,7 +79,7 @@ def call_method(run: Run, offers: Offers, function: ApiMethod, site: CallSite) -
         return use(run, offers, api, receiver, site)
     method = offers.methods.get(path)
     if method is not None:
-        return method(run, receiver, site.args, site.keywords, site.expression)
+        return method(run, receiver, site)
     if not escapes.is_own(path) or names.is_missing_method(path):
         escapes.to_call(run, site.values, path.removeprefix("?."), site.expression)
     return Unknown(f"{path.removeprefix('?.')}() is outside of this workspace")
@@ -95,7 +95,7 @@ def call_builtin(run: Run, offers: Offers, name: str, site: CallSite) -> Value:
     plain = offers.plain.get(name)
     if plain is None:
         return Unknown(f"the result of {name}()")
-    return plain(run, site.args, site.keywords, site.expression)
+    return plain(run, site)
 
 
 def use(run: Run, offers: Offers, api: Api, receiver: Value | None, site: CallSite) -> Value:

@@ -22,7 +22,6 @@ from archlint.interpreter.values import (
 )
 from archlint.libraries.python.command_line import known_words
 from archlint.libraries.python.divided_words import CONST, NotDivided, Option, divide, word_of
-from archlint.syntax import facts
 
 if TYPE_CHECKING:
     from archlint.libraries.api_use import ApiUse
@@ -46,21 +45,19 @@ def argument_parser(run: Run, call: ApiUse) -> Value:
     return instance
 
 
-def add_argument(
-    run: Run, receiver: Value, args: list[Value], keywords: dict[str, Value], e: facts.Call | None
-) -> Value:
+def add_argument(run: Run, receiver: Value, site: CallSite) -> Value:
     if not isinstance(receiver, Instance):
         return NONE
-    names = tuple(arg.text for arg in args if arg.text is not None)
-    name = _destination(names, keywords.get("dest"))
-    if name is None or len(names) != len(args) or (e is not None and any(a.star for a in e.args)) or run.branch_arms:
+    names = tuple(arg.text for arg in site.args if arg.text is not None)
+    name = _destination(names, site.keywords.get("dest"))
+    if name is None or len(names) != len(site.args) or site.is_starred or run.branch_arms:
         run.store.set(receiver.key, OPEN, True)
     if name is not None:
         what = Unknown(f"the command-line argument '{name}'")
-        default = keywords.get("default") or _default_of_action(keywords.get("action"))
+        default = site.keywords.get("default") or _default_of_action(site.keywords.get("action"))
         value: Value = what if default is None else one_of((as_default(default), what))
         run.store.set(receiver.key, ARGUMENTS[name], value)
-        run.store.set(receiver.key, OPTIONS[name], Option(names, keywords))
+        run.store.set(receiver.key, OPTIONS[name], Option(names, site.keywords))
     return NONE
 
 
@@ -78,25 +75,21 @@ def _default_of_action(action: Value | None) -> Value | None:
     return None
 
 
-def subparsers(run: Run, receiver: Value, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+def subparsers(run: Run, receiver: Value, site: CallSite) -> Value:
     if isinstance(receiver, Instance):
         run.store.set(receiver.key, OPEN, True)
     return Unknown("subcommands are not followed")
 
 
-def parse_args(run: Run, receiver: Value, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
-    return _parsed(run, receiver, args, keywords, False)[0]
+def parse_args(run: Run, receiver: Value, site: CallSite) -> Value:
+    return _parsed(run, receiver, site, False)[0]
 
 
-def parse_known_args(
-    run: Run, receiver: Value, args: list[Value], keywords: dict[str, Value], e: facts.Call | None
-) -> Value:
-    return containers.new_list(run, _parsed(run, receiver, args, keywords, True), "tuple")
+def parse_known_args(run: Run, receiver: Value, site: CallSite) -> Value:
+    return containers.new_list(run, _parsed(run, receiver, site, True), "tuple")
 
 
-def _parsed(
-    run: Run, receiver: Value, args: list[Value], keywords: dict[str, Value], some: bool
-) -> tuple[Value, Value]:
+def _parsed(run: Run, receiver: Value, site: CallSite, some: bool) -> tuple[Value, Value]:
     """The namespace, and the words that no option takes where ``some`` may be left."""
     instance = Instance(External("argparse.Namespace"), run.store.new_key())
     rest: Value = Unknown("the rest of the command line")
@@ -104,7 +97,7 @@ def _parsed(
         return instance, rest
     for name, value in run.store.family(receiver.key, ARGUMENTS).items():
         run.store.set(instance.key, name, value)
-    words = known_words(run, args[0] if args else keywords.get("args", NONE))
+    words = known_words(run, site.args[0] if site.args else site.keywords.get("args", NONE))
     if words is None or run.store.get(receiver.key, OPEN):
         return instance, rest
     options = run.store.family(receiver.key, OPTIONS)
@@ -155,9 +148,7 @@ def _converted(run: Run, option: Option, word: Value) -> Value:
     return Unknown("a command-line argument that other code converts")
 
 
-def argument_group(
-    run: Run, receiver: Value, args: list[Value], keywords: dict[str, Value], e: facts.Call | None
-) -> Value:
+def argument_group(run: Run, receiver: Value, site: CallSite) -> Value:
     return receiver
 
 

@@ -19,9 +19,9 @@ from archlint.interpreter.values import (
     Value,
     reason,
 )
-from archlint.syntax import facts
 
 if TYPE_CHECKING:
+    from archlint.interpreter.call_site import CallSite
     from archlint.libraries.run import Run
 
 WORDS = 400
@@ -50,9 +50,9 @@ def _value_of_word(word: str | None) -> Value:
     return _UNKNOWN_WORD if word is None else Known(word)
 
 
-def remove_ros_args(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+def remove_ros_args(run: Run, site: CallSite) -> Value:
     """``rclpy.utilities.remove_ros_args(args)``: what is outside of ``--ros-args … --``."""
-    given = args[0] if args else keywords.get("args", NONE)
+    given = site.args[0] if site.args else site.keywords.get("args", NONE)
     words = _items(run, program_arguments(run) if given == NONE else given)
     if words is None:
         return Unknown(reason(given))

@@ -15,14 +15,14 @@ from archlint.interpreter.values import (
     one_of,
 )
 from archlint.libraries.rclpy import changed_profiles
-from archlint.syntax import facts
 
 if TYPE_CHECKING:
+    from archlint.interpreter.call_site import CallSite
     from archlint.libraries.run import Run
 
 
-def _copy(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
-    return one_of(_copied(run, value) for value in (alternatives(args[0]) if args else ()))
+def _copy(run: Run, site: CallSite) -> Value:
+    return one_of(_copied(run, value) for value in (alternatives(site.args[0]) if site.args else ()))
 
 
 def _copied(run: Run, value: Value) -> Value:
@@ -36,8 +36,8 @@ def _copied(run: Run, value: Value) -> Value:
     return changed_profiles.copy_profile(run, value)
 
 
-def _deep_copy(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
-    return _copied_deep(run, args[0], {}) if args else Unknown("no argument")
+def _deep_copy(run: Run, site: CallSite) -> Value:
+    return _copied_deep(run, site.args[0], {}) if site.args else Unknown("no argument")
 
 
 def _copied_deep(run: Run, value: Value, copies: dict[int, Value]) -> Value:

@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from archlint.interpreter import containers
 from archlint.interpreter.builtins import BUILTINS
-from archlint.interpreter.call_site import CallSite
 from archlint.interpreter.containers import ITEM_LIMIT
 from archlint.interpreter.values import (
     FACTORY,
@@ -29,10 +27,10 @@ from archlint.interpreter.values import (
 )
 from archlint.libraries.python import argument_parsers
 from archlint.libraries.python.copies import _copy, _deep_copy
-from archlint.syntax import facts
 
 if TYPE_CHECKING:
-    from archlint.libraries.api_use import ApiUse, Effect
+    from archlint.interpreter.call_site import CallSite
+    from archlint.libraries.api_use import ApiUse, Effect, Plain
     from archlint.libraries.run import Run
 
 
@@ -85,44 +83,32 @@ def environment(run: Run, call: ApiUse) -> Value:
     return Unknown(name) if default is None else one_of((as_default(default), Unknown(name)))
 
 
-Plain = Callable[["Run", list[Value], dict[str, Value], "facts.Call | None"], Value]
+def _identity(run: Run, site: CallSite) -> Value:
+    return site.args[0] if site.args else Unknown("no argument")
 
 
-def _builtin(name: str) -> Plain:
-    function = BUILTINS[name]
-    return lambda run, args, keywords, e: function(run, CallSite(args, keywords, e))
-
-
-def _identity(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
-    return args[0] if args else Unknown("no argument")
-
-
-def _decorator(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
-    return Unknown("a decorator that is not followed")
-
-
-def _namespace(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+def _namespace(run: Run, site: CallSite) -> Value:
     namespace = Instance(External("types.SimpleNamespace"), run.store.new_key())
-    for name, value in keywords.items():
+    for name, value in site.keywords.items():
         run.library.kept(namespace.key, (value,), name)
         run.store.set(namespace.key, name, value)
     return namespace
 
 
-def _auto(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+def _auto(run: Run, site: CallSite) -> Value:
     return External("enum.auto")
 
 
-def _default_dict(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
-    dictionary = containers.new_dict(run, {}, len(args) > 1)
-    if args:
-        run.store.set(dictionary.key, FACTORY, args[0])
+def _default_dict(run: Run, site: CallSite) -> Value:
+    dictionary = containers.new_dict(run, {}, len(site.args) > 1)
+    if site.args:
+        run.store.set(dictionary.key, FACTORY, site.args[0])
     return dictionary
 
 
-def _named_tuple(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+def _named_tuple(run: Run, site: CallSite) -> Value:
     """``namedtuple('Point', 'x y')``: a class whose objects have these fields."""
-    fields = args[1] if len(args) > 1 else keywords.get("field_names")
+    fields = site.args[1] if len(site.args) > 1 else site.keywords.get("field_names")
     if fields is not None and fields.text is not None:
         names: list[Value] = [Known(name) for name in fields.text.replace(",", " ").split()]
     else:
@@ -143,11 +129,11 @@ def _named_tuple(run: Run, args: list[Value], keywords: dict[str, Value], e: fac
     return PythonValue("namedtuple", make)
 
 
-def _product(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+def _product(run: Run, site: CallSite) -> Value:
     rows: list[list[Value]] = [[]]
-    for arg in args:
+    for arg in site.args:
         items = arg.items(run)
-        if items is None or items.open or "repeat" in keywords or len(rows) * len(items.values) > 4096:
+        if items is None or items.open or "repeat" in site.keywords or len(rows) * len(items.values) > 4096:
             return Unknown("the combinations are not known")
         rows = [[*row, item] for row in rows for item in items.values]
     return containers.new_list(run, [containers.new_list(run, row, "tuple") for row in rows])
@@ -156,8 +142,8 @@ def _product(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.C
 PLAIN: dict[str, Plain] = {
     "copy.copy": _copy,
     "copy.deepcopy": _deep_copy,
-    "collections.OrderedDict": _builtin("dict"),
-    "collections.deque": _builtin("list"),
+    "collections.OrderedDict": BUILTINS["dict"],
+    "collections.deque": BUILTINS["list"],
     "collections.defaultdict": _default_dict,
     "collections.namedtuple": _named_tuple,
     "itertools.product": _product,
@@ -166,10 +152,10 @@ PLAIN: dict[str, Plain] = {
     "asyncio.run": _identity,
     "asyncio.create_task": _identity,
     "asyncio.ensure_future": _identity,
-    "typing.cast": lambda run, args, keywords, e: args[1] if len(args) > 1 else Unknown("no argument"),
-    "itertools.chain": lambda run, args, keywords, e: _chain(run, args),
-    "os.path.basename": lambda run, args, keywords, e: _path_part(args, 1),
-    "os.path.dirname": lambda run, args, keywords, e: _path_part(args, 0),
+    "typing.cast": lambda run, site: site.args[1] if len(site.args) > 1 else Unknown("no argument"),
+    "itertools.chain": lambda run, site: _chain(run, site.args),
+    "os.path.basename": lambda run, site: _path_part(site.args, 1),
+    "os.path.dirname": lambda run, site: _path_part(site.args, 0),
 }
 
 

@@ -10,15 +10,15 @@ from archlint.interpreter import containers
 from archlint.interpreter.values import External, Holed, Instance, Known, PythonValue, Unknown, Value
 
 if TYPE_CHECKING:
+    from archlint.interpreter.call_site import CallSite
     from archlint.libraries.run import Run
-    from archlint.syntax import facts
 
 MANIFEST = "package.xml"
 
 
-def element_tree(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+def element_tree(run: Run, site: CallSite) -> Value:
     """``xml.etree.ElementTree.parse('package.xml')``: of the manifest its name is known."""
-    if not _is_manifest(args):
+    if not _is_manifest(site.args):
         return Unknown("an XML file")
     name = _object(run, text=_name(run))
 
@@ -37,9 +37,9 @@ def element_tree(run: Run, args: list[Value], keywords: dict[str, Value], e: fac
     )
 
 
-def document(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+def document(run: Run, site: CallSite) -> Value:
     """``xml.dom.minidom.parse('package.xml')``."""
-    if not _is_manifest(args):
+    if not _is_manifest(site.args):
         return Unknown("an XML file")
     text = _object(run, data=_name(run), nodeValue=_name(run))
     element = _object(run, firstChild=text, childNodes=containers.new_list(run, [text]))
@@ -51,7 +51,7 @@ def document(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.C
     return _object(run, getElementsByTagName=_function("getElementsByTagName", elements))
 
 
-def package(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+def package(run: Run, site: CallSite) -> Value:
     """``catkin_pkg.package.parse_package('package.xml')``, which takes the folder as well."""
     return _object(run, name=_name(run))
 

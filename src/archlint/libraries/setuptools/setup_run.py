@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from archlint.interpreter import containers
@@ -12,9 +11,8 @@ from archlint.libraries.setuptools import manifest
 
 if TYPE_CHECKING:
     from archlint.finding import Place
-    from archlint.syntax import facts
-
-Plain = Callable[[Run, list[Value], dict[str, Value], "facts.Call | None"], Value]
+    from archlint.interpreter.call_site import CallSite
+    from archlint.libraries.api_use import Plain
 
 
 class SetupRun(Run):
@@ -25,31 +23,30 @@ class SetupRun(Run):
     called_at: Place | None = None
 
 
-def record_setup(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+def record_setup(run: Run, site: CallSite) -> Value:
     """A call of ``setup(…)``; what it is given is kept where a setup.py is read."""
-    if isinstance(run, SetupRun) and (run.keywords is None or "entry_points" in keywords):
+    if isinstance(run, SetupRun) and (run.keywords is None or "entry_points" in site.keywords):
         # Of two calls (one for ROS 1, one for ROS 2) the one with entry points is that of ROS 2.
-        run.keywords = dict(keywords)
-        starred = e is not None and any(argument.star for argument in e.args)
-        run.open = starred and "entry_points" not in keywords
-        run.called_at = None if e is None else run.place(e.span)
+        run.keywords = dict(site.keywords)
+        run.open = site.is_starred and "entry_points" not in site.keywords
+        run.called_at = None if site.expression is None else run.place(site.expression.span)
     return Unknown("the result of setup()")
 
 
-def glob_pattern(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+def glob_pattern(run: Run, site: CallSite) -> Value:
     """``glob(pattern)`` in a setup.py: the pattern stands for the files."""
-    if isinstance(run, SetupRun) and args and isinstance(args[0], Known):
-        return containers.new_list(run, [args[0]])
+    if isinstance(run, SetupRun) and site.args and isinstance(site.args[0], Known):
+        return containers.new_list(run, [site.args[0]])
     return Unknown("the files that a pattern finds")
 
 
 def _in_setup(function: Plain) -> Plain:
     """What only means something while a setup.py is read."""
 
-    def handler(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+    def handler(run: Run, site: CallSite) -> Value:
         if not isinstance(run, SetupRun):
             return Unknown("what only a setup.py asks for")
-        return function(run, args, keywords, e)
+        return function(run, site)
 
     return handler
 
