@@ -65,7 +65,7 @@ def write_package(folder: Path, launch_files: list[str]) -> None:
 TALKS = "self.create_publisher(String, 'said', QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT))"
 HEARS = "self.create_subscription(String, 'said', print, 10)"
 ALSO = "; self.create_publisher(String, 'done', 10)"
-TOGETHER = ", if they run together: no launch file here starts both"
+TOGETHER = ", if they run together: no launch file here starts both by default"
 
 
 @pytest.mark.parametrize(

@@ -66,7 +66,7 @@ class TestMultiplePublishers:
         [finding] = multiple_publishers(judged, NOTHING_SAID)
 
         assert finding.severity is Severity.INFO
-        assert finding.message.endswith(", if they run together: no launch file here starts both")
+        assert finding.message.endswith(", if they run together: no launch file here starts both by default")
 
     def test_many_nodes_on_one_topic_have_it_for_all_of_them(self):
         nodes = [node(f"/{name}", publisher("state")) for name in "abcd"]

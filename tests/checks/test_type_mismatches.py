@@ -95,7 +95,7 @@ def test_lessons_that_nothing_starts_together_and_that_have_partners_of_their_ow
 
     [finding] = found(topic_type_mismatch, system(talker, listener, spheres))
     assert finding.severity is Severity.INFO
-    assert finding.message.endswith("if they run together: no launch file here starts both")
+    assert finding.message.endswith("if they run together: no launch file here starts both by default")
 
     [launched] = found(topic_type_mismatch, system(talker, listener, spheres, name="launch/all.launch.py"))
     [closed] = found(topic_type_mismatch, system(talker, listener, spheres, closed=True))

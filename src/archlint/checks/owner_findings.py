@@ -24,7 +24,7 @@ def finding_for_owners(
     diagnostic = finding(
         code,
         last.place,
-        message if proven else f"{message}, if they run together: no launch file here starts both",
+        message if proven else f"{message}, if they run together: no launch file here starts both by default",
         help=help,
         related=[Related(other.place, f"{other.node.name} {does}") for other in others],
         node=last.node.name,

@@ -58,7 +58,7 @@ def _mismatch(code: str, system: System, pairs: list[tuple[Undelivered, Verdict]
         lost = f"its messages do not arrive, those of {served[0].node.name} do"
     proven = _is_proven(system, first)
     if not proven:
-        lost += ", if they run together: no launch file here starts both"
+        lost += ", if they run together: no launch file here starts both by default"
     diagnostic = finding(
         code,
         user.place,

@@ -76,7 +76,7 @@ def _are_at_home(system: System, connection: Connection, pairs: list[tuple[Endpo
 
 
 def _if_both_run(diagnostic: Finding) -> Finding:
-    message = f"{diagnostic.message}, if they run together: no launch file here starts both"
+    message = f"{diagnostic.message}, if they run together: no launch file here starts both by default"
     return replace(diagnostic, message=message, severity=Severity.INFO)
 
 
