@@ -65,7 +65,9 @@ FIRST = 17
 def findings(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     monkeypatch.chdir(tmp_path)
 
-    def run(*parameters: str, yaml: str = "", talker: str = TALKER, setup: str = SETUP) -> list[Finding]:
+    def run(
+        *parameters: str, yaml: str = "", talker: str = TALKER, setup: str = SETUP, copy: str = ""
+    ) -> list[Finding]:
         texts = {
             "archlint.toml": 'select = ["PRM004"]',
             "package.xml": "<package format='3'><name>robot</name><exec_depend>rclpy</exec_depend>"
@@ -75,6 +77,8 @@ def findings(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
             "launch/it.launch.py": LAUNCH.replace("{}\n", "\n".join(parameters) + "\n"),
             "config/p.yaml": yaml,
         }
+        if copy:
+            texts["launch/it_too.launch.py"] = LAUNCH.replace("{}\n", f"{copy}\n")
         for name, text in texts.items():
             path = tmp_path / name
             path.parent.mkdir(parents=True, exist_ok=True)
@@ -131,6 +135,21 @@ def test_what_one_file_sets_on_one_node_is_one_finding(findings):
         (FIRST + 1, "'frame'"),
         (FIRST + 2, "'device'"),
     ]
+
+
+def test_what_several_launch_files_set_on_one_node_is_one_finding(findings):
+    (found,) = findings("{'speed': 1.0, 'frame': 'map'}", copy="{'speed': 2.0, 'device': '/dev/ttyS0'}")
+    assert found.place.file == "launch/it.launch.py"
+    assert "/talker declares none of these 3 parameters" in found.message
+    places = [(row.place.file, row.place.line, row.message) for row in found.related]
+    assert ("launch/it_too.launch.py", FIRST, "'speed'") in places
+    assert ("launch/it_too.launch.py", FIRST, "'device'") in places
+    (one_name,) = findings("{'speed': 1.0}", copy="{'speed': 2.0}")
+    assert one_name.message.startswith("/talker declares no parameter 'speed'")
+    assert [row.message for row in one_name.related][:1] == ["it is set here, too"]
+    assert len(findings("{'gain': 1.0}", copy="{'speed': 2.0}")) == 1
+    apart = findings("{'speed': 1.0}", copy="{'speed': 2.0}", yaml="talker: {ros__parameters: {speed: 3.0}}")
+    assert [one.place.file for one in apart] == ["launch/it.launch.py"]  # no launch file gives the node that one
 
 
 def test_a_misspelt_name_has_a_finding_of_its_own(findings):

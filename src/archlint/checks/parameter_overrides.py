@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import astuple, replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.completeness import declares_all
@@ -135,8 +135,16 @@ def _never_used(
         node=node.name,
         identity=(node.name or "", setting.name),
         # A misspelt name has advice of its own.
-        group=() if meant else (f"{called(node)} declares none of", setting.place.file, setting.key),
+        group=() if meant else (f"{called(node)} declares none of", *_cause(setting, blueprint)),
     )
+
+
+def _cause(setting: Setting, blueprint: Blueprint) -> tuple[str, ...]:
+    """What the values have in common that a node does not declare: the section of a file that sets them, or, as one
+    launch file is copied from the other, the node."""
+    if setting.written is not None:
+        return setting.place.file, setting.key
+    return (*map(str, astuple(blueprint.place)), blueprint.class_name)
 
 
 def _readers(system: System, setting: Setting) -> list[Node]:
@@ -175,20 +183,27 @@ def _surely(declared: Mapping[str, Sequence[ParameterDeclaration]]) -> list[str]
     return sorted(called_for or declared)
 
 
-@folds("PRM004")
+@folds("PRM004", across_systems=True)
 def _one_for_a_node(several: Sequence[Finding]) -> Finding:
-    """One finding for all that one file sets on a node which declares none of it."""
-    first = several[0]
-    names = list(dict.fromkeys(diagnostic.identity[1] for diagnostic in several))
+    """One finding for all that one file, or several launch files, set on a node which declares none of it."""
+    first = min(several, key=lambda diagnostic: diagnostic.condition is not None)
+    others = {other.place: other for other in several if other.place != first.place}.values()
+    names = list(dict.fromkeys(diagnostic.identity[1] for diagnostic in (first, *several)))
+    rows = [Related(other.place, _set_here(other, len(names))) for other in list(others)[:SHOWN]]
     if len(names) == 1:
-        return first
-    others = [Related(diagnostic.place, f"'{diagnostic.identity[1]}'") for diagnostic in several[1 : SHOWN + 1]]
+        return replace(first, related=(*rows, *first.related))
+    under = f" (with {first.condition})" if first.condition else ""
     return replace(
         first,
-        message=f"{first.group[0]} these {len(names)} parameters, so their values have no effect: {listed(names)}",
-        related=(*others, *first.related),
+        message=f"{first.group[0]} these {len(names)} parameters, so their values have no effect: "
+        f"{listed(names)}{under}",
+        related=(*rows, *first.related),
         identity=(first.identity[0], *names),
     )
+
+
+def _set_here(other: Finding, names: int) -> str:
+    return "it is set here, too" if names == 1 else f"'{other.identity[1]}'"
 
 
 SHOWN = 20
