@@ -521,6 +521,112 @@ def test_what_has_happened_may_be_told_by_several(
     assert [one.code for one in found].count("OWN001") == expected
 
 
+LIGHT = """\
+class Light(Node):
+    def __init__(self):
+        super().__init__('light')
+        self.create_subscription(Bool, 'cancel', print, 10)
+
+
+"""
+CANCELLING = """
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import Bool, String
+
+
+class Panel(Node):
+    def __init__(self):
+        super().__init__('panel')
+        self.out = self.create_publisher(Bool, 'cancel', 10)
+        self.create_timer(1.0, self.tick)
+
+    def tick(self):
+        self.out.publish(Bool(data=load()))
+
+
+class Keyboard(Node):
+    def __init__(self):
+        super().__init__('keyboard')
+        self.keys = self.create_publisher(Bool, 'cancel', 10)  # here
+        self.create_timer(1.0, self.tick)
+
+    def tick(self):
+        self.keys.publish(Bool(data=load()))
+
+
+class Driver(Node):
+    def __init__(self):
+        super().__init__('driver')
+        self.create_subscription(Bool, 'cancel', self.on_cancel, 10)
+
+    def on_cancel(self, message):
+        {body}
+
+
+{classes}def main():
+    rclpy.init()
+    executor = rclpy.executors.SingleThreadedExecutor()
+    for node in [Panel(), Keyboard(), {more}Driver()]:
+        executor.add_node(node)
+    executor.spin()
+
+
+if __name__ == '__main__':
+    main()
+"""
+
+
+@pytest.mark.parametrize(
+    ("body", "more", "told"),
+    [
+        pytest.param(
+            "if not message.data:\n            return\n        self.goal = 0", "", False, id="returns for false"
+        ),
+        pytest.param("if message.data and self.busy:\n            self.goal = 0", "", False, id="acts for true"),
+        pytest.param(
+            "self.get_logger().info('asked')\n        if message.data:\n            self.stop()",
+            "",
+            False,
+            id="logs either",
+        ),
+        pytest.param("self.cancelled = message.data", "", True, id="a state"),
+        pytest.param(
+            "if message.data:\n            self.stop()\n        else:\n            self.go()",
+            "",
+            True,
+            id="acts for both",
+        ),
+        pytest.param("if message.data or self.busy:\n            self.stop()", "", True, id="perhaps for false"),
+        pytest.param("pass", "", True, id="does nothing at all"),
+        pytest.param("if message.data:\n            self.stop()", "Light(), ", True, id="somebody else listens"),
+    ],
+)
+def test_true_may_ask_for_something_whoever_sends_it(judge: Judge, body: str, more: str, told: bool):
+    text = CANCELLING.replace("{body}", body).replace("{more}", more).replace("{classes}", LIGHT if more else "")
+    judge("OWN001", text if told else text.replace("  # here", ""))
+
+
+@pytest.mark.parametrize(
+    ("text", "before", "told"),
+    [
+        pytest.param("json.dumps({'robot': self.name, 'level': 1})", "pass", False, id="whose"),
+        pytest.param("json.dumps(row, sort_keys=True)", "row = {'sender': self.name}", False, id="in a variable"),
+        pytest.param("json.dumps({'level': 1})", "pass", True, id="nobody's"),
+        pytest.param("json.dumps(load())", "pass", True, id="nobody knows"),
+        pytest.param("'robot: ' + self.name", "pass", True, id="no JSON"),
+    ],
+)
+def test_json_may_say_whose_it_is(judge: Judge, text: str, before: str, told: bool):
+    code = CANCELLING.replace("{body}", "self.goal = message").replace("{more}", "").replace("{classes}", "")
+    code = (
+        code.replace("(Bool, ", "(String, ")
+        .replace("Bool(data=load())", f"String(data={text})")
+        .replace("tick(self):", f"tick(self):\n        {before}")
+    )
+    judge("OWN001", "import json\n" + (code if told else code.replace("  # here", "")))
+
+
 ASKING = """
 import rclpy
 from rclpy.node import Node

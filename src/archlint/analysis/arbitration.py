@@ -55,8 +55,13 @@ def take_turns(system: System, owners: Sequence[Endpoint]) -> bool:
 
 def speaks_once(system: System, owner: Endpoint) -> bool:
     """Whether a publisher says something only as its program starts or ends: no callback, thread or loop does."""
-    calls = _publishes(system).get(owner.place, [])
+    calls = publishes_of(system, owner)
     return bool(calls) and all(call.context.role in _ONCE and not call.looped for call in calls)
+
+
+def publishes_of(system: System, owner: Endpoint) -> list[ApiCall]:
+    """The calls that publish with a publisher, as far as they are seen."""
+    return _publishes(system).get(owner.place, [])
 
 
 def never_speaks(owner: Endpoint) -> bool:
@@ -234,4 +239,4 @@ def _gives(node: Node) -> frozenset[_Word]:
     )
 
 
-__all__ = ["never_speaks", "publishes_with", "speaks_once", "take_turns"]
+__all__ = ["never_speaks", "publishes_of", "publishes_with", "speaks_once", "take_turns"]

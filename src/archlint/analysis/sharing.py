@@ -32,7 +32,7 @@ _STATES = frozenset({"mode", "state"})
 _TO_LOOK_AT = frozenset({"debug"})
 _WORDS = frozenset({"std_msgs/msg/Empty", "std_msgs/msg/String"})
 """Messages that each stand for themselves, unless the topic's name says that they are a state."""
-_SENDERS = (
+SENDERS = (
     "device_id",
     "id",
     "node",
@@ -84,11 +84,11 @@ def is_bus(workspace: WorkspaceIndex | None, connection: Connection, owners: Seq
 def _says_whose(workspace: WorkspaceIndex | None, type_: str | None) -> bool:
     if workspace is None or workspace.interfaces is None or type_ is None:
         return False
-    return any(workspace.interfaces.has(type_, "", field) for field in _SENDERS)
+    return any(workspace.interfaces.has(type_, "", field) for field in SENDERS)
 
 
 def _last_words(topic: str) -> list[str]:
     return topic.rpartition("/")[2].lower().split("_")
 
 
-__all__ = ["are_words", "is_bus", "is_state"]
+__all__ = ["SENDERS", "are_words", "is_bus", "is_state"]

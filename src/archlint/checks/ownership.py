@@ -16,6 +16,7 @@ from archlint.analysis.happenings import are_events, are_requests
 from archlint.analysis.owners import several_owners, some_coexist
 from archlint.analysis.sharing import are_words, is_bus, is_state
 from archlint.analysis.switched_off import switch_of
+from archlint.analysis.taken_in import ask_with_true, say_whose
 from archlint.checks.folding import folds
 from archlint.checks.owner_findings import all_of, finding_for_owners
 from archlint.checks.registry import Options, rule
@@ -48,7 +49,9 @@ def multiple_publishers(system: System, options: Options) -> Iterator[Finding]:
 
 def _is_meant(system: System, connection: Connection, owners: list[Endpoint]) -> bool:
     """Whether several nodes are there to publish a topic, or do not do so at once."""
-    if is_bus(system.workspace, connection, owners) or are_events(system, owners) or are_requests(connection):
+    if is_bus(system.workspace, connection, owners) or say_whose(system, owners):
+        return True
+    if are_events(system, owners) or are_requests(connection) or ask_with_true(system, connection):
         return True
     if not some_coexist(system, owners) and (
         has_launch_files(system)
