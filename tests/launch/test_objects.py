@@ -8,9 +8,10 @@ from archlint.interpreter.heap import Store
 from archlint.interpreter.interpreter import Interpreter
 from archlint.interpreter.modules import ModuleIndex
 from archlint.interpreter.values import NONE, External, Instance, Known, ListValue, Unknown, Value
-from archlint.launch.objects import MADE_BY_BASE, argument, kind_of, known_text, launch_object, made_by_base
+from archlint.launch.objects import MADE_BY_BASE, argument, class_name, kind_of, known_text, launch_object, made_by_base
+from archlint.launch.tables import LaunchClass
 
-NODE = launch_object(1, "Node", None, {"name": Known("a"), "package": NONE})
+NODE = launch_object(1, LaunchClass.NODE, None, {"name": Known("a"), "package": NONE})
 
 
 def test_an_argument_that_is_none_was_not_given():
@@ -22,21 +23,22 @@ def test_an_argument_that_is_none_was_not_given():
 
 
 @pytest.mark.parametrize(
-    ("value", "kind"),
+    ("value", "kind", "name"),
     [
-        (NODE, "Node"),
-        (Instance(External("launch.actions.Later"), 2), "actions.Later"),  # launch's, and in no table
-        (Instance(External("other.Node"), 2), ""),
-        (Known("Node"), ""),
-        (None, ""),
+        (NODE, LaunchClass.NODE, "Node"),
+        (Instance(External("launch.Node"), 2), LaunchClass.NODE, "Node"),
+        (Instance(External("launch.actions.Later"), 2), None, "actions.Later"),  # launch's, and in no table
+        (Instance(External("other.Node"), 2), None, ""),
+        (Known("Node"), None, ""),
+        (None, None, ""),
     ],
 )
-def test_the_class_of_launch_that_an_object_is_of(value: Value | None, kind: str):
-    assert kind_of(value) == kind
+def test_the_class_of_launch_that_an_object_is_of(value: Value | None, kind: LaunchClass | None, name: str):
+    assert (kind_of(value), class_name(value)) == (kind, name)
 
 
 def test_what_stands_for_a_text():
-    assert launch_object(1, "LaunchConfiguration", None, {}).is_substitution
+    assert launch_object(1, LaunchClass.LAUNCH_CONFIGURATION, None, {}).is_substitution
     assert not NODE.is_substitution
 
 

@@ -19,7 +19,7 @@ from archlint.interpreter.values import (
 from archlint.launch.objects import ENTITIES, GIVEN, MADE_BY_BASE, LaunchObject, entities_of, given, launch_object
 from archlint.launch.substitutions.paths import package_share
 from archlint.launch.substitutions.texts import each_text
-from archlint.launch.tables import CONDITIONS, SUBSTITUTIONS
+from archlint.launch.tables import CLASSES, CONDITIONS, SUBSTITUTIONS, LaunchClass
 from archlint.libraries.api_use import argument_places
 
 if TYPE_CHECKING:
@@ -33,7 +33,7 @@ def made_object(run: Run, call: ApiUse) -> LaunchObject:
     of the launch file's own code that it is made in."""
     instance = launch_object(
         run.store.new_key(),
-        call.api.makes,
+        CLASSES[call.api.makes],
         run.place(call.expression.span) if call.expression is not None and run.activations else None,
         dict(call.arguments),
         places=argument_places(run, call.api, call.expression),
@@ -99,7 +99,7 @@ def _in_branch(run: Run, value: Value) -> Value:
     if not run.branch_arms:
         return value
     arms = frozenset(run.branch_arms)
-    return launch_object(run.store.new_key(), "Branch", None, {"action": value}, branch_arms=arms)
+    return launch_object(run.store.new_key(), LaunchClass.BRANCH, None, {"action": value}, branch_arms=arms)
 
 
 def _find(run: Run, receiver: Value, site: CallSite) -> Value:

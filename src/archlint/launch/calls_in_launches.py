@@ -26,7 +26,7 @@ from archlint.launch.mistakes import NotAPath
 from archlint.launch.objects import LaunchObject, argument, known_text, made_by_base
 from archlint.launch.perform_calls import perform_method, stops_the_launch
 from archlint.launch.substitutions.paths import package_prefix, package_share
-from archlint.launch.tables import CONDITIONS, SUBSTITUTIONS
+from archlint.launch.tables import CONDITIONS, SUBSTITUTIONS, LaunchClass
 from archlint.libraries.python.effects import path_join
 from archlint.syntax.safe_yaml import YamlError, YamlReader
 
@@ -35,7 +35,15 @@ if TYPE_CHECKING:
     from archlint.launch.run import LaunchRun
     from archlint.libraries.api_use import ApiUse
 
-NODES = frozenset({"Node", "LifecycleNode", "ComposableNodeContainer", "ComposableNode", "ComposableLifecycleNode"})
+NODES = frozenset(
+    {
+        LaunchClass.NODE,
+        LaunchClass.LIFECYCLE_NODE,
+        LaunchClass.COMPOSABLE_NODE_CONTAINER,
+        LaunchClass.COMPOSABLE_NODE,
+        LaunchClass.COMPOSABLE_LIFECYCLE_NODE,
+    }
+)
 
 
 def _launch_object(run: LaunchRun, call: ApiUse) -> LaunchObject:
@@ -46,7 +54,7 @@ def _launch_object(run: LaunchRun, call: ApiUse) -> LaunchObject:
     if instance.kind in NODES:
         run.result.node_actions.add(instance.place)
     name = known_text(instance.arguments.get("name"))
-    if instance.kind == "DeclareLaunchArgument" and name is not None:
+    if instance.kind == LaunchClass.DECLARE_LAUNCH_ARGUMENT and name is not None:
         run.result.written.setdefault((run.file, name), instance.place)
     return instance
 
@@ -80,7 +88,7 @@ def _path_join(run: LaunchRun, call: ApiUse) -> Value:
         for part in (call.get("path"), *call.rest):
             match part:
                 case LaunchObject(is_substitution=True, kind=kind):
-                    package = known_text(part.argument("package")) if kind == "FindPackageShare" else None
+                    package = known_text(part.argument("package")) if kind == LaunchClass.FIND_PACKAGE_SHARE else None
                     run.note_joined(NotAPath(kind, package, place))
                     break
     return path_join(run, call)

@@ -22,7 +22,7 @@ from archlint.launch.objects import LaunchObject, argument, kind_of, known_text,
 from archlint.launch.shape import Shape
 from archlint.launch.shapes import shape_of
 from archlint.launch.substitutions.logic import truth_of
-from archlint.launch.tables import SUBSTITUTIONS
+from archlint.launch.tables import CLASSES, SUBSTITUTIONS, LaunchClass
 from archlint.launch.verdict import ALWAYS, Verdict
 from archlint.syntax import facts
 
@@ -37,15 +37,17 @@ def judge(run: LaunchRun, condition: Value | None) -> Verdict:
     match condition:
         case OneOf():
             return _one_of_several(run, condition)
-        case LaunchObject(kind="IfCondition" | "UnlessCondition" as kind):
-            return _truth(run, condition.argument("predicate_expression"), kind == "IfCondition")
-        case LaunchObject(kind="LaunchConfigurationEquals" | "LaunchConfigurationNotEquals" as kind):
-            return _equality(run, condition, kind == "LaunchConfigurationEquals")
+        case LaunchObject(kind=LaunchClass.IF_CONDITION | LaunchClass.UNLESS_CONDITION as kind):
+            return _truth(run, condition.argument("predicate_expression"), kind == LaunchClass.IF_CONDITION)
+        case LaunchObject(
+            kind=LaunchClass.LAUNCH_CONFIGURATION_EQUALS | LaunchClass.LAUNCH_CONFIGURATION_NOT_EQUALS as kind
+        ):
+            return _equality(run, condition, kind == LaunchClass.LAUNCH_CONFIGURATION_EQUALS)
     holds = _asked(run, condition)
     if holds is not None:
         return Verdict(holds)
     base = made_by_base(run, condition)
-    if base is not None and base.kind != "Condition" and _own_predicate(run, condition) is None:
+    if base is not None and base.kind != LaunchClass.CONDITION and _own_predicate(run, condition) is None:
         return judge(run, base)
     return Verdict(None, _branch(run, condition, True))
 
@@ -175,14 +177,14 @@ def mistaken(run: LaunchRun, condition: Value) -> str | None:
         case LaunchObject(is_substitution=True, kind=kind):
             return f"a {kind}"
         case Instance(cls=ClassValue() as cls):
-            bases = {kind_of(made_by_base(run, condition)), *map(_last, cls.external_bases())}
-            if bases & {"Substitution", *SUBSTITUTIONS} and _own_predicate(run, condition) is None:
+            bases = {kind_of(made_by_base(run, condition)), *map(_class_named, cls.external_bases())}
+            if bases & {LaunchClass.SUBSTITUTION, *SUBSTITUTIONS} and _own_predicate(run, condition) is None:
                 return f"a {cls.qualified}"
     return None
 
 
-def _last(path: str) -> str:
-    return path.rpartition(".")[2]
+def _class_named(path: str) -> LaunchClass | None:
+    return CLASSES.get(path.rpartition(".")[2])
 
 
 __all__ = ["judge", "mistaken"]

@@ -11,6 +11,7 @@ from archlint.interpreter.call_site import CallSite
 from archlint.interpreter.roots import module_of
 from archlint.interpreter.values import DictValue, Known, Unknown, Value
 from archlint.launch.objects import known_text, launch_object
+from archlint.launch.tables import LaunchClass
 
 if TYPE_CHECKING:
     from archlint.launch.run import LaunchRun
@@ -45,7 +46,7 @@ def _by_name(run: LaunchRun, entries: Value | None) -> dict[str, Value]:
 
 def _context(run: LaunchRun) -> tuple[Value, DictValue]:
     """The launch context as code sees it, and the dict of its configurations."""
-    context = launch_object(run.store.new_key(), "LaunchContext", None, {})
+    context = launch_object(run.store.new_key(), LaunchClass.LAUNCH_CONTEXT, None, {})
     entries = {Known(n).entry_key(): (Known(n), v) for n, v in run.launch.configurations.items()}
     configurations = containers.new_dict(run, {key: row for key, row in entries.items() if key is not None})
     run.store.set(context.key, "launch_configurations", configurations)

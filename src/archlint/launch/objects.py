@@ -19,7 +19,7 @@ from archlint.interpreter.values import (
     join_items,
     one_of,
 )
-from archlint.launch.tables import SUBSTITUTIONS
+from archlint.launch.tables import CLASSES, SUBSTITUTIONS, LaunchClass
 
 if TYPE_CHECKING:
     from archlint.branches import BranchArms
@@ -43,8 +43,8 @@ PAIR_PLACE: Field[Place] = Field("place of a pair")
 class LaunchObject(Instance):
     """An object of a class that is in launch's tables, with its arguments by the names that its constructor has."""
 
-    kind: str = ""
-    """The name of its class, by which launch's tables know it."""
+    kind: LaunchClass = field(kw_only=True)
+    """Its class."""
     places: dict[str, Place] = field(default_factory=dict)
     """Where each argument is written."""
     rest: tuple[Value, ...] = ()
@@ -70,7 +70,7 @@ class LaunchObject(Instance):
 
 def launch_object(
     key: int,
-    kind: str,
+    kind: LaunchClass,
     place: Place | None,
     arguments: dict[str, Value],
     *,
@@ -79,9 +79,9 @@ def launch_object(
     open: bool = False,
     branch_arms: BranchArms = frozenset(),
 ) -> LaunchObject:
-    """An object of launch's class of a name."""
+    """An object of a class of launch."""
     cls = External(f"{OWN}{kind}")
-    return LaunchObject(cls, key, place, arguments, "", kind, places or {}, rest, open, branch_arms)
+    return LaunchObject(cls, key, place, arguments, "", places or {}, rest, open, branch_arms, kind=kind)
 
 
 def given(value: Value | None) -> Value | None:
@@ -89,12 +89,18 @@ def given(value: Value | None) -> Value | None:
     return None if value == NONE else value
 
 
-def kind_of(value: Value | None) -> str:
+def kind_of(value: Value | None) -> LaunchClass | None:
+    """The class of launch that an object is of; None for anything else, and for a class that is in no table."""
+    match value:
+        case LaunchObject(kind=kind):
+            return kind
+    return CLASSES.get(class_name(value))
+
+
+def class_name(value: Value | None) -> str:
     """``Node`` for an object of launch's or launch_ros' ``Node`` …, be it in the tables or not; empty for anything
     else."""
     match value:
-        case LaunchObject():
-            return value.kind
         case Instance(cls=External(path=path)) if path.startswith(OWN):
             return path.removeprefix(OWN)
     return ""

@@ -18,9 +18,9 @@ from archlint.interpreter.values import (
     reason,
 )
 from archlint.launch.kinds import FileKind
-from archlint.launch.objects import LaunchObject, kind_of, known_text, place_of
+from archlint.launch.objects import LaunchObject, class_name, kind_of, known_text, place_of
 from archlint.launch.parameter_sources import OpenParameters, ParameterFileUse, ParameterSetting
-from archlint.launch.tables import SUBSTITUTIONS
+from archlint.launch.tables import SUBSTITUTIONS, LaunchClass
 from archlint.syntax.parameter_files import NotKnown, ParameterData
 from archlint.syntax.safe_yaml import YamlError, YamlReader, plain_scalar
 
@@ -54,7 +54,7 @@ def parameters_of(run: LaunchRun, value: Value | None, place: Place) -> list[Par
             return [*rows, OpenParameters("a list of parameters that is not known", place)] if items.open else rows
         case DictValue() | Known():
             return list(_one(run, value, place))
-    return list(_one(run, value, place)) if kind_of(value) else [OpenParameters(reason(value), place)]
+    return list(_one(run, value, place)) if class_name(value) else [OpenParameters(reason(value), place)]
 
 
 def _one(run: LaunchRun, item: Value, place: Place) -> Iterator[Parameter]:
@@ -67,9 +67,9 @@ def _one(run: LaunchRun, item: Value, place: Place) -> Iterator[Parameter]:
             yield from rows
         case DictValue():
             yield from _entries(run, item, (), place, _Room())
-        case LaunchObject(kind="Parameter"):
+        case LaunchObject(kind=LaunchClass.PARAMETER):
             yield setting(run, run.perform(item.argument("name")), item.given("value"), place)
-        case LaunchObject(kind="ParameterFile"):
+        case LaunchObject(kind=LaunchClass.PARAMETER_FILE):
             substitutions = item.argument("allow_substs") == Known(True)
             yield file_use(run, item.argument("param_file"), place, substitutions)
         case Known() | ListValue() | Holed() | LaunchObject(is_substitution=True):
@@ -138,7 +138,7 @@ def python_of(run: LaunchRun, value: Value) -> ParameterData:
             return NotKnown("None is not a parameter value")
         case Known(value=constant):
             return constant
-        case LaunchObject(kind="ParameterValue"):
+        case LaunchObject(kind=LaunchClass.PARAMETER_VALUE):
             return _typed(run, value)
         case LaunchObject(is_substitution=True):
             return _of_text(run.perform(value))

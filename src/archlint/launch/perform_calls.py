@@ -9,15 +9,13 @@ from typing import TYPE_CHECKING
 from archlint.interpreter.refusals import is_certain
 from archlint.interpreter.values import DictValue, Known, ListValue, Unknown, Value
 from archlint.launch.mistakes import WithoutContext
-from archlint.launch.objects import argument, kind_of, made_by_base
+from archlint.launch.objects import argument, class_name, kind_of, made_by_base
+from archlint.launch.tables import LaunchClass
 from archlint.syntax import facts
 
 if TYPE_CHECKING:
     from archlint.interpreter.call_site import CallSite
     from archlint.launch.run import LaunchRun
-
-_TEXT = "TextSubstitution"
-"""Its ``perform`` does not look at the context."""
 
 
 def perform_method(run: LaunchRun, receiver: Value, site: CallSite) -> Value:
@@ -25,12 +23,12 @@ def perform_method(run: LaunchRun, receiver: Value, site: CallSite) -> Value:
     asked = made_by_base(run, receiver) or receiver  # a class of the workspace asks its base
     given = site.values
     wrong = _not_a_context(given[0] if given else None)
-    if wrong is not None and kind_of(asked) != _TEXT:
+    if wrong is not None and kind_of(asked) is not LaunchClass.TEXT_SUBSTITUTION:  # which does not look at the context
         _note(run, site.expression, asked, wrong)
         return Unknown("perform() without the launch context")
     if not _is_new_context(given, site.expression):
         return run.perform(asked)
-    if kind_of(asked) == "LaunchConfiguration" and argument(asked, "default") is None:
+    if kind_of(asked) == LaunchClass.LAUNCH_CONFIGURATION and argument(asked, "default") is None:
         _note(run, site.expression, asked, "")
         return Unknown("a launch configuration in a context of its own")
     with _empty_context(run):
@@ -39,7 +37,7 @@ def perform_method(run: LaunchRun, receiver: Value, site: CallSite) -> Value:
 
 def _note(run: LaunchRun, e: facts.Call | None, asked: Value, given: str) -> None:
     if e is not None and stops_the_launch(run):
-        run.note_without_context(WithoutContext(kind_of(asked), given, run.place(e.span)))
+        run.note_without_context(WithoutContext(class_name(asked), given, run.place(e.span)))
 
 
 def stops_the_launch(run: LaunchRun) -> bool:
@@ -63,7 +61,7 @@ def _not_a_context(value: Value | None) -> str | None:
 
 def _is_new_context(given: list[Value], e: facts.Call | None) -> bool:
     """Whether ``perform(LaunchContext())`` makes the context that it is given: no launch argument has a value there."""
-    is_context = kind_of(given[0] if given else None) == "LaunchContext"
+    is_context = kind_of(given[0] if given else None) == LaunchClass.LAUNCH_CONTEXT
     return is_context and e is not None and bool(e.args) and isinstance(e.args[0].value, facts.Call)
 
 

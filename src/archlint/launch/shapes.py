@@ -6,8 +6,9 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.interpreter.values import ClassValue, Instance, Known, ListValue, Value
-from archlint.launch.objects import LaunchObject, given_of, kind_of
+from archlint.launch.objects import LaunchObject, class_name, given_of
 from archlint.launch.shape import Argument, ClassFile, Part, SameObject, Shape
+from archlint.launch.tables import LaunchClass
 
 if TYPE_CHECKING:
     from archlint.launch.run import LaunchRun
@@ -39,7 +40,7 @@ def _parts(run: LaunchRun, value: Value, depth: int) -> Parts:
             return _own_object(run, value, cls, depth)
         case Instance():
             given = list(value.arguments.items())
-            return [f"{value.note or kind_of(value)}(", *_written(run, given, depth), ")"]
+            return [f"{value.note or class_name(value)}(", *_written(run, given, depth), ")"]
     name = run.names.of(value)
     return _opaque(run, value) if name is None else [Argument(name)]
 
@@ -109,13 +110,13 @@ def _environment(run: LaunchRun, value: LaunchObject, depth: int) -> Parts:
     return ["$", *_part(run, value, "name", depth)]
 
 
-_SHAPES: dict[str, Callable[[LaunchRun, LaunchObject, int], Parts]] = {
-    "LaunchConfiguration": _configuration,
-    "PythonExpression": _expression,
-    "NotSubstitution": _not,
-    "EqualsSubstitution": _equality("=="),
-    "NotEqualsSubstitution": _equality("!="),
-    "AndSubstitution": _both("and"),
-    "OrSubstitution": _both("or"),
-    "EnvironmentVariable": _environment,
+_SHAPES: dict[LaunchClass, Callable[[LaunchRun, LaunchObject, int], Parts]] = {
+    LaunchClass.LAUNCH_CONFIGURATION: _configuration,
+    LaunchClass.PYTHON_EXPRESSION: _expression,
+    LaunchClass.NOT_SUBSTITUTION: _not,
+    LaunchClass.EQUALS_SUBSTITUTION: _equality("=="),
+    LaunchClass.NOT_EQUALS_SUBSTITUTION: _equality("!="),
+    LaunchClass.AND_SUBSTITUTION: _both("and"),
+    LaunchClass.OR_SUBSTITUTION: _both("or"),
+    LaunchClass.ENVIRONMENT_VARIABLE: _environment,
 }

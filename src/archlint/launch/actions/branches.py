@@ -19,7 +19,7 @@ from archlint.interpreter.values import (
 )
 from archlint.launch import conditions
 from archlint.launch.mistakes import NotACondition
-from archlint.launch.objects import LaunchObject, argument, kind_of, made_by_base
+from archlint.launch.objects import LaunchObject, argument, class_name, made_by_base
 from archlint.launch.verdict import ALWAYS, Verdict
 
 if TYPE_CHECKING:
@@ -63,7 +63,7 @@ def verdict_on(run: LaunchRun, entity: Instance) -> Verdict:
     what = None if condition is None else conditions.mistaken(run, condition)
     if condition is not None and what is not None:
         place = _place_of_condition(entity) or entity.place or run.place_now
-        run.note_mistake(NotACondition(kind_of(entity), what, callable_value(condition), place))
+        run.note_mistake(NotACondition(class_name(entity), what, callable_value(condition), place))
     return run.judge(condition)
 
 

@@ -17,6 +17,7 @@ from archlint.launch.model import Included
 from archlint.launch.objects import LaunchObject, argument, entities_of, kind_of, place_of
 from archlint.launch.parameter_sources import files_among
 from archlint.launch.substitutions.texts import written_at
+from archlint.launch.tables import SOURCES, LaunchClass
 
 if TYPE_CHECKING:
     from archlint.launch.run import LaunchRun
@@ -40,7 +41,7 @@ def branch(run: LaunchRun, entity: LaunchObject) -> None:
 
 def include(run: LaunchRun, entity: LaunchObject) -> None:
     source = entity.argument("launch_description_source")
-    location = argument(source, "launch_file_path") if kind_of(source).endswith("Source") else source
+    location = argument(source, "launch_file_path") if kind_of(source) in SOURCES else source
     place = place_of(source) or run.place_now
     given = entity.argument("launch_arguments")
     names = _given(run, given)
@@ -85,7 +86,7 @@ def _given(run: LaunchRun, arguments: Value | None) -> tuple[tuple[str, Place], 
 
 def _is_configuration(run: LaunchRun, value: Value, name: str) -> bool:
     """Whether an include is handed an argument as it is here."""
-    return kind_of(value) == "LaunchConfiguration" and run.text_of(argument(value, "variable_name")) == name
+    return kind_of(value) == LaunchClass.LAUNCH_CONFIGURATION and run.text_of(argument(value, "variable_name")) == name
 
 
 def launch_in_own_process(run: LaunchRun, package: str, name: str, words: Sequence[str | None]) -> None:

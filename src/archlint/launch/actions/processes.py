@@ -16,11 +16,11 @@ from archlint.launch.actions.scopes import remap
 from archlint.launch.context import absolute, prefix_namespace
 from archlint.launch.kinds import FileKind, StartedKind
 from archlint.launch.mistakes import UnknownAttribute
-from archlint.launch.objects import LaunchObject, argument, kind_of, known_text
+from archlint.launch.objects import LaunchObject, argument, class_name, kind_of, known_text
 from archlint.launch.parameter_sources import OpenParameters
 from archlint.launch.parameters import Parameter, file_use, parameters_of
 from archlint.launch.started import Remap, Started
-from archlint.launch.tables import SIGNATURES
+from archlint.launch.tables import LaunchClass
 from archlint.libraries.texts import text_of_value
 from archlint.model import Text
 
@@ -29,9 +29,9 @@ if TYPE_CHECKING:
 
 
 def node(run: LaunchRun, entity: LaunchObject) -> None:
-    is_container = entity.kind == "ComposableNodeContainer"
+    is_container = entity.kind == LaunchClass.COMPOSABLE_NODE_CONTAINER
     started = _started(run, entity, StartedKind.CONTAINER if is_container else StartedKind.NODE)
-    started.lifecycle = entity.kind == "LifecycleNode"
+    started.lifecycle = entity.kind == LaunchClass.LIFECYCLE_NODE
     run.start(started)
     if is_container:
         _components(run, entity, started.name)
@@ -104,7 +104,7 @@ def _texts(run: LaunchRun, value: Value | None) -> tuple[list[Value], bool]:
             return [], True
         case Known():
             return _words_of_text(run.perform(value))
-        case Instance() if kind_of(value):
+        case Instance() if class_name(value):
             return _words_of_text(run.perform(value))
         case ListValue():
             return [run.perform(item) for item in run.items(value)], run.is_closed(value)
@@ -143,7 +143,7 @@ _KEYWORDS_OF_ALL = frozenset({"condition", "sigterm_timeout", "sigkill_timeout",
 
 
 def _check_keywords(run: LaunchRun, entity: LaunchObject) -> None:
-    known = SIGNATURES[entity.kind].replace("*", "").split()
+    known = entity.kind.signature.replace("*", "").split()
     places = entity.places
     for name in entity.arguments:
         if name not in known and name not in _KEYWORDS_OF_ALL and not name.isdigit() and name in places:
@@ -155,7 +155,7 @@ def _components(run: LaunchRun, entity: LaunchObject, container: Text | None) ->
     for item in run.items(value):
         for option in each_alternative(run, item):
             match option:
-                case LaunchObject(kind="ComposableNode" | "ComposableLifecycleNode"):
+                case LaunchObject(kind=LaunchClass.COMPOSABLE_NODE | LaunchClass.COMPOSABLE_LIFECYCLE_NODE):
                     _component(run, option, container)
                 case _:
                     run.gap(f"a component: {reason(option)}")
@@ -176,8 +176,8 @@ def _component(run: LaunchRun, entity: LaunchObject, container: Text | None) -> 
 
 def load(run: LaunchRun, entity: LaunchObject) -> None:
     target = entity.argument("target_container")
-    if kind_of(target):
-        target = argument(target, "name") if kind_of(target).endswith("Container") else target
+    if kind_of(target) is LaunchClass.COMPOSABLE_NODE_CONTAINER:
+        target = argument(target, "name")
     text = None if target is None else text_of_value(run.perform(target), "no container")
     _components(run, entity, text)
 

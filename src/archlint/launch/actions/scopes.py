@@ -14,6 +14,7 @@ from archlint.launch.objects import LaunchObject, known_text
 from archlint.launch.parameters import file_use, setting
 from archlint.launch.started import Remap
 from archlint.launch.substitutions.texts import written_at
+from archlint.launch.tables import LaunchClass
 from archlint.libraries.texts import text_of_value
 
 if TYPE_CHECKING:
@@ -112,7 +113,9 @@ def remap(source: Value, target: Value, place: Place, group: bool = False) -> Re
 
 
 def set_parameter(run: LaunchRun, entity: LaunchObject) -> None:
-    name = Known("use_sim_time") if entity.kind == "SetUseSimTime" else run.perform(entity.argument("name"))
+    name = (
+        Known("use_sim_time") if entity.kind == LaunchClass.SET_USE_SIM_TIME else run.perform(entity.argument("name"))
+    )
     parameter = setting(run, name, entity.given("value"), run.place_now)
     run.launch.add_parameter(replace(parameter, shared=True))
 

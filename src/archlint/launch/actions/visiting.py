@@ -10,7 +10,8 @@ from archlint.branches import BranchArms, ChoiceOfValue
 from archlint.interpreter.values import External, Instance, Items, Known, ListValue, OneOf, Value, reason
 from archlint.launch.actions import included, processes, scopes
 from archlint.launch.actions.branches import arms_of, each_alternative, note_open, verdict_on, version, visit_items
-from archlint.launch.objects import MADE_BY_BASE, OWN, LaunchObject, kind_of, launch_object, place_of
+from archlint.launch.objects import MADE_BY_BASE, OWN, LaunchObject, class_name, kind_of, launch_object, place_of
+from archlint.launch.tables import LaunchClass
 from archlint.launch.verdict import ALWAYS
 
 if TYPE_CHECKING:
@@ -26,47 +27,47 @@ NESTING = 100
 
 Act = Callable[["LaunchRun", LaunchObject], None]
 
-ACTIONS: dict[str, Act] = {
-    "LaunchDescription": included.description,
-    "Branch": included.branch,
-    "GroupAction": scopes.group,
-    "TimerAction": scopes.visit_actions,
-    "RosTimer": scopes.visit_actions,
-    "DeclareLaunchArgument": scopes.declare,
-    "DeclareBooleanLaunchArgument": scopes.declare,
-    "SetLaunchConfiguration": scopes.let,
-    "UnsetLaunchConfiguration": scopes.unset,
-    "SetEnvironmentVariable": scopes.environment,
-    "PushRosNamespace": scopes.push_namespace,
-    "SetRemap": scopes.set_remap,
-    "SetParameter": scopes.set_parameter,
-    "SetUseSimTime": scopes.set_parameter,
-    "SetParametersFromFile": scopes.set_parameters_from_file,
-    "IncludeLaunchDescription": included.include,
-    "PythonLaunchDescriptionSource": included.include,
-    "OpaqueFunction": included.opaque,
-    "RegisterEventHandler": included.event_handler,
-    "Node": processes.node,
-    "LifecycleNode": processes.node,
-    "ComposableNodeContainer": processes.node,
-    "LoadComposableNodes": processes.load,
-    "ExecuteProcess": processes.process,
+ACTIONS: dict[LaunchClass, Act] = {
+    LaunchClass.LAUNCH_DESCRIPTION: included.description,
+    LaunchClass.BRANCH: included.branch,
+    LaunchClass.GROUP_ACTION: scopes.group,
+    LaunchClass.TIMER_ACTION: scopes.visit_actions,
+    LaunchClass.ROS_TIMER: scopes.visit_actions,
+    LaunchClass.DECLARE_LAUNCH_ARGUMENT: scopes.declare,
+    LaunchClass.DECLARE_BOOLEAN_LAUNCH_ARGUMENT: scopes.declare,
+    LaunchClass.SET_LAUNCH_CONFIGURATION: scopes.let,
+    LaunchClass.UNSET_LAUNCH_CONFIGURATION: scopes.unset,
+    LaunchClass.SET_ENVIRONMENT_VARIABLE: scopes.environment,
+    LaunchClass.PUSH_ROS_NAMESPACE: scopes.push_namespace,
+    LaunchClass.SET_REMAP: scopes.set_remap,
+    LaunchClass.SET_PARAMETER: scopes.set_parameter,
+    LaunchClass.SET_USE_SIM_TIME: scopes.set_parameter,
+    LaunchClass.SET_PARAMETERS_FROM_FILE: scopes.set_parameters_from_file,
+    LaunchClass.INCLUDE_LAUNCH_DESCRIPTION: included.include,
+    LaunchClass.PYTHON_LAUNCH_DESCRIPTION_SOURCE: included.include,
+    LaunchClass.OPAQUE_FUNCTION: included.opaque,
+    LaunchClass.REGISTER_EVENT_HANDLER: included.event_handler,
+    LaunchClass.NODE: processes.node,
+    LaunchClass.LIFECYCLE_NODE: processes.node,
+    LaunchClass.COMPOSABLE_NODE_CONTAINER: processes.node,
+    LaunchClass.LOAD_COMPOSABLE_NODES: processes.load,
+    LaunchClass.EXECUTE_PROCESS: processes.process,
 }
 """What each action does to the launch context, and what it starts."""
 
 _IGNORED = frozenset(
     {
-        "LogInfo",
-        "Shutdown",
-        "EmitEvent",
-        "UnregisterEventHandler",
-        "PushEnvironment",
-        "PopEnvironment",
-        "AppendEnvironmentVariable",
-        "UnsetEnvironmentVariable",
-        "LifecycleTransition",
-        "SetROSLogDir",
-        "OpaqueCoroutine",
+        LaunchClass.LOG_INFO,
+        LaunchClass.SHUTDOWN,
+        LaunchClass.EMIT_EVENT,
+        LaunchClass.UNREGISTER_EVENT_HANDLER,
+        LaunchClass.PUSH_ENVIRONMENT,
+        LaunchClass.POP_ENVIRONMENT,
+        LaunchClass.APPEND_ENVIRONMENT_VARIABLE,
+        LaunchClass.UNSET_ENVIRONMENT_VARIABLE,
+        LaunchClass.LIFECYCLE_TRANSITION,
+        LaunchClass.SET_ROS_LOG_DIR,
+        LaunchClass.OPAQUE_COROUTINE,
     }
 )
 
@@ -154,7 +155,7 @@ def _act(run: LaunchRun, entity: Instance) -> None:
         case LaunchObject(kind=kind) if kind in ACTIONS:
             ACTIONS[kind](run, entity)
         case _ if kind_of(entity) not in _IGNORED:
-            run.gap(f"{entity.note or kind_of(entity) or 'an object'} is not an action that is followed")
+            run.gap(f"{entity.note or class_name(entity) or 'an object'} is not an action that is followed")
 
 
 def _known_by_name(entity: Instance) -> Instance:
@@ -162,7 +163,7 @@ def _known_by_name(entity: Instance) -> Instance:
     match entity.cls:
         case External(path=path) if not path.startswith(OWN) and _DECLARES.search(path):
             arguments = {{"0": "name"}.get(key, key): value for key, value in entity.arguments.items()}
-            return launch_object(entity.key, "DeclareLaunchArgument", entity.place, arguments)
+            return launch_object(entity.key, LaunchClass.DECLARE_LAUNCH_ARGUMENT, entity.place, arguments)
     return entity
 
 

@@ -13,6 +13,7 @@ from archlint.launch.frontends.tables import ATTRIBUTES, HARMLESS
 from archlint.launch.frontends.texts import shell_words
 from archlint.launch.mistakes import UnknownAttribute
 from archlint.launch.objects import PAIR_PLACE, LaunchObject
+from archlint.launch.tables import LaunchClass
 
 if TYPE_CHECKING:
     from archlint.finding import Place
@@ -29,7 +30,7 @@ def _actions(frontend: Frontend, elements: Sequence[Element]) -> Iterator[Value]
     for element in elements:
         build = _ELEMENTS.get(element.tag)
         if build is None and element.tag not in HARMLESS:
-            yield frontend.make(f"<{element.tag}>", frontend.place(element.span), {})
+            yield frontend.unknown(element)
         if build is not None:
             action = build(frontend, element)
             if action is not None:
@@ -39,7 +40,7 @@ def _actions(frontend: Frontend, elements: Sequence[Element]) -> Iterator[Value]
 
 
 def _condition(frontend: Frontend, element: Element, entity: LaunchObject) -> None:
-    for name, kind in (("if", "IfCondition"), ("unless", "UnlessCondition")):
+    for name, kind in (("if", LaunchClass.IF_CONDITION), ("unless", LaunchClass.UNLESS_CONDITION)):
         attribute = element.attributes.get(name)
         if attribute is not None:
             place = frontend.place(attribute.span)
@@ -58,7 +59,7 @@ def _check(frontend: Frontend, element: Element) -> None:
             )
 
 
-def _node(frontend: Frontend, element: Element, kind: str = "Node") -> LaunchObject:
+def _node(frontend: Frontend, element: Element, kind: LaunchClass = LaunchClass.NODE) -> LaunchObject:
     given, places = frontend.arguments(
         element,
         {
@@ -121,7 +122,7 @@ def _pair(frontend: Frontend, element: Element, first: str, second: str) -> Valu
 
 
 def _container(frontend: Frontend, element: Element) -> LaunchObject:
-    container = _node(frontend, element, "ComposableNodeContainer")
+    container = _node(frontend, element, LaunchClass.COMPOSABLE_NODE_CONTAINER)
     container.arguments["composable_node_descriptions"] = _components(frontend, element)
     return container
 
@@ -129,7 +130,7 @@ def _container(frontend: Frontend, element: Element) -> LaunchObject:
 def _load(frontend: Frontend, element: Element) -> LaunchObject:
     given, places = frontend.arguments(element, {"target": "target_container"})
     given["composable_node_descriptions"] = _components(frontend, element)
-    return frontend.make("LoadComposableNodes", frontend.place(element.span), given, places)
+    return frontend.make(LaunchClass.LOAD_COMPOSABLE_NODES, frontend.place(element.span), given, places)
 
 
 def _components(frontend: Frontend, element: Element) -> Value:
@@ -138,7 +139,7 @@ def _components(frontend: Frontend, element: Element) -> Value:
         names = {"pkg": "package", "plugin": "plugin", "name": "name", "namespace": "namespace"}
         given, places = frontend.arguments(child, names)
         _described(frontend, child, given)
-        component = frontend.make("ComposableNode", frontend.place(child.span), given, places)
+        component = frontend.make(LaunchClass.COMPOSABLE_NODE, frontend.place(child.span), given, places)
         _condition(frontend, child, component)
         _check(frontend, child)
         values.append(component)
@@ -149,10 +150,10 @@ def _include(frontend: Frontend, element: Element) -> LaunchObject:
     file = element.attributes.get("file")
     place = frontend.place(file.span if file is not None else element.span)
     location = frontend.text(file) if file is not None else Unknown("an include without a file")
-    source = frontend.make("AnyLaunchDescriptionSource", place, {"launch_file_path": location})
+    source = frontend.make(LaunchClass.ANY_LAUNCH_DESCRIPTION_SOURCE, place, {"launch_file_path": location})
     rows = [_pair(frontend, child, "name", "value") for child in element.of("arg", "let")]
     given = {"launch_description_source": source, "launch_arguments": frontend.list(rows)}
-    return frontend.make("IncludeLaunchDescription", place, given, {"launch_description_source": place})
+    return frontend.make(LaunchClass.INCLUDE_LAUNCH_DESCRIPTION, place, given, {"launch_description_source": place})
 
 
 def _group(frontend: Frontend, element: Element) -> LaunchObject:
@@ -164,12 +165,12 @@ def _group(frontend: Frontend, element: Element) -> LaunchObject:
     kept = [_pair(frontend, child, "name", "value") for child in element.of("keep")]
     if kept:
         given["launch_configurations"] = frontend.dict_of(kept)
-    return frontend.make("GroupAction", frontend.place(element.span), given)
+    return frontend.make(LaunchClass.GROUP_ACTION, frontend.place(element.span), given)
 
 
 def _timer(frontend: Frontend, element: Element) -> LaunchObject:
     given: dict[str, Value] = {"actions": frontend.list(list(_actions(frontend, element.children)))}
-    return frontend.make("TimerAction", frontend.place(element.span), given)
+    return frontend.make(LaunchClass.TIMER_ACTION, frontend.place(element.span), given)
 
 
 def _argument(frontend: Frontend, element: Element) -> LaunchObject:
@@ -177,16 +178,16 @@ def _argument(frontend: Frontend, element: Element) -> LaunchObject:
     choices = [frontend.get(child, "value") or Known("") for child in element.of("choice")]
     if choices:
         given["choices"] = frontend.list(choices)
-    return frontend.make("DeclareLaunchArgument", frontend.place(element.span), given, places)
+    return frontend.make(LaunchClass.DECLARE_LAUNCH_ARGUMENT, frontend.place(element.span), given, places)
 
 
 def _executable(frontend: Frontend, element: Element) -> LaunchObject:
     given, places = frontend.arguments(element, {"name": "name"})
     _command_line(frontend, element, "cmd", "cmd", given, places)
-    return frontend.make("ExecuteProcess", frontend.place(element.span), given, places)
+    return frontend.make(LaunchClass.EXECUTE_PROCESS, frontend.place(element.span), given, places)
 
 
-def _simple(kind: str, **names: str) -> Callable[[Frontend, Element], LaunchObject]:
+def _simple(kind: LaunchClass, **names: str) -> Callable[[Frontend, Element], LaunchObject]:
     def build(frontend: Frontend, element: Element) -> LaunchObject:
         given, places = frontend.arguments(element, names)
         return frontend.make(kind, frontend.place(element.span), given, places)
@@ -194,12 +195,12 @@ def _simple(kind: str, **names: str) -> Callable[[Frontend, Element], LaunchObje
     return build
 
 
-_LET = _simple("SetLaunchConfiguration", name="name", value="value")
-_PUSH = _simple("PushRosNamespace", namespace="namespace")
+_LET = _simple(LaunchClass.SET_LAUNCH_CONFIGURATION, name="name", value="value")
+_PUSH = _simple(LaunchClass.PUSH_ROS_NAMESPACE, namespace="namespace")
 
 _ELEMENTS: dict[str, Callable[[Frontend, Element], LaunchObject | None]] = {
     "node": _node,
-    "lifecycle_node": lambda frontend, element: _node(frontend, element, "LifecycleNode"),
+    "lifecycle_node": lambda frontend, element: _node(frontend, element, LaunchClass.LIFECYCLE_NODE),
     "node_container": _container,
     "load_composable_node": _load,
     "include": _include,
@@ -211,11 +212,11 @@ _ELEMENTS: dict[str, Callable[[Frontend, Element], LaunchObject | None]] = {
     "let": _LET,
     "push_ros_namespace": _PUSH,
     "push-ros-namespace": _PUSH,
-    "set_remap": _simple("SetRemap", **{"from": "src", "to": "dst"}),
+    "set_remap": _simple(LaunchClass.SET_REMAP, **{"from": "src", "to": "dst"}),
     "set_parameter": set_parameter,
-    "set_parameters_from_file": _simple("SetParametersFromFile", filename="filename"),
-    "set_use_sim_time": _simple("SetUseSimTime", value="value"),
-    "set_env": _simple("SetEnvironmentVariable", name="name", value="value"),
-    "unset_env": _simple("UnsetEnvironmentVariable", name="name"),
+    "set_parameters_from_file": _simple(LaunchClass.SET_PARAMETERS_FROM_FILE, filename="filename"),
+    "set_use_sim_time": _simple(LaunchClass.SET_USE_SIM_TIME, value="value"),
+    "set_env": _simple(LaunchClass.SET_ENVIRONMENT_VARIABLE, name="name", value="value"),
+    "unset_env": _simple(LaunchClass.UNSET_ENVIRONMENT_VARIABLE, name="name"),
     "executable": _executable,
 }

@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING
 from archlint.finding import Place
 from archlint.interpreter import containers
 from archlint.interpreter.objects.dicts import update_entries
-from archlint.interpreter.values import Known, Unknown, Value
+from archlint.interpreter.values import External, Instance, Known, Unknown, Value
 from archlint.launch.frontends.tables import SUBSTITUTIONS
 from archlint.launch.frontends.texts import closing, unquoted, words_of
-from archlint.launch.objects import LaunchObject, launch_object
+from archlint.launch.objects import OWN, LaunchObject, launch_object
+from archlint.launch.tables import LaunchClass
 
 if TYPE_CHECKING:
     from archlint.launch.run import LaunchRun
@@ -33,13 +34,17 @@ class Frontend:
 
     def make(
         self,
-        kind: str,
+        kind: LaunchClass,
         place: Place,
         arguments: dict[str, Value],
         places: dict[str, Place] | None = None,
         rest: tuple[Value, ...] = (),
     ) -> LaunchObject:
         return launch_object(self.run.store.new_key(), kind, place, arguments, places=places, rest=rest)
+
+    def unknown(self, element: Element) -> Instance:
+        """What an element makes that no table has."""
+        return Instance(External(f"{OWN}<{element.tag}>"), self.run.store.new_key(), self.place(element.span))
 
     def list(self, values: Sequence[Value]) -> Value:
         return containers.new_list(self.run, values)

@@ -9,6 +9,7 @@ from archlint.interpreter import containers
 from archlint.interpreter.values import External, Known, Unknown, UnknownKey, Value
 from archlint.launch.objects import LaunchObject, known_text
 from archlint.launch.parameters import TYPES, from_yaml, of_type
+from archlint.launch.tables import LaunchClass
 from archlint.syntax.launch_elements import Element
 from archlint.syntax.parameter_files import NotKnown, ParameterData
 
@@ -23,13 +24,13 @@ def read_parameter(frontend: Frontend, element: Element) -> Value | None:
         given = {"param_file": frontend.text(element.attributes["from"])}
         if (element.text("allow_substs") or "").lower() == "true":
             given["allow_substs"] = Known(True)
-        return frontend.make("ParameterFile", frontend.place(element.attributes["from"].span), given)
+        return frontend.make(LaunchClass.PARAMETER_FILE, frontend.place(element.attributes["from"].span), given)
     nested = element.of("param")
     name = frontend.get(element, "name") or Known("")
     if nested:
         return _nested(frontend, element, name)
     value = _value(frontend, element)
-    return frontend.make("Parameter", place, {"name": name, "value": value})
+    return frontend.make(LaunchClass.PARAMETER, place, {"name": name, "value": value})
 
 
 def _nested(frontend: Frontend, element: Element, name: Value) -> Value | None:
@@ -52,7 +53,7 @@ def set_parameter(frontend: Frontend, element: Element) -> LaunchObject:
     """``<set_parameter>``: its value is read as that of ``<param>`` is."""
     given, places = frontend.arguments(element, {"name": "name"})
     given["value"] = _value(frontend, element)
-    return frontend.make("SetParameter", frontend.place(element.span), given, places)
+    return frontend.make(LaunchClass.SET_PARAMETER, frontend.place(element.span), given, places)
 
 
 def _value(frontend: Frontend, element: Element) -> Value:
@@ -79,7 +80,7 @@ def _value_of_text(frontend: Frontend, element: Element, text: str, place: Place
     given = {"value": frontend.parse(text, place)}
     if kind is not None:
         given["value_type"] = External(f"builtins.{kind}")
-    return frontend.make("ParameterValue", place, given)
+    return frontend.make(LaunchClass.PARAMETER_VALUE, place, given)
 
 
 def _scalar(frontend: Frontend, text: str, kind: str | None) -> Value:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from archlint.launch.tables import LaunchClass
+
 HARMLESS = frozenset(
     {"keep", "log", "log_info", "log_debug", "log_warning", "log_error", "shutdown", "set_ros_log_dir", "append_env"}
     | {"reset", "reset_env", "rep_env", "push_env", "pop_env"}
@@ -41,28 +43,28 @@ ATTRIBUTES: dict[str, list[str]] = {
     "timer": ["period"],
 }
 
-SUBSTITUTIONS: dict[str, tuple[str, tuple[str, ...]]] = {
-    "var": ("LaunchConfiguration", ("variable_name", "default")),
-    "env": ("EnvironmentVariable", ("name", "default_value")),
-    "optenv": ("EnvironmentVariable", ("name", "default_value")),
-    "find-pkg-share": ("FindPackageShare", ("package",)),
-    "find-pkg-prefix": ("FindPackagePrefix", ("package",)),
-    "exec-in-pkg": ("ExecutableInPackage", ("executable", "package")),
-    "eval": ("PythonExpression", ("expression",)),
-    "command": ("Command", ("command", "on_stderr")),
-    "dirname": ("ThisLaunchFileDir", ()),
-    "filename": ("ThisLaunchFile", ()),
-    "anon": ("AnonName", ("name",)),
-    "not": ("NotSubstitution", ("value",)),
-    "and": ("AndSubstitution", ("left", "right")),
-    "or": ("OrSubstitution", ("left", "right")),
-    "any": ("AnySubstitution", ()),
-    "all": ("AllSubstitution", ()),
-    "equals": ("EqualsSubstitution", ("left", "right")),
-    "not-equals": ("NotEqualsSubstitution", ("left", "right")),
-    "if": ("IfElseSubstitution", ("condition", "if_value", "else_value")),
-    "file-content": ("FileContent", ("path",)),
-    "find-exec": ("FindExecutable", ("name",)),
-    "param": ("ParameterSubstitution", ("name",)),
-    "path-join": ("PathJoinSubstitution", ()),
+SUBSTITUTIONS: dict[str, tuple[LaunchClass, tuple[str, ...]]] = {
+    "var": (LaunchClass.LAUNCH_CONFIGURATION, ("variable_name", "default")),
+    "env": (LaunchClass.ENVIRONMENT_VARIABLE, ("name", "default_value")),
+    "optenv": (LaunchClass.ENVIRONMENT_VARIABLE, ("name", "default_value")),
+    "find-pkg-share": (LaunchClass.FIND_PACKAGE_SHARE, ("package",)),
+    "find-pkg-prefix": (LaunchClass.FIND_PACKAGE_PREFIX, ("package",)),
+    "exec-in-pkg": (LaunchClass.EXECUTABLE_IN_PACKAGE, ("executable", "package")),
+    "eval": (LaunchClass.PYTHON_EXPRESSION, ("expression",)),
+    "command": (LaunchClass.COMMAND, ("command", "on_stderr")),
+    "dirname": (LaunchClass.THIS_LAUNCH_FILE_DIR, ()),
+    "filename": (LaunchClass.THIS_LAUNCH_FILE, ()),
+    "anon": (LaunchClass.ANON_NAME, ("name",)),
+    "not": (LaunchClass.NOT_SUBSTITUTION, ("value",)),
+    "and": (LaunchClass.AND_SUBSTITUTION, ("left", "right")),
+    "or": (LaunchClass.OR_SUBSTITUTION, ("left", "right")),
+    "any": (LaunchClass.ANY_SUBSTITUTION, ()),
+    "all": (LaunchClass.ALL_SUBSTITUTION, ()),
+    "equals": (LaunchClass.EQUALS_SUBSTITUTION, ("left", "right")),
+    "not-equals": (LaunchClass.NOT_EQUALS_SUBSTITUTION, ("left", "right")),
+    "if": (LaunchClass.IF_ELSE_SUBSTITUTION, ("condition", "if_value", "else_value")),
+    "file-content": (LaunchClass.FILE_CONTENT, ("path",)),
+    "find-exec": (LaunchClass.FIND_EXECUTABLE, ("name",)),
+    "param": (LaunchClass.PARAMETER_SUBSTITUTION, ("name",)),
+    "path-join": (LaunchClass.PATH_JOIN_SUBSTITUTION, ()),
 }

@@ -21,6 +21,7 @@ from archlint.launch.kinds import FileKind
 from archlint.launch.named_files import MadeFile, Replacing, Rewriting
 from archlint.launch.objects import LaunchObject, known_text, launch_object
 from archlint.launch.substitutions.texts import each_text
+from archlint.launch.tables import LaunchClass
 from archlint.syntax.parameter_files import NotKnown
 from archlint.syntax.safe_yaml import YamlError, YamlReader
 
@@ -133,5 +134,7 @@ def has_node(run: LaunchRun, value: LaunchObject) -> Value:
 def as_bool(run: LaunchRun, value: LaunchObject) -> Value:
     name = value.arguments.get("name") or Unknown("no name is given")
     arms = value.branch_arms
-    read = launch_object(value.key, "LaunchConfiguration", value.place, {"variable_name": name}, branch_arms=arms)
+    read = launch_object(
+        value.key, LaunchClass.LAUNCH_CONFIGURATION, value.place, {"variable_name": name}, branch_arms=arms
+    )
     return each_text(run.perform(read), lambda text: Known(str(text.strip().lower() in ("true", "1", "yes", "on"))))
