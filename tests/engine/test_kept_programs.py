@@ -200,6 +200,17 @@ def written(name: str, text: str) -> Edit:
     return edit
 
 
+def with_comment(name: str, text: str) -> Edit:
+    """A comment at the end: no place of the code changes."""
+
+    def edit(folder: Path) -> None:
+        if (folder / name).exists():
+            with (folder / name).open("a", encoding="utf-8") as stream:
+                stream.write(f"# {text}\n")
+
+    return edit
+
+
 def removed(name: str) -> Edit:
     return lambda folder: (folder / name).unlink(missing_ok=True)
 
@@ -209,6 +220,13 @@ def restored(name: str) -> Edit:
 
 
 EDITS = {
+    "a comment at the end": with_comment("robot/robot/names.py", "until then"),
+    "a comment that names a parameter": with_comment("robot/robot/talker.py", "the rate of speed"),
+    "a comment that names a topic": with_comment("robot/robot/extra.py", "drive/speed, extra"),
+    "a comment that names a class": with_comment("robot/robot/watcher.py", "Talker wait_for publish_on"),
+    "a comment that names a module": with_comment("robot/setup.py", "extra watcher.py robot.extra"),
+    "a comment in a launch file": with_comment("robot/launch/robot.launch.py", "robot.watcher ROS_DISTRO rates"),
+    "a comment that turns a rule off": with_comment("robot/robot/base.py", "archlint: ignore-file[TMO001]"),
     "a constant three modules away": replaced("robot/robot/prefix.py", "drive/", "wheels/"),
     "that constant again": replaced("robot/robot/prefix.py", "wheels/", "/absolute/"),
     "a comment": replaced("robot/robot/talker.py", "rclpy.spin(", "rclpy.spin(  # until Ctrl-C\n        "),
@@ -252,10 +270,10 @@ def workspace(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 def outputs(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> Callable[..., list[str]]:
     """What `check` and `graph` print, with a cache or without one."""
 
-    def run(cached: bool) -> list[str]:
+    def run(cached: bool, *options: str) -> list[str]:
         cache = ["--cache-dir", str(tmp_path / "cache")] if cached else ["--no-cache"]
         printed = []
-        for command in (["check", "--exit-zero"], ["graph"]):
+        for command in (["check", "--exit-zero", *options], ["graph"]):
             main([*command, ".", "--format", "json", "--jobs", "1", "--isolated", *cache])
             printed.append(re.sub(r'"elapsed_s": [\d.e-]+', "", capsys.readouterr().out))
         return printed
@@ -288,6 +306,24 @@ def test_only_what_an_edit_can_change_is_followed_again(workspace, outputs, foll
     outputs(cached=True)
     files = {key[3] for key in followed if key[0] == "entry"}
     assert files == {"robot/robot/talker.py", "robot/robot/listener.py"}
+
+
+def test_a_comment_at_the_end_is_no_reason_to_judge_again(workspace, outputs, monkeypatch):
+    before = outputs(cached=True)
+    with_comment("robot/robot/names.py", "no rule asks for such words")(workspace)
+    monkeypatch.setattr("archlint.engine.findings.judged_in_parts", None)
+    assert outputs(cached=True) == before
+    assert outputs(cached=True) == before
+
+
+def test_a_comment_is_a_reason_where_its_words_were_asked_for(workspace, outputs):
+    """A parameter that is never read, and that no other file names, is one too many."""
+    before = outputs(True, "--select", "PRM006")
+    assert "'rate' is declared but never read" in before[0]
+    with_comment("robot/robot/talker.py", "the rate of speed")(workspace)
+    after = outputs(True, "--select", "PRM006")
+    assert after == outputs(False, "--select", "PRM006")
+    assert "PRM006" not in after[0]
 
 
 @pytest.mark.parametrize("name", EDITS)

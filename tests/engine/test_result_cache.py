@@ -48,8 +48,8 @@ def kept(monkeypatch):
 
     def get_run(store: Store, key: str) -> bytes | None:
         payload = read(store, key)
-        if payload is None:
-            return None
+        if payload is None or key.startswith("alike-"):
+            return payload
         seen.append(json.loads(payload))
         for change in changes:
             change(seen[-1])

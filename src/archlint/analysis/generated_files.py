@@ -6,6 +6,8 @@ import posixpath
 import re
 from typing import TYPE_CHECKING
 
+from archlint.workspace.words import WORD
+
 if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
 
@@ -38,5 +40,7 @@ def _is_written(workspace: WorkspaceIndex, name: str) -> bool:
     scripts = {
         path for folder in workspace.manifests for path in workspace.tree.files_below(folder) if path.endswith(".py")
     }
-    texts = (workspace.tree.text(path) for path in sorted(scripts))
-    return any(text is not None and name in text and writes.search(text) for text in texts)
+    words = WORD.findall(name)
+    mentioning = (path for path in sorted(scripts) if all(workspace.code.mentions(path, word) for word in words))
+    texts = (workspace.tree.text(path) for path in mentioning)
+    return any(text is not None and writes.search(text) for text in texts)

@@ -75,7 +75,7 @@ class ProgramCache:
 
     def _fingerprint(self, path: str) -> str | None:
         file = self._by_path.get(path)
-        digest = None if file is None else self.facts.digest(file)
+        digest = None if file is None else self.facts.meaning(file)
         return None if file is None or digest is None else self._print(file, digest)
 
     def _print(self, file: SourceFile, digest: str) -> str:

@@ -41,13 +41,13 @@ def check(request: Request) -> Report:
         from archlint.engine.compiling import compiled  # a check with a known result needs none of it
 
         facts = compiled(request, workspace, store)
-        judged = kept.load_again(facts)
+        judged = kept.load_again(facts) or _alike(kept, facts)
         if judged is None:
             from archlint.engine.findings import judged_in_parts  # all the rules, and what runs the code
 
             judged = call_with_deep_stack(lambda: judged_in_parts(request, workspace, facts, tree, store))
             if facts.lasting and not any(finding.code == "LNT003" for finding in judged.findings):
-                kept.save(judged)
+                kept.save(judged, facts)
     if request.fixes and not judged.mended and any(finding.sites is not None for finding in judged.findings):
         judged = _mended(judged, request, workspace, kept)
     store.close()
@@ -55,6 +55,17 @@ def check(request: Request) -> Report:
     summary = replace(judged.summary, elapsed_s=elapsed, cpp_packages=len(workspace.cpp_packages))
     notices = [*judged.notices, *_not_looked_at(request, workspace, summary)]
     return Report(judged.findings, summary, Sources().line, notices, remarks=judged.remarks)
+
+
+def _alike(kept: RunCache[Judged], facts: FactsOfFiles) -> Judged | None:
+    """The result of a run over files of which only the texts differ.  Its fixes are made anew: they are edits of these
+    texts."""
+    judged = kept.load_alike(facts)
+    if judged is None:
+        return None
+    judged = judged.unmended()
+    kept.save_again(judged)
+    return judged
 
 
 def _mended(judged: Judged, request: Request, workspace: Workspace, kept: RunCache[Judged]) -> Judged:
@@ -104,11 +115,11 @@ def draw(request: Request, format: str, color: bool, everything: bool) -> Drawn:
         from archlint.engine.drawing import drawn
 
         facts = compiled(request, workspace, store)
-        result = kept.load_again(facts) if lasts else None
+        result = (kept.load_again(facts) or kept.load_alike(facts)) if lasts else None
         if result is None:
             result = drawn(_graph(request, workspace, store, facts, tree, everything), format, color)
             if lasts and facts.lasting and not result.faults:
-                kept.save(result)
+                kept.save(result, facts)
     store.close()
     return result
 

@@ -9,12 +9,15 @@ from __future__ import annotations
 import hashlib
 import json
 import os
-from dataclasses import astuple, dataclass
+from collections.abc import Collection
+from dataclasses import astuple, dataclass, replace
+from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Generic, TypeVar
 
 import msgspec
 
+from archlint.engine.alike import Alike, Answers
 from archlint.rulebook import pages_folder
 from archlint.workspace.model import PYTHON_KINDS
 
@@ -35,7 +38,7 @@ Result = TypeVar("Result")
 class _Asked:
     """What was asked of the disk, see :meth:`RunCache._asked`."""
 
-    rows: list[tuple[str, str, str | None]]
+    rows: Answers
 
 
 class RunCache(Generic[Result]):
@@ -79,10 +82,47 @@ class RunCache(Generic[Result]):
         self._key = self._key_of(digests)
         return self._read()
 
-    def save(self, result: Result) -> None:
+    def load_alike(self, facts: FactsOfFiles) -> Result | None:
+        """The result of a run over files that differ from these in nothing that it depends on."""
+        alike = None if self._key is None else self._alike(facts)
+        if alike is None or alike.key == self._key:
+            return None
+        result = self._read(alike.key)
+        if result is not None:
+            self._put_alike(facts, replace(alike, key=self._key or ""))
+        return result
+
+    def _alike(self, facts: FactsOfFiles) -> Alike | None:
+        payload = self._store.get_run(self._key_of_meaning(facts) or "")
+        try:
+            alike = None if payload is None else Alike.read(json.loads(payload))
+        except (ValueError, RecursionError):
+            return None
+        python = self._workspace.of_kind(*PYTHON_KINDS)
+        return alike if alike is not None and alike.holds(python, facts, self._tree) else None
+
+    def _key_of_meaning(self, facts: FactsOfFiles) -> str | None:
+        """As the key of the result, of what the code means and not of how it is written."""
+        files = self._workspace.files
+        key = self._key_of([facts.outline(file) if file.kind in PYTHON_KINDS else self._known(file) for file in files])
+        return None if key is None else f"alike-{key}"
+
+    def _put_alike(self, facts: FactsOfFiles, alike: Alike) -> None:
+        key = self._key_of_meaning(facts)
+        if key is not None:
+            self._store.put_run(key, json.dumps(msgspec.to_builtins(alike)).encode())
+
+    def save(self, result: Result, facts: FactsOfFiles) -> None:
         """Keep a result, unless some input could not be read."""
-        if self._key is not None:
-            self._put(result, _Asked(self._asked()))
+        if self._key is None:
+            return
+        self._put(result, _Asked(self._asked({file.relative for file in self._workspace.files})))
+        files = self._workspace.of_kind(*PYTHON_KINDS)
+        python = {file.relative for file in files}
+        # That a text was read for its words is not noted: they are.
+        others = {file.relative for file in self._workspace.files if file.relative not in python}
+        answers = [row for row in self._asked(others) if row[0] == "content" or row[1] not in python]
+        self._put_alike(facts, Alike.of(self._key, answers, self._tree.words, files, facts))
 
     def save_again(self, result: Result) -> None:
         """Keep what has been added to a result that was loaded or saved."""
@@ -95,8 +135,9 @@ class RunCache(Generic[Result]):
         record = {"result": msgspec.to_builtins(result), "asked": msgspec.to_builtins(asked.rows)}
         self._store.put_run(self._key, json.dumps(record).encode())
 
-    def _read(self) -> Result | None:
-        payload = None if self._key is None else self._store.get_run(self._key)
+    def _read(self, other: str | None = None) -> Result | None:
+        key = other or self._key
+        payload = None if key is None else self._store.get_run(key)
         if payload is None:
             return None
         try:
@@ -111,10 +152,9 @@ class RunCache(Generic[Result]):
         self._known_asked = asked
         return result
 
-    def _asked(self) -> list[tuple[str, str, str | None]]:
+    def _asked(self, known: Collection[str]) -> Answers:
         """What was asked of the disk beside the files that the key is made of: a parameter file that git ignores,
         a file that is not there."""
-        known = {file.relative for file in self._workspace.files}
         rows = [(question, path, answer) for (question, path), answer in self._tree.asked.items()]
         return [row for row in sorted(rows, key=lambda row: row[:2]) if row[0] == "listing" or row[1] not in known]
 
@@ -158,6 +198,7 @@ def _digest(path: Path) -> str | None:
         return None
 
 
+@cache
 def own_code() -> list[tuple[str, int, int]]:
     """Name, time and size of archlint's own modules: an edited rule must not be answered from the cache."""
     entries: list[tuple[str, int, int]] = []

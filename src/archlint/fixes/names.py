@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
+from itertools import chain
 from typing import TYPE_CHECKING
 
 from archlint.finding import Edit, Fix
@@ -60,11 +61,11 @@ class Names:
         parts = [re.sub(r"\W+", "_", part).strip("_").lower() for part in call.written.split("/")]
         parts = [part for part in parts if part] or [call.interface]
         names = [_base("_".join(parts[-count:]), call.interface) for count in range(1, len(parts) + 1)]
-        names += [f"{names[0]}_{number}" for number in range(2, 1_000)]
+        candidates = chain(names, (f"{names[0]}_{number}" for number in range(2, 1_000)))
         # Whoever else declares parameters on a node that is handed over is perhaps in another file.
-        elsewhere = self._around.elsewhere(source) if call.shares_node else ""
-        text = "\n".join((source.text, elsewhere, *sorted(self._declared_elsewhere)))
-        name = next(candidate for candidate in names if candidate not in source.taken and not _used(candidate, text))
+        elsewhere = self._around.elsewhere(source) if call.shares_node else ()
+        texts = (source.text, *elsewhere, *sorted(self._declared_elsewhere))
+        name = next(name for name in candidates if name not in source.taken and not _used(name, texts))
         source.taken.add(name)
         if call.shares_node:
             self._declared_elsewhere.add(name)
@@ -100,6 +101,7 @@ def _base(words: str, interface: str) -> str:
     return base if base[0].isalpha() else f"{interface}_{words}"
 
 
-def _used(name: str, text: str) -> bool:
+def _used(name: str, texts: Iterable[str]) -> bool:
     """Whether a text uses a name as a variable or in a string; attributes are in nobody's way."""
-    return re.search(rf"(?<![\w.]){name}\b", text) is not None
+    use = re.compile(rf"(?<![\w.]){name}\b")
+    return any(name in text and use.search(text) for text in texts)

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Sequence
+from functools import cache, cached_property
 from pathlib import Path
 
 from archlint.fixes.source import Source, read
@@ -17,22 +19,34 @@ class Surroundings:
     def __init__(self, files: Sequence[str] = ()) -> None:
         self._files = files
         self._sources: dict[str, Source | None] = {}
-        self._texts: dict[Path, dict[str, str]] = {}
+        self._texts: dict[str, dict[str, str]] = {}
 
     def source(self, file: str) -> Source | None:
         if file not in self._sources:
             self._sources[file] = read(file)
         return self._sources[file]
 
-    def elsewhere(self, source: Source) -> str:
-        """The text of the other Python files of a file's package, and the names that fixes bring into them."""
+    def elsewhere(self, source: Source) -> list[str]:
+        """The texts of the other Python files of a file's package, and the names that fixes bring into them."""
         file = Path(source.file).resolve()
         root = next((folder for folder in file.parents if (folder / "package.xml").is_file()), file.parent)
+        texts = self._texts_below(os.path.join(root, ""))
+        others = (other for other in self._sources.values() if other is not None and other is not source)
+        taken = (name for other in others for name in other.taken)
+        return [*(text for path, text in texts.items() if path != str(file)), *sorted(taken)]
+
+    def _texts_below(self, root: str) -> dict[str, str]:
+        """The texts of the Python files below a folder by their paths."""
         if root not in self._texts:
-            inside = sorted(
-                {path for path in (Path(file_name).resolve() for file_name in self._files) if root in path.parents}
-            )
-            texts = ((str(path), read(str(path))) for path in inside[:_MOST_FILES])
-            self._texts[root] = {name: read_source.text for name, read_source in texts if read_source is not None}
-        taken = (name for other in self._sources.values() if other not in (None, source) for name in other.taken)
-        return "\n".join((*(t for name, t in self._texts[root].items() if name != str(file)), *sorted(taken)))
+            inside = [path for path in self._real_paths if path.startswith(root)][:_MOST_FILES]
+            sources = ((path, read(path)) for path in inside)
+            self._texts[root] = {path: source.text for path, source in sources if source is not None}
+        return self._texts[root]
+
+    @cached_property
+    def _real_paths(self) -> list[str]:
+        """The paths of the files without symbolic links, in the order of their parts."""
+        real_folder = cache(os.path.realpath)  # asked once for each folder: it looks at all folders around it
+        paths = (os.path.join(real_folder(folder), name) for folder, name in map(os.path.split, self._files))
+        real = {os.path.realpath(path) if os.path.islink(path) else path for path in paths}
+        return sorted(real, key=lambda path: path.split(os.sep))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from archlint.finding import Finding, Severity
 
@@ -60,6 +60,10 @@ class Judged:
     remarks: list[str] = field(default_factory=list)
     mended: bool = False
     """Whether the findings have their fixes, beside the sites that these are made at."""
+
+    def unmended(self) -> Judged:
+        """The same without fixes."""
+        return replace(self, findings=[replace(finding, fix=None) for finding in self.findings], mended=False)
 
 
 def summarise(

@@ -28,8 +28,8 @@ RACY_NS = 2_000_000_000
 its time proves nothing, and it is hashed anew."""
 KEPT_DAYS = 30
 """How long an entry that no run asks for is kept."""
-KEPT_RUNS = 50
-"""How many results of runs are kept."""
+KEPT_RUNS = 100
+"""How many results of runs are kept, each with a record of what it depends on."""
 KEPT_WORKSPACES = 10
 """Of how many workspaces the programs are kept."""
 MAX_BYTES = 256_000_000

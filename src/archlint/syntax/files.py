@@ -59,6 +59,7 @@ class FactsOfFiles:
         self._digests: dict[str, str] = {}
         self._payloads: dict[str, bytes] = {}
         self._facts: dict[str, Facts | None] = {}
+        self._outlines: dict[str, str] = {}
         self.compiled = 0
         """How many files had to be parsed in this run."""
         self._fresh_imports: set[str] = set()
@@ -144,6 +145,24 @@ class FactsOfFiles:
         """The digest of a file's content; None where it cannot be read."""
         return self._digests.get(file.path)
 
+    def meaning(self, file: SourceFile) -> str | None:
+        """What stands for the code of a file: the same where an edit changes nothing but comments at its end.  None
+        where it cannot be read."""
+        return self.outline(file) if self.relevant(file) else self.digest(file)
+
+    def outline(self, file: SourceFile) -> str | None:
+        """As :meth:`meaning`; of a file that the screen left out it stands for what it imports and no more."""
+        if self.digest(file) is None:
+            return None
+        if file.path not in self._outlines:
+            self._outlines[file.path] = digest_of(self._payloads[file.path], "facts")
+        return self._outlines[file.path]
+
+    def meaning_of_read(self, file: SourceFile) -> str | None:
+        """As :meth:`meaning`, of a file that the screen left out and somebody reads nevertheless."""
+        payload = self._payload_of(file)
+        return None if payload is None else digest_of(payload, "facts")
+
     def relevant(self, file: SourceFile) -> bool:
         """Whether the screen kept a file."""
         return not self._payloads.get(file.path, _IRRELEVANT).startswith(_IRRELEVANT)
@@ -173,12 +192,18 @@ class FactsOfFiles:
         """The facts of a file; one that the screen left out is compiled now.  None for what is no Python."""
         if file.path in self._facts:
             return self._facts[file.path]
-        payload = self._payloads.get(file.path)
-        if payload is None or payload.startswith(_IRRELEVANT):
-            payload = self._ahead.get(file.path) or self._on_demand([file]).get(file.path)
+        payload = self._payload_of(file)
         facts = None if payload is None else self._decoded(payload)
         self._facts[file.path] = self._compiled_anew(file) if payload is not None and facts is None else facts
         return self._facts[file.path]
+
+    def _payload_of(self, file: SourceFile) -> bytes | None:
+        payload = self._payloads.get(file.path)
+        if payload is not None and not payload.startswith(_IRRELEVANT):
+            return payload
+        if file.path not in self._ahead:
+            self._ahead.update(self._on_demand([file]))
+        return self._ahead.get(file.path)
 
     def _compiled_anew(self, file: SourceFile) -> Facts | None:
         """The facts of a file whose entry in the cache says nothing."""

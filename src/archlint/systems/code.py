@@ -10,14 +10,13 @@ from typing import TYPE_CHECKING
 from archlint.interpreter.modules import Module, ModuleIndex
 from archlint.workspace.model import CODE_KINDS, PYTHON_KINDS
 from archlint.workspace.tree import NO_FILES
+from archlint.workspace.words import WORD
 
 if TYPE_CHECKING:
     from archlint.syntax.facts import Facts
     from archlint.workspace.installed import Installs
     from archlint.workspace.model import SourceFile
     from archlint.workspace.tree import Tree
-
-_WORD = re.compile(r"\w+")
 
 
 class WorkspaceCode:
@@ -39,7 +38,6 @@ class WorkspaceCode:
         self._installs = installs or {}
         self._relevant = relevant
         self._by_path = {file.relative: file for file in files}
-        self._words: dict[str, frozenset[str]] = {}
 
     def facts_at(self, path: str) -> Facts | None:
         """The facts of a file; None where it was not read, or is no Python."""
@@ -56,29 +54,23 @@ class WorkspaceCode:
 
     def mentions(self, path: str, word: str) -> bool:
         """Whether a word stands anywhere in a file, be it of Python or not."""
-        if _WORD.fullmatch(word):
-            return word in self._words_of(path)
+        if WORD.fullmatch(word):
+            return self._tree.words.stand_in(path, word)
         text = self._tree.text(path)
         return text is not None and re.search(rf"(?<!\w){re.escape(word)}(?!\w)", text) is not None
 
     def files_that_mention(self, name: str) -> Sequence[str]:
         """The Python files of packages, but for launch files, in which a name stands anywhere."""
-        return self._by_word.get(name, ())
+        return self._tree.words.note(name, self._by_word.get(name, ()))
 
     @cached_property
     def _by_word(self) -> Mapping[str, Sequence[str]]:
         """The files by the words that stand in them: what is asked of all files costs the same in large workspaces."""
         by_word: dict[str, list[str]] = {}
         for path in (path for package in self._packages for path in self.files_of(package)):
-            for word in self._words_of(path):
+            for word in self._tree.words.of(path):
                 by_word.setdefault(word, []).append(path)
         return by_word
-
-    def _words_of(self, path: str) -> frozenset[str]:
-        words = self._words.get(path)
-        if words is None:
-            words = self._words[path] = frozenset(_WORD.findall(self._tree.text(path) or ""))
-        return words
 
     # ------------------------------------------------------------------------------------------ by package
 

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Protocol
 
 from archlint.disk import read_regular
+from archlint.workspace.words import Words
 
 if TYPE_CHECKING:
     from archlint.workspace.model import SourceFile
@@ -24,6 +25,9 @@ ENTRIES = 20_000
 
 class Tree(Protocol):
     """The files of a workspace by shown paths."""
+
+    @property
+    def words(self) -> Words: ...
 
     def text(self, path: str) -> str | None: ...
 
@@ -38,6 +42,8 @@ class Tree(Protocol):
 
 class _NoFiles:
     """A tree without files."""
+
+    words = Words(lambda path: None)
 
     def text(self, path: str) -> str | None:
         return None
@@ -68,6 +74,7 @@ class SourceTree:
         self._listed: dict[str, list[str]] = {}
         self.asked: dict[tuple[str, str], str | None] = {}
         """Every answer that was given, by question and path, for whoever keeps what follows from them."""
+        self.words = Words(lambda path: self._text(path, "words"))
 
     def _real(self, path: str) -> Path | None:
         if "\0" in path:
@@ -93,8 +100,11 @@ class SourceTree:
     def text(self, path: str) -> str | None:
         """A regular file's text; None where there is none, it is too large, or it cannot be decoded: XML by the
         encoding that it names, all else as UTF-8."""
+        return self._text(path, "content")
+
+    def _text(self, path: str, question: str) -> str | None:
         try:
-            data = self._content(path)
+            data = self._content(path, question)
             return None if data is None else _decoded(data)
         except (OSError, UnicodeDecodeError):
             return None
@@ -113,22 +123,22 @@ class SourceTree:
             return f"byte 0x{error.object[error.start]:02x} is not valid {error.encoding}: save the file as UTF-8"
         return None
 
-    def _content(self, path: str) -> bytes | None:
+    def _content(self, path: str, question: str = "content") -> bytes | None:
         """The bytes of a regular file; None where there is none.  Raises ``OSError``."""
         real = self._real(path)
         try:
             data = None if real is None or not real.is_file() else read_regular(real, TEXT_LIMIT)
         except OSError as error:
-            self.asked.setdefault(("content", path), f"error {error.errno}")
+            self.asked.setdefault((question, path), f"error {error.errno}")
             raise
-        self.asked.setdefault(("content", path), None if data is None else hashlib.sha256(data).hexdigest())
+        self.asked.setdefault((question, path), None if data is None else hashlib.sha256(data).hexdigest())
         return data
 
     def answer(self, question: str, path: str) -> str | None:
         """What :attr:`asked` would hold if the question were asked now, for the first time."""
         fresh = SourceTree(self.base, Path(self._within))
-        if question == "content":
-            fresh.text(path)
+        if question in ("content", "words"):
+            fresh._text(path, question)
         elif question == "listing":
             fresh.files_below(path)
         else:

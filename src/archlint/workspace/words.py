@@ -1,0 +1,44 @@
+"""The words that stand in the texts of files, and what was asked of them.
+
+Most edits of a file change nothing of that: so the questions are noted with their answers, and not that the text was
+read.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Collection, Sequence
+
+WORD = re.compile(r"\w+")
+
+
+class Words:
+    """The words of files by their shown paths; each file is read once."""
+
+    def __init__(self, text_of: Callable[[str], str | None]) -> None:
+        self._text_of = text_of
+        self._words: dict[str, frozenset[str]] = {}
+        self.asked_of_one: dict[tuple[str, str], bool] = {}
+        """Whether a word stands in a file, by path and word, for all that were asked for."""
+        self.asked_of_all: dict[str, Collection[str]] = {}
+        """The files of the workspace's code that a word stands in, for all words that were asked for."""
+
+    def of(self, path: str) -> frozenset[str]:
+        """The words of a file; none where it cannot be read."""
+        words = self._words.get(path)
+        if words is None:
+            words = self._words[path] = frozenset(WORD.findall(self._text_of(path) or ""))
+        return words
+
+    def stand_in(self, path: str, word: str) -> bool:
+        """Whether a word stands in a file."""
+        answer = self.asked_of_one[path, word] = word in self.of(path)
+        return answer
+
+    def note(self, word: str, files: Sequence[str]) -> Sequence[str]:
+        """These are the files of the workspace's code that a word stands in."""
+        self.asked_of_all[word] = files
+        return files
+
+
+__all__ = ["WORD", "Words"]
