@@ -429,3 +429,95 @@ def test_a_trial_may_spin_until_its_runner_ends_it(tmp_path, monkeypatch, path: 
         (tmp_path / name).write_text(text, encoding="utf-8")
     report = check(Request((".",), load(tmp_path), cached=False, jobs=1))
     assert [one.code for one in report.findings] == found
+
+
+SAID = """
+import rclpy
+from rclpy.node import Node
+from rclpy.qos import QoSProfile, ReliabilityPolicy, qos_profile_sensor_data
+from std_msgs.msg import String
+
+
+class {name}(Node):
+    def __init__(self):
+        super().__init__('{name}')
+        self.end = {end}
+        self.create_timer(1.0, self.tick)
+
+    def tick(self):
+        pass
+
+
+def main():
+    rclpy.init()
+    {run}
+
+
+if __name__ == '__main__':
+    main()
+"""
+BEST_EFFORT = "self.create_publisher(String, 'said', qos_profile_sensor_data)"
+RELIABLE = "self.create_publisher(String, 'said', 10)"
+ASKS = "self.create_subscription(String, 'said', print, 10)"
+
+
+def said(name: str, end: str, run: str | None = None) -> str:
+    return SAID.format(name=name, end=end, run=run or f"rclpy.spin({name}())")
+
+
+@pytest.fixture
+def found(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    """``found(code, {path: text})`` gives the findings of a rule in a package ``robot`` that installs ``robot.driver``
+    and in what lies beside it."""
+
+    def run(code: str, files: dict[str, str]) -> list[Finding]:
+        texts = {"package.xml": MANIFEST, "setup.py": SETUP.replace("{more}", ""), "robot/__init__.py": "", **files}
+        for path, text in texts.items():
+            place = tmp_path / "robot" / path
+            place.parent.mkdir(parents=True, exist_ok=True)
+            place.write_text(text, encoding="utf-8")
+        monkeypatch.chdir(tmp_path)
+        (tmp_path / "archlint.toml").write_text(f'select = ["{code}"]\n', encoding="utf-8")
+        return check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+
+    return run
+
+
+@pytest.mark.parametrize(
+    ("driver", "severities"),
+    [
+        pytest.param(RELIABLE, [], id="what was made for another publisher"),
+        pytest.param("None", [Severity.INFO], id="what fits nobody"),
+        pytest.param(BEST_EFFORT, [Severity.INFO], id="nor that one"),
+    ],
+)
+def test_two_scripts_that_nobody_installs_are_no_pair(found, driver: str, severities: list[Severity]):
+    loose = {"../poc/a.py": said("A", BEST_EFFORT), "../poc/b.py": said("B", ASKS)}
+    told = found("QOS001", {**loose, "robot/driver.py": said("Driver", driver)})
+    assert [one.severity for one in told] == severities
+    assert all(one.message.endswith(", in scripts that no package installs") for one in told)
+
+
+def test_a_script_that_nobody_installs_against_a_program(found):
+    files = {"robot/driver.py": said("Driver", BEST_EFFORT), "debug/b.py": said("B", ASKS)}
+    [told] = found("QOS001", files)
+    assert told.severity is Severity.ERROR
+
+
+BY_HAND = "node = Probe()\n    for _ in range(200):\n        node.tick()"
+
+
+@pytest.mark.parametrize(
+    ("path", "end", "run", "count"),
+    [
+        pytest.param("../poc/probe.py", ASKS, BY_HAND, 0, id="a script that measures"),
+        pytest.param("../poc/probe.py", ASKS, "node = Probe()", 1, id="a script that forgets to spin"),
+        pytest.param("../poc/probe.py", ASKS, BY_HAND.replace("node.tick", "other.tick"), 1, id="another object"),
+        pytest.param("robot/driver.py", "None", BY_HAND, 0, id="a program that does all by hand"),
+        pytest.param("robot/driver.py", ASKS, BY_HAND, 1, id="a program whose subscription never runs"),
+    ],
+)
+def test_a_node_whose_callbacks_the_program_calls_itself(found, path: str, end: str, run: str, count: int):
+    told = found("EXE008", {"robot/driver.py": "def main():\n    pass\n", path: said("Probe", end, run)})
+    assert len(told) == count
+    assert all("of its timer" not in one.message for one in told if path.startswith("robot"))

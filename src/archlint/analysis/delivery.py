@@ -62,6 +62,13 @@ def fitting(system: System, request: Endpoint) -> list[Endpoint]:
     ]
 
 
+def fits_any(system: System, request: Endpoint) -> bool:
+    """Whether any publisher of a subscription's topic suits it, be it one that is not known to run along with it."""
+    topic = system.topics.get(request.name or "")
+    offers = [] if topic is None else topic.providers
+    return any(_judged(offer) and not _errors(offer, request) for offer in offers)
+
+
 def policy_words(verdict: Verdict, value: str | float | None) -> str:
     """What one side says of a policy: ``best effort``, ``a deadline of 0.1 s``."""
     policy = verdict.policy.replace("_", " ")

@@ -6,8 +6,9 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from archlint.analysis.aside import is_not_installed
 from archlint.analysis.coexistence import has_launch_files, known_to_coexist
-from archlint.analysis.delivery import Undelivered, fitting, policy_words, undelivered
+from archlint.analysis.delivery import Undelivered, fits_any, fitting, policy_words, undelivered
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related, Severity
@@ -39,6 +40,8 @@ def _mismatches(code: str, system: System, policies: set[str]) -> Iterator[Findi
     """One finding for each subscription (one create call) and policy, with all publishers that do not fit."""
     against: dict[tuple[int, str], list[tuple[Undelivered, Verdict]]] = {}
     for pair in undelivered(system):
+        if _is_of_loose_scripts(system, pair) and fits_any(system, pair.request):
+            continue  # each is run by hand, beside the program that it was made for
         for verdict in pair.verdicts:
             if verdict.policy in policies:
                 against.setdefault((id(pair.request), verdict.policy), []).append((pair, verdict))
@@ -57,7 +60,10 @@ def _mismatch(code: str, system: System, pairs: list[tuple[Undelivered, Verdict]
     if served:
         lost = f"its messages do not arrive, those of {served[0].node.name} do"
     proven = _is_proven(system, first)
-    if not proven:
+    loose = all(_is_of_loose_scripts(system, pair) for pair, _ in pairs)
+    if loose:
+        lost += ", in scripts that no package installs"
+    elif not proven:
         lost += ", if they run together: no launch file here starts both by default"
     diagnostic = finding(
         code,
@@ -71,7 +77,17 @@ def _mismatch(code: str, system: System, pairs: list[tuple[Undelivered, Verdict]
         node=user.node.name,
         identity=(user.name or "", verdict.policy, *(pair.offer.node.name or "" for pair, _ in pairs)),
     )
-    return diagnostic if proven else replace(diagnostic, severity=min(diagnostic.severity, Severity.WARNING))
+    most = Severity.INFO if loose else diagnostic.severity if proven else Severity.WARNING
+    return replace(diagnostic, severity=min(diagnostic.severity, most))
+
+
+def _is_of_loose_scripts(system: System, pair: Undelivered) -> bool:
+    """Whether both nodes are in scripts that no package installs, where there are packages that install programs, and
+    no program starts both."""
+    workspace, ends = system.workspace, (pair.offer, pair.request)
+    if workspace is None or not workspace.manifests or known_to_coexist(system, pair.offer.node, pair.request.node):
+        return False
+    return all(is_not_installed(workspace, end.place.file) for end in ends)
 
 
 def _is_proven(system: System, pair: Undelivered) -> bool:

@@ -7,29 +7,44 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import import_that_fails, is_not_installed
+from archlint.analysis.called_by_hand import left_to_executor
 from archlint.analysis.idle_nodes import SERVED, Idle, _all_is_seen, idle_of, started_nodes
 from archlint.analysis.object_uses import read_off
 from archlint.analysis.reach import node_name, one_for_each_place
+from archlint.analysis.source_code import source_code
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related, Severity
 from archlint.model import ExecutorKind
 
 if TYPE_CHECKING:
-    from archlint.model import Blueprint
+    from archlint.model import Blueprint, Program
     from archlint.systems.model import System
 
 
 @rule("EXE008", scope=Scope.CODE)
 def node_never_spun(system: System, options: Options) -> Iterator[Finding]:
     """Nodes that wait for work which no executor ever gives them."""
-    judged = [(program, node, idle_of(system, program, node)) for program, node in started_nodes(system)]
+    judged = [(program, node, _idle(system, program, node)) for program, node in started_nodes(system)]
     spun = {node.made_at or node.place for _, node, idle in judged if idle is None}
     yield from one_for_each_place(
         _never_spun(system, node, idle)
         for program, node, idle in judged
         if idle is not None and (node.made_at or node.place) not in spun and _all_is_seen(program, node)
     )
+
+
+def _idle(system: System, program: Program, node: Blueprint) -> Idle | None:
+    """Why nothing serves what a node offers, without what the program does by hand; a script that no package installs
+    may do so with one callback to measure or to try it."""
+    idle = idle_of(system, program, node)
+    if idle is None:
+        return None
+    left = left_to_executor(source_code(system), node, idle.served)
+    by_hand = len(left) < len(idle.served)
+    if not left or (by_hand and is_not_installed(system.workspace, (node.made_at or node.place).file)):
+        return None
+    return replace(idle, served=left)
 
 
 _SHOWN = 5
