@@ -118,9 +118,9 @@ def test_a_long_run_says_how_far_it_is():
     tally.following(40)
     assert terminal.screen == "archlint: 1/3 files compiled, 0/40 programs followed"
     clock.now = 3.0
-    tally.followed("('script', 'a.py')", "a (a.py)", 0.5)
+    tally.followed("ScriptKey(file='a.py')", "a (a.py)", 0.5)
     clock.now = 4.0
-    tally.known("('script', 'b.py')")
+    tally.known("ScriptKey(file='b.py')")
     assert terminal.screen == "archlint: 1/3 files compiled, 2/40 programs followed"
     clock.now = 5.0
     tally.judging(7)
@@ -140,7 +140,7 @@ def test_of_what_several_processes_follow_the_parts_are_counted():
     assert terminal.screen == "archlint: 1/5 parts of the programs followed"
     tally.divided()
     clock.now = 4.0
-    tally.known("('script', 'a.py')")
+    tally.known("ScriptKey(file='a.py')")
     assert terminal.screen == "archlint: 1/40 programs followed"
 
 
@@ -284,8 +284,8 @@ def test_the_slowest_come_first_with_their_share():
     for number in range(12):
         tally.compiled(f"file_{number:02}.py", 0.25 * number)
     tally.following(2)
-    tally.followed("('script', 'a.py')", "a (a.py)", 1.0)
-    tally.followed("('script', 'b.py')", "b (b.py)", 2.0)
+    tally.followed("ScriptKey(file='a.py')", "a (a.py)", 1.0)
+    tally.followed("ScriptKey(file='b.py')", "b (b.py)", 2.0)
     assert list(costs(tally)) == [
         "processor time: 20.00 s",
         "compiled 12 files: 16.50 s, 82.5 %",
@@ -308,12 +308,12 @@ def test_what_was_followed_ahead_is_not_from_an_earlier_run():
     tally, part = ended_after(10.0), Tally()
     part.compiled("of_the_parent.py", 9.0)  # a process begins with what its parent knows
     part.begin_part()
-    part.followed("('script', 'a.py')", "a (a.py)", 1.5)
+    part.followed("ScriptKey(file='a.py')", "a (a.py)", 1.5)
     part.compiled("imported.py", 0.5)
     tally.take(part.end_part())
     tally.following(2)
-    tally.known("('script', 'a.py')")
-    tally.known("('script', 'b.py')")
+    tally.known("ScriptKey(file='a.py')")
+    tally.known("ScriptKey(file='b.py')")
     assert (tally.kept, list(tally.programs.values())) == (1, [("a (a.py)", 1.5)])
     assert tally.files == {"imported.py": 0.5}
 

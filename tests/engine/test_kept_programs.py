@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from archlint.cli import main
+from archlint.programs.keys import EntryKey, ProgramKey
 from archlint.programs.linker import Linker
 
 FILES = {
@@ -282,9 +283,9 @@ def outputs(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> Callable[...,
 
 
 @pytest.fixture
-def followed(monkeypatch: pytest.MonkeyPatch) -> list[object]:
+def followed(monkeypatch: pytest.MonkeyPatch) -> list[ProgramKey]:
     """The programs that are followed, and not known from an earlier run."""
-    keys: list[object] = []
+    keys: list[ProgramKey] = []
     follow = Linker.follow
 
     def noting(self, key, act):
@@ -300,11 +301,11 @@ def test_only_what_an_edit_can_change_is_followed_again(workspace, outputs, foll
     followed.clear()
     replaced("robot/robot/talker.py", "0.1", "0.2")(workspace)
     outputs(cached=True)
-    assert {key[3] for key in followed if key[0] == "entry"} == {"robot/robot/talker.py"}
+    assert {key.file for key in followed if isinstance(key, EntryKey)} == {"robot/robot/talker.py"}
     followed.clear()
     replaced("robot/robot/prefix.py", "drive", "wheels")(workspace)
     outputs(cached=True)
-    files = {key[3] for key in followed if key[0] == "entry"}
+    files = {key.file for key in followed if isinstance(key, EntryKey)}
     assert files == {"robot/robot/talker.py", "robot/robot/listener.py"}
 
 

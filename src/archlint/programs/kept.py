@@ -20,10 +20,7 @@ from archlint.programs.kept_table import Row, Table, write
 if TYPE_CHECKING:
     from archlint.interpreter.modules import ModuleIndex
     from archlint.interpreter.reads import Lookup, Reads
-
-ProgramKey = tuple[object, ...]
-"""What is followed: an entry point with what it is started with, a script, a class, a function, a module."""
-
+    from archlint.programs.keys import ProgramKey
 
 _MOSTLY = 0.9
 
@@ -77,7 +74,7 @@ class KeptPrograms:
 
     def get(self, key: ProgramKey, late: bool) -> Followed | None:
         """What became of a program, if it would be the same again."""
-        name = repr(key)
+        name = key.text
         for table in self._tables:
             try:
                 row = self._valid(table, name)
@@ -166,7 +163,7 @@ class KeptPrograms:
         except NotEncodable:
             return
         self.changed = True
-        name = repr(key)
+        name = key.text
         shared = {owner for item in objects if (owner := self._owner(item, name)) != name}
         if shared:  # they would not share it any more
             for other in shared:
@@ -239,4 +236,4 @@ class NothingKept:
         return []
 
 
-__all__ = ["KeptPrograms", "NotPrograms", "NothingKept", "ProgramKey"]
+__all__ = ["KeptPrograms", "NotPrograms", "NothingKept"]

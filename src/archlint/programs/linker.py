@@ -32,7 +32,8 @@ from archlint.programs.ahead import WORTH_IT, follow_ahead, independent_groups
 from archlint.programs.budget import Budget, cut_short
 from archlint.programs.followed import Followed, FollowedProgram, Progress
 from archlint.programs.helpers import helpers_in, note_unfollowed, prune_uncalled, settle_helpers
-from archlint.programs.kept import KeptPrograms, NothingKept, ProgramKey
+from archlint.programs.kept import KeptPrograms, NothingKept
+from archlint.programs.keys import EntryKey, ProgramKey, ScriptKey
 from archlint.programs.roots import run_callbacks, run_pending
 from archlint.programs.sweep import Sweep
 from archlint.programs.top_level import called_alone, place_of
@@ -163,7 +164,7 @@ class Linker:
         late = self.progress.budget.is_spent
         followed = self.kept.get(key, late)
         if followed is not None:
-            self.monitor.known(repr(key))
+            self.monitor.known(key.text)
         else:
             faults, began = self.faults.count, time.process_time()
             with self.index.reading(Reads()) as reads:
@@ -171,7 +172,7 @@ class Linker:
             seconds = time.process_time() - began
             if self.faults.count == faults:
                 self.kept.put(key, late, followed, self.index.all_read(reads))
-            self.monitor.followed(repr(key), _words(key, followed.program), seconds)
+            self.monitor.followed(key.text, _words(key, followed.program), seconds)
         self.progress.add(followed)
         return followed
 
@@ -275,7 +276,7 @@ class Linker:
 
         changes = None if overrides is None else overrides.key
         given = None if words is None else tuple(words)
-        key = ("entry", entry.package, entry.executable, module.path, entry.function, changes, given)
+        key = EntryKey(module.path, entry.package, entry.executable, entry.function, changes, given)
         if self._settled:
             self.monitor.following(1)
         program = self.follow(key, act).program
@@ -326,7 +327,7 @@ class Linker:
     def run_script(self, module: Module) -> model.Program:
         """Run a file as ``python file``: its top level, then what the main guard holds."""
         self.monitor.following(1)
-        return self.follow(("script", module.path), lambda: self._run_script(module)).program
+        return self.follow(ScriptKey(module.path), lambda: self._run_script(module)).program
 
     def _run_script(self, module: Module) -> Followed:
         name = module.path.rpartition("/")[2]
@@ -342,10 +343,9 @@ class Linker:
 
 def _words(key: ProgramKey, program: model.Program) -> str:
     """A program as people know it: its name, and its file."""
-    verb = "import " if key[0] == "module" else ""
     if program.file.rpartition("/")[2] == program.name:
-        return f"{verb}{program.file}"
-    return f"{verb}{program.name} ({program.file})"
+        return f"{key.verb}{program.file}"
+    return f"{key.verb}{program.name} ({program.file})"
 
 
 def _run_block(run: Run, module: Module, block: facts.If | facts.Facts | None) -> None:

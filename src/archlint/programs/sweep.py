@@ -14,7 +14,7 @@ from archlint.libraries.interest import interesting
 from archlint.libraries.rclpy import escapes, node_classes
 from archlint.monitor import Monitor
 from archlint.programs.followed import Definition, Followed, FollowedProgram, Progress
-from archlint.programs.kept import ProgramKey
+from archlint.programs.keys import DefinitionKey, ModuleKey, ProgramKey
 from archlint.programs.roots import flags_of
 from archlint.programs.top_level import definitions, place_of
 from archlint.syntax.parts import names_in
@@ -57,7 +57,7 @@ class Sweep:
             rows = (_definition(module, name, self.value_of(module, name)) for name in names)
             return root.result([row for row in rows if row is not None])
 
-        return self.follow(("module", module.path), act).definitions
+        return self.follow(ModuleKey(module.path), act).definitions
 
     def _run_classes(self, classes: Sequence[Row]) -> None:
         """Node classes that nothing makes: once, with the constructor's defaults, flags either way.  A class that
@@ -92,7 +92,7 @@ class Sweep:
             return self._run_class(module, value) if definition.is_class else self._run_function(module, value)
 
         self.monitor.following(1)
-        self.follow(("alone", module.path, definition.variable), act)
+        self.follow(DefinitionKey(module.path, definition.variable), act)
 
     def _run_class(self, module: Module, cls: Value | None) -> Followed:
         assert isinstance(cls, ClassValue)

@@ -1,0 +1,57 @@
+"""What is followed: an executable, a script, a module by itself, a class or a function that nothing runs."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+
+@dataclass(frozen=True)
+class ProgramKey:
+    """Tells a program from all others of a workspace.  ``file`` is the shown path of the module that it starts in."""
+
+    verb: ClassVar[str] = ""
+    """What is said in front of the program's name."""
+
+    file: str
+
+    @property
+    def text(self) -> str:
+        """By which the program is kept from one run to the next: the same in each of them."""
+        return repr(self)
+
+
+@dataclass(frozen=True)
+class EntryKey(ProgramKey):
+    """An executable, with what it is started with."""
+
+    package: str | None
+    executable: str
+    function: str | None
+    """What of the module is called; None for a script."""
+    overrides: tuple[object, ...] | None
+    """Parameters and names from outside, as in :attr:`archlint.model.Overrides.key`; None without any."""
+    words: tuple[str | None, ...] | None
+    """Its command line, None for words that are not known; None as a whole where nothing is known of it."""
+
+
+@dataclass(frozen=True)
+class ScriptKey(ProgramKey):
+    """A file that is run as ``python file``."""
+
+
+@dataclass(frozen=True)
+class ModuleKey(ProgramKey):
+    """The import of a module."""
+
+    verb: ClassVar[str] = "import "
+
+
+@dataclass(frozen=True)
+class DefinitionKey(ProgramKey):
+    """A class or function, by the variable of the module that holds it, that no other program runs."""
+
+    variable: str
+
+
+__all__ = ["DefinitionKey", "EntryKey", "ModuleKey", "ProgramKey", "ScriptKey"]
