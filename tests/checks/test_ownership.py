@@ -15,6 +15,7 @@ from archlint.finding import Severity
 from archlint.ros.well_known import OF_MANY_PUBLISHERS
 from archlint.systems.model import System
 from checks.judging import Judge
+from rule_examples import SCAFFOLD, read_page
 from systems.builders import action_server, from_parameter, node, partial, publisher, service, subscriber, system
 
 NOTHING_SAID = Options()
@@ -903,3 +904,23 @@ def test_who_runs_a_loose_script_knows_what_else_runs(tmp_path, monkeypatch, bes
     findings = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
 
     assert [one.severity for one in findings] == ([] if beside else [Severity.INFO])
+
+
+@pytest.mark.parametrize(
+    ("title", "cure"),
+    [
+        ("The drivers take turns", "        if not self.active:\n            return\n"),
+        ("A topic that is meant to be shared", 'shared-topics = ["/distances"]\n'),
+    ],
+)
+def test_what_a_good_example_of_the_page_shows_is_what_makes_it_good(
+    title: str, cure: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+):
+    [page] = SCAFFOLD.parent.glob("OWN001-*.md")
+    [example] = [each for each in read_page("OWN001", page.read_text(encoding="utf-8")) if each.title == title]
+    assert any(cure in text for text in example.files.values())
+    example.files = {name: text.replace(cure, "") for name, text in example.files.items()}
+    example.write(tmp_path)
+    monkeypatch.chdir(tmp_path)
+    found = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+    assert [(finding.code, finding.severity) for finding in found] == [("OWN001", Severity.WARNING)]
