@@ -1,10 +1,10 @@
-"""What ``ament_python_install_package`` makes importable."""
+"""Which files and folders are imported under a name that CMakeLists.txt or setup.py gives them."""
 
 from __future__ import annotations
 
 import pytest
 
-from archlint.workspace.installed_modules import installed_modules
+from archlint.workspace.installed_modules import installed_modules, package_folders
 
 
 @pytest.mark.parametrize(
@@ -21,7 +21,41 @@ from archlint.workspace.installed_modules import installed_modules
         ("# ament_python_install_package(robot)", {}),
         ("#[[\nament_python_install_package(robot)\n]]", {}),
         ('message("next: ament_python_install_package(robot)")', {}),
+        ("install(DIRECTORY scripts/ DESTINATION ${PYTHON_INSTALL_DIR}/${PROJECT_NAME})", {"scripts": "arm"}),
+        ("install(DIRECTORY nodes DESTINATION ${PYTHON_INSTALL_DIR}/arm)", {"nodes": "arm.nodes"}),
+        ("install(DIRECTORY src/arm DESTINATION ${PYTHON_INSTALL_DIR} PATTERN test EXCLUDE)", {"src/arm": "arm"}),
+        (
+            "set(CODE src/python)\ninstall(DIRECTORY ${CODE}/ DESTINATION lib/python${VERSION}/site-packages/arm)",
+            {"src/python": "arm"},
+        ),
+        (
+            "install(FILES src/__init__.py src/joints.py DESTINATION ${PYTHON_INSTALL_DIR}/${PROJECT_NAME})",
+            {"src/__init__.py": "arm", "src/joints.py": "arm.joints"},
+        ),
+        ("install(DIRECTORY scripts/ DESTINATION lib/${PROJECT_NAME})", {}),
+        ("install(DIRECTORY scripts/ DESTINATION share/${PROJECT_NAME}/site-packages)", {}),
+        ("install(DIRECTORY ${generated}/ DESTINATION ${PYTHON_INSTALL_DIR}/arm)", {}),
+        ("install(DIRECTORY ./ DESTINATION ${PYTHON_INSTALL_DIR}/arm)", {}),
+        ("install(DIRECTORY scripts/ DESTINATION ${PYTHON_INSTALL_DIR}/${name})", {}),
     ],
 )
 def test_folders_and_the_names_they_are_imported_under(text: str, expected: dict[str, str]):
     assert installed_modules(f"cmake_minimum_required(VERSION 3.8)\n{text}\n", "arm") == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("setup(package_dir={'arm': 'scripts'})", {"scripts": "arm"}),
+        (
+            'name = "arm"\nsetup(name=name, package_dir={name: "src/python", "arm.tools": "tools"})',
+            {"src/python": "arm", "tools": "arm.tools"},
+        ),
+        ("setup(package_dir={'': 'src'})", {}),
+        ("setup(package_dir={\n    # 'arm': 'old',\n    'arm': 'new',\n})", {"new": "arm"}),
+        ("setup(package_dir={arm(): 'scripts'})", {}),
+        ("setup(package_dir=folders)", {}),
+    ],
+)
+def test_folders_that_a_setup_py_names(text: str, expected: dict[str, str]):
+    assert package_folders(f"from setuptools import setup\n{text}\n") == expected

@@ -115,3 +115,37 @@ def test_files_in_no_package(tmp_path):
     expected |= {"node.py": "node", "scripts/talker": "talker"}
     assert modules(look(tmp_path)) == expected
     assert modules(look(tmp_path, "lib/sub")) == {"lib/sub/__init__.py": "lib.sub", "lib/sub/x.py": "lib.sub.x"}
+
+
+def test_a_folder_that_cmake_copies_under_another_name_has_both(tmp_path):
+    plant(
+        tmp_path,
+        {
+            "robot/package.xml": manifest("robot", build_type="ament_cmake"),
+            "robot/CMakeLists.txt": "install(DIRECTORY scripts/ DESTINATION ${PYTHON_INSTALL_DIR}/${PROJECT_NAME})",
+            "robot/scripts/speeds.py": "",
+            "robot/tools/plot.py": "",
+        },
+    )
+    workspace = look(tmp_path)
+    assert modules(workspace) == {"robot/scripts/speeds.py": "robot.speeds", "robot/tools/plot.py": "plot"}
+    names = {file.relative: [link.module for link in file.links] for file in workspace.files if file.links}
+    assert names == {"robot/scripts/speeds.py": ["speeds"]}
+
+
+def test_package_dir_counts_where_setup_py_is_run(tmp_path):
+    for name, build_type in (("robot", "ament_python"), ("arm", "ament_cmake")):
+        plant(
+            tmp_path,
+            {
+                f"{name}/package.xml": manifest(name, build_type=build_type),
+                f"{name}/setup.py": f"setup(package_dir={{'{name}': 'scripts'}})",
+                f"{name}/scripts/speeds.py": "",
+            },
+        )
+    assert modules(look(tmp_path)) == {
+        "arm/scripts/speeds.py": "speeds",
+        "arm/setup.py": "setup",
+        "robot/scripts/speeds.py": "robot.speeds",
+        "robot/setup.py": "setup",
+    }

@@ -111,11 +111,14 @@ def hardcoded_name(system: System, options: Options) -> Iterator[Finding]:
 
 
 def _files_that_use(fixed: Sequence[Endpoint]) -> dict[str, set[str]]:
-    """The files that create something under names that are written in another file, by that one."""
+    """The files that create something under names that are written in another file, by that one.  A helper does not
+    take its names from the file of the node that it works for: that one hands them over."""
     users: dict[str, set[str]] = {}
     for endpoint in fixed:
-        literal = endpoint.creation.name.origin
-        if literal is not None and literal.file != endpoint.place.file:
+        literal, node = endpoint.creation.name.origin, endpoint.node.blueprint
+        if literal is None or literal.file == endpoint.place.file:
+            continue
+        if node is None or node.place.file != literal.file:
             users.setdefault(literal.file, set()).add(endpoint.place.file)
     return users
 

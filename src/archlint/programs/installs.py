@@ -198,6 +198,7 @@ def _groups(command: Command) -> dict[str, list[Argument]]:
 
 def _destination(text: str) -> str:
     text = re.sub(r"^\$\{(?:CMAKE_INSTALL_PREFIX)\}/?", "", text)
+    text = text.replace("${PYTHON_INSTALL_DIR}", "lib/python3/site-packages")
     text = text.replace("${CMAKE_INSTALL_LIBDIR}", "lib").replace("${CMAKE_INSTALL_DATADIR}", "share")
     text = text.replace("${CMAKE_INSTALL_DATAROOTDIR}", "share").replace("${CMAKE_INSTALL_BINDIR}", "bin")
     return posixpath.normpath(text) if text else "."

@@ -340,6 +340,5 @@ def _names_of(files: Iterable[SourceFile]) -> set[str]:
     for file in files:
         path = file.path.replace("\\", "/")
         names.add(path.removesuffix(".py").removesuffix("/__init__"))
-        if file.module:
-            names.add(file.module)
+        names.update(named.module for named in (file, *file.links) if named.module)
     return names

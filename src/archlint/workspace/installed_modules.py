@@ -1,41 +1,132 @@
-"""Which folders a CMakeLists.txt installs as Python packages (``ament_python_install_package``)."""
+"""Which files and folders a package installs as Python packages, and under which names.
+
+A CMakeLists.txt does so with ``ament_python_install_package``, or by copying them to where Python looks
+(``install(DIRECTORY scripts/ DESTINATION ${PYTHON_INSTALL_DIR}/${PROJECT_NAME})``); a setup.py with ``package_dir``.
+Nothing is run: what is not written out is left out.
+"""
 
 from __future__ import annotations
 
+import posixpath
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from archlint.workspace.cmake import Command, parse_cmake
 
 _INSTALL = "ament_python_install_package"
+_SITE = re.compile(
+    r"(?:^|/)(?:\$\{PYTHON_INSTALL_DIR\}|\$\{\w*SITE(?:LIB|ARCH)\w*\}|lib/[^/]*python[^/]*/(?:site|dist)-packages)(?:/|$)",
+    re.IGNORECASE,
+)
+"""Where Python looks for what is installed: CMake has it in a variable, or it is written out."""
 _NAME = re.compile(r"[\w-]+")
+_VARIABLE = re.compile(r"\$\{(\w+)\}")
 _HERE = re.compile(r"\$\{(?:CMAKE_CURRENT_SOURCE_DIR|PROJECT_SOURCE_DIR|CMAKE_SOURCE_DIR)\}/?")
+_KINDS = frozenset({"DIRECTORY", "FILES", "PROGRAMS"})
+_ENDS_SOURCES = frozenset(
+    {"COMPONENT", "CONFIGURATIONS", "DESTINATION", "DIRECTORY_PERMISSIONS", "EXCLUDE_FROM_ALL", "FILES_MATCHING"}
+    | {"FILE_PERMISSIONS", "MESSAGE_NEVER", "OPTIONAL", "PATTERN", "PERMISSIONS", "REGEX", "RENAME", "TYPE"}
+    | {"USE_SOURCE_PERMISSIONS"}
+)
 
 
 def installed_modules(text: str, package: str) -> dict[str, str]:
-    """Folder, relative to that of the CMakeLists.txt, to the name under which it is imported.
+    """Folder or file, relative to that of the CMakeLists.txt, to the dotted name under which it is imported.
 
-    ``package`` stands in for ``${PROJECT_NAME}`` in a file that does not say ``project``.  What takes other
-    variables is left out.
+    ``package`` stands in for ``${PROJECT_NAME}`` in a file that does not say ``project``.  What takes variables that
+    the file does not set to plain words is left out.
     """
-    if _INSTALL not in text:
+    if not any(word in text for word in (_INSTALL, "PYTHON_INSTALL_DIR", "SITELIB", "SITEARCH", "-packages")):
         return {}
     commands = parse_cmake(text)
-    project = _project(commands) or package
-    modules = {}
+    variables = {"PROJECT_NAME": _project(commands) or package}
+    modules: dict[str, str] = {}
     for command in commands:
-        words = [_HERE.sub("", word).replace("${PROJECT_NAME}", project) for word in command.texts]
-        if command.name != _INSTALL or not words:
-            continue
-        folder = words[0]
-        if "PACKAGE_DIR" in words[:-1]:
-            folder = words[words.index("PACKAGE_DIR") + 1]
-        if words[0].isidentifier() and "$" not in folder:
-            modules[folder.strip("/")] = words[0]
+        words = [_replaced(word, variables) for word in command.texts]
+        if command.name == "set" and len(words) == 2 and "$" not in words[1]:
+            variables.setdefault(words[0], words[1])
+        elif command.name == _INSTALL and words:
+            modules.update(_python_package(words))
+        elif command.name == "install" and "DESTINATION" in words[:-1]:
+            modules.update(_copied(words))
     return modules
+
+
+def _replaced(word: str, variables: Mapping[str, str]) -> str:
+    return _VARIABLE.sub(lambda match: variables.get(match[1], match[0]), _HERE.sub("", word))
+
+
+def _python_package(words: Sequence[str]) -> Iterator[tuple[str, str]]:
+    """``ament_python_install_package(name PACKAGE_DIR folder)``."""
+    folder = words[words.index("PACKAGE_DIR") + 1] if "PACKAGE_DIR" in words[:-1] else words[0]
+    if words[0].isidentifier() and "$" not in folder:
+        yield folder.strip("/"), words[0]
+
+
+def _copied(words: Sequence[str]) -> Iterator[tuple[str, str]]:
+    """``install(DIRECTORY … DESTINATION …)`` and ``install(FILES … DESTINATION …)``."""
+    destination = words[words.index("DESTINATION") + 1]
+    site = _SITE.search(destination)
+    kind = words[0]
+    if site is None or kind not in _KINDS or "RENAME" in words:
+        return
+    below = [part for part in destination[site.end() :].split("/") if part]
+    for source in _sources(words[1:]):
+        path = posixpath.normpath(source)
+        parts = [*below, *_own_parts(kind, source)]
+        if path != "." and parts and all(part.isidentifier() for part in parts):
+            yield path, ".".join(parts)
+
+
+def _sources(words: Sequence[str]) -> Iterator[str]:
+    for word in words:
+        if word in _ENDS_SOURCES:
+            return
+        if "$" not in word:
+            yield word
+
+
+def _own_parts(kind: str, source: str) -> list[str]:
+    """What a source itself adds to the name: nothing where only what a folder holds is copied."""
+    name = posixpath.basename(source)
+    if kind == "DIRECTORY":
+        return [name] if name else []
+    stem, suffix = posixpath.splitext(name)
+    if suffix != ".py":
+        return [name]
+    return [] if stem == "__init__" else [stem]
 
 
 def _project(commands: Sequence[Command]) -> str | None:
     """The name that the file gives its project, where it is written out."""
     named = (command.texts[0] for command in commands if command.name == "project" and command.texts)
     return next((name for name in named if _NAME.fullmatch(name)), None)
+
+
+# ----------------------------------------------------------------------------------------------- setup.py
+
+_COMMENT = re.compile(r"#[^\n]*")
+_PACKAGE_DIR = re.compile(r"\bpackage_dir\s*=\s*\{([^{}]*)\}")
+_TEXT = r"""(?:(["'])(?P<{0}>[\w./]*)\{1}|(?P<{0}_name>[A-Za-z_]\w*))"""
+_PAIR = re.compile(_TEXT.format("package", 1) + r"\s*:\s*" + _TEXT.format("folder", 4))
+_ASSIGNED = re.compile(r"""^([A-Za-z_]\w*)\s*=\s*(["'])([\w./]*)\2[ \t]*$""", re.MULTILINE)
+
+
+def package_folders(text: str) -> dict[str, str]:
+    """As :func:`installed_modules`, of the ``package_dir`` of a setup.py."""
+    if "package_dir" not in text:
+        return {}
+    text = _COMMENT.sub("", text)
+    written = _PACKAGE_DIR.search(text)
+    texts = {match[1]: match[3] for match in _ASSIGNED.finditer(text)}
+    folders = {}
+    for pair in _PAIR.finditer(written[1]) if written is not None else ():
+        package = pair["package"] if pair["package"] is not None else texts.get(pair["package_name"], "")
+        folder = pair["folder"] if pair["folder"] is not None else texts.get(pair["folder_name"], "")
+        path = posixpath.normpath(folder)
+        if path != "." and package and all(part.isidentifier() for part in package.split(".")):
+            folders[path] = package
+    return folders
+
+
+__all__ = ["installed_modules", "package_folders"]

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import replace
 
-from archlint.workspace.installed_modules import installed_modules
+from archlint.workspace.installed_modules import installed_modules, package_folders
 from archlint.workspace.manifest import read_manifest
-from archlint.workspace.model import PYTHON_KINDS, Link, Package, Problem, SourceFile, Workspace
+from archlint.workspace.model import PYTHON_KINDS, Link, Package, Problem, SourceFile, SourceKind, Workspace
 from archlint.workspace.module_names import ModuleNames
 
 MAX_BYTES = 1_000_000
@@ -36,9 +36,9 @@ def place(
         packages[os.path.dirname(file.path)] = None if isinstance(package, Problem) else package
         if isinstance(package, Problem) and not file.context:
             problems.append(package)
-    texts = _build_files(packages, files)
+    texts = _build_files(packages, files, "cmake")
     packages = {root: _as_built(package, texts.get(root)) for root, package in packages.items()}
-    names = _names_by_root(packages, files, texts)
+    names, beside = _names_by_root(packages, files, texts)
     homes: dict[str, str | None] = {}
     placed = []
     for file in files:
@@ -51,6 +51,7 @@ def place(
         for link in sorted(file.links, key=lambda link: link.path):
             around = names[_innermost(packages, os.path.dirname(link.path))]
             links.append(Link(link.path, around.package, around.module(link.path)))
+        links.extend(_other_name(file, module, beside.get(homes[folder])))
         placed.append(_member(file, owner.package, module, tuple(links)))
     known = [package for package in packages.values() if package is not None]
     with_cpp = {_innermost(packages, folder) for folder in cpp_folders}
@@ -68,6 +69,15 @@ def _member(file: SourceFile, package: str | None, module: str | None, links: tu
     # dataclasses.replace takes four times as long.
     status = file.size, file.mtime_ns, file.inode, file.context, file.ctime_ns
     return SourceFile(file.path, file.relative, file.kind, package, module, *status, links)
+
+
+def _other_name(file: SourceFile, module: str | None, beside: ModuleNames | None) -> Iterator[Link]:
+    """The name by which a file is imported where it lies, for one that is installed under another."""
+    if module is None or beside is None or file.kind not in PYTHON_KINDS:
+        return
+    name = beside.module(file.path)
+    if name not in (None, module):
+        yield Link(file.path, beside.package, name)
 
 
 def _manifests(files: Iterable[SourceFile]) -> list[SourceFile]:
@@ -104,12 +114,14 @@ def package_of(file: SourceFile) -> Package | Problem:
     return read_manifest(file, data, os.path.dirname(file.path), os.path.dirname(file.relative) or ".")
 
 
-def _build_files(packages: Mapping[str, Package | None], files: Iterable[SourceFile]) -> dict[str, str]:
-    """The text of each package's own CMakeLists.txt, by its folder."""
+def _build_files(
+    packages: Mapping[str, Package | None], files: Iterable[SourceFile], kind: SourceKind
+) -> dict[str, str]:
+    """The text of each package's own CMakeLists.txt, or setup.py, by its folder."""
     texts: dict[str, str] = {}
     for file in files:
         folder = os.path.dirname(file.path)
-        if file.kind == "cmake" and packages.get(folder) is not None:
+        if file.kind == kind and packages.get(folder) is not None:
             with suppress(OSError):
                 texts[folder] = _read(file).decode("utf-8", "replace")
     return texts
@@ -131,26 +143,27 @@ def _as_built(package: Package | None, text: str | None) -> Package | None:
 
 
 def _names_by_root(
-    packages: Mapping[str, Package | None], files: Iterable[SourceFile], build_files: Mapping[str, str]
-) -> dict[str | None, ModuleNames]:
+    packages: Mapping[str, Package | None], files: Collection[SourceFile], texts: Mapping[str, str]
+) -> tuple[dict[str | None, ModuleNames], dict[str | None, ModuleNames]]:
+    """The names of each package's modules, and those that they have where they lie, for packages that install some
+    under others.  ``texts`` are those of the CMakeLists.txt."""
     inits = {os.path.dirname(file.path) for file in files if os.path.basename(file.path) == "__init__.py"}
-    installed = {
-        folder: _installed(text, folder, package.name)
-        for folder, text in build_files.items()
-        if (package := packages.get(folder)) is not None
-    }
-    names: dict[str | None, ModuleNames] = {
-        root: ModuleNames(root, package.name if package else None, inits, installed.get(root, {}))
-        for root, package in packages.items()
-    }
-    names[None] = ModuleNames(None, None, inits)
-    return names
+    names: dict[str | None, ModuleNames] = {None: ModuleNames(None, None, inits)}
+    beside: dict[str | None, ModuleNames] = {}
+    setups = _build_files(packages, files, "setup_py")
+    for root, package in packages.items():
+        installed = {} if package is None else _installed(root, package, texts.get(root, ""), setups.get(root, ""))
+        names[root] = ModuleNames(root, package.name if package else None, inits, installed)
+        if installed and package is not None:
+            beside[root] = ModuleNames(root, package.name, inits)
+    return names, beside
 
 
-def _installed(text: str, folder: str, package: str) -> dict[str, str]:
-    return {
-        os.path.normpath(os.path.join(folder, below)): name for below, name in installed_modules(text, package).items()
-    }
+def _installed(root: str, package: Package, cmake: str, setup: str) -> dict[str, str]:
+    below = installed_modules(cmake, package.name)
+    if package.build_type == "ament_python":  # no other runs setup.py
+        below = package_folders(setup)
+    return {os.path.normpath(os.path.join(root, path)): name for path, name in below.items()}
 
 
 def _read(file: SourceFile) -> bytes:

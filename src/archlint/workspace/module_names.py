@@ -11,7 +11,8 @@ class ModuleNames:
 
     ``root`` is the folder of the ROS package, above which no dotted name reaches, ``package`` its name; both
     are None for files in no package.  ``inits`` are the folders known to hold an ``__init__.py``;
-    ``installed_as`` maps folders that are installed under a name of their own to that name.
+    ``installed_as`` maps folders and files that are installed under a name of their own to that name, which may have
+    dots.
     """
 
     def __init__(
@@ -29,6 +30,8 @@ class ModuleNames:
 
     def module(self, path: str) -> str | None:
         """``pkg/pkg/sub/node.py`` → ``pkg.sub.node``; None where no import statement can reach a file."""
+        if path in self._installed_as:
+            return self._installed_as[path]
         folder, name = os.path.split(path)
         stem, dot, _ = name.rpartition(".")
         if not dot:  # a script, started by its path
