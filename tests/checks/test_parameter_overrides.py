@@ -380,3 +380,27 @@ def main():
 def test_a_node_that_is_gone_before_the_one_that_stays_gets_no_parameters(findings, base: str, told: list[str]):
     found = findings("{'speed': 1.0, 'frame': 'map'}", talker=ASKS_FIRST.replace("BASE", base))
     assert [one.message.partition(",")[0] for one in found] == told
+
+
+CONTROLLER = """\
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import String
+
+class Talker(Node):
+    def __init__(self):
+        super().__init__('talker')
+        if self.declare_parameter('controls', True).value:
+            self.declare_parameter('gain', 1.0)
+            self.create_publisher(String, 'command', 10)
+
+def main():
+    rclpy.init()
+    rclpy.spin(Talker())
+"""
+
+
+@pytest.mark.parametrize("controls", [False, True])
+def test_a_value_for_what_the_launch_file_turns_off_waits_for_it(findings, controls: bool):
+    told = findings(f"{{'controls': {controls}, 'gain': 2.0, 'speed': 2.0}},", talker=CONTROLLER)
+    assert [finding.identity[1] for finding in told] == ["speed"]

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.completeness import declares_all
 from archlint.analysis.declared_parameters import always_declared, declared_by, followed
+from archlint.analysis.kept import once
 from archlint.analysis.set_parameters import called, files_of, files_of_process, others_are_not_run, set_nodes
 from archlint.checks.folding import folds
 from archlint.checks.registry import Options, finding, rule
@@ -43,7 +44,7 @@ def unknown_parameter_override(system: System, options: Options) -> Iterator[Fin
         for setting in settings:
             if setting.name in declared or always_declared(setting.name) or setting.shared:
                 continue
-            if _for_another_choice(setting.name, declared, settings):
+            if _for_another_choice(setting.name, declared, settings) or _by_default(system, node, setting.name):
                 continue
             if any(names is None or setting.name in names for names in others):
                 continue
@@ -68,6 +69,25 @@ def unknown_parameter_override(system: System, options: Options) -> Iterator[Fin
                 split_dicts.setdefault((node.name, setting.place.file, name, place), (node, []))[1].append(setting)
     for (_, _, name, place), (node, parts) in split_dicts.items():
         yield _split_dict(node, name, place or parts[0].place, parts)
+
+
+def _by_default(system: System, node: Node, name: str) -> bool:
+    """Whether a node declares a parameter where all others have their defaults: the launch file has turned off what
+    declares it."""
+    if system.workspace is None:
+        return False
+    return any(name in _open_names(system.workspace).get(key_of(one), ()) for one in node.blueprints)
+
+
+@once
+def _open_names(workspace: WorkspaceIndex) -> Mapping[object, set[str]]:
+    """The names that each node class declares with the defaults of all parameters, by its key."""
+    found: dict[object, set[str]] = {}
+    for node in (node for system in workspace.systems if system.launched is None for node in system.nodes):
+        for blueprint in node.blueprints:
+            names = (row.name.text for row in blueprint.parameters if row.name.text is not None)
+            found.setdefault(key_of(blueprint), set()).update(names)
+    return found
 
 
 def _is_gone_before(node: Node, siblings: Sequence[Node]) -> bool:
