@@ -340,5 +340,5 @@ def _names_of(files: Iterable[SourceFile]) -> set[str]:
     for file in files:
         path = file.path.replace("\\", "/")
         names.add(path.removesuffix(".py").removesuffix("/__init__"))
-        names.update(named.module for named in (file, *file.links) if named.module)
+        names.update(name for name in (file.module, *(link.module for link in file.links)) if name)
     return names
