@@ -11,6 +11,7 @@ import zlib
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from enum import Enum
+from functools import cache
 from typing import Any, Final
 
 import msgspec
@@ -54,6 +55,7 @@ _RECORD_TYPES: tuple[type, ...] = (
 )
 _RECORDS: Mapping[str, type] = {kind.__name__: kind for kind in _RECORD_TYPES}
 _FIELDS = {kind: tuple(row.name for row in fields(kind)) for kind in _RECORDS.values()}
+_WITH_SLOTS = {kind for kind in _FIELDS if hasattr(kind, "__slots__")}
 _LAYOUT = zlib.crc32(repr([(kind.__name__, names) for kind, names in _FIELDS.items()]).encode())
 """Another number where a class has other fields."""
 _SMALL = range(-(2**63), 2**63)
@@ -171,30 +173,38 @@ class _Rows:
             self._values.append(item)
         for item, row in zip(self._objects, self._payload.objects, strict=True):
             self._fill(item, row)
-        return [self._item(row) for row in self._payload.items]
+        return self._items([None, *self._payload.items])
 
     def _fill(self, item: object, row: Sequence[Plain]) -> None:
-        for name, part in zip(_FIELDS[type(item)], row[1:], strict=True):
-            object.__setattr__(item, name, self._item(part))
+        fields_of_row = zip(_FIELDS[type(item)], self._items(row), strict=True)
+        # Not with setattr(), which frozen dataclasses refuse.
+        if type(item) in _WITH_SLOTS:
+            for name, value in fields_of_row:
+                object.__setattr__(item, name, value)
+        else:
+            item.__dict__.update(fields_of_row)
 
-    def _item(self, plain: Plain) -> object:
-        if not isinstance(plain, list):
-            return plain
-        tag, *parts = plain
-        match tag:
-            case "object":
-                return self._objects[parts[0]]
-            case "value":
-                return self._values[parts[0]]
-            case "word":
-                return _WORDS[parts[0]](parts[1])
-            case "huge":
-                return int(parts[0])
-            case "dict":
-                items = [self._item(part) for part in parts]
-                return dict(zip(items[::2], items[1::2], strict=True))
-            case _:
-                return _CONTAINERS[tag](map(self._item, parts))
+    def _items(self, row: Sequence[Plain]) -> list[object]:
+        """What stands in a row behind its tag."""
+        return [self._item(plain) if type(plain) is list else plain for plain in row[1:]]
+
+    def _item(self, plain: list[Plain]) -> object:
+        tag = plain[0]
+        if tag == _VALUE:
+            return self._values[plain[1]]
+        if tag == _OBJECT:
+            return self._objects[plain[1]]
+        if tag == _WORD:
+            return _word(plain[1], plain[2])
+        if tag == _HUGE:
+            return int(plain[1])
+        items = self._items(plain)
+        return dict(zip(items[::2], items[1::2], strict=True)) if tag == _DICT else _CONTAINERS[tag](items)
+
+
+@cache
+def _word(kind: str, value: str) -> object:
+    return _WORDS[kind](value)
 
 
 __all__ = ["NotEncodable", "NotPrograms", "decode", "encode", "encode_noting"]

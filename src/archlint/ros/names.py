@@ -11,11 +11,15 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
+from functools import lru_cache
 
 HOLE = "*"
 TOPIC_NAME_LIMIT = 247
 NAMESPACE_LIMIT = 245
 NODE_NAME_LIMIT = 255
+
+_MANY = 10_000
+"""How many names are kept with what rules say of them: the same few are asked for again and again."""
 
 _TOKEN_NUMBER = "topic name token must not start with a number"
 _UNALLOWED = "topic name must not contain characters other than alphanumerics, '_', '~', '{', or '}'"
@@ -35,6 +39,7 @@ class InvalidName:
     index: int
 
 
+@lru_cache(maxsize=_MANY)
 def validate_topic_name(text: str) -> InvalidName | None:
     """What rcl says of a topic, service or action name as code gives it, before expansion."""
     if not text:
@@ -82,6 +87,7 @@ def validate_full_name(text: str) -> InvalidName | None:
     return _full(text) or _too_long_topic(text)
 
 
+@lru_cache(maxsize=_MANY)
 def _full(text: str) -> InvalidName | None:
     if not text:
         return InvalidName("EMPTY", "topic name must not be empty", 0)
@@ -114,6 +120,7 @@ def _too_long_topic(text: str) -> InvalidName | None:
     return _too_long(text, TOPIC_NAME_LIMIT, "topic length should not exceed '247'")
 
 
+@lru_cache(maxsize=_MANY)
 def validate_node_name(text: str) -> InvalidName | None:
     """What rmw says of a node's own name, without namespace."""
     if not text:

@@ -30,12 +30,14 @@ class Base(msgspec.Struct, frozen=True, array_like=True, gc=False):
     def children(self) -> list[Base]:
         """The facts that it is made of, in the order of the source."""
         parts: list[Base] = []
-        for name in fields_with_facts(type(self)):
+        for name, is_list, is_mixed in fields_with_facts(type(self)):
             value = getattr(self, name)
-            if isinstance(value, Base):
-                parts.append(value)
-            elif isinstance(value, list):
+            if is_mixed:
                 parts += [item for item in value if isinstance(item, Base)]
+            elif is_list:
+                parts += value
+            elif value is not None:
+                parts.append(value)
         return parts
 
     @property

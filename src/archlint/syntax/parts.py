@@ -64,7 +64,7 @@ def _walk(fact: Source, kind: type[facts.Base], into_scopes: bool) -> Iterator[f
         if isinstance(item, kind):
             yield item
         if into_scopes or item is fact or not item.is_scope:
-            stack.extend(reversed(item.statements if of_statements else item.children()))
+            stack += (item.statements if of_statements else item.children())[::-1]
 
 
 def names_in(ir: Source) -> frozenset[str]:
@@ -74,7 +74,7 @@ def names_in(ir: Source) -> frozenset[str]:
 
 @lru_cache(maxsize=50_000)
 def _names_in(key: Itself[Source]) -> frozenset[str]:
-    return frozenset(item.last_name for item in everything_in(key.fact) if item.last_name)
+    return frozenset(name for item in everything_in(key.fact) if (name := item.last_name))
 
 
 __all__ = ["Itself", "everything_in", "names_in", "parts_of"]
