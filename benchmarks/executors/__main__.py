@@ -63,11 +63,17 @@ def compare(cells: list[Cell], names: bool) -> None:
         if names:
             print("".join(f"    {cell.name}: {said[distro][cell]}; {column[cell]}\n" for cell in wrong), end="")
     both = [cell for cell in cells if all(cell in column for column in observed.values())]
-    differ = [cell for cell in both if len({column[cell] for column in observed.values()}) > 1]
+    seen = {
+        cell: tuple(" | ".join(table.outcomes_of(observed[distro][cell])) for distro in table.DISTROS) for cell in both
+    }
+    differ = [cell for cell in both if len(set(seen[cell])) > 1]
     print(f"{len(differ)} of {len(both)} cells differ between the distributions")
-    kinds = Counter(tuple(observed[distro][cell] for distro in table.DISTROS) for cell in differ)
+    kinds = Counter(seen[cell] for cell in differ)
     for outcomes, count in sorted(kinds.items()):
-        print(f"  {count:4} " + "; ".join(f"{one}: {seen}" for one, seen in zip(table.DISTROS, outcomes, strict=True)))
+        print(
+            f"  {count:4} "
+            + "; ".join(f"{distro}: {word}" for distro, word in zip(table.DISTROS, outcomes, strict=True))
+        )
 
 
 def agrees_with(said: str, seen: str, cell: Cell) -> bool:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import re
 from collections import Counter
 from collections.abc import Iterable, Mapping
 from pathlib import Path
@@ -11,10 +12,13 @@ from benchmarks.executors.cells import Cell, all_cells
 
 FILE = Path(__file__).parent / "observed.tsv"
 DISTROS = ("jazzy", "kilted")
+_HOW_OFTEN = re.compile(r" \(\d+ of \d+\)")
 _KEYS = ("wait", "handler", "executor", "groups", "latency")
 
 Table = dict[str, dict[Cell, str]]
-"""By distribution, the outcome of each cell; of several runs that differ all, as ``hangs | works``."""
+"""By distribution, the outcome of each cell; of several runs that differ all, as ``hangs (1 of 8) | works (7 of 8)``.
+
+Rows of earlier runs do not say how often."""
 
 
 def read() -> Table:
@@ -44,8 +48,15 @@ def write(table: Table) -> None:
 def add(column: dict[Cell, str], seen: Mapping[Cell, Iterable[str]]) -> None:
     """Replace the outcomes of the cells that were tried again."""
     for cell, outcomes in seen.items():
-        column[cell] = " | ".join(sorted(Counter(outcomes)))
+        counts = Counter(outcomes)
+        words = [f"{outcome} ({count} of {counts.total()})" for outcome, count in sorted(counts.items())]
+        column[cell] = " | ".join(words if len(words) > 1 else counts)
 
 
 def outcomes_of(text: str) -> list[str]:
-    return text.split(" | ")
+    """The outcomes that were seen of a cell."""
+    return without_how_often(text).split(" | ")
+
+
+def without_how_often(text: str) -> str:
+    return _HOW_OFTEN.sub("", text)

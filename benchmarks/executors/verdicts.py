@@ -24,6 +24,8 @@ STARVES = "starves if answers are late"
 NO_SLEEP = "hangs, or does not sleep"
 RACES = "sometimes hangs"
 RACES_TO_ITS_LIMIT = "sometimes times out"
+RACES_AND_RAISES = "sometimes hangs, or raises RCLError"
+RACES_TO_ITS_LIMIT_AND_RAISES = "sometimes times out, or raises RCLError"
 
 _MANIFEST = "<package format='3'><name>{name}</name><version>0.0.0</version></package>"
 _SAID = (
@@ -47,6 +49,8 @@ _BEFORE = {
     blocking.TIMES_OUT: NOTHING,
     blocking.SOMETIMES_HANGS: RACES,
     blocking.SOMETIMES_TIMES_OUT: RACES_TO_ITS_LIMIT,
+    blocking.HANGS_OR_RAISES: RACES_AND_RAISES,
+    blocking.TIMES_OUT_OR_RAISES: RACES_TO_ITS_LIMIT_AND_RAISES,
 }
 _ALSO = {
     STARVES: {WORKS, HANGS, NOTHING, TIMEOUT, SOME, STOPS},
@@ -54,6 +58,8 @@ _ALSO = {
     HANGS: {STOPS},
     RACES: {WORKS, HANGS, STOPS, SOME},
     RACES_TO_ITS_LIMIT: {WORKS, NOTHING, SOME},
+    RACES_AND_RAISES: {WORKS, HANGS, STOPS, SOME, "raises RCLError"},
+    RACES_TO_ITS_LIMIT_AND_RAISES: {WORKS, NOTHING, SOME, "raises RCLError"},
 }
 """Outcomes that are no other than what was said."""
 

@@ -131,6 +131,19 @@ def test_a_nested_spin_of_an_executor_with_several_threads(run: Run, executor: s
     assert found.message.endswith(f"this {with_a_limit}")
 
 
+def test_a_nested_spin_with_several_threads_and_an_action_client(run: Run):
+    made = """
+        self.client = self.create_client(Trigger, 'check', callback_group=MutuallyExclusiveCallbackGroup())
+        self.actions = ActionClient(self, Fibonacci, 'count')
+        self.create_subscription(Empty, 'go', self.on_go, 10)
+    """
+    main = OWN_EXECUTOR.replace("SingleThreadedExecutor()", "MultiThreadedExecutor(num_threads=4)")
+    (found,) = run(source(made, method("on_go(self, message)", SPIN_HERE), main), "jazzy")
+    assert found.message.endswith("(sometimes deadlocks or raises RCLError before rclpy 7.1.9)")
+    (found,) = run(source(made, method("on_go(self, message)", SPIN_HERE), OWN_EXECUTOR), "jazzy")
+    assert found.message.endswith("(works before rclpy 7.1.9)")
+
+
 def test_a_rate_may_also_not_sleep_at_all(run: Run):
     made = "self.rate = self.create_rate(10.0)\nself.create_subscription(Empty, 'go', self.on_go, 10)"
     (once,) = run(source(made, method("on_go(self, message)", "self.rate.sleep()")))

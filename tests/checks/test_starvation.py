@@ -302,3 +302,41 @@ def test_requests_that_come_while_a_handler_waits_for_an_event(run: Run):
     assert "starts again every 0.2 s" in found.message
     assert [one.message for one in found.related if "every" in one.message] == ["it is called here every 0.2 s"]
     assert "EXE014" not in codes(run(source(made, methods, TWO)))  # nothing says how often
+
+
+def sleeping(frequency: str, period: str = "0.2", sleep: str = "self.rate.sleep()") -> tuple[str, str]:
+    constructor = f"""
+        self.on = False
+        self.rate = self.create_rate({frequency})
+        self.create_timer({period}, self.tick, callback_group=ReentrantCallbackGroup())
+    """
+    return constructor, f"def tick(self):\n    {sleep}\n    print(self.on)\n"
+
+
+def test_a_rate_that_takes_all_threads_before_its_own_timer_gets_one(run: Run):
+    (found,) = run(source(*sleeping("2.0"), TWO))
+    assert found.code == "EXE014"
+    assert (
+        "starts again every 0.2 s while it still sleeps for up to 0.5 s in Rate.sleep(): all 2 threads sleep"
+        in found.message
+    )
+
+
+@pytest.mark.parametrize(
+    ("frequency", "period", "main"),
+    [
+        ("2.0", "0.2", FOUR),  # two or three sleep at a time
+        ("2.0", "0.2", DEFAULT),  # the machine decides how many threads there are
+        ("2.0", "0.5", TWO),  # each is awake before the next one starts
+        ("frequency", "0.2", TWO),
+        ("0.0", "0.2", TWO),
+    ],
+)
+def test_a_rate_that_leaves_a_thread_is_not_reported(run: Run, frequency: str, period: str, main: str):
+    assert run(source(*sleeping(frequency, period), main)) == []
+
+
+def test_a_rate_of_another_node_or_a_sleep_that_does_not_come_each_time_is_not_reported(run: Run):
+    assert run(source(*sleeping("2.0", sleep="if self.on:\n        return\n    self.rate.sleep()"), TWO)) == []
+    helper = sleeping("2.0")[0].replace("self.create_rate", "rclpy.create_node('helper').create_rate")
+    assert run(source(helper, sleeping("2.0")[1], TWO)) == []

@@ -10,7 +10,7 @@ jazzy and kilted.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final, Literal
 
 from archlint.ros.distros import DISTROS
@@ -71,6 +71,14 @@ HANGS = "deadlocks"
 TIMES_OUT = "always times out"
 SOMETIMES_HANGS = "sometimes deadlocks"
 SOMETIMES_TIMES_OUT = "sometimes times out"
+HANGS_OR_RAISES = "sometimes deadlocks or raises RCLError"
+TIMES_OUT_OR_RAISES = "sometimes times out or raises RCLError"
+_WITH_AN_ACTION_CLIENT = {SOMETIMES_HANGS: HANGS_OR_RAISES, SOMETIMES_TIMES_OUT: TIMES_OUT_OR_RAISES}
+"""What several threads that spin one executor do to a node with an action client.
+
+The client notes where it stands in the wait set, once; another thread's wait set may be shorter, and rcl then finds
+that the number "is out of bounds".
+"""
 NO_SUCH_ARGUMENT = "raises TypeError (call() has no timeout_sec)"
 GIVES_NONE = "always times out and returns None"
 RAISES_TIMEOUT = "always times out and raises TimeoutError"
@@ -175,6 +183,12 @@ class Verdict:
         """Nothing is proved, for better or for worse."""
         outcomes = set(self.outcomes.values())
         return UNKNOWN in outcomes and outcomes <= {UNKNOWN, NO_SUCH_ARGUMENT}
+
+    def with_an_action_client(self) -> Verdict:
+        """The same for a node that has an action client."""
+        outcomes = {distro: _WITH_AN_ACTION_CLIENT.get(outcome, outcome) for distro, outcome in self.outcomes.items()}
+        before = None if self.before is None else _WITH_AN_ACTION_CLIENT.get(self.before, self.before)
+        return replace(self, outcomes=outcomes, before=before)
 
     @property
     def words(self) -> str:

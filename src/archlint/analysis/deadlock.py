@@ -33,6 +33,7 @@ from archlint.analysis.blocking import (
 )
 from archlint.finding import Related
 from archlint.model import (
+    EntityKind,
     ExecutorKind,
     GroupKind,
     Role,
@@ -201,9 +202,11 @@ def judge_spin(
     form: Form = LIMITED_SPIN if limited else SPIN
     # A spin without a future ends as soon as there is any work.
     steal: Form = LIMITED_STEAL if limited or "future" not in call.arguments else STEAL
-    threads = _pool_of(node, program)
+    nested = look_up(form, _pool_of(node, program), relation, _NESTED, distros)
+    if node is not None and any(creation.kind == EntityKind.ACTION_CLIENT for creation in node.creations):
+        nested = nested.with_an_action_client()
     if globally and any(use.place is None for use in running):
-        return look_up(form, threads, relation, _NESTED, distros)
+        return nested
     if spun is None or node is None:
         return Verdict(dict.fromkeys(distros, UNKNOWN), "it is not known which node is spun")
     if spun is not node:
@@ -214,7 +217,7 @@ def judge_spin(
         return Verdict(dict.fromkeys(distros, FINE), _OWN_SPIN)
     if (globally and running) or _on_one_of_its_own(call, node, running):
         return look_up(steal, ANY, relation, _STOLEN, distros)
-    return look_up(form, threads, relation, _NESTED, distros)
+    return nested
 
 
 def _pool_of(node: Blueprint | None, program: Program) -> Threads:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis import blocking
 from archlint.analysis.callback_roles import callback_words, related_to, runs_in_executor
 from archlint.analysis.deadlock import threads_of
+from archlint.analysis.piling_rates import RATE_SLEEP
 from archlint.analysis.reach import calls_of, node_name, one_for_each_place
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -16,8 +17,6 @@ from archlint.finding import Finding
 if TYPE_CHECKING:
     from archlint.model import ApiCall, Program
     from archlint.systems.model import System
-
-_RATE_SLEEP = "rclpy.timer.Rate.sleep"
 
 
 @rule("EXE004", scope=Scope.CODE)
@@ -34,7 +33,7 @@ def rate_sleep_in_callback(system: System, options: Options) -> Iterator[Finding
             node=node_name(system, call.context.node),
             identity=(call.context.name, "Rate.sleep"),
         )
-        for program, call in calls_of(system, (_RATE_SLEEP,))
+        for program, call in calls_of(system, (RATE_SLEEP,))
         if runs_in_executor(call.context)
         for verdict in [_rate_verdict(call, program, options)]
         if not verdict.safe and not verdict.unknown

@@ -9,6 +9,7 @@ from archlint.analysis.callback_roles import callback_words, related_to
 from archlint.analysis.crowded_executors import crowds
 from archlint.analysis.paces import Pace, pace_of
 from archlint.analysis.piling_events import PilingEvent, piling_events
+from archlint.analysis.piling_rates import PilingSleep, piling_sleeps
 from archlint.analysis.piling_waits import known_threads, piling_up
 from archlint.analysis.reach import (
     endpoint_words,
@@ -31,6 +32,7 @@ def thread_starvation(system: System, options: Options) -> Iterator[Finding]:
     """Timers that wait beside themselves, and executors with no more threads than callbacks that wait."""
     yield from one_for_each_place(_pile(system, wait) for wait in piling_up(system))
     yield from one_for_each_place(_pile_of_events(system, wait) for wait in piling_events(system))
+    yield from one_for_each_place(_pile_of_sleeps(system, wait) for wait in piling_sleeps(system))
     yield from one_for_each_place(_crowd(system, use, here) for use, here in crowds(system))
 
 
@@ -67,6 +69,21 @@ def _pile_of_events(system: System, wait: PilingEvent) -> Finding:
         related=(*related_to(call, wait.program), *_sent(wait.pace)),
         node=node_name(system, callback.node),
         identity=(callback.name, setter.name, "event"),
+    )
+
+
+def _pile_of_sleeps(system: System, wait: PilingSleep) -> Finding:
+    call, callback = wait.call, wait.call.context
+    return finding(
+        "EXE014",
+        call.place,
+        f"{callback_words(callback)} starts again every {wait.pace.period:g} s while it still sleeps for up to "
+        f"{wait.longest:g} s in Rate.sleep(): all {wait.threads} threads sleep, and no thread is left to run the "
+        f"timer that wakes them: it then deadlocks",
+        help=f"give {callback.name} a MutuallyExclusiveCallbackGroup() of its own: it then takes one thread at most",
+        related=(*related_to(call, wait.program), *_sent(wait.pace)),
+        node=node_name(system, callback.node),
+        identity=(callback.name, "Rate.sleep"),
     )
 
 

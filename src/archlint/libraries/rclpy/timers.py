@@ -27,7 +27,7 @@ def timer(run: Run, call: ApiUse) -> Value:
     if isinstance(call.receiver, Unknown) and call.get("callback") is None:
         return Unknown("the result of create_timer() of another library")
     place = run.place(call.expression.span) if call.expression is not None else Place("", 1, 1, 1, 1)
-    period, parameter = _seconds(call.get("timer_period_sec"))
+    period, parameter = _number(call.get("timer_period_sec"))
     creations = []
     for blueprint in nodes.nodes_of(run, call.receiver):
         key = callbacks.creation_key(run, (model.EntityKind.TIMER, id(blueprint), place, period), call)
@@ -60,14 +60,29 @@ def timer(run: Run, call: ApiUse) -> Value:
     return EntityValue(tuple(creations), "rclpy.timer.Timer", run.store.new_key())
 
 
-def _seconds(value: Value | None) -> tuple[float | None, str | None]:
+def _number(value: Value | None) -> tuple[float | None, str | None]:
     match value:
-        case Known(value=int() | float() as seconds, via=parameters):
-            return float(seconds), ",".join(sorted(parameters)) or None
+        case Known(value=int() | float() as number, via=parameters):
+            return float(number), ",".join(sorted(parameters)) or None
         case Unknown(parameter=parameter):
             return None, parameter
     return None, None
 
 
 def rate(run: Run, call: ApiUse) -> Value:
-    return EntityValue((), "rclpy.timer.Rate", run.store.new_key())
+    """``create_rate(frequency)``: its timer is of the node, and calls nothing but the rate itself."""
+    node = nodes.known_node(run, call.receiver)
+    if node is None or call.expression is None:
+        return EntityValue((), "rclpy.timer.Rate", run.store.new_key())
+    frequency, parameter = _number(call.get("frequency"))
+    period = 1.0 / frequency if frequency is not None and frequency > 0 else None
+    place = run.place(call.expression.span)
+    key = (call.api.path, id(node), place, period)
+    creation = run.noted.creations.get(key)
+    if creation is None:
+        name = model.Text(None, "exact")
+        creation = model.Creation(
+            model.EntityKind.TIMER, call.api.path, node, place, name, None, period=period, period_parameter=parameter
+        )
+        run.noted.creations[key] = creation
+    return EntityValue((creation,), "rclpy.timer.Rate", run.store.new_key())
