@@ -49,42 +49,63 @@ def get_attribute(machine: Machine, value: Value, name: str, expression: facts.A
         case External():
             return _of_external(machine, value, name)
         case ModuleValue():
-            attribute = machine.module_attribute(value.module, name)
-            return Unknown(f"{value.module.name} has no '{name}'") if attribute is None else attribute
+            return _of_module(machine, value, name)
         case ClassValue():
             return _of_class(machine, value, name)
         case ForeignValue():
             return machine.library.attribute_of_value(value, name)
-        case ListValue(kind=kind):
-            return Builtin(f"{kind}.{name}", value)
-        case DictValue():
-            return Builtin(f"dict.{name}", value)
         case Unknown():
             return _of_unknown(machine, value, name)
         case OneOf():
             return one_of(get_attribute(machine, option, name) for option in value.values)
-        case Known(value=str(text)) if name == "parent":  # of a pathlib.Path
-            return Known(text.rpartition("/")[0] or "/", value.via, kind="path")
-        case Known():
-            return Builtin(f"{type(value.value).__name__}.{name}", value)
-        case Holed():
-            return Builtin(f"str.{name}", value)
         case SuperValue():
             return _of_super(machine, value, name)
-        case Builtin():
-            return Builtin(f"{value.name}.{name}")
-        case BoundMethod() if name == "__func__":
-            return value.function
-        case BoundMethod(function=FunctionValue(ir=facts.Function() as ir)) | FunctionValue(ir=facts.Function() as ir):
-            if name in ("__name__", "__qualname__"):
-                return Known(ir.name)
-    return Unknown(f"the attribute '{name}' of a value that is not followed")
+        case BoundMethod() | FunctionValue():
+            return _of_function(value, name)
+    return _of_builtin_type(value, name)
 
 
 def method_of(machine: Machine, value: Value, name: str) -> BoundMethod | None:
     """A method that an object has from a class of the workspace; None of other values."""
     method = None if value.own_class is None else get_attribute(machine, value, name)
     return method if isinstance(method, BoundMethod) else None
+
+
+def _of_builtin_type(value: Value, name: str) -> Value:
+    """Of a text, a number, a list …, whose types are Python's own: a method, whether there is one or not."""
+    match value:
+        case ListValue(kind=kind):
+            return Builtin(f"{kind}.{name}", value)
+        case DictValue():
+            return Builtin(f"dict.{name}", value)
+        case Known(value=str(text)) if name == "parent":  # of a pathlib.Path
+            return Known(text.rpartition("/")[0] or "/", value.via, kind="path")
+        case Known():
+            return Builtin(f"{type(value.value).__name__}.{name}", value)
+        case Holed():
+            return Builtin(f"str.{name}", value)
+        case Builtin():
+            return Builtin(f"{value.name}.{name}")
+    return _not_followed(name)
+
+
+def _of_function(value: BoundMethod | FunctionValue, name: str) -> Value:
+    match value:
+        case BoundMethod() if name == "__func__":
+            return value.function
+        case BoundMethod(function=FunctionValue(ir=facts.Function() as ir)) | FunctionValue(ir=facts.Function() as ir):
+            if name in ("__name__", "__qualname__"):
+                return Known(ir.name)
+    return _not_followed(name)
+
+
+def _not_followed(name: str) -> Unknown:
+    return Unknown(f"the attribute '{name}' of a value that is not followed")
+
+
+def _of_module(machine: Machine, value: ModuleValue, name: str) -> Value:
+    attribute = machine.module_attribute(value.module, name)
+    return Unknown(f"{value.module.name} has no '{name}'") if attribute is None else attribute
 
 
 def _of_unknown(machine: Machine, value: Unknown, name: str) -> Value:

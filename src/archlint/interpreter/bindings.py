@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from functools import lru_cache
 
 from archlint.syntax import facts
 from archlint.syntax.parts import Itself
+from archlint.syntax.walk import statements_of
 
 
 def bound_in(block: list[facts.Stmt]) -> frozenset[str]:
@@ -33,52 +35,58 @@ def _bound_names(key: Itself[facts.Function | facts.Lambda]) -> tuple[frozenset[
 
 
 def _of_block(block: list[facts.Stmt], names: set[str], outer: set[str]) -> None:
-    for statement in block:
+    for statement in statements_of(block):
         _of_statement(statement, names, outer)
 
 
 def _of_statement(s: facts.Stmt, names: set[str], outer: set[str]) -> None:
+    """What a statement itself binds, its blocks left out."""
+    names.update(_named(s))
+    for target in _targets(s):
+        _of_target(target, names)
+    _of_expression(_evaluated(s), names)
     match s:
-        case facts.Assign():
-            for target in s.targets:
-                _of_target(target, names)
-            _of_expression(s.value, names)
-        case facts.Annotated() | facts.Augmented():
-            _of_target(s.target, names)
-            _of_expression(s.value, names)
-        case facts.Function() | facts.Class():
-            names.add(s.name)
-        case facts.If() | facts.While():
-            _of_expression(s.test, names)
-            _of_block(s.body, names, outer)
-            _of_block(s.orelse, names, outer)
-        case facts.For():
-            _of_target(s.target, names)
-            _of_block(s.body, names, outer)
-            _of_block(s.orelse, names, outer)
-        case facts.With():
-            for item in s.items:
-                if item.target is not None:
-                    _of_target(item.target, names)
-            _of_block(s.body, names, outer)
-        case facts.Try():
-            for part in (s.body, s.orelse, s.final, *(handler.body for handler in s.handlers)):
-                _of_block(part, names, outer)
-            names.update(handler.name for handler in s.handlers if handler.name is not None)
         case facts.Match():
             for case in s.cases:
                 _of_pattern(case.pattern, names)
-                _of_block(case.body, names, outer)
-        case facts.Import():
-            names.add(s.alias or s.module.partition(".")[0])
-        case facts.ImportFrom():
-            names.update(bound for _, bound in s.names if bound != "*")
         case facts.Global():
             outer.update(s.names)
-        case facts.Expression() | facts.Return():
-            _of_expression(s.value, names)
-        case facts.Assert():
-            _of_expression(s.test, names)
+
+
+def _named(s: facts.Stmt) -> Iterable[str]:
+    """The names that a statement says itself."""
+    match s:
+        case facts.Function() | facts.Class():
+            return [s.name]
+        case facts.Try():
+            return [handler.name for handler in s.handlers if handler.name is not None]
+        case facts.Import():
+            return [s.alias or s.module.partition(".")[0]]
+        case facts.ImportFrom():
+            return [bound for _, bound in s.names if bound != "*"]
+    return ()
+
+
+def _targets(s: facts.Stmt) -> Iterable[facts.Expr]:
+    """What a statement assigns to."""
+    match s:
+        case facts.Assign():
+            return s.targets
+        case facts.Annotated() | facts.Augmented() | facts.For():
+            return [s.target]
+        case facts.With():
+            return [item.target for item in s.items if item.target is not None]
+    return ()
+
+
+def _evaluated(s: facts.Stmt) -> facts.Expr | None:
+    """The expression of a statement in which a ``:=`` can stand in practice."""
+    match s:
+        case facts.Assign() | facts.Annotated() | facts.Augmented() | facts.Expression() | facts.Return():
+            return s.value
+        case facts.If() | facts.While() | facts.Assert():
+            return s.test
+    return None
 
 
 def _of_target(target: facts.Expr, names: set[str]) -> None:

@@ -201,27 +201,32 @@ class Store:
                 if at in layer:
                     before = layer[at]
                     break
-            first: object = MISSING
-            different: list[object] | None = None
-            for branch in branches:
-                value = branch.get(at, before)
-                if value is MISSING or value is first:
-                    continue
-                if first is MISSING:
-                    first = value
-                elif different is None:
-                    different = [first, value]
-                elif not any(value is other for other in different):
-                    different.append(value)
-            if different is not None:
-                self.work += sum(map(_size, different))
-            joined = first if different is None else _join(at[1], different)
+            joined = self._joined(at, before, branches)
             if joined is not before:
                 if self._at_base and self.depth == 1:
                     self._note_older([at])
                 top[at] = joined
                 changed = changed or before is MISSING or joined != before
         return changed
+
+    def _joined(self, at: Slot, before: object, branches: Sequence[Layer]) -> object:
+        """What a slot holds after the branches; ``before`` in those that did not write it."""
+        first: object = MISSING
+        different: list[object] | None = None  # most slots hold one thing, whichever way was taken
+        for branch in branches:
+            value = branch.get(at, before)
+            if value is MISSING or value is first:
+                continue
+            if first is MISSING:
+                first = value
+            elif different is None:
+                different = [first, value]
+            elif not any(value is other for other in different):
+                different.append(value)
+        if different is None:
+            return first
+        self.work += sum(map(_size, different))
+        return _join(at[1], different)
 
     @contextmanager
     def at_base(self) -> Iterator[_Keys]:
