@@ -7,7 +7,7 @@ from textwrap import dedent
 
 import pytest
 
-from archlint.config.settings import load
+from archlint.config.settings import Settings, load
 from archlint.engine.pipeline import Request, check
 from archlint.finding import Finding, Severity
 from archlint.workspace.test_code import FileRoles
@@ -311,19 +311,19 @@ def test_names_that_one_file_takes_from_another(named):
 
 
 @pytest.mark.parametrize(
-    ("import_", "severity"),
+    ("import_", "fails"),
     [
-        ("from robot.eyes import Eye", Severity.INFO),
-        ("import rospy", Severity.INFO),
-        ("from dynamic_reconfigure.server import Server", Severity.INFO),
-        ("from robot.driver import Eye", Severity.WARNING),
-        ("from robot import driver", Severity.WARNING),
-        ("from robot.msg import Eye", Severity.WARNING),
-        ("from other.eyes import Eye", Severity.WARNING),
-        ("try:\n    from robot.eyes import Eye\nexcept ImportError:\n    pass", Severity.WARNING),
+        ("from robot.eyes import Eye", True),
+        ("import rospy", True),
+        ("from dynamic_reconfigure.server import Server", True),
+        ("from robot.driver import Eye", False),
+        ("from robot import driver", False),
+        ("from robot.msg import Eye", False),
+        ("from other.eyes import Eye", False),
+        ("try:\n    from robot.eyes import Eye\nexcept ImportError:\n    pass", False),
     ],
 )
-def test_a_script_that_nobody_installs_and_whose_import_fails(tmp_path, monkeypatch, import_, severity):
+def test_a_script_that_nobody_installs_and_whose_import_fails(tmp_path, monkeypatch, import_: str, fails: bool):
     script = NODE.replace("import rclpy\n", f"import rclpy\n{import_}\n", 1)
     script = script.replace("rclpy.spin(Talker())", "node = Talker()")
     script = script.replace(
@@ -342,9 +342,50 @@ def test_a_script_that_nobody_installs_and_whose_import_fails(tmp_path, monkeypa
     found = [
         one for one in check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings if one.code == "EXE008"
     ]
-    assert [one.severity for one in found] == [severity]
+    assert [one.severity for one in found] == [Severity.INFO]
     module = import_.split()[1]
-    assert (f"its import of '{module}' fails" in found[0].message) == (severity is Severity.INFO)
+    assert (f"its import of '{module}' fails" in found[0].message) == fails
+
+
+SLEEPS = NODE.replace(
+    "        self.words = self.create_publisher(String, '/robot/words', 10)\n",
+    """\
+        self.rate = self.create_rate(5)
+        self.create_timer(1.0, self.tick)
+
+    def tick(self):
+        self.rate.sleep()
+""",
+)
+
+
+@pytest.mark.parametrize(
+    ("path", "severity"),
+    [
+        ("ws/robot/robot/driver.py", Severity.ERROR),
+        ("ws/robot/tools/reference.py", Severity.INFO),
+        ("ws/tools/reference.py", Severity.INFO),
+    ],
+    ids=["a program of the package", "a script of the package", "a script beside the packages"],
+)
+def test_an_error_in_code_that_no_package_installs_is_information(tmp_path, monkeypatch, path, severity):
+    files = {"ws/robot/package.xml": MANIFEST.strip(), "ws/robot/setup.py": SETUP.replace("{more}", "")}
+    files |= {"ws/robot/robot/__init__.py": "", "ws/robot/robot/driver.py": "def main(): pass\n"}
+    for name, text in {**files, path: SLEEPS}.items():
+        (tmp_path / name).parent.mkdir(exist_ok=True, parents=True)
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    monkeypatch.chdir(tmp_path / "ws")
+    rows = check(Request((".",), Settings(), cached=False, jobs=1)).findings
+    [sleep] = [finding for finding in rows if finding.code == "EXE004"]
+    assert sleep.severity is severity
+    assert sleep.message.endswith("; no package installs this file") == (severity is Severity.INFO)
+
+
+def test_an_error_in_a_folder_without_packages_stays_one(tmp_path, monkeypatch):
+    (tmp_path / "reference.py").write_text(SLEEPS, encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    [sleep] = [row for row in check(Request((".",), Settings(), cached=False, jobs=1)).findings if row.code == "EXE004"]
+    assert sleep.severity is Severity.ERROR
 
 
 WAITS = """

@@ -110,19 +110,27 @@ class Check:
     put aside or tries something out."""
     in_use: bool = False
     """Whether it says nothing of what is put aside, but what it says of a trial is worth knowing."""
+    says_if_installed: bool = False
+    """Whether it weighs by itself that no package installs a file; others say no more than information of such code."""
 
     def __call__(self, system: System, options: Options) -> Iterator[Finding]:
         return self.function(system, options)
 
 
 def rule(
-    code: str, *, scope: Scope, taste: bool = False, in_use: bool = False, **defaults: OptionValue
+    code: str,
+    *,
+    scope: Scope,
+    taste: bool = False,
+    in_use: bool = False,
+    says_if_installed: bool = False,
+    **defaults: OptionValue,
 ) -> Callable[[RuleFunction], Check]:
     """Make the decorated generator function the rule with this code; a rule of ``taste`` says nothing of files
     that are put aside or try something out (:func:`archlint.analysis.aside.is_aside`), one of what is ``in_use``
-    nothing of those that are put aside."""
+    nothing of those that are put aside, and one that ``says_if_installed`` weighs itself what no package installs."""
     options = {name.replace("_", "-"): value for name, value in defaults.items()}
-    return lambda function: Check(code, function, scope, MappingProxyType(options), taste, in_use)
+    return lambda function: Check(code, function, scope, MappingProxyType(options), taste, in_use, says_if_installed)
 
 
 def registered() -> Mapping[str, Check]:

@@ -48,6 +48,11 @@ class Scope(Enum):
         return self in (Scope.SYSTEM, Scope.AS_LAUNCHED)
 
     @property
+    def of_code(self) -> bool:
+        """Whether the rule judges lines of code, wherever they run."""
+        return self in (Scope.CODE, Scope.AS_LAUNCHED)
+
+    @property
     def once_a_place(self) -> bool:
         """Whether two findings at one place are one, whatever they say."""
         return self in (Scope.WORKSPACE, Scope.CODE, Scope.AS_LAUNCHED)

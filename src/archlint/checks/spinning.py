@@ -90,5 +90,4 @@ def _never_spun(system: System, node: Blueprint, idle: Idle) -> Finding:
     fails = import_that_fails(system.workspace, file) if is_not_installed(system.workspace, file) else None
     if fails is None:
         return diagnostic
-    unused = f"no package installs this file, and its import of '{fails}' fails"
-    return replace(diagnostic, message=f"{message}; {unused}", severity=Severity.INFO)
+    return replace(diagnostic, message=f"{message}; its import of '{fails}' fails", severity=Severity.INFO)

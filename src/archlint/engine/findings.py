@@ -12,7 +12,7 @@ from archlint.checks.registry import failure, registered, unreadable, unreadable
 from archlint.checks.scope import Scope
 from archlint.config.filters import Filters
 from archlint.config.options import options_for
-from archlint.engine import suppressions
+from archlint.engine import suppressions, uninstalled
 from archlint.engine.half_ported import as_information, half_ported, with_reason
 from archlint.engine.inputs import is_input, is_of_package, known_files, parts_of, python_files, refuse_nothing
 from archlint.engine.judging import judge_alternatives
@@ -86,11 +86,12 @@ def _judged(
     by_file.update(launch_files.suppressions())
     candidates.extend(failure(fault) for fault in faults.found())
     old = half_ported(workspace, known, facts)
-    candidates = as_information(candidates, old)
+    aside = uninstalled.files_of(index, candidates)
+    candidates = uninstalled.as_information(as_information(candidates, old), aside)
     outcome = suppressions.apply(_wanted(candidates, request.settings, workspace), by_file)
     stale = suppressions.stale(outcome.unused, _ran(request, systems))
     kept = [*outcome.kept, *suppressions.apply(_wanted(stale, request.settings, workspace), by_file).kept]
-    explained = with_reason(folded(dict.fromkeys(kept)), old)
+    explained = uninstalled.with_reason(with_reason(folded(dict.fromkeys(kept)), old), aside)
     findings = sorted(explained, key=lambda finding: finding.sort_key)
     shown = [as_asked_for(request, systems[0], workspace)]
     summary = summarise(
