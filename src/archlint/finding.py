@@ -77,8 +77,8 @@ class Finding:
     fix: Fix | None = None
     identity: tuple[str, ...] = field(default=(), compare=False)
     condition: str | None = None
-    """The launch arguments (``name:=value``) under which it holds, where no default decides; None for always.
-    The message of a finished finding says so, too."""
+    """The launch arguments (``name:=value``) under which it holds, where no default decides, or another choice than the
+    default shows it; None for always.  The message of a finished finding says so, too."""
     group: tuple[str, ...] = field(default=(), compare=False)
     """What it has in common with the findings of its rule that are shown as one with it; empty in a finished one."""
 

@@ -11,7 +11,8 @@ import pytest
 from archlint.cli import main
 from archlint.finding import Place
 from archlint.launch.model import DeclaredArgument, Launched
-from archlint.systems.variants import MOST, condition, undecided_arguments
+from archlint.model import Text
+from archlint.systems.variants import MOST, condition, other_choices, undecided_arguments
 
 FIXTURE = Path(__file__).parents[2] / "fixtures" / "alternatives"
 LAUNCH_FILE = "src/base/launch/base.launch.py"
@@ -143,3 +144,92 @@ def test_one_mistake_is_told_once_however_many_arguments_take_part(
     found = json.loads(capsys.readouterr().out)["diagnostics"]
     assert [(one["line"], one["condition"]) for one in found] == [(10, "front:=true middle:=true rear:=true")]
     assert "/front, /middle and /rear all publish the topics " in found[0]["message"]
+
+
+def test_another_choice_of_an_argument_is_tried_beside_its_default():
+    place = Place("a.launch.py", 1, 1, 1, 1)
+    role = DeclaredArgument("role", Text("scout", "exact"), place, "a.launch.py", ("scout", "leader", "guard"))
+    sim = DeclaredArgument("sim", Text("true", "exact"), place, "a.launch.py", ("true", "false"))
+    required = DeclaredArgument("map", None, place, "a.launch.py", ("hall", "yard"))
+    included = DeclaredArgument("gui", Text("on", "exact"), place, "b.launch.py", ("on", "off"))
+    unread = DeclaredArgument("log", Text("all", "exact"), place, "a.launch.py", ("all", "few"))
+    read = {"role", "sim", "map", "gui"}
+    launched = Launched("a.launch.py", None, declared=[role, sim, required, included, unread], read=read)
+
+    assert other_choices(launched) == (
+        {"role": "scout", "sim": "true"},
+        [
+            {"role": "leader", "sim": "true"},
+            {"role": "guard", "sim": "true"},
+            {"role": "scout", "sim": "false"},
+        ],
+    )
+
+
+BY_ROLE = """\
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, OpaqueFunction
+from launch.substitutions import LaunchConfiguration
+from launch_ros.actions import Node
+
+
+def start(context):
+    if LaunchConfiguration('role').perform(context) == 'leader':
+        return [Node(package='base', executable='driver', name='{leader}'){more}]
+    return [Node(package='base', executable='driver', name='front')]
+
+
+def generate_launch_description():
+    return LaunchDescription([
+        DeclareLaunchArgument('role', default_value='scout'{choices}),
+        OpaqueFunction(function=start),
+        Node(package='base', executable='driver', name='rear'),
+    ])
+"""
+CHOICES = ", choices=['scout', 'leader']"
+
+
+@pytest.mark.parametrize(
+    ("leader", "more", "choices", "conditions"),
+    [
+        pytest.param("rear", "", CHOICES, ["role:=leader"], id="only the other choice"),
+        pytest.param("rear", "", "", [], id="nobody says what it may be"),
+        pytest.param("front", "", CHOICES, [], id="nothing wrong in either"),
+        pytest.param("front", ", Node(package='base', executable='driver', name='rear')", CHOICES, ["role:=leader"]),
+    ],
+)
+def test_what_another_choice_starts_is_judged(
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    leader: str,
+    more: str,
+    choices: str,
+    conditions: list[str],
+):
+    shutil.copytree(FIXTURE / "src", tmp_path / "src")
+    monkeypatch.chdir(tmp_path)
+    text = BY_ROLE.replace("{leader}", leader).replace("{more}", more).replace("{choices}", choices)
+    (tmp_path / LAUNCH_FILE).write_text(text)
+
+    main(["check", "--no-cache", "--format", "json", "--select", "NME004"])
+    found = json.loads(capsys.readouterr().out)["diagnostics"]
+    main(["check", "--no-cache", "--format", "json", "--select", "NME004", "--launch", LAUNCH_FILE])
+    by_default = json.loads(capsys.readouterr().out)["diagnostics"]
+
+    assert [one["condition"] for one in found] == conditions
+    assert by_default == []
+
+
+def test_what_the_default_shows_is_told_without_a_condition(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+):
+    shutil.copytree(FIXTURE / "src", tmp_path / "src")
+    monkeypatch.chdir(tmp_path)
+    text = BY_ROLE.replace("{leader}", "other").replace("{more}", "").replace("{choices}", CHOICES)
+    (tmp_path / LAUNCH_FILE).write_text(text.replace("name='front'", "name='rear'"))
+
+    main(["check", "--no-cache", "--format", "json", "--select", "NME004"])
+
+    [found] = json.loads(capsys.readouterr().out)["diagnostics"]
+    assert found["condition"] is None and "with role" not in found["message"]

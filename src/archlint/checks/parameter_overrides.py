@@ -76,18 +76,18 @@ def _by_default(system: System, node: Node, name: str) -> bool:
     declares it."""
     if system.workspace is None:
         return False
-    return any(name in _open_names(system.workspace).get(key_of(one), ()) for one in node.blueprints)
+    return any(name in _open_names(system.workspace).get(key_of(blueprint), ()) for blueprint in node.blueprints)
 
 
 @once
 def _open_names(workspace: WorkspaceIndex) -> Mapping[object, set[str]]:
     """The names that each node class declares with the defaults of all parameters, by its key."""
-    found: dict[object, set[str]] = {}
+    open_names: dict[object, set[str]] = {}
     for node in (node for system in workspace.systems if system.launched is None for node in system.nodes):
         for blueprint in node.blueprints:
             names = (row.name.text for row in blueprint.parameters if row.name.text is not None)
-            found.setdefault(key_of(blueprint), set()).update(names)
-    return found
+            open_names.setdefault(key_of(blueprint), set()).update(names)
+    return open_names
 
 
 def _is_gone_before(node: Node, siblings: Sequence[Node]) -> bool:

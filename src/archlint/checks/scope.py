@@ -10,7 +10,8 @@ class Scope(Enum):
 
     The *open system* is all code of the workspace, whoever starts it; a *launched system* is what one launch file
     starts, under the names and parameters that it gives.  Where nothing decides some launch arguments, a launched
-    system is several, one for each combination of their values.
+    system is several, one for each combination of their values; so it is where its code starts something else for
+    another of the ``choices`` of an argument.
     """
 
     WORKSPACE = "workspace"

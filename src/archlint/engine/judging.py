@@ -38,8 +38,9 @@ def _passes_by(check: Check, system: System, file: str) -> bool:
 
 
 def judge_alternatives(system: System, selected: Mapping[str, Options]) -> Iterator[Finding]:
-    """As :func:`judge`; where arguments that nothing decides make several systems of one launch file, each is
-    judged, and a finding says under which arguments it holds."""
+    """As :func:`judge`; where arguments that nothing decides, or that have choices, make several systems of one launch
+    file, each is judged, and a finding says under which arguments it holds.  Of choices, only what the defaults do not
+    show at the same place is told."""
     if not system.alternatives:
         yield from judge(system, selected)
         return
@@ -54,10 +55,12 @@ def judge_alternatives(system: System, selected: Mapping[str, Options]) -> Itera
             holding.setdefault(key, (finding, []))[1].append(arguments)
     at_place: dict[tuple[object, ...], list[Finding]] = {}
     for finding, where in holding.values():
-        conditional = replace(finding, condition=condition(where, every))
+        by_default = system.defaults_decide and every[0] in where
+        conditional = replace(finding, condition=None if by_default else condition(where, every))
         at_place.setdefault((finding.code, finding.place), []).append(conditional)
     for several in at_place.values():
-        yield from several if len(several) <= _VARIANTS else [min(several, key=_how_general)]
+        told = [finding for finding in several if finding.condition is None] if system.defaults_decide else []
+        yield from told or (several if len(several) <= _VARIANTS else [min(several, key=_how_general)])
 
 
 _VARIANTS = 2

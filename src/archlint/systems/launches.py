@@ -15,7 +15,7 @@ from archlint.launch.named_files import FileReference
 from archlint.model import Blueprint, Program
 from archlint.systems.launched import LaunchSystems, started_pairs
 from archlint.systems.model import System, WorkspaceIndex
-from archlint.systems.variants import undecided_arguments
+from archlint.systems.variants import other_choices, undecided_arguments
 
 if TYPE_CHECKING:
     from archlint.globs import Glob
@@ -58,7 +58,12 @@ def launch_systems(
             (values, settled(maker.system(launches.run(launch.file, {**launch.arguments, **values}))))
             for values in (undecided_arguments(launch) if _differs(system) else ())
         ]
-        return settled(system, alternatives=alternatives)
+        if alternatives or chosen is not None:
+            return settled(system, alternatives=alternatives)
+        defaults, more = _with_other_choices(launches, launch)
+        alternatives = [(values, settled(maker.system(run))) for values, run in more]
+        alternatives[:0] = [(defaults, settled(system))] if alternatives else []
+        return settled(system, alternatives=alternatives, defaults_decide=bool(alternatives))
 
     def systems_of(group: Iterable[Launched]) -> list[System]:
         systems = []
@@ -69,7 +74,9 @@ def launch_systems(
 
     linker.ahead(lambda: [partial(systems_of, group) for group in _batches(launched)])
     systems = systems_of(launched)
-    pairs = frozenset(started_pairs(launched, _by_executable(opened.programs)))
+    others = [other.launched for system in systems for _, other in system.alternatives if other.launched is not None]
+    runs = [*launched, *others]
+    pairs = frozenset(started_pairs(runs, _by_executable(opened.programs)))
     beside = [] if chosen is not None else [replace(opened, launched_pairs=pairs)]
     index = replace(
         workspace,
@@ -79,6 +86,19 @@ def launch_systems(
         explicit=chosen is not None,
     )
     return list(index.systems)
+
+
+def _with_other_choices(
+    launches: Launches, launch: Launched
+) -> tuple[dict[str, str], list[tuple[dict[str, str], Launched]]]:
+    """The defaults of the arguments that a launch file gives choices for, and its runs with others of them, where
+    its code then starts what it does not even mention with the defaults."""
+    defaults, others = other_choices(launch)
+    seen = {started.place for started in launch.started}
+    runs = [(values, launches.run(launch.file, {**launch.arguments, **values})) for values in others]
+    return defaults, [
+        (values, run) for values, run in runs if any(started.place not in seen for started in run.started)
+    ]
 
 
 _FILES = 4

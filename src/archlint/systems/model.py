@@ -57,6 +57,9 @@ class System:
     """The launch that starts this system."""
     alternatives: Sequence[tuple[Mapping[str, str], System]] = ()
     """The systems that it may be, with the launch arguments that make them, where nothing decides some."""
+    defaults_decide: bool = False
+    """Whether the first of these is this system itself, which the defaults make, and the others come of other choices
+    that the launch file names."""
     workspace: WorkspaceIndex | None = None
     neighbours: Sequence[Node] = ()
     """For drawing: the nodes at the other end of what ``nodes`` have, that were not asked for, with these ends only."""

@@ -1,4 +1,4 @@
-"""The systems that one launch file makes under arguments that no default decides."""
+"""The systems that one launch file makes under arguments that no default decides, or with other choices of some."""
 
 from __future__ import annotations
 
@@ -33,6 +33,21 @@ def undecided_arguments(launched: Launched) -> list[dict[str, str]]:
     if not values:
         return []
     return [dict(zip(values, chosen, strict=True)) for chosen in product(*values.values())]
+
+
+def other_choices(launched: Launched) -> tuple[dict[str, str], list[dict[str, str]]]:
+    """The defaults of the arguments that a launch file declares with ``choices=``, and the same with one other choice
+    each.  What its code does for that one, after ``perform()``, a run with the defaults does not come to."""
+    defaults: dict[str, str] = {}
+    others: list[tuple[str, str]] = []
+    for argument in launched.declared:
+        default = None if argument.default is None else argument.default.text
+        if argument.file != launched.file or argument.dormant or default not in argument.choices:
+            continue
+        if default is not None and argument.name in launched.read and argument.name not in launched.arguments:
+            defaults[argument.name] = default
+            others += [(argument.name, choice) for choice in argument.choices if choice != default]
+    return defaults, [{**defaults, name: choice} for name, choice in others[: MOST - 1]]
 
 
 def condition(holding: Sequence[Arguments], every: Sequence[Arguments]) -> str | None:
