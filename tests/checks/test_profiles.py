@@ -55,6 +55,25 @@ def test_a_preset_is_one_object_for_all_who_use_it(judge: Judge, before: str, im
     judge("QOS001", talker, written("Listener", SUBSCRIBE.format("10") + mark))
 
 
+def test_a_publisher_that_fits_none_of_several_subscriptions_is_one_finding(judge: Judge):
+    talker = written("Talker", PUBLISH.format("qos_profile_sensor_data"))
+    listeners = [written(name, SUBSCRIBE.format("10")) for name in ("Second", "Third")]
+    first = written("First", SUBSCRIBE.format("10") + "  # here")
+    [told] = judge("QOS001", talker, first, *listeners)
+    assert (
+        told.message
+        == "/Talker offers best effort on '/said', but 3 subscriptions request reliable: no message arrives"
+    )
+    assert told.help == "publish with reliable"
+    assert [related.place.file for related in told.related] == ["node.py", "node2.py", "node3.py"]
+
+
+def test_a_subscription_that_fits_none_of_several_publishers_is_one_finding(judge: Judge):
+    talkers = [written(name, PUBLISH.format("qos_profile_sensor_data")) for name in ("Talker", "Other")]
+    [told] = judge("QOS001", written("Listener", SUBSCRIBE.format("10") + "  # here"), *talkers)
+    assert [related.place.file for related in told.related] == ["node1.py", "node2.py"]
+
+
 POLICY = """import outside
 
     def policy(text):

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_not_installed
 from archlint.analysis.coexistence import has_launch_files, known_to_coexist
 from archlint.analysis.delivery import Undelivered, fits_any, fitting, policy_words, undelivered
+from archlint.checks.folding import folds
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related, Severity
@@ -64,7 +65,9 @@ def _mismatch(code: str, system: System, pairs: list[tuple[Undelivered, Verdict]
     if loose:
         lost += ", in scripts that no package installs"
     elif not proven:
-        lost += ", if they run together: no launch file here starts both by default"
+        both = "; no launch file here starts the two together by default"  # what fits may be the one that is meant
+        lost += both if served else ", if they run together: no launch file here starts both by default"
+    cause = (str(offer.place), verdict.policy, user.name or "", offer.node.name or "", offered, requested, lost)
     diagnostic = finding(
         code,
         user.place,
@@ -76,9 +79,29 @@ def _mismatch(code: str, system: System, pairs: list[tuple[Undelivered, Verdict]
         ],
         node=user.node.name,
         identity=(user.name or "", verdict.policy, *(pair.offer.node.name or "" for pair, _ in pairs)),
+        group=cause if len(pairs) == 1 else (),
     )
     most = Severity.INFO if loose else diagnostic.severity if proven else Severity.WARNING
     return replace(diagnostic, severity=min(diagnostic.severity, most))
+
+
+def _at_the_publisher(findings: Sequence[Finding]) -> Finding:
+    """The finding for a publisher that does not fit several subscriptions: one line of its own mends them all."""
+    first, *others = findings
+    _, policy, topic, publisher, offered, requested, lost = first.group
+    several = f"{len(findings)} subscriptions request {requested}"
+    return replace(
+        first,
+        message=f"{publisher} offers {offered} on '{topic}', but {several}: {lost}",
+        help=_AT_PUBLISHER[policy],
+        related=(*first.related, *(Related(other.place, f"{other.node} requests {requested}") for other in others)),
+        identity=(topic, policy, publisher),
+    )
+
+
+RELIABILITY = folds("QOS001", across_systems=True)(_at_the_publisher)
+DURABILITY = folds("QOS002", across_systems=True)(_at_the_publisher)
+DEADLINE = folds("QOS003", across_systems=True)(_at_the_publisher)
 
 
 def _is_of_loose_scripts(system: System, pair: Undelivered) -> bool:
@@ -105,3 +128,11 @@ _ADVICE = {
     "liveliness": "let the publisher assert its liveliness by topic, or request automatic liveliness",
     "liveliness_lease": "let the publisher offer a lease no longer than the requested one, or request none",
 }
+_AT_PUBLISHER = {
+    "reliability": "publish with reliable",
+    "durability": "publish with transient local durability",
+    "deadline": "offer the requested deadline",
+    "liveliness": "assert liveliness by topic",
+    "liveliness_lease": "offer a lease no longer than the requested one",
+}
+"""What to write where one publisher does not fit several subscriptions."""
