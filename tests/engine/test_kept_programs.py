@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from archlint.cli import main
+from archlint.launch.launches import Launches
 from archlint.programs.keys import EntryKey, ProgramKey
 from archlint.programs.linker import Linker
 
@@ -179,6 +180,78 @@ FILES = {
                 Node(package='robot', executable='listener', remappings=[('drive/speed', 'speed')]),
             ])
         """,
+    "robot/launch/all.launch.py": """\
+        import os
+
+        import yaml
+        from ament_index_python.packages import get_package_share_directory
+        from launch import LaunchDescription
+        from launch.actions import DeclareLaunchArgument, IncludeLaunchDescription
+        from launch.conditions import IfCondition
+        from launch.launch_description_sources import PythonLaunchDescriptionSource
+        from launch.substitutions import LaunchConfiguration
+        from launch_ros.actions import Node
+        from robot.shared import LOCAL, names
+
+        SHARE = get_package_share_directory('robot')
+
+
+        def generate_launch_description():
+            with open(os.path.join(SHARE, 'launch', 'names.yaml')) as stream:
+                named = yaml.safe_load(stream)
+            entities = [
+                DeclareLaunchArgument('watch'),
+                IncludeLaunchDescription(
+                    PythonLaunchDescriptionSource(os.path.join(SHARE, 'launch', 'robot.launch.py')),
+                    launch_arguments={'rate': '7.0'}.items(),
+                ),
+                Node(
+                    package='robot', executable='listener', name=named['listener'], namespace=names()[0],
+                    parameters=[os.path.join(SHARE, 'launch', 'listener.yaml')],
+                ),
+                Node(
+                    package='robot', executable='talker', name='watched',
+                    condition=IfCondition(LaunchConfiguration('watch')),
+                ),
+            ]
+            if LOCAL:
+                entities.append(Node(package='robot', executable='talker', name='local'))
+            return LaunchDescription(entities)
+        """,
+    "robot/robot/shared.py": """\
+        import os
+
+        from ament_index_python.packages import get_package_share_directory
+
+        LOCAL = os.path.exists(os.path.join(get_package_share_directory('robot'), 'launch', 'local.yaml'))
+
+
+        def names():
+            return ['left', 'right']
+        """,
+    "robot/launch/again.launch.py": """\
+        from launch import LaunchDescription
+        from launch_ros.actions import Node
+        from robot.shared import LOCAL, names
+
+
+        def generate_launch_description():
+            nodes = [Node(package='robot', executable='talker', namespace=name) for name in names()]
+            return LaunchDescription(nodes if LOCAL else nodes[:1])
+        """,
+    "robot/launch/names.yaml": "listener: ear\n",
+    "robot/launch/listener.yaml": "/**:\n  ros__parameters:\n    rate: 3.0\n",
+    "robot/launch/whole.launch.xml": """\
+        <launch>
+          <arg name="side" default="left"/>
+          <include file="$(find-pkg-share robot)/launch/again.launch.py"/>
+          <node pkg="robot" exec="listener" namespace="$(var side)">
+            <param from="$(find-pkg-share robot)/launch/listener.yaml"/>
+          </node>
+        </launch>
+        """,
+    ".gitignore": "ignored.yaml\n",
+    "robot/launch/ignored.yaml": "/**:\n  ros__parameters:\n    rate: 4.0\n",
 }
 
 Edit = Callable[[Path], object]
@@ -249,6 +322,26 @@ EDITS = {
     "an executable of another name": replaced("robot/setup.py", "talker =", "speaker ="),
     "a launch argument": replaced("robot/launch/robot.launch.py", "'5.0'", "'fast'"),
     "a remapping": replaced("robot/launch/robot.launch.py", "('drive/speed', 'speed')", "('extra', 'speed')"),
+    "a launch file fails": replaced("robot/launch/again.launch.py", "nodes[:1]", "nodez"),
+    "another namespace": replaced("robot/robot/shared.py", "'left'", "'front'"),
+    "a file that a module of launches asks for": written("robot/launch/local.yaml", "{}\n"),
+    "it goes": removed("robot/launch/local.yaml"),
+    "a parameter has another type": replaced("robot/launch/listener.yaml", "3.0", "fast"),
+    "a parameter file is broken": replaced("robot/launch/listener.yaml", "rate: 3.0", "rate: ["),
+    "a parameter file disappears": removed("robot/launch/listener.yaml"),
+    "and is there again": restored("robot/launch/listener.yaml"),
+    "a name in a file that the launch opens": replaced("robot/launch/names.yaml", "ear", "Ear"),
+    "that file disappears": removed("robot/launch/names.yaml"),
+    "an included file disappears": removed("robot/launch/robot.launch.py"),
+    "a launch file includes itself": replaced("robot/launch/whole.launch.xml", "again.launch.py", "whole.launch.xml"),
+    "the default of an argument of XML": replaced("robot/launch/whole.launch.xml", "left", "//right"),
+    "a launch file is no XML": replaced("robot/launch/whole.launch.xml", "</launch>", "<launch>"),
+    "a parameter file that git ignores": replaced("robot/launch/whole.launch.xml", "listener.yaml", "ignored.yaml"),
+    "that file has another type": replaced("robot/launch/ignored.yaml", "4.0", "fast"),
+    "git ignores it no more": removed(".gitignore"),
+    "launch files are not installed": replaced("robot/setup.py", "('share/robot/launch', glob('launch/*')),", ""),
+    "an argument of an include": replaced("robot/launch/all.launch.py", "'7.0'", "'seven'"),
+    "an argument with a default": replaced("robot/launch/all.launch.py", "('watch')", "('watch', default_value='0')"),
     "another base": replaced("robot/robot/base.py", "'rate', 10.0", "'rates', 10"),
     "a file that is no Python": written("robot/robot/prefix.py", "PREFIX = (\n"),
     "a test": written("robot/test/test_talker.py", "from robot.talker import Talker\n\n\ndef test():\n    Talker()\n"),
@@ -307,6 +400,30 @@ def test_only_what_an_edit_can_change_is_followed_again(workspace, outputs, foll
     outputs(cached=True)
     files = {key.file for key in followed if isinstance(key, EntryKey)}
     assert files == {"robot/robot/talker.py", "robot/robot/listener.py"}
+
+
+def test_only_the_launches_that_an_edit_can_change_run_again(workspace, outputs, monkeypatch):
+    launched: list[str] = []
+    run = Launches._run
+    monkeypatch.setattr(Launches, "_run", lambda self, path, given: [launched.append(path), run(self, path, given)][1])
+    outputs(cached=True)
+    assert set(launched) == {name for name in FILES if ".launch." in name}
+    launched.clear()
+    replaced("robot/robot/talker.py", "0.1", "0.2")(workspace)
+    outputs(cached=True)
+    assert launched == []
+    replaced("robot/launch/robot.launch.py", "'5.0'", "'6.0'")(workspace)
+    outputs(cached=True)
+    assert set(launched) == {"robot/launch/robot.launch.py", "robot/launch/all.launch.py"}
+    launched.clear()
+    written("robot/launch/local.yaml", "{}\n")(workspace)  # a file more: anything may be meant by it
+    outputs(cached=True)
+    assert set(launched) == {name for name in FILES if ".launch." in name}
+    launched.clear()
+    replaced("robot/launch/ignored.yaml", "4.0", "5.0")(workspace)
+    replaced("robot/launch/names.yaml", "ear", "eye")(workspace)
+    outputs(cached=True)
+    assert set(launched) == {"robot/launch/all.launch.py"}
 
 
 def test_a_comment_at_the_end_is_no_reason_to_judge_again(workspace, outputs, monkeypatch):

@@ -129,14 +129,14 @@ def test_a_damaged_payload_is_refused(payload: bytes):
 
 def test_a_payload_of_other_fields_is_refused(monkeypatch: pytest.MonkeyPatch):
     written = encode([program()])
-    monkeypatch.setattr(encoding, "_LAYOUT", encoding._LAYOUT + 1)
+    monkeypatch.setitem(vars(encoding.PROGRAMS), "layout", encoding.PROGRAMS.layout + 1)
     with pytest.raises(NotPrograms, match="version"):
         decode(written)
 
 
 def test_every_class_of_the_model_is_known():
     """Each class that a field of a program names, and each kind of what a call is given."""
-    annotations = " ".join(str(row.type) for kind in encoding._RECORDS.values() for row in fields(kind))
+    annotations = " ".join(str(row.type) for kind in encoding.PROGRAMS.records_by_name.values() for row in fields(kind))
     named = set(re.findall(r"\b[A-Z]\w+\b", annotations)) - {"None", "Literal"}
     aliases = {
         "BranchArm",
@@ -148,9 +148,11 @@ def test_every_class_of_the_model_is_known():
         "Resolution",
         "Access",
     }
-    assert named - aliases <= encoding._RECORDS.keys() | encoding._WORDS.keys()
-    assert {kind.__name__ for kind in given.Given.__subclasses__()} <= encoding._RECORDS.keys()
-    assert {kind.__name__ for kind in (CodeBranch, *CodeBranch.__subclasses__())} <= encoding._RECORDS.keys()
+    assert named - aliases <= encoding.PROGRAMS.records_by_name.keys() | encoding.PROGRAMS.words_by_name.keys()
+    assert {kind.__name__ for kind in given.Given.__subclasses__()} <= encoding.PROGRAMS.records_by_name.keys()
+    assert {
+        kind.__name__ for kind in (CodeBranch, *CodeBranch.__subclasses__())
+    } <= encoding.PROGRAMS.records_by_name.keys()
 
 
 # ------------------------------------------------------------------------------------------------ fixtures

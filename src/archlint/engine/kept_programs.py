@@ -1,22 +1,25 @@
-"""The programs of a workspace, kept from one run to the next."""
+"""The programs and launches of a workspace, kept from one run to the next."""
 
 from __future__ import annotations
 
 import hashlib
 import os
-from collections.abc import Callable, Collection, Iterable, Mapping
-from dataclasses import astuple, dataclass
+from collections.abc import Collection, Mapping
+from dataclasses import astuple, dataclass, fields
 from typing import TYPE_CHECKING
 
 from archlint.engine.result_cache import own_code
 from archlint.programs.kept import KeptPrograms
+from archlint.programs.kept_launches import KeptLaunches
 from archlint.syntax.cache import NullStore
 from archlint.workspace.test_code import FileRoles
 
 if TYPE_CHECKING:
     from archlint.interpreter.modules import ModuleIndex
+    from archlint.programs.earlier_imports import ImportNow
     from archlint.syntax.cache import Store
     from archlint.syntax.files import FactsOfFiles
+    from archlint.workspace.installed import Installs
     from archlint.workspace.model import SourceFile, Workspace
     from archlint.workspace.tree import SourceTree
 
@@ -37,13 +40,14 @@ class ProgramCache:
         self._roles = FileRoles.of(file.relative for file in self.workspace.files)
         name = [os.getcwd(), self.workspace.root, self.workspace.complete_folders]
         self._key = hashlib.sha256(repr(name).encode()).hexdigest()
-        self._opened: KeptPrograms | None = None
+        self._opened: dict[str, KeptPrograms | KeptLaunches] = {}
+        """By the keys under which they are stored."""
         self.lasts = not isinstance(self.store, NullStore)
 
     def open(
         self,
         index: ModuleIndex,
-        import_now: Callable[[Iterable[str]], None],
+        import_now: ImportNow,
         words: Mapping[str, Collection[str]],
         *generated: object,
     ) -> KeptPrograms:
@@ -54,20 +58,39 @@ class ProgramCache:
             for name, package_words in sorted(words.items())
             if _MAKES_INTERFACES in package_words
         }
-        decisive = [own_code(), making, generated, self._interfaces()]
-        surroundings = hashlib.sha256(repr(decisive).encode()).hexdigest()
-        self._opened = KeptPrograms(
-            index, self._fingerprint, surroundings, import_now, self.store.get_programs(self._key), self.lasts
-        )
-        return self._opened
+        surroundings = _digest([own_code(), making, generated, self._interfaces()])
+        payload = self.store.get_programs(self._key)
+        kept = KeptPrograms(index, self._fingerprint, surroundings, import_now, payload, lasts=self.lasts)
+        self._opened[self._key] = kept
+        return kept
+
+    def open_launches(
+        self,
+        index: ModuleIndex,
+        import_now: ImportNow,
+        installs: Mapping[str, Installs],
+        *beside: object,
+    ) -> KeptLaunches:
+        """What is known of launches.  They depend on which files there are and on what is installed of them, and on
+        what is given ``beside``."""
+        files = [
+            (file.relative, file.kind, file.package, file.module, list(map(astuple, file.links)))
+            for file in self.workspace.files
+        ]
+        installed = [_plain(install) for _, install in sorted(installs.items())]
+        surroundings = _digest([own_code(), files, installed, beside])
+        key = f"launches-{self._key}"
+        payload = self.store.get_programs(key)
+        kept = KeptLaunches(index, self._fingerprint, surroundings, import_now, payload, self.tree.ask, self.lasts)
+        self._opened[key] = kept
+        return kept
 
     def save(self) -> None:
         """Keep what is known now for the next run."""
-        if self._opened is None:
-            return
-        self.facts.note_read(self._opened.read_by())
-        if self.lasts and self._opened.changed and self.facts.lasting:
-            self.store.put_programs(self._key, self._opened.dump())
+        for key, kept in self._opened.items():
+            self.facts.note_read(kept.read_by())
+            if self.lasts and kept.changed and self.facts.lasting:
+                self.store.put_programs(key, kept.dump())
 
     def _interfaces(self) -> list[tuple[str, str | None, str | None]]:
         files = (file for file in self.workspace.files if file.kind == "interface")
@@ -83,6 +106,16 @@ class ProgramCache:
         decisive: list[object] = [digest, file.relative, file.kind, file.package, file.module, links]
         decisive.append(self._roles.is_test(file.relative))
         return hashlib.sha256(repr(decisive).encode()).hexdigest()[:24]
+
+
+def _digest(decisive: object) -> str:
+    return hashlib.sha256(repr(decisive).encode()).hexdigest()
+
+
+def _plain(install: Installs) -> list[object]:
+    """All that is known of what a package installs, in an order that is always the same."""
+    values = (getattr(install, row.name) for row in fields(install))
+    return [sorted(value) if isinstance(value, frozenset) else value for value in values]
 
 
 __all__ = ["ProgramCache"]

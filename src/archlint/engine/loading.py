@@ -16,6 +16,7 @@ from archlint.engine.request import NothingToDo, Request
 from archlint.faults import Faults
 from archlint.launch.launches import Launches
 from archlint.programs.entry_points import entry_points, read_installs
+from archlint.programs.kept_launches import keep_launches
 from archlint.programs.linker import Linker
 from archlint.programs.scripts import forget_names
 from archlint.ros.interfaces import InterfaceTable
@@ -51,6 +52,8 @@ def systems_of(
     old = frozenset(package.name for package in workspace.packages if package.ros1)
     distro = request.settings.distro
     launches = Launches(workspace.files, facts.facts_of, installs, tree, facts.relevant, faults, old, distro)
+    if cache.lasts:
+        keep_launches(launches, tree, lambda index, now: cache.open_launches(index, now, installs, sorted(old), distro))
     if request.launch is not None and not launches.files.can_be_launched(request.launch):
         raise NothingToDo(_no_launch_file(request, launches.files))
     systems = launch_systems(

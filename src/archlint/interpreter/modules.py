@@ -20,6 +20,7 @@ from archlint.workspace.test_code import FileRoles
 
 if TYPE_CHECKING:
     from archlint.workspace.model import Link, SourceFile
+    from archlint.workspace.tree import Question
 
 
 ScopeKind = Literal["module", "class", "function", "comprehension"]
@@ -219,6 +220,11 @@ class ModuleIndex:
     def writes(self, path: str) -> bool:
         """Whether the import of a module has changed objects of others."""
         return bool(self._written.get(path))
+
+    def note_answer(self, question: Question, answer: str | None) -> None:
+        """Something is asked of the disk."""
+        if self._readers:
+            self._readers[-1].answers[question] = answer
 
     def note_use(self, module: Module) -> None:
         """A module is imported, perhaps not for the first time."""

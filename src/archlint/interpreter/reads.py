@@ -7,8 +7,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 from archlint.workspace.closure import closure
+
+if TYPE_CHECKING:
+    from archlint.workspace.tree import Question
 
 Lookup = tuple[str, str, int]
 """An import: the path of the file that it stands in, the name, and how many dots it begins with."""
@@ -26,6 +30,8 @@ class Reads:
     """The file that each import means; None where it means none of the workspace."""
     imports: list[list[str]] = field(default_factory=list)
     """The modules that ran for the first time: each that was imported first, and those that its import led to."""
+    answers: dict[Question, str | None] = field(default_factory=dict)
+    """What was asked of the disk."""
     everything: bool = False
     """Whether it depends on all that has been imported so far, by whatever program."""
 
@@ -41,13 +47,15 @@ class Reads:
         files = set(used).union(*(reads.files for reads in parts))
         lookups = {lookup: file for reads in parts for lookup, file in reads.lookups.items()}
         everything = any(reads.everything for reads in parts)
-        return Reads(files, set(used), lookups, self.imports, everything)
+        answers = {question: answer for reads in parts for question, answer in reads.answers.items()}
+        return Reads(files, set(used), lookups, self.imports, answers, everything)
 
     def add(self, other: Reads) -> None:
         """Note what somebody else has read for this one."""
         self.files |= other.files
         self.used |= other.used
         self.lookups.update(other.lookups)
+        self.answers.update(other.answers)
         self.everything |= other.everything
 
 

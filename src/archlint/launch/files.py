@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
-from dataclasses import replace
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, NamedTuple
 
 from archlint.faults import Faults
@@ -40,6 +41,15 @@ class Problem(NamedTuple):
 """``(file, line, column, message)``"""
 
 
+@dataclass
+class ReadFiles:
+    """What was read for a launch, and what was told of it."""
+
+    frontends: dict[str, None] = field(default_factory=dict)
+    parameters: dict[str, None] = field(default_factory=dict)
+    endless: dict[Problem, None] = field(default_factory=dict)
+
+
 class LaunchFiles:
     """What launch files and the parameter files that they load say, without running anything."""
 
@@ -66,6 +76,8 @@ class LaunchFiles:
         self._frontend_facts: dict[str, LaunchFacts] = {}
         self._parameter_facts: dict[str, ParameterFacts] = {}
         self._endless: set[Problem] = set()
+        self._read = ReadFiles()
+        """What is read now."""
 
     # ----------------------------------------------------------------------------------------- which there are
 
@@ -111,6 +123,8 @@ class LaunchFiles:
 
     def frontend(self, path: str) -> LaunchFacts:
         """The elements of a launch file in XML or YAML."""
+        self._read.frontends[path] = None
+        self._tree.read_again(path)
         if path not in self._frontend_facts:
             text = self._tree.text(path)
             launch_facts = LaunchFacts(problems=self._unreadable(path))
@@ -129,6 +143,8 @@ class LaunchFiles:
 
     def parameters(self, path: str) -> ParameterFacts:
         """What a parameter file sets."""
+        self._read.parameters[path] = None
+        self._tree.read_again(path)
         if path not in self._parameter_facts:
             text = self._tree.text(path)
             parameter_facts = ParameterFacts(problems=self._unreadable(path))
@@ -146,7 +162,26 @@ class LaunchFiles:
 
     def note_endless(self, place: Place, message: str) -> None:
         """An include leads back to its own file, and nothing ends that."""
-        self._endless.add(Problem(place.file, place.line, place.column, message))
+        problem = Problem(place.file, place.line, place.column, message)
+        self._read.endless[problem] = None
+        self._endless.add(problem)
+
+    @contextmanager
+    def reading(self) -> Iterator[ReadFiles]:
+        """What is read inside."""
+        before, self._read = self._read, ReadFiles()
+        try:
+            yield self._read
+        finally:
+            self._read = before
+
+    def read_for(self, files: ReadFiles) -> None:
+        """A launch is known, and so it is not run: read what it would have read."""
+        for path in files.frontends:
+            self.frontend(path)
+        for path in files.parameters:
+            self.parameters(path)
+        self._endless.update(files.endless)
 
     def problems(self) -> list[Problem]:
         """What is wrong with each launch file and ``setup.py`` that is broken, and with each parameter file that a

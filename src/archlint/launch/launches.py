@@ -17,6 +17,7 @@ from archlint.launch.run import Surroundings
 from archlint.workspace.owners import FileOwners
 
 if TYPE_CHECKING:
+    from archlint.interpreter.modules import Module
     from archlint.syntax.facts import Facts
     from archlint.workspace.installed import Installs
     from archlint.workspace.model import SourceFile
@@ -46,12 +47,21 @@ class Launches:
         self.files = LaunchFiles(files, facts_of, tree, self.owners, roles, relevant, self.faults, ros1_packages)
         self._surroundings = Surroundings(self.index, Store(), self.files, paths, self.faults, distro)
         self._of_defaults: dict[str, Launched] = {}
+        self.follow: Callable[[str, Mapping[str, str], Callable[[], Launched]], Launched] = lambda _, __, act: act()
+        """What a launch yields: the answer of ``act``, or one that is known."""
 
     def run(self, path: str, arguments: Mapping[str, str] | None = None) -> Launched:
         """Run a launch file as ``ros2 launch path name:=value …``; without arguments the defaults hold."""
-        result = Launched(path, self.owners.package_of(path), dict(arguments or {}))
+        given = dict(arguments or {})
+        result = self.follow(path, given, lambda: self._run(path, given))
+        if not given:
+            self._of_defaults.setdefault(path, result)
+        return result
+
+    def _run(self, path: str, arguments: dict[str, str]) -> Launched:
+        result = Launched(path, self.owners.package_of(path), arguments)
         run = Launcher(self._surroundings, path, result)
-        for name, value in (arguments or {}).items():
+        for name, value in arguments.items():
             run.launch.configurations[name] = Known(value)
         store = self._surroundings.store
         depth = store.depth
@@ -60,9 +70,11 @@ class Launches:
             run.enter(path)
         finally:
             store.cut(depth)
-        if not arguments:
-            self._of_defaults.setdefault(path, result)
         return result
+
+    def import_module(self, module: Module) -> None:
+        """Import a module as a launch does that comes to it, for whatever runs later."""
+        Launcher(self._surroundings, module.path, Launched(module.path, None)).import_module(module)
 
     def with_defaults(self, path: str) -> Launched:
         """A launch file run on its own with its defaults; the same answer each time."""

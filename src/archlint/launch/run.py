@@ -326,3 +326,4 @@ class LaunchRun(Run):
             self.store.merge([layer])
             self.activations, self.branch_arms = kept, kept_arms
             self.left -= self.steps
+            self.result.cut_short = self.result.cut_short or self.steps >= self.allowed_steps

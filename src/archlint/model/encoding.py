@@ -11,7 +11,7 @@ import zlib
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from enum import Enum
-from functools import cache
+from functools import cached_property
 from typing import Any, Final
 
 import msgspec
@@ -39,25 +39,54 @@ _HUGE: Final = "huge"
 _DICT: Final = "dict"
 
 _CONTAINERS: Mapping[str, type] = {"list": list, "tuple": tuple, "set": set, "frozenset": frozenset}
-_WORD_TYPES: tuple[type, ...] = (
-    *(EntityKind, ExecutorKind, GroupKind, Role, SpinDuration),
-    *(NotPassed, Uninformative),
+
+
+@dataclass(frozen=True, eq=False)
+class Language:
+    """The classes that data is made of: ``words`` and numbers with a type of their own, and ``records``."""
+
+    words: tuple[type, ...]
+    records: tuple[type, ...]
+
+    @cached_property
+    def words_by_name(self) -> Mapping[str, type]:
+        return {kind.__name__: kind for kind in self.words}
+
+    @cached_property
+    def records_by_name(self) -> Mapping[str, type]:
+        return {kind.__name__: kind for kind in self.records}
+
+    @cached_property
+    def fields(self) -> Mapping[type, tuple[str, ...]]:
+        """The fields of each class of records."""
+        return {kind: tuple(row.name for row in fields(kind)) for kind in self.records}
+
+    @cached_property
+    def with_slots(self) -> frozenset[type]:
+        """The classes of records that have no ``__dict__``."""
+        return frozenset(kind for kind in self.records if hasattr(kind, "__slots__"))
+
+    @cached_property
+    def layout(self) -> int:
+        """Another number where a class has other fields."""
+        return zlib.crc32(repr([(kind.__name__, names) for kind, names in self.fields.items()]).encode())
+
+
+PROGRAMS: Final = Language(
+    (
+        *(EntityKind, ExecutorKind, GroupKind, Role, SpinDuration),
+        *(NotPassed, Uninformative),
+    ),
+    (
+        *(ApiCall, Blueprint, Callback, Creation, ExecutorUse, FieldUse, Frame, FunctionRef, Group),
+        *(ParameterDeclaration, Passed, Place, Program, Qos, Spell, Text, UnknownInterface),
+        *(given.Given, given.Constant, given.OneOf, given.Entity, given.Future, given.Node, given.Executor),
+        *(given.Message, given.Process, given.Object, given.GoalHandle, given.Duration),
+        *(given.ForeignClass, given.Collection),
+        *(branches.CodeBranch, branches.ChoiceOfArgument, branches.ChoiceOfCallee),
+    ),
 )
-_WORDS: Mapping[str, type] = {kind.__name__: kind for kind in _WORD_TYPES}
-"""Words and numbers with a type of their own."""
-_RECORD_TYPES: tuple[type, ...] = (
-    *(ApiCall, Blueprint, Callback, Creation, ExecutorUse, FieldUse, Frame, FunctionRef, Group, ParameterDeclaration),
-    *(Passed, Place, Program, Qos, Spell, Text, UnknownInterface),
-    *(given.Given, given.Constant, given.OneOf, given.Entity, given.Future, given.Node, given.Executor),
-    *(given.Message, given.Process, given.Object, given.GoalHandle, given.Duration),
-    *(given.ForeignClass, given.Collection),
-    *(branches.CodeBranch, branches.ChoiceOfArgument, branches.ChoiceOfCallee),
-)
-_RECORDS: Mapping[str, type] = {kind.__name__: kind for kind in _RECORD_TYPES}
-_FIELDS = {kind: tuple(row.name for row in fields(kind)) for kind in _RECORDS.values()}
-_WITH_SLOTS = {kind for kind in _FIELDS if hasattr(kind, "__slots__")}
-_LAYOUT = zlib.crc32(repr([(kind.__name__, names) for kind, names in _FIELDS.items()]).encode())
-"""Another number where a class has other fields."""
+"""What programs are made of."""
 _SMALL = range(-(2**63), 2**63)
 """What MessagePack has a number for."""
 
@@ -79,35 +108,36 @@ class Payload(msgspec.Struct, array_like=True):
     items: list[Plain]
 
 
-def encode(items: Iterable[object]) -> bytes:
+def encode(items: Iterable[object], language: Language = PROGRAMS) -> bytes:
     """Programs or parts of them, in lists, with all that they refer to."""
-    return encode_noting(items)[0]
+    return encode_noting(items, language)[0]
 
 
-def encode_noting(items: Iterable[object]) -> tuple[bytes, list[object]]:
+def encode_noting(items: Iterable[object], language: Language = PROGRAMS) -> tuple[bytes, list[object]]:
     """As :func:`encode`, with the objects that have an identity: what two payloads share is two things afterwards."""
-    tables = _Tables()
+    tables = _Tables(language)
     rows = [tables.plain(item) for item in items]
     tables.fill()
-    return msgspec.msgpack.encode(Payload(_LAYOUT, tables.values, tables.objects, rows)), tables.with_identity
+    return msgspec.msgpack.encode(Payload(language.layout, tables.values, tables.objects, rows)), tables.with_identity
 
 
-def decode(payload: bytes) -> list[Any]:
+def decode(payload: bytes, language: Language = PROGRAMS) -> list[Any]:
     """What was encoded; raises :class:`NotPrograms`."""
     try:
         decoded = msgspec.msgpack.decode(payload, type=Payload)
     except (msgspec.MsgspecError, ValueError, RecursionError) as error:
         raise NotPrograms(str(error)) from error
-    if decoded.layout != _LAYOUT:
+    if decoded.layout != language.layout:
         raise NotPrograms("written by another version")
     try:
-        return _Rows(decoded).items()
+        return _Rows(decoded, language).items()
     except (LookupError, TypeError, ValueError) as error:
         raise NotPrograms(str(error)) from error
 
 
 @dataclass
 class _Tables:
+    language: Language
     values: list[list[Plain]] = field(default_factory=list)
     objects: list[list[Plain]] = field(default_factory=list)
     _numbers: dict[int, Plain] = field(default_factory=dict)
@@ -127,9 +157,9 @@ class _Tables:
             return item
         if kind is int:
             return item if item in _SMALL else [_HUGE, str(item)]
-        if kind in _FIELDS:
+        if kind in self.language.fields:
             return self._reference(item)
-        if kind.__name__ in _WORDS:
+        if kind.__name__ in self.language.words_by_name:
             return [_WORD, kind.__name__, item.value if isinstance(item, Enum) else str(item)]
         match item:
             case list() | tuple():
@@ -156,19 +186,21 @@ class _Tables:
 
     def _row(self, item: object) -> list[Plain]:
         kind = type(item)
-        return [kind.__name__, *(self.plain(getattr(item, name)) for name in _FIELDS[kind])]
+        return [kind.__name__, *(self.plain(getattr(item, name)) for name in self.language.fields[kind])]
 
 
 class _Rows:
-    def __init__(self, payload: Payload) -> None:
+    def __init__(self, payload: Payload, language: Language) -> None:
+        self._language = language
+        self._records = language.records_by_name
         self._payload = payload
         self._values: list[object] = []
-        kinds = [_RECORDS[row[0]] for row in payload.objects]
+        kinds = [self._records[row[0]] for row in payload.objects]
         self._objects: list[object] = [object.__new__(kind) for kind in kinds]
 
     def items(self) -> list[object]:
         for row in self._payload.values:
-            item: object = object.__new__(_RECORDS[row[0]])
+            item: object = object.__new__(self._records[row[0]])
             self._fill(item, row)
             self._values.append(item)
         for item, row in zip(self._objects, self._payload.objects, strict=True):
@@ -176,9 +208,9 @@ class _Rows:
         return self._items([None, *self._payload.items])
 
     def _fill(self, item: object, row: Sequence[Plain]) -> None:
-        fields_of_row = zip(_FIELDS[type(item)], self._items(row), strict=True)
+        fields_of_row = zip(self._language.fields[type(item)], self._items(row), strict=True)
         # Not with setattr(), which frozen dataclasses refuse.
-        if type(item) in _WITH_SLOTS:
+        if type(item) in self._language.with_slots:
             for name, value in fields_of_row:
                 object.__setattr__(item, name, value)
         else:
@@ -195,16 +227,11 @@ class _Rows:
         if tag == _OBJECT:
             return self._objects[plain[1]]
         if tag == _WORD:
-            return _word(plain[1], plain[2])
+            return self._language.words_by_name[plain[1]](plain[2])
         if tag == _HUGE:
             return int(plain[1])
         items = self._items(plain)
         return dict(zip(items[::2], items[1::2], strict=True)) if tag == _DICT else _CONTAINERS[tag](items)
-
-
-@cache
-def _word(kind: str, value: str) -> object:
-    return _WORDS[kind](value)
 
 
 __all__ = ["NotEncodable", "NotPrograms", "decode", "encode", "encode_noting"]

@@ -1,19 +1,20 @@
-"""Programs that an earlier run has followed: what became of each, and what that was decided by.
+"""What an earlier run has followed, programs and launches: what became of each, and what that was decided by.
 
 A program is followed again only where something that it read is not as it was: the code of a file, what an import
-means, which modules ran before it, the interfaces.  The order in which programs are followed is that of a run without
-any of this, and so is what they give.
+means, which modules ran before it, the interfaces, what it asked of the disk.  The order in which programs are followed
+is that of a run without any of this, and so is what they give.
 """
 
 from __future__ import annotations
 
 import hashlib
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeVar
 
-from archlint.model.encoding import NotEncodable, NotPrograms, decode, encode_noting
+from archlint.model.encoding import PROGRAMS, Language, NotEncodable, NotPrograms, decode, encode_noting
 from archlint.programs.followed import Definition, Followed
 from archlint.programs.kept_table import Row, Table, write
 
@@ -21,12 +22,15 @@ if TYPE_CHECKING:
     from archlint.interpreter.modules import ModuleIndex
     from archlint.interpreter.reads import Lookup, Reads
     from archlint.programs.keys import ProgramKey
+    from archlint.workspace.tree import Question
 
 _MOSTLY = 0.9
 
+Result = TypeVar("Result")
+
 
 @dataclass
-class KeptPrograms:
+class KeptResults(ABC, Generic[Result]):
     """What is known of programs from earlier runs, and what this run adds.
 
     ``fingerprint`` says of a file, by its path, what decides what it means: its code, its package, its name; None where
@@ -39,6 +43,8 @@ class KeptPrograms:
     import_now: Callable[[Iterable[str]], None]
     """Imports modules for which a program answers that is not followed again."""
     payload: bytes | None = None
+    ask: Callable[[Question], str | None] = lambda question: None
+    """What the disk answers."""
     lasts: bool = True
     """Whether anybody will ask for what this run adds."""
     changed: bool = False
@@ -59,6 +65,17 @@ class KeptPrograms:
     def __post_init__(self) -> None:
         self._tables = [Table(self.payload, self.surroundings)]
 
+    language: ClassVar[Language]
+    """What results are made of."""
+
+    @abstractmethod
+    def parts_of(self, result: Result) -> list[object]:
+        """A result as plain data."""
+
+    @abstractmethod
+    def made_of(self, parts: Sequence[Any]) -> Result:
+        """The result of these parts."""
+
     def add(self, payload: bytes) -> None:
         """Programs that another process has followed."""
         self._tables.insert(0, Table(payload, self.surroundings))
@@ -72,7 +89,7 @@ class KeptPrograms:
 
     # ------------------------------------------------------------------------------------------- what is known
 
-    def get(self, key: ProgramKey, late: bool) -> Followed | None:
+    def get(self, key: ProgramKey, late: bool) -> Result | None:
         """What became of a program, if it would be the same again."""
         name = key.text
         for table in self._tables:
@@ -80,8 +97,8 @@ class KeptPrograms:
                 row = self._valid(table, name)
                 if row is None or row.late is not late or not self._fits(row):
                     continue
-                [parts] = decode(row.result)
-                result = _followed(parts)
+                [parts] = decode(row.result, self.language)
+                result = self.made_of(parts)
             except (LookupError, TypeError, ValueError):
                 continue
             self._take(name, row)
@@ -122,7 +139,9 @@ class KeptPrograms:
         row = table.row(key)
         if row is None or (row.everything and table.everything != self._everything):
             return None
-        return row if all(self._means(lookup) == target for lookup, target in row.lookups.items()) else None
+        if any(self._means(lookup) != target for lookup, target in row.lookups.items()):
+            return None
+        return row if all(self.ask(question) == answer for question, answer in row.answers.items()) else None
 
     def _fits(self, row: Row) -> bool:
         """Whether the modules that ran before the program are those that ran before it then."""
@@ -152,15 +171,15 @@ class KeptPrograms:
 
     # ------------------------------------------------------------------------------------------- what is new
 
-    def put(self, key: ProgramKey, late: bool, result: Followed, reads: Reads) -> None:
+    def put(self, key: ProgramKey, late: bool, result: Result, reads: Reads) -> None:
         """Keep what became of a program, if it can stand alone."""
         if any(self._print_of(path) is None for path in reads.files) or (self.is_worker and reads.everything):
             return
         if not (self.lasts or self.is_worker):
             return
         try:
-            payload, objects = encode_noting([_parts(result)])
-        except NotEncodable:
+            payload, objects = encode_noting([self.parts_of(result)], self.language)
+        except (NotEncodable, UnicodeError):
             return
         self.changed = True
         name = key.text
@@ -180,6 +199,7 @@ class KeptPrograms:
             reads.imports,
             sorted(self.index.writers(reads.used) - own),
             any(self.index.writes(path) for path in own),
+            reads.answers,
             payload,
         )
 
@@ -209,15 +229,20 @@ class KeptPrograms:
                 yield key, row
 
 
-def _parts(result: Followed) -> list[object]:
-    definitions = [definition.parts() for definition in result.definitions]
-    return [result.program, result.steps, sorted(result.ran), sorted(result.instantiated), result.holders, definitions]
+class KeptPrograms(KeptResults[Followed]):
+    """What became of programs."""
 
+    language = PROGRAMS
 
-def _followed(parts: Sequence[Any]) -> Followed:
-    program, steps, ran, instantiated, holders, definitions = parts
-    rows = [Definition(*row) for row in definitions]
-    return Followed(program, steps, frozenset(ran), frozenset(instantiated), holders, rows)
+    def parts_of(self, result: Followed) -> list[object]:
+        ran, instantiated = sorted(result.ran), sorted(result.instantiated)
+        definitions = [definition.parts() for definition in result.definitions]
+        return [result.program, result.steps, ran, instantiated, result.holders, definitions]
+
+    def made_of(self, parts: Sequence[Any]) -> Followed:
+        program, steps, ran, instantiated, holders, definitions = parts
+        rows = [Definition(*row) for row in definitions]
+        return Followed(program, steps, frozenset(ran), frozenset(instantiated), holders, rows)
 
 
 class NothingKept:
@@ -236,4 +261,4 @@ class NothingKept:
         return []
 
 
-__all__ = ["KeptPrograms", "NotPrograms", "NothingKept"]
+__all__ = ["KeptPrograms", "KeptResults", "NotPrograms", "NothingKept"]

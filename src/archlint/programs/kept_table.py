@@ -10,6 +10,7 @@ import msgspec
 
 if TYPE_CHECKING:
     from archlint.interpreter.reads import Lookup
+    from archlint.workspace.tree import Question
 
 
 @dataclass
@@ -32,6 +33,8 @@ class Row:
     """The modules that had changed objects of those that it uses; none of ``imports``."""
     writes: bool
     """Whether its imports have changed objects of other modules."""
+    answers: Mapping[Question, str | None]
+    """What was asked of the disk."""
     result: bytes
 
 
@@ -47,6 +50,7 @@ class _Entry(msgspec.Struct, array_like=True):
     imports: list[list[int]]
     writers: list[int]
     writes: bool
+    answers: list[int]
     result: bytes
 
 
@@ -57,6 +61,8 @@ class _Kept(msgspec.Struct, array_like=True):
     """Path and fingerprint."""
     lookups: list[tuple[int, str, int, int]]
     """File, name, dots, and the file that it means; -1 for none."""
+    answers: list[tuple[str, str, str | None]]
+    """Question, path, and the answer."""
     entries: list[_Entry]
 
 
@@ -69,7 +75,7 @@ class Table:
         except (msgspec.MsgspecError, ValueError, RecursionError):
             kept = None
         if kept is None or kept.surroundings != surroundings:
-            kept = _Kept(surroundings, "", [], [], [])
+            kept = _Kept(surroundings, "", [], [], [], [])
         self._kept = kept
         self._entries = {entry.key: entry for entry in kept.entries}
 
@@ -110,6 +116,7 @@ class Table:
             [paths(group) for group in entry.imports],
             paths(entry.writers),
             entry.writes,
+            {(question, path): answer for question, path, answer in map(self._kept.answers.__getitem__, entry.answers)},
             entry.result,
         )
 
@@ -123,9 +130,13 @@ class _Numbers:
     def __init__(self) -> None:
         self.files: dict[str, int] = {}
         self.lookups: dict[Lookup, tuple[int, str | None]] = {}
+        self.answers: dict[tuple[str, str, str | None], int] = {}
 
     def of(self, paths: Collection[str]) -> list[int]:
         return [self.files.setdefault(path, len(self.files)) for path in paths]
+
+    def of_answer(self, question: str, path: str, answer: str | None) -> int:
+        return self.answers.setdefault((question, path, answer), len(self.answers))
 
     def of_lookup(self, lookup: Lookup, target: str | None) -> int:
         if lookup not in self.lookups:
@@ -148,6 +159,7 @@ def write(rows: Mapping[str, Row], fingerprints: Mapping[str, str], surroundings
             [numbers.of(group) for group in row.imports],
             numbers.of(row.writers),
             row.writes,
+            [numbers.of_answer(*question, answer) for question, answer in row.answers.items()],
             row.result,
         )
         for key, row in sorted(rows.items())
@@ -157,7 +169,7 @@ def write(rows: Mapping[str, Row], fingerprints: Mapping[str, str], surroundings
         for (file, name, dots), (_, target) in numbers.lookups.items()
     ]
     files = [(path, fingerprints.get(path, "")) for path in numbers.files]
-    return msgspec.msgpack.encode(_Kept(surroundings, everything, files, lookups, entries))
+    return msgspec.msgpack.encode(_Kept(surroundings, everything, files, lookups, list(numbers.answers), entries))
 
 
 __all__ = ["Row", "Table", "write"]

@@ -54,4 +54,11 @@ class DefinitionKey(ProgramKey):
     variable: str
 
 
-__all__ = ["DefinitionKey", "EntryKey", "ModuleKey", "ProgramKey", "ScriptKey"]
+@dataclass(frozen=True)
+class LaunchKey(ProgramKey):
+    """A launch of a file, with its arguments in the order in which they are given."""
+
+    arguments: tuple[tuple[str, str], ...]
+
+
+__all__ = ["DefinitionKey", "EntryKey", "LaunchKey", "ModuleKey", "ProgramKey", "ScriptKey"]

@@ -30,6 +30,7 @@ from archlint.libraries.run import Run
 from archlint.monitor import Monitor
 from archlint.programs.ahead import WORTH_IT, follow_ahead, independent_groups
 from archlint.programs.budget import Budget, cut_short
+from archlint.programs.earlier_imports import EarlierImports
 from archlint.programs.followed import Followed, FollowedProgram, Progress
 from archlint.programs.helpers import helpers_in, note_unfollowed, prune_uncalled, settle_helpers
 from archlint.programs.kept import KeptPrograms, NothingKept
@@ -93,9 +94,11 @@ class Linker:
         monitor: Monitor | None = None,
     ) -> None:
         self.index = ModuleIndex(files, facts_of)
-        self.index.import_earlier = self._import_earlier
-        self.index.import_all_earlier = self._import_all_earlier
-        self.kept: KeptPrograms | NothingKept = NothingKept() if keep is None else keep(self.index, self._import_now)
+        self.earlier = EarlierImports(
+            self.index, lambda module: self.new_run(module.name, module).import_module(module)
+        )
+        self.kept: KeptPrograms | NothingKept = NothingKept() if keep is None else keep(self.index, self.earlier.now)
+        self.earlier.of(self.kept)
         self.files = sorted(files, key=lambda file: file.relative)
         self._shown = {file.relative: file for file in self.files}
         self.relevant = relevant
@@ -176,26 +179,8 @@ class Linker:
         self.progress.add(followed)
         return followed
 
-    def _import_earlier(self, module: Module) -> None:
-        self._import_now([module.file.path])
-
-    def _import_all_earlier(self) -> None:
-        self._import_now(self.kept.all_first())
-
-    def _import_now(self, paths: Iterable[str]) -> None:
-        for path in paths:
-            first = self.kept.first_of(path)
-            if first is not None:
-                self._import_aside(first)
-
-    def _import_aside(self, path: str) -> None:
-        """Import a module for which a program answers that is not followed again: what the import does beside filling
-        the module is known."""
-        file = self.index.at(path)
-        module = None if file is None else self.index.module(file)
-        if module is not None:
-            with self.index.aside():
-                self.new_run(module.name, module).import_module(module)
+    def _import(self, module: Module) -> None:
+        self.new_run(module.name, module).import_module(module)
 
     def _is_imported(self, module: Module) -> bool:
         return module.file.path in self.index.imported
@@ -203,7 +188,7 @@ class Linker:
     def _value(self, module: Module, name: str) -> Value | None:
         """What a variable of a module holds after its import."""
         self.index.note_use(module)
-        self._import_earlier(module)
+        self.earlier.before(module)
         return None if module.scope is None else self.store.get(module.scope.key, name)
 
     def _is_started(self, module: Module, started: dict[str, set[str]]) -> bool:

@@ -30,8 +30,8 @@ KEPT_DAYS = 30
 """How long an entry that no run asks for is kept."""
 KEPT_RUNS = 100
 """How many results of runs are kept, each with a record of what it depends on."""
-KEPT_WORKSPACES = 10
-"""Of how many workspaces the programs are kept."""
+KEPT_WORKSPACES = 20
+"""Of how many workspaces the programs are kept, or the launches."""
 MAX_BYTES = 256_000_000
 
 Stamp = tuple[int, int, int, int]

@@ -7,7 +7,8 @@ import hashlib
 import os
 import posixpath
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Protocol
 
@@ -21,6 +22,10 @@ TEXT_LIMIT = 8_000_000
 """Bytes; a launch or parameter file that is larger is not read."""
 ENTRIES = 20_000
 """How many files one folder listing may name."""
+
+
+Question = tuple[str, str]
+"""What is asked of a path, and the path."""
 
 
 class Tree(Protocol):
@@ -38,6 +43,8 @@ class Tree(Protocol):
     def is_folder(self, path: str) -> bool: ...
 
     def files_below(self, folder: str) -> Sequence[str]: ...
+
+    def read_again(self, path: str) -> None: ...
 
 
 class _NoFiles:
@@ -60,6 +67,9 @@ class _NoFiles:
     def files_below(self, folder: str) -> Sequence[str]:
         return ()
 
+    def read_again(self, path: str) -> None:
+        return None
+
 
 NO_FILES: Tree = _NoFiles()
 
@@ -72,9 +82,10 @@ class SourceTree:
         self.base = base
         self._within = os.path.realpath(within or base)
         self._listed: dict[str, list[str]] = {}
-        self.asked: dict[tuple[str, str], str | None] = {}
+        self.asked: dict[Question, str | None] = {}
         """Every answer that was given, by question and path, for whoever keeps what follows from them."""
         self.words = Words(lambda path: self._text(path, "words"))
+        self._tell: Callable[[Question, str | None], None] | None = None
 
     def _real(self, path: str) -> Path | None:
         if "\0" in path:
@@ -94,8 +105,27 @@ class SourceTree:
         kind = None
         if real is not None:
             kind = "file" if real.is_file() else "folder" if real.is_dir() else None
-        self.asked.setdefault(("kind", path), kind)
+        self._note(("kind", path), kind)
         return kind
+
+    def _note(self, question: Question, answer: str | None) -> None:
+        answer = self.asked.setdefault(question, answer)
+        if self._tell is not None:
+            self._tell(question, answer)
+
+    @contextmanager
+    def telling(self, told: Callable[[Question, str | None], None]) -> Iterator[None]:
+        """Tell of each question that is asked inside, with its first answer."""
+        before, self._tell = self._tell, told
+        try:
+            yield
+        finally:
+            self._tell = before
+
+    def read_again(self, path: str) -> None:
+        """Somebody goes by the text of a file that was read before."""
+        if ("content", path) in self.asked:
+            self._note(("content", path), None)
 
     def text(self, path: str) -> str | None:
         """A regular file's text; None where there is none, it is too large, or it cannot be decoded: XML by the
@@ -129,21 +159,27 @@ class SourceTree:
         try:
             data = None if real is None or not real.is_file() else read_regular(real, TEXT_LIMIT)
         except OSError as error:
-            self.asked.setdefault((question, path), f"error {error.errno}")
+            self._note((question, path), f"error {error.errno}")
             raise
-        self.asked.setdefault((question, path), None if data is None else hashlib.sha256(data).hexdigest())
+        self._note((question, path), None if data is None else hashlib.sha256(data).hexdigest())
         return data
 
     def answer(self, question: str, path: str) -> str | None:
         """What :attr:`asked` would hold if the question were asked now, for the first time."""
-        fresh = SourceTree(self.base, Path(self._within))
-        if question in ("content", "words"):
-            fresh._text(path, question)
-        elif question == "listing":
-            fresh.files_below(path)
+        return SourceTree(self.base, Path(self._within)).ask((question, path))
+
+    def ask(self, question: Question) -> str | None:
+        """The first answer to a question in this run."""
+        kind, path = question
+        if question in self.asked:
+            pass
+        elif kind in ("content", "words"):
+            self._text(path, kind)
+        elif kind == "listing":
+            self.files_below(path)
         else:
-            fresh.is_file(path)
-        return fresh.asked.get((question, path))
+            self.is_file(path)
+        return self.asked.get(question)
 
     def same_file(self, path: str, files: Iterable[SourceFile]) -> SourceFile | None:
         """The file that a path leads to through symbolic links; None where that is none of ``files``."""
@@ -164,6 +200,7 @@ class SourceTree:
             files = self._listed[folder] = self._list(folder)
             listing = "\n".join(files).encode("utf-8", "surrogateescape")
             self.asked.setdefault(("listing", folder), hashlib.sha256(listing).hexdigest())
+        self._note(("listing", folder), None)
         return self._listed[folder]
 
     def _list(self, folder: str) -> list[str]:
