@@ -6,7 +6,7 @@ import posixpath
 from collections.abc import Iterator, Mapping, Sequence
 from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 from archlint.analysis.aside import is_not_installed
 from archlint.analysis.ignored import words_ignored_at
@@ -74,6 +74,13 @@ def _is_hidden(workspace: WorkspaceIndex, use: Use) -> bool:
 
 def uses_by_package(workspace: WorkspaceIndex, options: Options) -> dict[str, list[Use]]:
     """What each package (by its folder) uses and does not declare, in the order of the files."""
+    key = (uses_by_package, options.external, options.ignored_in)
+    if key not in workspace.kept:
+        workspace.kept[key] = _uses_by_package(workspace, options)
+    return cast("dict[str, list[Use]]", workspace.kept[key])
+
+
+def _uses_by_package(workspace: WorkspaceIndex, options: Options) -> dict[str, list[Use]]:
     by_package: dict[str, list[Use]] = {}
     known = _Known(workspace, options)
     for use in sorted({*_imported(workspace), *_launched(workspace)}):

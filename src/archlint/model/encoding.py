@@ -87,6 +87,7 @@ PROGRAMS: Final = Language(
     ),
 )
 """What programs are made of."""
+_MET_AGAIN = frozenset({Place, Frame})
 _SMALL = range(-(2**63), 2**63)
 """What MessagePack has a number for."""
 
@@ -145,6 +146,8 @@ class _Tables:
     with_identity: list[object] = field(default_factory=list)
     """What has a number among the objects, in that order; it is kept alive, and with it its ``id``."""
     _kept: list[object] = field(default_factory=list)
+    _equal: dict[object, Plain] = field(default_factory=dict)
+    """References to places and frames, of which most are met again and again."""
 
     def fill(self) -> None:
         """Write the rows of all objects, and of those that they refer to."""
@@ -177,12 +180,19 @@ class _Tables:
                 known = [_OBJECT, len(self.with_identity)]
                 self.with_identity.append(item)
             else:
-                row = self._row(item)
-                known = [_VALUE, len(self.values)]
-                self.values.append(row)
+                known = self._equal.get(item) if type(item) in _MET_AGAIN else None
+                known = self._added(item) if known is None else known
                 self._kept.append(item)
             self._numbers[id(item)] = known
         return known
+
+    def _added(self, item: object) -> Plain:
+        row = self._row(item)
+        reference = [_VALUE, len(self.values)]
+        self.values.append(row)
+        if type(item) in _MET_AGAIN:
+            self._equal[item] = reference
+        return reference
 
     def _row(self, item: object) -> list[Plain]:
         kind = type(item)

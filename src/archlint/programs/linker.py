@@ -39,7 +39,6 @@ from archlint.programs.roots import run_callbacks, run_pending
 from archlint.programs.sweep import Sweep
 from archlint.programs.top_level import called_alone, place_of
 from archlint.syntax import facts
-from archlint.syntax.parts import names_in
 from archlint.syntax.python.deep_stack import call_with_deep_stack
 from archlint.syntax.walk import main_guard
 from archlint.workspace.test_code import common_folder
@@ -300,7 +299,7 @@ class Linker:
     def _names_in_file(self, file: str) -> frozenset[str]:
         """All names that a file, by its shown path, uses."""
         module = self.index.module(self._shown[file]) if file in self._shown else None
-        return frozenset() if module is None else names_in(module.facts)
+        return frozenset() if module is None else frozenset(module.facts.names)
 
     def _dotted(self, run: Run, module: Module, name: str) -> Value | None:
         head, *rest = name.split(".")

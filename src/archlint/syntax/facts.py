@@ -78,7 +78,7 @@ from archlint.syntax.statements import (
     WithItem,
 )
 
-FACTS_VERSION = 8
+FACTS_VERSION = 9
 """Raised whenever the shape or the meaning of the facts changes: old cache entries are then misses."""
 
 
@@ -130,6 +130,8 @@ class Facts(Base, frozen=True):
     problems: list[FileProblem] = msgspec.field(default_factory=list)
     exports: list[str] | None = None
     """``__all__`` where it is a literal list."""
+    names: list[str] = msgspec.field(default_factory=list)
+    """All names and attributes that the code uses, sorted."""
 
     @property
     def statements(self) -> list[Base]:

@@ -61,16 +61,11 @@ class WorkspaceCode:
 
     def files_that_mention(self, name: str) -> Sequence[str]:
         """The Python files of packages, but for launch files, in which a name stands anywhere."""
-        return self._tree.words.note(name, self._by_word.get(name, ()))
+        return self._tree.words.note(name, [path for path in self._of_packages if name in self._tree.words.of(path)])
 
     @cached_property
-    def _by_word(self) -> Mapping[str, Sequence[str]]:
-        """The files by the words that stand in them: what is asked of all files costs the same in large workspaces."""
-        by_word: dict[str, list[str]] = {}
-        for path in (path for package in self._packages for path in self.files_of(package)):
-            for word in self._tree.words.of(path):
-                by_word.setdefault(word, []).append(path)
-        return by_word
+    def _of_packages(self) -> Sequence[str]:
+        return [path for package in self._packages for path in self.files_of(package)]
 
     # ------------------------------------------------------------------------------------------ by package
 

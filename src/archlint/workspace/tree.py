@@ -81,6 +81,8 @@ class SourceTree:
     def __init__(self, base: Path, within: Path | None = None) -> None:
         self.base = base
         self._within = os.path.realpath(within or base)
+        self._real_folders: dict[str, str] = {}
+        """The paths of folders without symbolic links: each is asked for all folders around it."""
         self._listed: dict[str, list[str]] = {}
         self.asked: dict[Question, str | None] = {}
         """Every answer that was given, by question and path, for whoever keeps what follows from them."""
@@ -90,7 +92,12 @@ class SourceTree:
     def _real(self, path: str) -> Path | None:
         if "\0" in path:
             return None
-        real = os.path.realpath(self.base / path)
+        folder, name = os.path.split(os.path.join(self.base, path))
+        if folder not in self._real_folders:
+            self._real_folders[folder] = os.path.realpath(folder)
+        real = os.path.join(self._real_folders[folder], name)
+        if name in ("", os.curdir, os.pardir) or os.path.islink(real):
+            real = os.path.realpath(real)
         inside = real == self._within or real.startswith(self._within.rstrip(os.sep) + os.sep)
         return Path(real) if inside else None
 

@@ -12,6 +12,7 @@ import libcst
 
 from archlint.syntax.comment_words import lookalike
 from archlint.syntax.facts import FACTS_VERSION, Facts
+from archlint.syntax.parts import names_in
 from archlint.syntax.python.comments import find_suppressions
 from archlint.syntax.python.exports import find_exports
 from archlint.syntax.python.indentation import with_even_indentation
@@ -50,4 +51,5 @@ def lower(text: str) -> Facts:
         suppressions=suppressions,
         problems=lowering.problems,
         exports=find_exports(body),
+        names=sorted(names_in(body)),
     )
