@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Iterable, Mapping, Sequence, Set
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -40,40 +40,11 @@ def launch_systems(
 
     All of them share one index: ``workspace`` with what is known of launch files and systems.
     """
-
     launched = _launched(launches, chosen, arguments)
     maker = LaunchSystems(linker, entries, launches, opened.package_dependencies, distro)
-    parts = _parts(launched)
-
-    def system_of(launch: Launched) -> System | None:
-        named = chosen is not None or any(glob.matches(launch.file) for glob in configured)
-        if launch.ros1 or not launch.is_launch_file or (configured and not named):
-            return None
-        system = maker.system(launch)
-        is_included = launch.file in parts
-        # The nodes of a part may have their partners beside it.
-        is_closed = (closed and not is_included) or (named and _is_complete(launch, system))
-        settled = partial(replace, closed=is_closed, is_included=is_included)
-        alternatives = [
-            (values, settled(maker.system(launches.run(launch.file, {**launch.arguments, **values}))))
-            for values in (undecided_arguments(launch) if _differs(system) else ())
-        ]
-        if alternatives or chosen is not None:
-            return settled(system, alternatives=alternatives)
-        defaults, more = _with_other_choices(launches, launch)
-        alternatives = [(values, settled(maker.system(run))) for values, run in more]
-        alternatives[:0] = [(defaults, settled(system))] if alternatives else []
-        return settled(system, alternatives=alternatives, defaults_decide=bool(alternatives))
-
-    def systems_of(group: Iterable[Launched]) -> list[System]:
-        systems = []
-        for launch in group:
-            with launches.faults.contained("making the system of this launch file", Place(launch.file, 1, 1, 1, 1)):
-                systems.append(system_of(launch))
-        return [system for system in systems if system is not None]
-
-    linker.ahead(lambda: [partial(systems_of, group) for group in _batches(launched)])
-    systems = systems_of(launched)
+    making = _Making(maker, launches, _parts(launched), closed, chosen, configured)
+    linker.ahead(lambda: [partial(making.systems_of, group) for group in _batches(launched)])
+    systems = making.systems_of(launched)
     others = [other.launched for system in systems for _, other in system.alternatives if other.launched is not None]
     runs = [*launched, *others]
     pairs = frozenset(started_pairs(runs, _by_executable(opened.programs)))
@@ -86,6 +57,47 @@ def launch_systems(
         explicit=chosen is not None,
     )
     return list(index.systems)
+
+
+@dataclass(frozen=True)
+class _Making:
+    """How launches become systems; ``parts`` are the launch files that others include."""
+
+    maker: LaunchSystems
+    launches: Launches
+    parts: Set[str | None]
+    closed: bool
+    chosen: str | None
+    configured: Sequence[Glob]
+
+    def systems_of(self, group: Iterable[Launched]) -> list[System]:
+        systems = []
+        for launch in group:
+            place = Place(launch.file, 1, 1, 1, 1)
+            with self.launches.faults.contained("making the system of this launch file", place):
+                systems.append(self._system_of(launch))
+        return [system for system in systems if system is not None]
+
+    def _system_of(self, launch: Launched) -> System | None:
+        """The system of a launch file; None where it is none, or not one of those that are configured."""
+        named = self.chosen is not None or any(glob.matches(launch.file) for glob in self.configured)
+        if launch.ros1 or not launch.is_launch_file or (self.configured and not named):
+            return None
+        system = self.maker.system(launch)
+        is_included = launch.file in self.parts
+        # The nodes of a part may have their partners beside it.
+        is_closed = (self.closed and not is_included) or (named and _is_complete(launch, system))
+        settled = partial(replace, closed=is_closed, is_included=is_included)
+        alternatives = [
+            (values, settled(self.maker.system(self.launches.run(launch.file, {**launch.arguments, **values}))))
+            for values in (undecided_arguments(launch) if _differs(system) else ())
+        ]
+        if alternatives or self.chosen is not None:
+            return settled(system, alternatives=alternatives)
+        defaults, more = _with_other_choices(self.launches, launch)
+        alternatives = [(values, settled(self.maker.system(run))) for values, run in more]
+        alternatives[:0] = [(defaults, settled(system))] if alternatives else []
+        return settled(system, alternatives=alternatives, defaults_decide=bool(alternatives))
 
 
 def _with_other_choices(

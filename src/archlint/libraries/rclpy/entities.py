@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from archlint import model
-from archlint.branches import ChoiceOfArgument
+from archlint.branches import BranchArm, ChoiceOfArgument
 from archlint.finding import Place
 from archlint.interpreter.formatting import plain_text
 from archlint.interpreter.values import (
@@ -93,11 +93,7 @@ def create(
     key = callbacks.creation_key(run, base, call)
     known = run.noted.creations.get(key)
     if known is not None:
-        if not arms:
-            known.conditional, known.branch_arms = False, frozenset()
-        else:
-            known.branch_arms &= arms
-        known.proven = known.proven if known.proven == proven_of(run) else ()
+        _note_again(run, known, arms)
         return known
     places = argument_places(run, call.api, call.expression)
     creation = model.Creation(
@@ -128,6 +124,15 @@ def create(
     creation.type_parameter = _chosen_by(call.get(call.api.type))
     creation.callbacks = callbacks.register_row(run, call, blueprint, creation, creation.group)
     return creation
+
+
+def _note_again(run: Run, known: model.Creation, arms: frozenset[BranchArm]) -> None:
+    """The same call on another way to it: what holds on both ways is left."""
+    if not arms:
+        known.conditional, known.branch_arms = False, frozenset()
+    else:
+        known.branch_arms &= arms
+    known.proven = known.proven if known.proven == proven_of(run) else ()
 
 
 def _chosen_by(type_: Value | None) -> str | None:
