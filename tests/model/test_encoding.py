@@ -119,7 +119,10 @@ def test_what_is_no_plain_data_is_refused():
         b"\xc1",
         msgspec.msgpack.encode([{}, [], [], []]),
         encode([program()])[:-1],
-        encode([program()]).replace(b"ApiCall", b"ApiCell"),
+        encode([program()]).replace(b"EntityKind", b"EntityKine"),
+        msgspec.msgpack.encode([encoding.PROGRAMS.layout, [[0]], [], []]),
+        msgspec.msgpack.encode([encoding.PROGRAMS.layout, [], [], [[5]]]),
+        msgspec.msgpack.encode([encoding.PROGRAMS.layout, [], [[1000]], []]),
     ],
 )
 def test_a_damaged_payload_is_refused(payload: bytes):
@@ -136,7 +139,7 @@ def test_a_payload_of_other_fields_is_refused(monkeypatch: pytest.MonkeyPatch):
 
 def test_every_class_of_the_model_is_known():
     """Each class that a field of a program names, and each kind of what a call is given."""
-    annotations = " ".join(str(row.type) for kind in encoding.PROGRAMS.records_by_name.values() for row in fields(kind))
+    annotations = " ".join(str(row.type) for kind in encoding.PROGRAMS.records for row in fields(kind))
     named = set(re.findall(r"\b[A-Z]\w+\b", annotations)) - {"None", "Literal"}
     aliases = {
         "BranchArm",
@@ -148,11 +151,10 @@ def test_every_class_of_the_model_is_known():
         "Resolution",
         "Access",
     }
-    assert named - aliases <= encoding.PROGRAMS.records_by_name.keys() | encoding.PROGRAMS.words_by_name.keys()
-    assert {kind.__name__ for kind in given.Given.__subclasses__()} <= encoding.PROGRAMS.records_by_name.keys()
-    assert {
-        kind.__name__ for kind in (CodeBranch, *CodeBranch.__subclasses__())
-    } <= encoding.PROGRAMS.records_by_name.keys()
+    records = {kind.__name__ for kind in encoding.PROGRAMS.records}
+    assert named - aliases <= records | encoding.PROGRAMS.words_by_name.keys()
+    assert {kind.__name__ for kind in given.Given.__subclasses__()} <= records
+    assert {kind.__name__ for kind in (CodeBranch, *CodeBranch.__subclasses__())} <= records
 
 
 # ------------------------------------------------------------------------------------------------ fixtures

@@ -103,5 +103,4 @@ def _base(words: str, interface: str) -> str:
 
 def _used(name: str, texts: Iterable[str]) -> bool:
     """Whether a text uses a name as a variable or in a string; attributes are in nobody's way."""
-    use = re.compile(rf"(?<![\w.]){name}\b")
-    return any(name in text and use.search(text) for text in texts)
+    return any(name in text and re.search(rf"(?<![\w.]){name}\b", text) for text in texts)

@@ -2,7 +2,8 @@
 
 Nodes, create calls, callbacks and the like refer to one another, in circles, and are told apart by identity.  So all
 programs of a workspace are written together, as two tables: the *values* (places, names, what calls are given …), each
-after those that it is made of, and the *objects* that have an identity.  A reference is a row's number.
+after those that it is made of, and the *objects* that have an identity.  A reference is a list of one number: that of a
+value's row from 0 up, that of an object's from -1 down.
 """
 
 from __future__ import annotations
@@ -32,8 +33,6 @@ from archlint.ros.qos import Qos
 Plain = Any
 """None, a truth value, a number, a text, bytes, or a list of such that begins with one of these tags."""
 
-_OBJECT: Final = "object"
-_VALUE: Final = "value"
 _WORD: Final = "word"
 _HUGE: Final = "huge"
 _DICT: Final = "dict"
@@ -53,8 +52,9 @@ class Language:
         return {kind.__name__: kind for kind in self.words}
 
     @cached_property
-    def records_by_name(self) -> Mapping[str, type]:
-        return {kind.__name__: kind for kind in self.records}
+    def numbers(self) -> Mapping[type, int]:
+        """The classes of records by their numbers, with which rows begin."""
+        return {kind: number for number, kind in enumerate(self.records)}
 
     @cached_property
     def fields(self) -> Mapping[type, tuple[str, ...]]:
@@ -177,8 +177,8 @@ class _Tables:
         known = self._numbers.get(id(item))
         if known is None:
             if type(item).__eq__ is object.__eq__:
-                known = [_OBJECT, len(self.with_identity)]
                 self.with_identity.append(item)
+                known = [-len(self.with_identity)]
             else:
                 known = self._equal.get(item) if type(item) in _MET_AGAIN else None
                 known = self._added(item) if known is None else known
@@ -188,7 +188,7 @@ class _Tables:
 
     def _added(self, item: object) -> Plain:
         row = self._row(item)
-        reference = [_VALUE, len(self.values)]
+        reference = [len(self.values)]
         self.values.append(row)
         if type(item) in _MET_AGAIN:
             self._equal[item] = reference
@@ -196,31 +196,31 @@ class _Tables:
 
     def _row(self, item: object) -> list[Plain]:
         kind = type(item)
-        return [kind.__name__, *(self.plain(getattr(item, name)) for name in self.language.fields[kind])]
+        return [self.language.numbers[kind], *(self.plain(getattr(item, name)) for name in self.language.fields[kind])]
 
 
 class _Rows:
     def __init__(self, payload: Payload, language: Language) -> None:
         self._language = language
-        self._records = language.records_by_name
         self._payload = payload
-        self._values: list[object] = []
-        kinds = [self._records[row[0]] for row in payload.objects]
-        self._objects: list[object] = [object.__new__(kind) for kind in kinds]
+        objects: list[object] = [object.__new__(language.records[row[0]]) for row in payload.objects]
+        self._known: list[object] = [*([None] * len(payload.values)), *reversed(objects)]
+        """What references mean: the values so far, and from the end all objects."""
 
     def items(self) -> list[object]:
-        for row in self._payload.values:
-            item: object = object.__new__(self._records[row[0]])
+        for number, row in enumerate(self._payload.values):
+            item: object = object.__new__(self._language.records[row[0]])
             self._fill(item, row)
-            self._values.append(item)
-        for item, row in zip(self._objects, self._payload.objects, strict=True):
-            self._fill(item, row)
+            self._known[number] = item
+        for number, row in enumerate(self._payload.objects):
+            self._fill(self._known[-1 - number], row)
         return self._items([None, *self._payload.items])
 
     def _fill(self, item: object, row: Sequence[Plain]) -> None:
-        fields_of_row = zip(self._language.fields[type(item)], self._items(row), strict=True)
+        kind = type(item)
+        fields_of_row = zip(self._language.fields[kind], self._items(row), strict=True)
         # Not with setattr(), which frozen dataclasses refuse.
-        if type(item) in self._language.with_slots:
+        if kind in self._language.with_slots:
             for name, value in fields_of_row:
                 object.__setattr__(item, name, value)
         else:
@@ -228,14 +228,15 @@ class _Rows:
 
     def _items(self, row: Sequence[Plain]) -> list[object]:
         """What stands in a row behind its tag."""
-        return [self._item(plain) if type(plain) is list else plain for plain in row[1:]]
+        known = self._known
+        return [
+            plain if type(plain) is not list else known[plain[0]] if type(plain[0]) is int else self._item(plain)
+            for plain in row[1:]
+        ]
 
     def _item(self, plain: list[Plain]) -> object:
+        """What is no reference."""
         tag = plain[0]
-        if tag == _VALUE:
-            return self._values[plain[1]]
-        if tag == _OBJECT:
-            return self._objects[plain[1]]
         if tag == _WORD:
             return self._language.words_by_name[plain[1]](plain[2])
         if tag == _HUGE:

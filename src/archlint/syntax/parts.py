@@ -61,7 +61,7 @@ def _walk(fact: Source, kind: type[facts.Base], into_scopes: bool) -> Iterator[f
     of_statements = issubclass(kind, facts.Statement)  # none of them is in an expression
     while stack:
         item = stack.pop()
-        if isinstance(item, kind):
+        if kind is facts.Base or isinstance(item, kind):
             yield item
         if into_scopes or item is fact or not item.is_scope:
             stack += (item.statements if of_statements else item.children())[::-1]

@@ -25,8 +25,8 @@ class Tree:
             fact = stack.pop()
             self._kinds.setdefault(type(fact), []).append(fact)
             inside = fact.children()
-            self._parents.update((id(child), fact) for child in inside)
-            stack.extend(reversed(inside))
+            self._parents.update(dict.fromkeys(map(id, inside), fact))
+            stack += inside[::-1]
 
     def of_kind(self, kind: type[_Fact]) -> Sequence[_Fact]:
         """Every fact of a kind, in the order of the source."""
