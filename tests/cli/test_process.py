@@ -69,6 +69,21 @@ def test_a_run_on_an_unchanged_workspace_imports_nothing_heavy(node: Path):
         assert HEAVY & imported(node.parent, "check", "--format", format) <= {"msgspec"}, format
 
 
+@pytest.mark.skipif(os.name == "nt", reason="answers are kept where the time of a status change is one")
+@pytest.mark.parametrize("arguments", [["check"], ["graph", "--format", "json"]], ids=" ".join)
+def test_what_was_answered_before_is_answered_before_anything_is_imported(node: Path, arguments: list[str]):
+    trusting = "import archlint.engine.keeper as keeper; keeper.RACY_NS = -10**18\n"  # all here has just been made
+    python("-c", f"{trusting}from archlint.cli import main; main({arguments})", cwd=node.parent)
+    allowed = {"errno", "archlint", "gc"}
+    assert imported(node.parent, *arguments) - imported_by_nothing(node.parent) <= allowed
+
+
+def imported_by_nothing(cwd: Path) -> set[str]:
+    """The packages that Python imports by itself, and those of the interpreter itself."""
+    done = python("-c", "import sys; print(*{name.partition('.')[0] for name in sys.modules})", cwd=cwd)
+    return {*done.stdout.split(), *sys.builtin_module_names, "_blake2", "__future__"}
+
+
 def test_no_check_imports_what_only_drawings_need(node: Path):
     assert not {"networkx", "graphviz", "pygraphviz"} & imported(node.parent, "check", "--no-cache")
 

@@ -13,8 +13,8 @@ import archlint
 from archlint.checks.registry import Check, Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.config.settings import load
+from archlint.engine.own_code import own_code
 from archlint.engine.pipeline import NothingToDo, Request, check, graph
-from archlint.engine.result_cache import own_code
 from archlint.finding import Place, Severity
 from archlint.report.model import Report
 from registering import only

@@ -15,6 +15,7 @@ import pytest
 
 from archlint.syntax import cache as store_module
 from archlint.syntax.cache import NullStore, Stamp, Store, digest_of
+from archlint.syntax.signed import signed
 
 DAY = 24 * 3600
 OLD: Stamp = (time.time_ns() - 200 * DAY * 10**9, 0, 12, 7)
@@ -253,7 +254,7 @@ def write_index(root: Path, content: object) -> None:
     filled(root)
     index = Path(opened(root).folder) / "index.json"
     data = content if isinstance(content, bytes) else json.dumps(content).encode()
-    index.write_bytes(opened(root)._signature("index.json", data) + b"\n" + data)
+    index.write_bytes(signed(opened(root).folder, "index.json", data, KEY))
 
 
 @pytest.mark.parametrize(

@@ -5,14 +5,14 @@ from __future__ import annotations
 import gc
 import os
 import sys
-from collections.abc import Sequence
-from importlib import import_module
-from typing import NoReturn
 
 from archlint import __version__
 from archlint.cli.exits import FAILED, INTERRUPTED, READER_GONE, UsageError
-from archlint.cli.overview import OVERVIEW
-from archlint.project import issue_tracker
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:  # most starts end before anything of this is needed, so nothing more than that is imported
+    from collections.abc import Sequence
+    from typing import NoReturn
 
 COMMANDS = ("check", "graph", "observe", "explain", "rules", "config")
 """Each is a module of this package with ``parser()`` and ``run(arguments)``; a new command is a new row."""
@@ -53,19 +53,40 @@ def _dispatch(arguments: list[str]) -> int:
             stream.reconfigure(errors="backslashreplace")
     first = arguments[0] if arguments else ""
     if first in ("-h", "--help", "help"):
+        from archlint.cli.overview import OVERVIEW
+
         print(OVERVIEW, end="")
         return 0
     if first in ("-V", "--version"):
         print(f"archlint {__version__}")
         return 0
     command, rest = (first, arguments[1:]) if first in COMMANDS else ("check", arguments)
+    if (status := _answered(command, arguments)) is not None:
+        return status
+    from importlib import import_module
+
     module = import_module(f"archlint.cli.{command}")
-    status: int = module.run(module.parser().parse_intermixed_args(rest))
-    return status
+    options = module.parser().parse_intermixed_args(rest)
+    options.words = arguments
+    return int(module.run(options))
+
+
+def _answered(command: str, arguments: list[str]) -> int | None:
+    """Say again what the same command has said, where nothing has changed since; returns its exit status then."""
+    from archlint.cli.console import give, terminal
+    from archlint.engine.answers import ANSWERED, known_answer
+
+    if command not in ANSWERED:
+        return None
+    try:
+        answer = known_answer(arguments, terminal())
+    except (OSError, ValueError):  # the working directory is gone, say
+        return None
+    return None if answer is None else give(answer)
 
 
 def _note(text: str) -> int:
-    from archlint.cli.console import note  # with pathlib, which --version and --help do without
+    from archlint.cli.console import note
 
     note(f"archlint: {text}")
     return FAILED
@@ -76,6 +97,8 @@ def _failed(error: Exception, verbose: bool) -> int:
         import traceback
 
         _note("traceback:\n" + "".join(traceback.format_exception(error)))
+    from archlint.project import issue_tracker
+
     hint = "" if verbose else ", with what `--verbose` adds"
     return _note(
         f"internal error: {type(error).__name__}: {error}\n"

@@ -25,6 +25,8 @@ from archlint.cli.options import (
     settings_of,
 )
 from archlint.cli.watch import Watch
+from archlint.engine.answers import Answer
+from archlint.engine.keeper import Keeper
 from archlint.engine.pipeline import NothingToDo, Request, check, graph
 from archlint.finding import Severity
 from archlint.report.model import Report, statistics, summary_line
@@ -84,6 +86,7 @@ def _output(text: str) -> tuple[str, str]:
 def run(arguments: argparse.Namespace) -> int:
     if arguments.unsafe_fixes and not (arguments.fix or arguments.diff):
         raise UsageError("--unsafe-fixes needs --fix or --diff")
+    keeper = _keeper(arguments)
     launch, launch_arguments = launch_of(arguments)
     paths = paths_of(arguments)
     settings = settings_of(arguments, paths[0])
@@ -96,6 +99,7 @@ def run(arguments: argparse.Namespace) -> int:
         launch_arguments=launch_arguments,
         observed=observed_of(arguments),
         fixes=_asks_for_fixes(arguments),
+        keeper=keeper,
     )
     watch = Watch(sys.stderr, arguments.quiet, arguments.verbose)
     try:
@@ -114,12 +118,23 @@ def run(arguments: argparse.Namespace) -> int:
             outcome = mend(replace(request, monitor=monitor), report, arguments.unsafe_fixes)
         report, fixed = outcome.report, outcome.count
     folder = folder_in_repository(Path.cwd(), os.environ)
-    _write(replace(report, failing=failing, folder=folder), arguments)
-    if fixed and not arguments.quiet:
-        console.note(f"Fixed {fixed} finding{'s' if fixed > 1 else ''}.")
-    _print_notices(report, request, arguments)
+    text = _written(replace(report, failing=failing, folder=folder), arguments)
+    warnings, notes = ("", "") if arguments.quiet else _told(report, fixed, request, arguments)
+    answer = Answer(text, warnings, notes, exit_status(report, failing, arguments.exit_zero))
+    status = console.give(answer)
     watch.note_costs()
-    return exit_status(report, failing, arguments.exit_zero)
+    if request.keeper is not None:
+        request.keeper.keep(answer)
+    return status
+
+
+def _keeper(arguments: argparse.Namespace) -> Keeper | None:
+    """Who keeps what is said, where that is all that the command does, and each time the same."""
+    does_more = (arguments.file, arguments.output, arguments.observed, arguments.fix, arguments.diff)
+    says_more = arguments.statistics, arguments.verbose, arguments.format not in reports.LASTING
+    if any((*does_more, *says_more, arguments.no_cache)):
+        return None
+    return Keeper(arguments.words, console.terminal(), (arguments.launch or ())[:1])
 
 
 def _asks_for_fixes(arguments: argparse.Namespace) -> bool:
@@ -136,33 +151,33 @@ def _show_difference(report: Report, arguments: argparse.Namespace) -> int:
     return exits.FINDINGS if text and not arguments.exit_zero else exits.CLEAN
 
 
-def _write(report: Report, arguments: argparse.Namespace) -> None:
+def _written(report: Report, arguments: argparse.Namespace) -> str:
+    """Write the findings to files; returns what is for standard output."""
     to_terminal = arguments.file in (None, "-")
     color = to_terminal and console.wants_color(arguments.color, sys.stdout)
-    console.write(reports.render(arguments.format, report, color=color), arguments.file)
+    text = reports.render(arguments.format, report, color=color)
+    if not to_terminal:
+        console.write(text, arguments.file)
     for format, file in arguments.output:
         console.write(reports.render(format, report), file)
+    return text if to_terminal else ""
 
 
-def _print_notices(report: Report, request: Request, arguments: argparse.Namespace) -> None:
-    """What is to be said beside the findings."""
-    if arguments.quiet:
-        return
-    for notice in report.notices:
-        console.note(f"archlint: warning: {notice}")
-    sys.stdout.flush()
-    for remark in report.remarks:
-        console.note(remark)
+def _told(report: Report, fixed: int, request: Request, arguments: argparse.Namespace) -> tuple[str, str]:
+    """What is to be said beside the findings: warnings, and notes after them."""
+    warnings = [f"Fixed {fixed} finding{'s' if fixed > 1 else ''}."] if fixed else []
+    warnings += [f"archlint: warning: {notice}" for notice in report.notices]
+    notes = [*report.remarks]
     if arguments.statistics:
-        console.note(statistics(report.findings))
-        console.note(_shape(request))
+        notes += [statistics(report.findings), _shape(request)]
     if arguments.format in reports.FOR_PEOPLE or arguments.file is not None:
-        console.note(summary_line(report.summary))
+        notes.append(summary_line(report.summary))
     if arguments.verbose:
         settings = request.settings
         cache = "none" if arguments.no_cache else settings.cache_folder
-        console.note(f"configuration: {settings.file or 'none'}; cache: {cache}")
-        console.note(f"took {report.summary.elapsed_s:.2f} s")
+        notes.append(f"configuration: {settings.file or 'none'}; cache: {cache}")
+        notes.append(f"took {report.summary.elapsed_s:.2f} s")
+    return "".join(map(console.noted, warnings)), "".join(map(console.noted, notes))
 
 
 def _shape(request: Request) -> str:

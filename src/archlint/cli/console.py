@@ -4,21 +4,50 @@ from __future__ import annotations
 
 import os
 import sys
-from pathlib import Path
-from typing import TextIO
 
 from archlint.cli.exits import UsageError
-from archlint.disk import replace_file
-from archlint.visible import visible
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:  # the console is there on every start: it imports what it needs when it does
+    from typing import TextIO
+
+    from archlint.engine.answers import Answer
+
+_COLORING = ("NO_COLOR", "FORCE_COLOR", "CLICOLOR_FORCE", "CLICOLOR", "TERM")
 
 
 def note(text: str) -> None:
     """Tell something on standard error; a reader that went away is not an error."""
+    _tell(noted(text))
+
+
+def noted(text: str) -> str:
+    """A note as it is told: each line safe to show."""
+    from archlint.visible import visible
+
+    return "".join(f"{visible(line)}\n" for line in text.splitlines())
+
+
+def give(answer: Answer) -> int:
+    """Say what a command has to say; returns its exit status."""
+    sys.stdout.write(answer.text)
+    _tell(answer.warnings)
+    if answer.notes:
+        sys.stdout.flush()
+        _tell(answer.notes)
+    return answer.status
+
+
+def _tell(lines: str) -> None:
     try:
-        for line in text.splitlines():
-            print(visible(line), file=sys.stderr)
+        sys.stderr.write(lines)
     except BrokenPipeError:
         return
+
+
+def terminal() -> list[str]:
+    """What else than the words of a command decides whether it writes colours."""
+    return [*(repr(os.environ.get(name)) for name in _COLORING), str(sys.stdout.isatty())]
 
 
 def wants_color(when: str, stream: TextIO) -> bool:
@@ -41,7 +70,7 @@ def write(content: str | bytes, file: str | None) -> None:
     A file appears whole or not at all.  Raises :class:`UsageError` where it cannot be written.
     """
     if file is not None and file != "-":
-        _write_file(content.encode("utf-8", "replace") if isinstance(content, str) else content, Path(file))
+        _write_file(content.encode("utf-8", "replace") if isinstance(content, str) else content, file)
     elif isinstance(content, str):
         sys.stdout.write(content)
     else:
@@ -49,7 +78,12 @@ def write(content: str | bytes, file: str | None) -> None:
         sys.stdout.buffer.write(content)
 
 
-def _write_file(content: bytes, path: Path) -> None:
+def _write_file(content: bytes, file: str) -> None:
+    from pathlib import Path
+
+    from archlint.disk import replace_file
+
+    path = Path(file)
     try:
         target = path.resolve()  # a symbolic link stays one
         if target.exists() and not target.is_file():  # /dev/null, a named pipe

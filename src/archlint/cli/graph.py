@@ -23,6 +23,9 @@ from archlint.cli.options import (
     settings_of,
 )
 from archlint.cli.watch import Watch
+from archlint.engine.answers import Answer
+from archlint.engine.drawn import Drawn
+from archlint.engine.keeper import Keeper
 from archlint.engine.pipeline import NothingToDo, Request, draw
 from archlint.render.errors import CannotDraw
 
@@ -49,6 +52,7 @@ def parser() -> argparse.ArgumentParser:
 
 def run(arguments: argparse.Namespace) -> int:
     format = _format(arguments.format, arguments.file)
+    keeper = _keeper(arguments, format)
     launch, launch_arguments = launch_of(arguments)
     paths = paths_of(arguments)
     settings = settings_of(arguments, paths[0])
@@ -60,6 +64,7 @@ def run(arguments: argparse.Namespace) -> int:
         launch=launch,
         launch_arguments=launch_arguments,
         observed=observed_of(arguments),
+        keeper=keeper,
     )
     to_terminal = arguments.file in (None, "-")
     color = to_terminal and console.wants_color(arguments.color, sys.stdout)
@@ -69,20 +74,37 @@ def run(arguments: argparse.Namespace) -> int:
             drawn = draw(replace(request, monitor=monitor), format, color, arguments.all)
     except (NothingToDo, CannotDraw) as error:
         raise UsageError(str(error)) from None
-    console.write(drawn.output, arguments.file)
-    if not arguments.quiet:
-        for notice in drawn.notices:
-            console.note(f"archlint: warning: {notice}")
-        for sentence in drawn.compared:
-            console.note(sentence)
-        for notice in drawn.compared_notices:
-            console.note(f"archlint: warning: {notice}")
+    if isinstance(drawn.output, str) and to_terminal:
+        text = drawn.output
+    else:
+        text = ""
+        console.write(drawn.output, arguments.file)
+    answer = Answer(text, "" if arguments.quiet else _warnings(drawn), "", exits.CLEAN)
+    console.give(answer)
     watch.note_costs()
     for fault in drawn.faults:
         console.note(f"archlint: {fault}")
     if drawn.faults:
         console.note("This is a fault of archlint, not of your code; everything else was followed.")
-    return exits.FAILED if drawn.faults else exits.CLEAN
+        return exits.FAILED
+    if keeper is not None:
+        keeper.keep(answer)
+    return exits.CLEAN
+
+
+def _keeper(arguments: argparse.Namespace, format: str) -> Keeper | None:
+    """Who keeps what is said, where that is all that the command does, and each time the same."""
+    does_more = arguments.file, arguments.observed, arguments.verbose, arguments.no_cache
+    if any(does_more) or render.FORMATS[format].drawn:
+        return None
+    return Keeper(arguments.words, console.terminal(), (arguments.launch or ())[:1])
+
+
+def _warnings(drawn: Drawn) -> str:
+    lines = [f"archlint: warning: {notice}" for notice in drawn.notices]
+    lines += drawn.compared
+    lines += [f"archlint: warning: {notice}" for notice in drawn.compared_notices]
+    return "".join(map(console.noted, lines))
 
 
 def _format(format: str | None, file: str | None) -> str:

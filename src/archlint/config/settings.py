@@ -17,6 +17,7 @@ from archlint.config.selection import Layer, Selection, resolve
 from archlint.config.source import ConfigurationError
 from archlint.globs import Glob
 from archlint.ros.distros import DISTROS
+from archlint.syntax.signed import CACHE_FOLDER
 
 if TYPE_CHECKING:
     from archlint.architecture import Contract, Layers
@@ -25,8 +26,6 @@ if TYPE_CHECKING:
     from archlint.finding import Severity
 
 __all__ = ["ConfigurationError", "Settings", "load"]
-
-CACHE_FOLDER = ".archlint_cache"
 
 
 @dataclass(frozen=True)
@@ -52,6 +51,8 @@ class Settings:
     origins: Mapping[str, str] = field(default_factory=dict)
     file: str | None = None
     """The nearest configuration file; None without one."""
+    read: tuple[str, ...] = ()
+    """All configuration files: the nearest one, and those that it builds on."""
 
     @property
     def selection(self) -> Selection:
@@ -85,9 +86,11 @@ def load(start: Path, file: Path | None = None) -> Settings:
     from archlint.config.reading import read_file  # most workspaces have no configuration, and need no schema
 
     settings = Settings()
-    for values, origin in read_file(source, (), named=file is not None):
+    contents = read_file(source, (), named=file is not None)
+    for values, origin in contents:
         settings = _merged(settings, values, origin)
-    return replace(settings, file=source.path.as_posix())
+    read = tuple(origin.path.as_posix() for _, origin in contents)
+    return replace(settings, file=source.path.as_posix(), read=read)
 
 
 def _merged(parent: Settings, values: dict[str, Any], source: Source) -> Settings:

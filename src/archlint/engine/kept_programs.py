@@ -8,7 +8,7 @@ from collections.abc import Collection, Mapping
 from dataclasses import astuple, dataclass, fields
 from typing import TYPE_CHECKING
 
-from archlint.engine.result_cache import own_code
+from archlint.engine.own_code import own_code
 from archlint.programs.kept import KeptPrograms
 from archlint.programs.kept_launches import KeptLaunches
 from archlint.syntax.cache import NullStore

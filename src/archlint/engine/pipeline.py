@@ -13,7 +13,7 @@ from archlint.engine.drawn import Drawn
 from archlint.engine.inputs import find_files, is_subset, parts_of, refuse_nothing
 from archlint.engine.looked_at import idle_patterns, without_node
 from archlint.engine.request import NothingToDo, Request
-from archlint.engine.result_cache import RunCache
+from archlint.engine.result_cache import Result, RunCache
 from archlint.engine.sources import Sources
 from archlint.render import FORMATS
 from archlint.report.model import Judged, Report, Summary
@@ -32,6 +32,8 @@ __all__ = ["NothingToDo", "Request", "check", "draw", "graph"]
 def check(request: Request) -> Report:
     """Everything that the selected rules find, in order.  Raises :class:`NothingToDo`."""
     started = time.perf_counter()
+    if request.keeper is not None:
+        request.keeper.starts(request.paths, request.settings)
     workspace = call_with_deep_stack(lambda: find_files(request))
     store = store_of(request)
     tree = SourceTree(Path.cwd(), Path(workspace.root))
@@ -50,6 +52,7 @@ def check(request: Request) -> Report:
                 kept.save(judged, facts)
     if request.fixes and not judged.mended and any(finding.sites is not None for finding in judged.findings):
         judged = _mended(judged, request, workspace, kept)
+    _tell_keeper(request, workspace, kept, store)
     store.close()
     elapsed = time.perf_counter() - started
     summary = replace(judged.summary, elapsed_s=elapsed, cpp_packages=len(workspace.cpp_packages))
@@ -104,6 +107,8 @@ def draw(request: Request, format: str, color: bool, everything: bool) -> Drawn:
 
     Raises :class:`NothingToDo`, and :class:`archlint.render.drawing.CannotDraw`.
     """
+    if request.keeper is not None:
+        request.keeper.starts(request.paths, request.settings)
     workspace = find_files(request)
     store = store_of(request)
     tree = SourceTree(Path.cwd(), Path(workspace.root))
@@ -120,8 +125,14 @@ def draw(request: Request, format: str, color: bool, everything: bool) -> Drawn:
             result = drawn(_graph(request, workspace, store, facts, tree, everything), format, color)
             if lasts and facts.lasting and not result.faults:
                 kept.save(result, facts)
+    _tell_keeper(request, workspace, kept, store)
     store.close()
     return result
+
+
+def _tell_keeper(request: Request, workspace: Workspace, kept: RunCache[Result], store: Store | NullStore) -> None:
+    if request.keeper is not None and kept.asked is not None:
+        request.keeper.lasts(workspace, kept.asked, store)
 
 
 def _graph(

@@ -9,6 +9,7 @@ from archlint.monitor import Monitor
 
 if TYPE_CHECKING:
     from archlint.config.settings import Settings
+    from archlint.engine.keeper import Keeper
     from archlint.observed.model import Observed
 
 
@@ -34,3 +35,5 @@ class Request:
     """Whether the findings are to have their fixes."""
     monitor: Monitor = field(default_factory=Monitor, compare=False, repr=False)
     """Who is told how far the run is; it changes nothing of what comes of it."""
+    keeper: Keeper | None = field(default=None, compare=False, repr=False)
+    """Who keeps what is said of the result, where an equal command may be told the same."""

@@ -8,17 +8,15 @@ from __future__ import annotations
 
 import hashlib
 import json
-import os
 from collections.abc import Collection
 from dataclasses import astuple, dataclass, replace
-from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Generic, TypeVar
 
 import msgspec
 
 from archlint.engine.alike import Alike, Answers
-from archlint.rulebook import pages_folder
+from archlint.engine.own_code import own_code
 from archlint.workspace.model import PYTHON_KINDS
 
 if TYPE_CHECKING:
@@ -65,6 +63,12 @@ class RunCache(Generic[Result]):
         self._key: str | None = None
         self._known_asked: _Asked | None = None
         """What the record that was read or written last depends on."""
+
+    @property
+    def asked(self) -> list[tuple[str, str, str | None]] | None:
+        """What the result depends on beside the files of the workspace: question, path, answer.  None where no result
+        was kept."""
+        return None if self._known_asked is None else self._known_asked.rows
 
     def load(self) -> Result | None:
         """The result of an equal run.  Of files that are unchanged nothing but the status is read."""
@@ -196,19 +200,3 @@ def _digest(path: Path) -> str | None:
         return digest.hexdigest()
     except OSError:
         return None
-
-
-@cache
-def own_code() -> list[tuple[str, int, int]]:
-    """Name, time and size of archlint's own modules: an edited rule must not be answered from the cache."""
-    entries: list[tuple[str, int, int]] = []
-    folders = [str(Path(__file__).parents[1]), str(pages_folder())]
-    while folders:
-        with os.scandir(folders.pop()) as listed:
-            for entry in listed:
-                if entry.name.endswith((".py", ".md", ".json")):
-                    status = entry.stat()
-                    entries.append((entry.path, status.st_mtime_ns, status.st_size))
-                elif entry.name != "__pycache__" and entry.is_dir():
-                    folders.append(entry.path)
-    return sorted(entries)

@@ -14,6 +14,9 @@ FORMATS = ("text", "concise", "json", "sarif", "github", "gitlab", "junit")
 FOR_PEOPLE = ("text", "concise", "github")
 """Formats that say nothing where nothing was found, so that a summary beside them is welcome."""
 
+LASTING = ("text", "concise")
+"""Formats that tell the same of the same findings: the others tell how long it took, or a service's own paths."""
+
 WITH_FIXES = frozenset({"json"})
 """Formats that show the edits of fixes."""
 

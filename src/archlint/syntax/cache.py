@@ -14,13 +14,11 @@ import hashlib
 import json
 import os
 import re
-import stat
-import sys
 import time
 from collections.abc import Iterator
-from hmac import compare_digest
 
-FOLDER = ".archlint_cache"
+from archlint.syntax.signed import read_signed, signed, version_folder
+
 INDEX = "index.json"
 
 RACY_NS = 2_000_000_000
@@ -32,7 +30,8 @@ KEPT_RUNS = 100
 """How many results of runs are kept, each with a record of what it depends on."""
 KEPT_WORKSPACES = 20
 """Of how many workspaces the programs are kept, or the launches."""
-MAX_BYTES = 256_000_000
+KEPT_ANSWERS = 50
+"""How many answers to whole commands are kept."""
 
 Stamp = tuple[int, int, int, int]
 """See :attr:`archlint.workspace.model.SourceFile.stamp`: the first is the time of modification."""
@@ -60,13 +59,12 @@ class Store:
     """
 
     def __init__(self, root: str, version: str, key: bytes) -> None:
-        # Facts depend on the Python that judged the source, too: newer ones accept more.
         self.root = root
         self._secret = key
-        self.folder = os.path.join(root, f"{version}-{sys.version_info[0]}.{sys.version_info[1]}")
+        self.folder = os.path.join(root, version_folder(version))
         self._opened = time.time_ns()
         self._today = self._opened // (_DAY * 10**9)
-        inner = (os.path.join(self.folder, kind) for kind in ("facts", "runs", "programs"))
+        inner = (os.path.join(self.folder, kind) for kind in ("facts", "runs", "programs", "answers"))
         self._usable = not any(map(os.path.islink, (root, self.folder, *inner)))
         self._made: set[str] = set()
         self._index, self._swept = _read_index(self._read(INDEX))
@@ -109,6 +107,10 @@ class Store:
     def put_programs(self, key: str, payload: bytes) -> None:
         self._write_entry("programs", key, payload)
 
+    def put_answer(self, key: str, payload: bytes) -> None:
+        """Keep what a command has said; :mod:`archlint.engine.answers` reads it."""
+        self._write_entry("answers", key, payload)
+
     def close(self) -> None:
         """Write what changed of the index, and once a day throw old entries away."""
         if not self._changed:
@@ -134,17 +136,7 @@ class Store:
             self._write(os.path.join(folder, key), payload)
 
     def _read(self, name: str) -> bytes | None:
-        data = _read_file(os.path.join(self.folder, name)) if self._usable else None
-        if data is None:
-            return None
-        signature, _, payload = data.partition(b"\n")
-        return payload if compare_digest(signature, self._signature(name, payload)) else None
-
-    def _signature(self, name: str, payload: bytes) -> bytes:
-        """What only this user can make: for this payload, under this name, of this version."""
-        place = f"{os.path.basename(self.folder)}/{name.replace(os.sep, '/')}".encode()
-        signature = hashlib.blake2b(place + b"\0" + payload, key=self._secret, digest_size=16)
-        return signature.hexdigest().encode()
+        return read_signed(self.folder, name, self._secret) if self._usable else None
 
     def _write(self, name: str, payload: bytes) -> None:
         if not self._usable:
@@ -154,7 +146,7 @@ class Store:
         try:
             self._make(os.path.dirname(path))
             with open(temporary, "xb") as stream:
-                stream.write(self._signature(name, payload) + b"\n" + payload)
+                stream.write(signed(self.folder, name, payload, self._secret))
             os.replace(temporary, path)
         except OSError:
             self._usable = False  # no permission, no room: as good as no cache
@@ -185,6 +177,7 @@ class Store:
             _expire(folder.path, set())
             _expire(os.path.join(folder.path, "runs"), set(), KEPT_RUNS)
             _expire(os.path.join(folder.path, "programs"), set(), KEPT_WORKSPACES)
+            _expire(os.path.join(folder.path, "answers"), set(), KEPT_ANSWERS)
             for shard in _entries(os.path.join(folder.path, "facts")):
                 _expire(shard.path, named)
 
@@ -203,24 +196,6 @@ def _read_index(data: bytes | None) -> tuple[dict[str, _Row], int]:
     except (ValueError, TypeError, KeyError, AttributeError, RecursionError):
         return {}, 0
     return rows, swept
-
-
-def _read_file(path: str) -> bytes | None:
-    """The bytes of a regular file; nothing else is opened, for a pipe would be waited on."""
-    try:
-        descriptor = os.open(path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0))
-    except (OSError, ValueError):
-        return None
-    try:
-        status = os.fstat(descriptor)
-        if not stat.S_ISREG(status.st_mode) or status.st_size > MAX_BYTES:
-            return None
-        with os.fdopen(descriptor, "rb", closefd=False) as stream:
-            return stream.read()
-    except OSError:
-        return None
-    finally:
-        os.close(descriptor)
 
 
 def _expire(folder: str, named: set[str], most: int | None = None) -> None:
@@ -274,6 +249,9 @@ class NullStore:
         return None
 
     def put_programs(self, key: str, payload: bytes) -> None:
+        return None
+
+    def put_answer(self, key: str, payload: bytes) -> None:
         return None
 
     def close(self) -> None:

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-import contextlib
 import errno
 import os
 import stat
 import sys
-from collections.abc import Iterable
-from pathlib import Path
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:  # each start reads the key, and needs little else
+    from collections.abc import Iterable
 
 KEY_BYTES = 32
 _NAME = "cache.key"
@@ -20,29 +21,49 @@ def user_key(checked: Iterable[str]) -> bytes | None:
     It lies in the user's configuration folder (``$XDG_CONFIG_HOME/archlint`` or ``~/.config/archlint``), never
     below one of the paths that are ``checked``, and counts only where nobody else may read or write it.
     """
-    folder = _folder()
-    if folder is None or any(_is_below(folder, path) for path in checked):
+    from contextlib import suppress  # which known_key does without
+
+    folder = _folder_beside(checked)
+    if folder is None:
         return None
-    path = folder / _NAME
     try:
-        folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+        os.makedirs(folder, mode=0o700, exist_ok=True)
         if not _is_own(os.lstat(folder), stat.S_ISDIR, 0o022):
             return None
-        with contextlib.suppress(FileExistsError):
-            _make(path)
-        return _read(path)
+        with suppress(FileExistsError):
+            _make(os.path.join(folder, _NAME))
+        return _read(os.path.join(folder, _NAME))
     except OSError:
         return None
 
 
-def _folder() -> Path | None:
+def known_key(checked: Iterable[str]) -> bytes | None:
+    """The key of :func:`user_key`; None where there is none yet."""
+    folder = _folder_beside(checked)
+    try:
+        if folder is None or not _is_own(os.lstat(folder), stat.S_ISDIR, 0o022):
+            return None
+        return _read(os.path.join(folder, _NAME))
+    except OSError:
+        return None
+
+
+def _folder_beside(checked: Iterable[str]) -> str | None:
+    folder = _folder()
+    return None if folder is None or any(_is_below(folder, path) for path in checked) else folder
+
+
+def _folder() -> str | None:
     home = os.environ.get("LOCALAPPDATA" if sys.platform == "win32" else "XDG_CONFIG_HOME", "")
-    folder = Path(home) if os.path.isabs(home) else Path(os.path.expanduser("~")) / ".config"
-    return folder / "archlint" if folder.is_absolute() else None
+    folder = home if os.path.isabs(home) else os.path.join(os.path.expanduser("~"), ".config")
+    return os.path.join(folder, "archlint") if os.path.isabs(folder) else None
 
 
-def _is_below(folder: Path, path: str) -> bool:
-    return os.path.isdir(path) and folder.resolve().is_relative_to(Path(path).resolve())
+def _is_below(folder: str, path: str) -> bool:
+    if not os.path.isdir(path):
+        return False
+    real, around = os.path.realpath(folder), os.path.realpath(path)
+    return real == around or real.startswith(around.rstrip(os.sep) + os.sep)
 
 
 def _is_own(status: os.stat_result, kind: object, forbidden: int) -> bool:
@@ -53,11 +74,11 @@ def _is_own(status: os.stat_result, kind: object, forbidden: int) -> bool:
     return not hasattr(os, "getuid") or (status.st_uid == os.getuid() and not status.st_mode & forbidden)
 
 
-def _make(path: Path) -> None:
+def _make(path: str) -> None:
     """Write a new key, whole or not at all; raises ``FileExistsError`` where there is one."""
     if os.path.lexists(path):
         raise FileExistsError(errno.EEXIST, os.strerror(errno.EEXIST), path)
-    temporary = path.with_name(f".{_NAME}.{os.urandom(8).hex()}.tmp")
+    temporary = os.path.join(os.path.dirname(path), f".{_NAME}.{os.urandom(8).hex()}.tmp")
     flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_BINARY", 0)
     descriptor = os.open(temporary, flags, 0o600)
     try:
@@ -68,7 +89,7 @@ def _make(path: Path) -> None:
         os.unlink(temporary)
 
 
-def _read(path: Path) -> bytes | None:
+def _read(path: str) -> bytes | None:
     flags = os.O_RDONLY | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
     descriptor = os.open(path, flags)
     with os.fdopen(descriptor, "rb") as stream:

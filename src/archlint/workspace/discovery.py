@@ -54,7 +54,7 @@ def find(paths: Sequence[str], *, exclude: Sequence[str] = (), working_directory
     complete_folders = [*folders, *packages, *_add_workspaces(walk, asked)]
     root = _root([path if path in folders else os.path.dirname(path) for path in asked])
     workspace = place(root, walk.files.values(), walk.problems.values(), complete_folders, walk.cpp_folders)
-    return replace(workspace, idle_exclusions=tuple(excluder.idle))
+    return replace(workspace, idle_exclusions=tuple(excluder.idle), looked_at=tuple(walk.looked_at))
 
 
 def _add_workspaces(walk: Walk, asked: Sequence[str]) -> list[str]:
@@ -76,7 +76,7 @@ def _add_workspaces(walk: Walk, asked: Sequence[str]) -> list[str]:
     ]
     for key in added:
         if not any(is_below(walk.files[key].path, folder) for folder in kept):
-            del walk.files[key]
+            walk.looked_at.append(walk.files.pop(key).path)  # its package may be what narrows the workspace
     return kept
 
 

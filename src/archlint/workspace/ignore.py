@@ -131,11 +131,20 @@ def ignores_above(folder: str) -> Ignores:
     return ignores
 
 
-def clones_in(folder: str, depth: int) -> list[str]:
+def pattern_files(folder: str, names: Set[str]) -> list[str]:
+    """The files with patterns that a folder with entries called ``names`` may have, and the folder of git's own."""
+    info = os.path.join(folder, ".git", "info")
+    of_git = [info, os.path.join(info, "exclude")] if ".git" in names else []
+    return [*of_git, os.path.join(folder, GITIGNORE)] if GITIGNORE in names else of_git
+
+
+def clones_in(folder: str, depth: int, looked_at: list[str]) -> list[str]:
     """The repositories in an ignored folder, itself among them, as paths; at most ``depth`` folders down.
 
     Repositories of workspaces list what to clone and ignore ``src/``; what is cloned there is to be checked.
+    The folders that decide it are added to ``looked_at``.
     """
+    looked_at.append(folder)
     if _is_repository(folder):
         return [folder]
     if not depth:
@@ -145,7 +154,7 @@ def clones_in(folder: str, depth: int) -> list[str]:
             inner = sorted(entry.path for entry in entries if entry.is_dir(follow_symlinks=False))
     except OSError:
         return []
-    return [clone for path in inner for clone in clones_in(path, depth - 1)]
+    return [clone for path in inner for clone in clones_in(path, depth - 1, looked_at)]
 
 
 def _is_repository(folder: str) -> bool:

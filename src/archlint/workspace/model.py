@@ -147,3 +147,6 @@ class Workspace:
 
     def package(self, name: str | None) -> Package | None:
         return next((package for package in self.packages if package.name == name), None)
+
+    looked_at: tuple[str, ...] = field(default=(), compare=False, repr=False)
+    """What beside the files decides what is found: folders, links, pattern files of git, what was passed over."""

@@ -8,7 +8,7 @@ import stat
 from collections.abc import Callable, Iterator, Set
 from dataclasses import dataclass, replace
 
-from archlint.workspace.ignore import Ignores, clones_in, ignores_above
+from archlint.workspace.ignore import Ignores, clones_in, ignores_above, pattern_files
 from archlint.workspace.kinds import has_python_shebang, kind_of, may_be_script
 from archlint.workspace.model import PYTHON_KINDS, Link, Problem, SourceFile, SourceKind
 from archlint.workspace.pruning import is_pruned_by_content, is_pruned_by_name
@@ -60,6 +60,8 @@ class Walk:
         self.problems: dict[str, Problem] = {}
         self.cpp_folders: set[str] = set()
         """Folders with C++ sources, which nothing reads, below what was asked for."""
+        self.looked_at: list[str] = []
+        """What beside the files decides what is found, see :attr:`Workspace.looked_at`."""
         self._working_directory = working_directory
         self._excluded = excluded
         self._visited: set[str] = set()
@@ -78,6 +80,7 @@ class Walk:
             kind = "launch_python"
         elif kind is None and stat.S_ISREG(status.st_mode) and has_python_shebang(path):
             kind = "python"
+        self.looked_at.append(path)
         if kind is not None:
             self._keep(os.path.realpath(path), path, self.shown(path), kind, status, False)
 
@@ -108,6 +111,7 @@ class Walk:
 
     def _list(self, folder: _Folder) -> Iterator[_Folder]:
         """Keep the files of a folder; yields the folders in it."""
+        self.looked_at.append(folder.path)
         try:
             with os.scandir(folder.path) as listing:
                 entries = {entry.name: entry for entry in listing}
@@ -118,6 +122,7 @@ class Walk:
         names = entries.keys()
         if folder.siblings is not None and is_pruned_by_content(folder.name, names, folder.siblings):
             return
+        self.looked_at += pattern_files(folder.path, names)
         ignores = folder.ignores.entering(folder.path, names)
         here = _Folder(folder.path, folder.shown, folder.real, ignores, folder.context)
         folder_name, in_package = folder.name, "__init__.py" in names
@@ -130,7 +135,7 @@ class Walk:
                 if not ignores.ignored(entry.path, is_folder=True):
                     yield here.inner(entry.path, ignores, names)
                     continue
-                for clone in clones_in(entry.path, _clones_depth(name, folder_name)):
+                for clone in clones_in(entry.path, _clones_depth(name, folder_name), self.looked_at):
                     yield here.inner(clone, ignores, names)
 
     def _entry(self, entry: os.DirEntry[str], folder: _Folder, kind: SourceKind | None) -> None:
@@ -143,6 +148,8 @@ class Walk:
         shown = folder.shown_below(name)
         if self._is_excluded(shown) or folder.ignores.ignored(entry.path):
             return
+        if kind is None:
+            self.looked_at.append(entry.path)
         try:
             status = entry.stat()
         except OSError as error:
@@ -163,6 +170,7 @@ class Walk:
 
         A link to a folder around ``top`` leads out of what was asked for, in the worst case to ``/``.
         """
+        self.looked_at.append(link.path)
         try:
             is_folder = link.is_dir()
         except OSError:  # a link to itself
