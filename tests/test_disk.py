@@ -45,7 +45,7 @@ def test_a_fix_looks_for_names_beside_a_pipe_and_an_endless_link(tmp_path: Path)
     source = around.source(str(tmp_path / "node.py"))
     assert isinstance(source, Source)
 
-    assert around.elsewhere(source) == "taken = 1\n"
+    assert around.elsewhere(source) == ["taken = 1\n"]
     assert read(str(tmp_path / "pipe.py")) is None
 
 

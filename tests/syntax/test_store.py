@@ -369,14 +369,15 @@ def test_facts_of_files_that_are_asked_about_stay(root, monkeypatch):
 
 def test_only_the_newest_results_of_runs_are_kept(root):
     store = opened(root)
-    for number in range(60):
+    written = store_module.KEPT_RUNS + 10
+    for number in range(written):
         store.put_run(f"{number:064}", b"findings")
         path = Path(store.folder) / "runs" / f"{number:064}"
-        os.utime(path, (time.time() - 100 + number,) * 2)
+        os.utime(path, (time.time() - 1000 + number,) * 2)
     store.remember("/ws/node.py", OLD, DIGEST)
     store.close()
-    kept = [number for number in range(60) if opened(root).get_run(f"{number:064}") is not None]
-    assert kept == list(range(10, 60))
+    kept = [number for number in range(written) if opened(root).get_run(f"{number:064}") is not None]
+    assert kept == list(range(10, written))
 
 
 def test_entries_of_old_versions_go_too_and_nothing_that_is_not_ours(root, monkeypatch):
