@@ -172,6 +172,7 @@ def test_substitutions_in_a_parameter_file_keep_what_quotes_say(launches):
         ("[EnvironmentVariable('ROBOT'), '/base']", "the environment variable ROBOT"),
         ("Command(['xacro ', 'robot.urdf'])", "the output of a command"),
         ("LaunchConfiguration('robot')", "the environment variable ROBOT"),
+        ("'left' if os.environ['ROBOT'] == '1' else 'right'", "the environment variable ROBOT"),
         ("LaunchConfiguration('unset')", "the launch configuration 'unset' is not set"),
     ],
 )
@@ -238,3 +239,23 @@ def test_a_parameter_of_a_group_under_a_condition(launches, given, found):
         offset=given,
     )
     assert [parameters(started) for started in launched.started] == [found, found]
+
+
+def test_a_parameter_that_a_branch_chooses_says_what_decides_the_branch(launches):
+    before = """
+arm = 'left'
+if os.environ['SIDE'] == 'r':
+    arm = 'right'
+
+def side():
+    if os.environ['ROBOT'] == '1':
+        return 'left'
+    return 'right'
+other = side()
+"""
+    node = "Node(package='robot', executable='talker', parameters=[{'arm': arm, 'other': other}])"
+    (started,) = launches.python(f"[{node}]", before).started
+    assert parameters(started) == {
+        "arm": NotKnown("the environment variable SIDE"),
+        "other": NotKnown("the environment variable ROBOT"),
+    }

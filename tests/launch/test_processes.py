@@ -57,3 +57,14 @@ def test_a_process_that_is_started_again_when_it_ends_is_one(launches, order):
 def test_two_processes_of_one_place_and_name_are_two(launches):
     before = f"def start():\n    return {node('driver')}\n"
     assert names(launches.python("[start(), start()]", before)) == ["driver", "driver"]
+
+
+def test_what_starts_after_a_process_has_ended_well(launches):
+    before = f"""
+def after(event, context):
+    return [{node("handled")}] if event.returncode == 0 else []
+"""
+    handler = "RegisterEventHandler(OnProcessExit(target_action=None, on_exit=after))"
+    launched = launches.python(f"[{handler}]", before)
+    (started,) = launched.started
+    assert {launched.why_open[branch] for branch, _ in started.branch_arms} == {"how a process ends"}

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pytest
+
 from launching import names
 
 
@@ -44,3 +46,78 @@ def open_beside(name):
     for path in ("'team.json'", "Path(get_package_share_directory('robot'), 'config', 'team.json')"):
         node = f"Node(package='robot', executable='talker', name=json.load(open_beside({path}))['name'])"
         assert names(launches.python(f"[{node}]", before)) == ["left"]
+
+
+TALKER = "Node(package='robot', executable='talker', name=name)"
+
+
+@pytest.mark.parametrize(
+    ("path", "expected"),
+    [
+        ("os.path.join(get_package_share_directory('robot'), 'config', 'team.json')", ["there"]),
+        ("os.path.join(get_package_share_directory('robot'), 'config', 'none.json')", ["gone"]),
+        ("os.path.join(get_package_share_directory('elsewhere'), 'config', 'team.json')", ["?"]),
+        ("'/etc/team.json'", ["?"]),
+    ],
+)
+def test_whether_a_file_is_there(launches, path: str, expected: list[str]):
+    launches.file("robot/config/team.json", "{}")
+    launches.file(
+        "robot/setup.py",
+        "from setuptools import setup\n"
+        "setup(name='robot', data_files=[('share/robot/config', ['config/team.json'])])\n",
+    )
+    before = f"name = 'there' if os.path.exists({path}) else 'gone'"
+    assert names(launches.python(f"[{TALKER}]", before)) == expected
+    method = f"from pathlib import Path\nname = 'there' if Path({path}).is_file() else 'gone'"
+    assert names(launches.python(f"[{TALKER}]", method)) == expected
+
+
+def test_a_file_that_is_read_in_a_try_is_expected_to_be_there(launches):
+    launches.file("robot/config/team.yaml", "name: left\n")
+    before = """
+import yaml
+name = 'nobody'
+try:
+    with open(os.path.join(get_package_share_directory({package!r}), 'config', 'team.yaml')) as stream:
+        name = yaml.safe_load(stream)['name']
+except OSError:
+    name = 'lost'
+"""
+    assert names(launches.python(f"[{TALKER}]", before.format(package="robot"))) == ["left"]
+    assert names(launches.python(f"[{TALKER}]", before.format(package="elsewhere"))) != ["left"]
+
+
+def test_a_try_that_raises_or_imports_may_come_to_its_handler(launches):
+    for statement in ("import left_hand", "if name == os.environ['NAME']:\n        raise ValueError"):
+        before = f"name = 'left'\ntry:\n    {statement}\nexcept Exception:\n    name = 'right'\n"
+        assert names(launches.python(f"[{TALKER}]", before)) == ["?"]
+
+
+@pytest.mark.parametrize(
+    ("expression", "text"),
+    [
+        ("yaml.dump([[1.0, 2.0], [3.5]])", "- - 1.0\n  - 2.0\n- - 3.5\n"),
+        ("yaml.safe_dump({'a': [True, None]}, default_flow_style=True)", "{a: [true, null]}\n"),
+        ("json.dumps({'a': {'b': 1}}, sort_keys=True)", '{"a": {"b": 1}}'),
+        ("yaml.dump([os.environ['NAME']])", "?"),
+        ("yaml.dump([1], stream)", "?"),
+        ("json.dumps([1], default=str)", "?"),
+    ],
+)
+def test_data_as_a_text(launches, expression: str, text: str):
+    before = f"import json, yaml\nname = {expression}"
+    assert names(launches.python(f"[{TALKER}]", before)) == [text]
+
+
+@pytest.mark.parametrize(
+    ("expression", "text"),
+    [
+        ("str(round(math.pi, 2))", "3.14"),
+        ("str(math.floor(math.radians(180.0)))", "3"),
+        ("str(math.sqrt(-1.0))", "?"),
+        ("str(math.sin(float(os.environ['ANGLE'])))", "?"),
+    ],
+)
+def test_mathematics(launches, expression: str, text: str):
+    assert names(launches.python(f"[{TALKER}]", f"import math\nname = {expression}")) == [text]

@@ -138,6 +138,7 @@ def _launch(settings: dict[str, Any], path: str, arguments: dict[str, str]) -> d
     stand_ins.Environment.follow()
     guard.install()
     os.chdir(settings["work"])
+    sys.argv = _command_line(settings["install"], path, arguments)
     error = None
     try:
         made.run(path, arguments)
@@ -151,6 +152,13 @@ def _launch(settings: dict[str, Any], path: str, arguments: dict[str, str]) -> d
         "environment": sorted(stand_ins.Environment.missing),
         "others": asked.others(arguments),
     }
+
+
+def _command_line(install: str, path: str, arguments: dict[str, str]) -> list[str]:
+    """The words of ``ros2 launch package file name:=value …``."""
+    package = os.path.relpath(path, install).partition(os.sep)[0]
+    given = [f"{name}:={value}" for name, value in arguments.items()]
+    return ["ros2", "launch", package, os.path.basename(path), *given]
 
 
 def _setup(path: str) -> dict[str, Any]:

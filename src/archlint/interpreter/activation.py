@@ -46,6 +46,8 @@ class Activation:
     """How many undecided branches it was called in."""
     settled: int = -1
     """How many undecided branches there were when the statement that runs began: no more are left to chance in it."""
+    open_test: str | None = None
+    """Why the first test that is not decided is not."""
     closed_over: bool = False
     """Whether a function defined inside may outlive it."""
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from archlint.interpreter import containers, hints, registries
 from archlint.interpreter.call_site import CallSite
 from archlint.interpreter.classes import SETTERS
+from archlint.interpreter.objects import paths
 from archlint.interpreter.values import (
     MEMBERS,
     NONE,
@@ -62,7 +63,7 @@ def get_attribute(machine: Machine, value: Value, name: str, expression: facts.A
             return _of_super(machine, value, name)
         case BoundMethod() | FunctionValue():
             return _of_function(value, name)
-    return _of_builtin_type(value, name)
+    return _of_builtin_type(machine, value, name)
 
 
 def method_of(machine: Machine, value: Value, name: str) -> BoundMethod | None:
@@ -71,7 +72,7 @@ def method_of(machine: Machine, value: Value, name: str) -> BoundMethod | None:
     return method if isinstance(method, BoundMethod) else None
 
 
-def _of_builtin_type(value: Value, name: str) -> Value:
+def _of_builtin_type(machine: Machine, value: Value, name: str) -> Value:
     """Of a text, a number, a list …, whose types are Python's own: a method, whether there is one or not."""
     match value:
         case ListValue(kind=kind):
@@ -80,6 +81,8 @@ def _of_builtin_type(value: Value, name: str) -> Value:
             return Builtin(f"dict.{name}", value)
         case Known(value=str(text)) if name == "parent":  # of a pathlib.Path
             return Known(text.rpartition("/")[0] or "/", value.via, kind="path")
+        case Known(kind="path") if name in paths.ATTRIBUTES:
+            return paths.attribute(machine, value, name)
         case Known():
             return Builtin(f"{type(value.value).__name__}.{name}", value)
         case Holed():

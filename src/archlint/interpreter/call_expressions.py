@@ -36,7 +36,9 @@ def evaluate_call(machine: Machine, e: facts.Call) -> Value:
     site = call_site(machine, e)
     refusals.check_call(machine, function, site, e)
     with machine.library.around_call(function, e):
-        return call(machine, function, site)
+        result = call(machine, function, site)
+    machine.unknown_results += isinstance(result, Unknown)
+    return result
 
 
 def call_site(machine: Machine, e: facts.Call) -> CallSite:

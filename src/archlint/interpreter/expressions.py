@@ -30,6 +30,7 @@ from archlint.interpreter.values import (
     UnknownKey,
     Value,
     alternatives,
+    chosen_for,
     constant,
     one_of,
     reason,
@@ -155,6 +156,7 @@ def _subscript(machine: Machine, e: facts.Subscript) -> Value:
         return one_of(slice_of(machine, alternative, bounds) for alternative in alternatives(value))
     index = machine.evaluate(e.index)
     items = [get_item(machine, container, at) for container in alternatives(value) for at in alternatives(index)]
+    machine.unknown_results += any(isinstance(item, Unknown) for item in items)
     return one_of(items[:CARTESIAN])
 
 
@@ -199,7 +201,7 @@ def _conditional(machine: Machine, e: facts.Conditional) -> Value:
     if verdict is not None:
         return machine.evaluate(e.body if verdict else e.orelse)
     key = machine.branch_at(e.span)
-    machine.library.undecided(key, test)
+    why = machine.leave_open(key, test)
     values = []
     layers = []
     for arm, expression in enumerate((e.body, e.orelse)):
@@ -207,8 +209,8 @@ def _conditional(machine: Machine, e: facts.Conditional) -> Value:
             narrow(machine, e.test, arm == 0)
             values.append(machine.evaluate(expression))
         layers.append(taken[0])
-    machine.store.merge(layers)
-    return one_of(values)
+    machine.store.merge(layers, why)
+    return chosen_for(one_of(values), why)
 
 
 def _compare(machine: Machine, e: facts.Compare) -> Value:

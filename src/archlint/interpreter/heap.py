@@ -11,7 +11,7 @@ from contextlib import contextmanager
 from typing import Any, TypeVar, overload
 
 from archlint.interpreter.fields import Field, Fields, key_in
-from archlint.interpreter.values import Entries, Items, Value, one_of
+from archlint.interpreter.values import Entries, Items, Value, chosen_for, one_of
 
 T = TypeVar("T")
 
@@ -174,8 +174,10 @@ class Store:
             self._note_older(layer)
         self.layers[-1].update(layer)
 
-    def merge(self, branches: Sequence[Layer]) -> bool:
+    def merge(self, branches: Sequence[Layer], why: str | None = None) -> bool:
         """Join what alternative branches wrote into the top layer; True if a slot now holds something new.
+
+        ``why`` says why it is not decided which of them is taken.
 
         A branch that did not write a slot leaves what was there before; a slot that was not there before is
         taken from the branches that have it.
@@ -201,7 +203,7 @@ class Store:
                 if at in layer:
                     before = layer[at]
                     break
-            joined = self._joined(at, before, branches)
+            joined = self._joined(at, before, branches, why)
             if joined is not before:
                 if self._at_base and self.depth == 1:
                     self._note_older([at])
@@ -209,7 +211,7 @@ class Store:
                 changed = changed or before is MISSING or joined != before
         return changed
 
-    def _joined(self, at: Slot, before: object, branches: Sequence[Layer]) -> object:
+    def _joined(self, at: Slot, before: object, branches: Sequence[Layer], why: str | None) -> object:
         """What a slot holds after the branches; ``before`` in those that did not write it."""
         first: object = MISSING
         different: list[object] | None = None  # most slots hold one thing, whichever way was taken
@@ -226,7 +228,7 @@ class Store:
         if different is None:
             return first
         self.work += sum(map(_size, different))
-        return _join(at[1], different)
+        return _join(at[1], different, why)
 
     @contextmanager
     def at_base(self) -> Iterator[_Keys]:
@@ -261,5 +263,5 @@ def _size(value: object) -> int:
     return value.size if isinstance(value, (Items, Entries)) else 1
 
 
-def _join(slot: str | Field[Any], left: Sequence[Any]) -> object:
-    return one_of(left) if isinstance(slot, str) else slot.join(left)
+def _join(slot: str | Field[Any], left: Sequence[Any], why: str | None) -> object:
+    return chosen_for(one_of(left), why) if isinstance(slot, str) else slot.join(left)

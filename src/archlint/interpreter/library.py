@@ -170,8 +170,13 @@ class Library:
     def undecided(self, branch: Branch, test: Value) -> None:
         """Nothing decides the test of a branch."""
 
-    def asked_for_file(self, path: str) -> None:
-        """The code asks whether a file exists."""
+    def asked_for_file(self, path: str) -> Value:
+        """Whether a file or folder exists, of which the code asks that."""
+        return Unknown("whether a file exists")
+
+    def expects_to_read(self) -> bool:
+        """Whether a ``try`` of which everything is known ends without an exception, so that no handler runs."""
+        return False
 
     def opened(self, path: Known) -> Value:
         """The file that ``path.open()`` of a pathlib.Path gives."""

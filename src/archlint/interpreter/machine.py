@@ -22,7 +22,8 @@ from archlint.interpreter.call_site import NOTHING_GIVEN, CallSite
 from archlint.interpreter.heap import Layer, Slot, Store
 from archlint.interpreter.library import Library
 from archlint.interpreter.modules import Module, ModuleIndex, Scope, ScopeKind
-from archlint.interpreter.values import External, Instance, Known, ModuleValue, Unknown, Value
+from archlint.interpreter.values import External, Instance, Known, ModuleValue, Unknown, Value, reason
+from archlint.reasons import Uninformative
 from archlint.syntax import facts
 from archlint.syntax.control_flow import may_run_again
 
@@ -92,6 +93,8 @@ class Machine(ABC):
         """Where archlint itself failed; a linker or loader gives all of its runs one."""
         self.activations: list[Activation] = []
         self.branch_arms: list[BranchArm] = []
+        self.unknown_results = 0
+        """How many calls, items and tests have been met that are not known."""
         self.steps = 0
         self.allowed_steps = PROGRAM_STEPS
         self.left = PROGRAM_STEPS
@@ -343,6 +346,16 @@ class Machine(ABC):
             self.branch_arms.pop()
             taken.append(self.store.cut(depth))
 
+    def leave_open(self, key: Branch, test: Value) -> str | None:
+        """Note a test that nothing decides; the reason, where it says more than that."""
+        self.library.undecided(key, test)
+        self.unknown_results += 1
+        why = reason(test)
+        if isinstance(why, Uninformative):
+            return None
+        self.activation.open_test = self.activation.open_test or why
+        return why
+
     def end_arm(self, key: Branch, arm: int, status: Status) -> None:
         """Note of an arm that it leaves the function, where it does: what follows never runs beside it."""
         activation = self.activation
@@ -353,11 +366,13 @@ class Machine(ABC):
         """The arms that have left one of the running functions."""
         return frozenset().union(*(activation.ended_arms for activation in self.activations))
 
-    def join(self, results: list[tuple[Status, Layer]]) -> Status:
-        """Go on after alternative blocks: with the joined state of those that do not leave the function."""
+    def join(self, results: list[tuple[Status, Layer]], why: str | None = None) -> Status:
+        """Go on after alternative blocks: with the joined state of those that do not leave the function.
+
+        ``why`` says why it is not decided which of them runs."""
         live = [layer for status, layer in results if status not in ("return", "raise")]
         if live:
-            self.store.merge(live)
+            self.store.merge(live, why)
             ended = {status for status, _ in results if status not in ("return", "raise")}
             if len(ended) > 1 and "break" in ended and self.activation.loops:
                 self.activation.left.add(id(self.activation.loops[-1]))

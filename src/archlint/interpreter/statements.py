@@ -21,6 +21,7 @@ from archlint.interpreter.patterns import bind_pattern, matches
 from archlint.interpreter.values import NONE, ClassValue, Instance, ListValue, Unknown, Value
 from archlint.reasons import Uninformative
 from archlint.syntax import facts
+from archlint.syntax.walk import statements_of
 
 if TYPE_CHECKING:
     pass
@@ -65,7 +66,7 @@ def _if(machine: Machine, s: facts.If) -> Status:
     if truth is not None:
         return machine.execute(s.body if truth else s.orelse)
     key = machine.branch_at(s.span)
-    machine.library.undecided(key, test)
+    why = machine.leave_open(key, test)
     results = []
     for arm, block in enumerate((s.body, s.orelse)):
         with machine.arm(key, arm) as taken:
@@ -73,7 +74,7 @@ def _if(machine: Machine, s: facts.If) -> Status:
             status = machine.execute(block)
         machine.end_arm(key, arm, status)
         results.append((status, taken[0]))
-    joined = machine.join(results)
+    joined = machine.join(results, why)
     ended = [status for status, _ in results]
     if joined is None and ended.count(None) == 1:
         # The other arm goes to the next round: what follows here knows how the test came out.
@@ -108,18 +109,20 @@ def _try(machine: Machine, s: facts.Try) -> Status:
     before = activation.ended_arms
     activation.tries += 1
     activation.forgiving += forgiving
+    unknown = machine.unknown_results
     try:
         status = machine.execute(s.body)
     finally:
         activation.tries -= 1
         activation.forgiving -= forgiving
+    goes_well = machine.unknown_results == unknown and status != "raise" and _only_reads(machine, s.body)
     if status is None and s.orelse:
         status = machine.execute(s.orelse)
     results: list[tuple[Status, Layer]] = [(status, {})]
     key = machine.branch_at(s.span)
     # What ends in `break` is the first of several attempts: the others are for the case that it fails.
     attempt = status == "break" and all(caught.only_goes_on(handler) for handler in s.handlers)
-    for arm, handler in enumerate([] if attempt else s.handlers, start=1):
+    for arm, handler in enumerate([] if attempt or goes_well else s.handlers, start=1):
         if status is None and (_cannot_raise(s.body) or caught.is_import_error(handler.type)):
             continue
         with machine.arm(key, arm) as taken:
@@ -135,6 +138,14 @@ def _try(machine: Machine, s: facts.Try) -> Status:
         activation.ended_arms |= ended
         return final or status
     return status
+
+
+def _only_reads(machine: Machine, body: list[facts.Stmt]) -> bool:
+    """Whether a block, of which all is known, is expected to end well: it neither raises nor imports."""
+    leaves = (facts.Raise, facts.Import, facts.ImportFrom)
+    return machine.library.expects_to_read() and not any(
+        isinstance(statement, leaves) for statement in statements_of(body)
+    )
 
 
 def _cannot_raise(body: list[facts.Stmt]) -> bool:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import posixpath
 from collections.abc import Callable
 from dataclasses import replace
@@ -11,8 +10,6 @@ from typing import TYPE_CHECKING
 from archlint.interpreter import containers
 from archlint.interpreter.values import (
     NONE,
-    External,
-    Instance,
     Known,
     Unknown,
     Value,
@@ -20,15 +17,15 @@ from archlint.interpreter.values import (
     one_of,
     reason,
 )
-from archlint.launch import calls
+from archlint.launch import calls, mathematics, read_files, robot_poses
 from archlint.launch.kinds import FileKind
 from archlint.launch.mistakes import NotAPath
-from archlint.launch.objects import LaunchObject, argument, known_text, made_by_base
+from archlint.launch.moveit_configs import methods as moveit_methods
+from archlint.launch.objects import LaunchObject, known_text, made_by_base
 from archlint.launch.perform_calls import perform_method, stops_the_launch
 from archlint.launch.substitutions.paths import package_prefix, package_share
 from archlint.launch.tables import CONDITIONS, SUBSTITUTIONS, LaunchClass
 from archlint.libraries.python.effects import path_join
-from archlint.syntax.safe_yaml import YamlError, YamlReader
 
 if TYPE_CHECKING:
     from archlint.interpreter.call_site import CallSite
@@ -115,6 +112,8 @@ def _evaluate(run: LaunchRun, receiver: Value, site: CallSite) -> Value:
 
 
 METHODS = {
+    **moveit_methods.METHODS,
+    **robot_poses.METHODS,
     "launch.LaunchContext.perform_substitution": _perform_argument,
     **{f"launch.{name}.perform": perform_method for name in SUBSTITUTIONS},
     **{f"launch.{name}.evaluate": _evaluate for name in CONDITIONS},
@@ -138,64 +137,6 @@ def _same_path(run: LaunchRun, site: CallSite) -> Value:
     return Unknown("a path of this machine") if path is None else Known(posixpath.normpath(path))
 
 
-def _open(run: LaunchRun, site: CallSite) -> Value:
-    """``open(path)`` in a launch file: the file, for whoever loads YAML from it."""
-    if site.args and isinstance(site.args[0], Known):
-        return opened(run, site.args[0])
-    return Unknown(reason(*site.args) if site.args else "a file")
-
-
-def opened(run: LaunchRun, path: Known) -> Instance:
-    """A file that is open for reading."""
-    return Instance(External("io.TextIOWrapper"), run.store.new_key(), None, {"path": path})
-
-
-def _load_yaml(run: LaunchRun, site: CallSite) -> Value:
-    """``yaml.safe_load(file)``: what a YAML file of this workspace holds."""
-    text = _text_in(run, site.args)
-    if isinstance(text, Unknown):
-        return text
-    try:
-        reader = YamlReader(text)
-        return _value_of(run, None if reader.root is None else reader.value(reader.root))
-    except (YamlError, RecursionError):
-        return Unknown("the content of a YAML file that is broken")
-
-
-def _load_json(run: LaunchRun, site: CallSite) -> Value:
-    """``json.load(file)``: what a JSON file of this workspace holds."""
-    text = (
-        Unknown("the content of a file that is read in a way of its own") if site.keywords else _text_in(run, site.args)
-    )
-    if isinstance(text, Unknown):
-        return text
-    try:
-        return _value_of(run, json.loads(text))
-    except (ValueError, RecursionError):
-        return Unknown("the content of a JSON file that is broken")
-
-
-def _text_in(run: LaunchRun, args: list[Value]) -> str | Unknown:
-    """The text of the file that a loader is given."""
-    path = argument(args[0], "path") if args else None
-    if path is None:
-        return Unknown("the content of a file")
-    text = run.paths.text(run.resolve(FileKind.PARAMETERS, path, run.place_now))
-    return Unknown("the content of a file that is not in this workspace") if text is None else text
-
-
-def _value_of(run: LaunchRun, value: object) -> Value:
-    match value:
-        case dict():
-            rows = {Known(key).entry_key(): (Known(key), _value_of(run, item)) for key, item in value.items()}
-            return containers.new_dict(run, {key: row for key, row in rows.items() if key is not None})
-        case list():
-            return containers.new_list(run, [_value_of(run, item) for item in value])
-        case None | str() | int() | float():
-            return Known(value)
-    raise AssertionError(value)
-
-
 def _run_path(run: LaunchRun, site: CallSite) -> Value:
     """``runpy.run_path(path)``: the variables of a file of this workspace, once it has run."""
     if len(site.args) != 1 or site.keywords:
@@ -212,12 +153,10 @@ def _run_path(run: LaunchRun, site: CallSite) -> Value:
 
 
 PLAIN = {
+    **mathematics.PLAIN,
+    **moveit_methods.PLAIN,
+    **read_files.PLAIN,
     "runpy.run_path": _run_path,
-    "open": _open,
-    "json.load": _load_json,
-    "yaml.safe_load": _load_yaml,
-    "yaml.load": _load_yaml,
-    "yaml.full_load": _load_yaml,
     "launch.utilities.perform_substitutions": _perform_all,
     "pathlib.Path": _path,
     "pathlib.PurePath": _path,

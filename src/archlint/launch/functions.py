@@ -17,9 +17,14 @@ if TYPE_CHECKING:
     from archlint.launch.run import LaunchRun
 
 
-def call_handler(run: LaunchRun, function: Value) -> Value:
-    """Call the function of an event handler with an event and the launch context."""
-    unknown = Unknown("the argument of an event handler")
+PROCESS_END = "how a process ends"
+PROCESS_OUTPUT = "what a process prints"
+
+
+def call_handler(run: LaunchRun, function: Value, handler: str) -> Value:
+    """Call the function of an event handler of a class (its name) with an event and the launch context."""
+    known: dict[str, str] = {LaunchClass.ON_PROCESS_EXIT: PROCESS_END, LaunchClass.ON_PROCESS_IO: PROCESS_OUTPUT}
+    unknown = Unknown(known.get(handler, "the argument of an event handler"))
     return call_opaque(run, function, [], None, before=[unknown])
 
 

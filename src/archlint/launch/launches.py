@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import posixpath
 from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.faults import Faults
+from archlint.interpreter import containers
 from archlint.interpreter.heap import Store
 from archlint.interpreter.modules import ModuleIndex
 from archlint.interpreter.values import Known
@@ -18,6 +20,7 @@ from archlint.workspace.owners import FileOwners
 
 if TYPE_CHECKING:
     from archlint.interpreter.modules import Module
+    from archlint.interpreter.values import Value
     from archlint.syntax.facts import Facts
     from archlint.workspace.installed import Installs
     from archlint.workspace.model import SourceFile
@@ -66,6 +69,7 @@ class Launches:
         store = self._surroundings.store
         depth = store.depth
         store.push()
+        run.argv = self._command_line(run, result)
         try:
             run.enter(path)
         finally:
@@ -75,6 +79,12 @@ class Launches:
     def import_module(self, module: Module) -> None:
         """Import a module as a launch does that comes to it, for whatever runs later."""
         Launcher(self._surroundings, module.path, Launched(module.path, None)).import_module(module)
+
+    def _command_line(self, run: Launcher, result: Launched) -> Value:
+        """``sys.argv`` of ``ros2 launch package file name:=value …``."""
+        words = ["ros2", "launch", result.package or ".", posixpath.basename(result.file)]
+        words += [f"{name}:={value}" for name, value in result.arguments.items()]
+        return containers.new_list(run, [Known(word) for word in words])
 
     def with_defaults(self, path: str) -> Launched:
         """A launch file run on its own with its defaults; the same answer each time."""

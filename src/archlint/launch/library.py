@@ -6,7 +6,8 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Concatenate, ParamSpec
 
 from archlint.interpreter.values import External, Instance, Known, Value
-from archlint.launch import calls, calls_in_launches, tables
+from archlint.launch import calls, calls_in_launches, mathematics, read_files, tables
+from archlint.launch.objects import LaunchObject, kind_of
 from archlint.libraries.api_use import Offers
 from archlint.libraries.library import RosLibrary
 from archlint.libraries.rclpy import names
@@ -17,6 +18,7 @@ if TYPE_CHECKING:
     from archlint.launch.run import LaunchRun
     from archlint.libraries.run import Run
     from archlint.libraries.tables import Api
+    from archlint.syntax import facts
 
 _P = ParamSpec("_P")
 
@@ -26,6 +28,15 @@ _SUBSTITUTIONS = frozenset(f"launch.{name}" for name in tables.SUBSTITUTIONS)
 
 def _row(path: str) -> Api | None:
     return _ROS.row(path) or tables.find(path)
+
+
+_SAID_BY_COMPONENTS = {
+    "package": "package",
+    "node_plugin": "plugin",
+    "node_name": "name",
+    "node_namespace": "namespace",
+}
+"""The properties of a ``ComposableNode`` that give back an argument, and which."""
 
 
 class LaunchLibrary(RosLibrary):
@@ -72,8 +83,29 @@ class LaunchFileLibrary(LaunchLibrary):
         )
         self._launch = run
 
+    def attribute_of_object(self, value: Instance, cls: External, name: str) -> Value:
+        """Also what a component says of itself: ``description.node_name``."""
+        given = value.argument(_SAID_BY_COMPONENTS.get(name, "")) if isinstance(value, LaunchObject) else None
+        is_component = kind_of(value) == tables.LaunchClass.COMPOSABLE_NODE
+        return given if is_component and given is not None else super().attribute_of_object(value, cls, name)
+
+    def imported(self, path: str, span: facts.Span) -> Value:
+        return mathematics.CONSTANTS.get(path) or super().imported(path, span)
+
+    def attribute_of_external(self, value: External, name: str) -> Value:
+        return mathematics.CONSTANTS.get(f"{value.path}.{name}") or super().attribute_of_external(value, name)
+
+    def expects_to_read(self) -> bool:
+        """What a launch file reads of the workspace is there, for all that is seen."""
+        return True
+
     def opened(self, path: Known) -> Value:
-        return calls_in_launches.opened(self._launch, path)
+        return read_files.opened(self._launch, path)
+
+    def asked_for_file(self, path: str) -> Value:
+        unknown = super().asked_for_file(path)
+        there = read_files.is_there(self._launch, path)
+        return unknown if there is None else Known(there)
 
 
 def _of(launch: LaunchRun, act: Callable[Concatenate[LaunchRun, _P], Value]) -> Callable[Concatenate[Run, _P], Value]:

@@ -104,6 +104,17 @@ class LaunchPaths:
         package, _, rest = below.partition("/")
         return self._in_package(package, rest or ".") if share == "share" and package else (None, FileStatus.MISSING)
 
+    def names_in(self, package: str, folder: str) -> list[str] | None:
+        """The names of the files that a package installs in a folder of its share, sorted; None where that is not
+        known."""
+        installs = self._installs.get(package)
+        if installs is None or installs.open_files or not installs.build_files:
+            return None
+        there = f"share/{package}/{folder}/"
+        places = (place for path in self._tree.files_below(installs.folder) for place in installs.places_of(path))
+        names = {place.removeprefix(there) for place in places if place.startswith(there)}
+        return sorted(name for name in names if "/" not in name)
+
     def launch_file_named(self, package: str, name: str) -> Value:
         """The path of the launch file that ``ros2 launch`` finds: it walks the whole share folder of the package and
         goes by the name of the file alone; where two have it, it starts neither."""

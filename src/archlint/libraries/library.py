@@ -168,8 +168,9 @@ class RosLibrary(Library):
     def undecided(self, branch: Branch, test: Value) -> None:
         self.run.note_open_test(branch, test)
 
-    def asked_for_file(self, path: str) -> None:
+    def asked_for_file(self, path: str) -> Value:
         self.run.note_asked_file(path)
+        return super().asked_for_file(path)
 
     # ----------------------------------------------------------------------- events: what gets out of sight
 

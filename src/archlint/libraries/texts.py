@@ -5,6 +5,8 @@ from __future__ import annotations
 from archlint.interpreter.values import Holed, Known, OneOf, Unknown, Value, reason
 from archlint.model import Text
 
+_AT_RUN_TIME = "one of several values, chosen at run time"
+
 
 def text_of_value(value: Value | None, missing: str) -> Text:
     """What is known of a name; several alternatives are one unknown here."""
@@ -21,9 +23,9 @@ def text_of_value(value: Value | None, missing: str) -> Text:
             return Text(value.pattern, "partial", ",".join(sorted(parameters)) or None, why, origin, "format")
         case Unknown(parameter=parameter, reason=why):
             return Text(None, "unknown", parameter, why)
-        case OneOf(values=options):
+        case OneOf(values=options, why=why):
             known = [option for option in options if isinstance(option, (Known, Holed))]
             if len(known) == 1:
                 return text_of_value(known[0], missing)
-            return Text(None, "unknown", reason="one of several values, chosen at run time")
+            return Text(None, "unknown", reason=f"one of several values: {why}" if why else _AT_RUN_TIME)
     return Text(None, "unknown", reason=reason(value))

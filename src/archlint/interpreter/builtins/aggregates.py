@@ -77,6 +77,15 @@ def total(machine: Machine, site: CallSite) -> Value:
     return new_list(machine, values, "list", lists.open or any(part.open for part in parts))
 
 
+def quotient(machine: Machine, site: CallSite) -> Value:
+    """``divmod``."""
+    match constants_of(site.args):
+        case [int() | float() as number, int() | float() as by] if by:
+            pair = divmod(number, by)
+            return new_list(machine, [constant(part, via(*site.args)) for part in pair], "tuple")
+    return Unknown(reason(*site.args))
+
+
 def any_or_all(wanted: bool) -> Handler:
     """``any`` where ``wanted`` is true, else ``all``."""
 

@@ -64,6 +64,8 @@ BUILTINS: dict[str, Handler] = {
     "float": conversions.number(float),
     "bool": conversions.boolean,
     "abs": conversions.number(abs),
+    "round": conversions.number(round),
+    "divmod": aggregates.quotient,
     "eval": conversions.evaluated,
     # collections
     "list": collections.collect("list"),
@@ -108,7 +110,6 @@ BUILTINS: dict[str, Handler] = {
     "open": _external_input("open"),
     # what is not followed
     "repr": unknown("a repr"),
-    "round": unknown("a rounded number"),
     "issubclass": unknown("a class relation"),
     "id": unknown("an identity"),
     "hash": unknown("a hash"),
@@ -122,7 +123,6 @@ BUILTINS: dict[str, Handler] = {
     "bytearray": unknown("bytes"),
     "memoryview": unknown("bytes"),
     "complex": unknown("a number"),
-    "divmod": unknown("a number"),
     "pow": unknown("a number"),
     "hex": unknown("a number"),
     "bin": unknown("a number"),

@@ -18,6 +18,7 @@ from archlint.interpreter.values import (
     Value,
     constants_of,
     one_of,
+    reason,
 )
 
 if TYPE_CHECKING:
@@ -133,6 +134,30 @@ def _clear(machine: Machine, target: ListValue, site: CallSite) -> Value:
     return _put(machine, target, ())
 
 
+def _index(machine: Machine, target: ListValue, site: CallSite) -> Value | None:
+    """Where a value first stands, where that is certain of each item in front of it."""
+    if len(site.args) != 1 or site.keywords or target.kind == "set":
+        return None
+    wanted, items = site.args[0], target.items(machine)
+    for number, item in enumerate(items.values):
+        if not isinstance(item, Known) or not isinstance(wanted, Known):
+            return Unknown(reason(item, wanted))
+        if item.value == wanted.value:
+            return Known(number, wanted.via | item.via)
+    return Unknown("an operation that fails") if not items.open else None
+
+
+def _count(machine: Machine, target: ListValue, site: CallSite) -> Value | None:
+    values = constants_of(target.items(machine).values)
+    if len(site.args) != 1 or values is None or target.items(machine).open or target.kind == "set":
+        return None
+    return _occurrences(values, site.args[0])
+
+
+def _occurrences(values: list[Any], wanted: Value) -> Value:
+    return Known(values.count(wanted.value), wanted.via) if isinstance(wanted, Known) else Unknown(reason(wanted))
+
+
 def _remove(machine: Machine, target: ListValue, site: CallSite) -> Value | None:
     if not site.args:
         return None
@@ -171,9 +196,11 @@ _METHODS: dict[str, Method] = {
     "appendleft": _append_left,
     "clear": _clear,
     "copy": _copy,
+    "count": _count,
     "discard": _remove,
     "extend": _extend,
     "extendleft": _extend_left,
+    "index": _index,
     "insert": _insert,
     "pop": _pop,
     "popleft": _pop_left,

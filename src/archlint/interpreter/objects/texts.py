@@ -159,8 +159,7 @@ def _with_other_name(machine: Machine, target: Known, name: str, site: CallSite)
 def _exists(machine: Machine, target: Known, name: str, site: CallSite) -> Value | None:
     if target.kind != "path":
         return None
-    machine.library.asked_for_file(str(target.value))
-    return Unknown("whether a file exists")
+    return machine.library.asked_for_file(str(target.value))
 
 
 def _is_absolute(machine: Machine, target: Known, name: str, site: CallSite) -> Value | None:
@@ -229,6 +228,7 @@ _METHODS: dict[str, Method] = {
     "expanduser": _same_path,
     "format": _format,
     "is_absolute": _is_absolute,
+    "is_dir": _exists,
     "is_file": _exists,
     "join": _join,
     "joinpath": _join_path,

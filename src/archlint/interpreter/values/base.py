@@ -109,6 +109,11 @@ class Value:
         """Why it is not known."""
         return None
 
+    @property
+    def why_open(self) -> str | None:
+        """Of one of several values, why it is not decided which."""
+        return None
+
     def as_default(self) -> Value:
         """The same as what stands in for what somebody else may say: the default of an argument, of a setting."""
         return self

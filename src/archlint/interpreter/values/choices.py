@@ -48,16 +48,22 @@ class OneOf(Value):
     """One of several values; which one, the source does not decide."""
 
     values: tuple[Value, ...]
+    why: str | None = field(default=None, compare=False)
+    """Why the test is not decided that chooses one of them."""
 
     def chosen_by(self, parameters: frozenset[str]) -> Value:
-        return one_of(option.chosen_by(parameters) for option in self.values)
+        return chosen_for(one_of(option.chosen_by(parameters) for option in self.values), self.why)
 
     @property
     def why_unknown(self) -> str | None:
         return next((option.why_unknown for option in self.values if option.why_unknown is not None), None)
 
+    @property
+    def why_open(self) -> str | None:
+        return self.why or next((option.why_open for option in self.values if option.why_open is not None), None)
+
     def as_default(self) -> Value:
-        return OneOf(tuple(option.as_default() for option in self.values))
+        return OneOf(tuple(option.as_default() for option in self.values), self.why)
 
     @property
     def inner(self) -> tuple[Value, ...]:
@@ -113,6 +119,13 @@ def one_of(values: Iterable[Value]) -> Value:
     if len(distinct) > ALTERNATIVES:
         return Unknown("more values than can be followed")
     return OneOf(tuple(distinct))
+
+
+def chosen_for(value: Value, why: str | None) -> Value:
+    """A value that a test chooses, which is not decided for the reason ``why``."""
+    if isinstance(value, OneOf) and value.why is None and why is not None:
+        return OneOf(value.values, why)
+    return value
 
 
 def join_items(alternatives: Sequence[Items]) -> Items:

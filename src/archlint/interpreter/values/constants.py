@@ -215,7 +215,8 @@ def with_via(value: Value, parameters: frozenset[str]) -> Value:
 
 def reason(*values: Value) -> str:
     """Why a result made from these values is not known."""
-    return next((why for value in values if (why := value.why_unknown) is not None), NOT_A_CONSTANT)
+    unknown = next((why for value in values if (why := value.why_unknown) is not None), None)
+    return unknown or next((why for value in values if (why := value.why_open) is not None), NOT_A_CONSTANT)
 
 
 def depends_on(*values: Value) -> str | None:

@@ -46,7 +46,15 @@ def _exclude_each_other(run: LaunchRun, options: Sequence[Value]) -> bool:
 
 def version(run: LaunchRun, entity: Value, number: int) -> BranchArms:
     """The branch in which a value is one of its alternatives."""
-    return frozenset({(ChoiceOfValue(run.names.number(entity)), number)})
+    return choice(run, entity, (), number)
+
+
+def choice(run: LaunchRun, entity: Value, holding: tuple[int, ...], arm: int) -> BranchArms:
+    """The branch in which a value is one of some of its alternatives."""
+    branch = ChoiceOfValue(run.names.number(entity), holding)
+    if entity.why_open is not None:
+        run.result.why_open.setdefault(branch, entity.why_open)
+    return frozenset({(branch, arm)})
 
 
 def arms_of(run: LaunchRun, value: Value) -> BranchArms:

@@ -14,7 +14,7 @@ from archlint.launch.context import Context
 from archlint.launch.functions import call_handler, call_opaque
 from archlint.launch.kinds import FileKind
 from archlint.launch.model import Included
-from archlint.launch.objects import LaunchObject, argument, entities_of, kind_of, place_of
+from archlint.launch.objects import LaunchObject, argument, class_name, entities_of, kind_of, place_of
 from archlint.launch.parameter_sources import files_among
 from archlint.launch.substitutions.texts import written_at
 from archlint.launch.tables import SOURCES, LaunchClass
@@ -117,5 +117,5 @@ def event_handler(run: LaunchRun, entity: LaunchObject) -> None:
         value = argument(handler, name)
         if value is not None:
             before, run.in_handler = run.in_handler, True
-            run.visit(call_handler(run, value) if callable_value(value) else value)
+            run.visit(call_handler(run, value, class_name(handler)) if callable_value(value) else value)
             run.in_handler = before

@@ -6,10 +6,18 @@ import re
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from archlint.branches import BranchArms, ChoiceOfValue
+from archlint.branches import BranchArms
 from archlint.interpreter.values import External, Instance, Items, Known, ListValue, OneOf, Value, reason
 from archlint.launch.actions import included, processes, scopes
-from archlint.launch.actions.branches import arms_of, each_alternative, note_open, verdict_on, version, visit_items
+from archlint.launch.actions.branches import (
+    arms_of,
+    choice,
+    each_alternative,
+    note_open,
+    verdict_on,
+    version,
+    visit_items,
+)
 from archlint.launch.objects import MADE_BY_BASE, OWN, LaunchObject, class_name, kind_of, launch_object, place_of
 from archlint.launch.tables import LaunchClass
 from archlint.launch.verdict import ALWAYS
@@ -120,7 +128,7 @@ def _visit_versions(run: LaunchRun, entity: OneOf, rows: list[Items]) -> None:
         if len(holding) == 1:
             own = version(run, entity, holding[0])
         elif len(holding) < len(rows):
-            own = frozenset({(ChoiceOfValue(run.names.number(entity), tuple(holding)), 0)})
+            own = choice(run, entity, tuple(holding), 0)
         with run.under(own, ALWAYS, run.place_now):
             run.visit(value)
     for row in rows:

@@ -68,7 +68,7 @@ def asks_for_file(run: Run, call: ApiUse) -> Value:
     """``os.path.exists(path)``: what depends on it may do without the file."""
     path = call.get("path")
     if isinstance(path, Known):
-        run.note_asked_file(str(path.value))
+        return run.library.asked_for_file(str(path.value))
     return Unknown("whether a file exists")
 
 

@@ -59,6 +59,7 @@ ROWS = (
     Api("os.path.join", "path", effect="path_join"),
     Api("os.path.exists", "path", effect="asks_for_file"),
     Api("os.path.isfile", "path", effect="asks_for_file"),
+    Api("os.path.isdir", "path", effect="asks_for_file"),
     Api("os.getenv", "key default", effect="environment"),
     Api("os.environ.get", "key default", effect="environment"),
     Api("argparse.ArgumentParser", "prog", effect="argument_parser"),

@@ -1,0 +1,1 @@
+"""What ``MoveItConfigsBuilder`` collects for MoveIt's nodes from the files of a package."""

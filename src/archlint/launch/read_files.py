@@ -1,0 +1,178 @@
+"""What code of a launch file reads: files of the workspace, and whether they are there."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Any
+
+from archlint.interpreter import containers
+from archlint.interpreter.values import (
+    DictValue,
+    External,
+    Instance,
+    Known,
+    ListValue,
+    Unknown,
+    Value,
+    constants_of,
+    reason,
+)
+from archlint.launch.kinds import FileKind, FileStatus
+from archlint.launch.objects import argument
+from archlint.syntax.safe_yaml import YamlError, YamlReader
+
+if TYPE_CHECKING:
+    from archlint.interpreter.call_site import CallSite
+    from archlint.launch.run import LaunchRun
+
+    Plain = Callable[[LaunchRun, CallSite], Value]
+
+
+def _open(run: LaunchRun, site: CallSite) -> Value:
+    """``open(path)`` in a launch file: the file, for whoever loads YAML from it."""
+    if site.args and isinstance(site.args[0], Known):
+        return opened(run, site.args[0])
+    return Unknown(reason(*site.args) if site.args else "a file")
+
+
+def opened(run: LaunchRun, path: Known) -> Instance:
+    """A file that is open for reading."""
+    return Instance(External("io.TextIOWrapper"), run.store.new_key(), None, {"path": path})
+
+
+def _load_yaml(run: LaunchRun, site: CallSite) -> Value:
+    """``yaml.safe_load(file)``: what a YAML file of this workspace holds."""
+    return _of_yaml(run, _text_in(run, site.args))
+
+
+def yaml_file(run: LaunchRun, path: Value) -> Value:
+    """What the YAML file at a path holds."""
+    return _of_yaml(run, _text_of(run, path))
+
+
+def _of_yaml(run: LaunchRun, text: str | Unknown) -> Value:
+    if isinstance(text, Unknown):
+        return text
+    try:
+        reader = YamlReader(text)
+        return value_of(run, None if reader.root is None else reader.value(reader.root))
+    except (YamlError, RecursionError):
+        return Unknown("the content of a YAML file that is broken")
+
+
+def _load_json(run: LaunchRun, site: CallSite) -> Value:
+    """``json.load(file)``: what a JSON file of this workspace holds."""
+    text = (
+        Unknown("the content of a file that is read in a way of its own") if site.keywords else _text_in(run, site.args)
+    )
+    if isinstance(text, Unknown):
+        return text
+    try:
+        return value_of(run, json.loads(text))
+    except (ValueError, RecursionError):
+        return Unknown("the content of a JSON file that is broken")
+
+
+def _text_in(run: LaunchRun, args: list[Value]) -> str | Unknown:
+    """The text of the file that a loader is given."""
+    path = argument(args[0], "path") if args else None
+    return Unknown("the content of a file") if path is None else _text_of(run, path)
+
+
+def _text_of(run: LaunchRun, path: Value) -> str | Unknown:
+    text = run.paths.text(run.resolve(FileKind.PARAMETERS, path, run.place_now))
+    return Unknown("the content of a file that is not in this workspace") if text is None else text
+
+
+def value_of(run: LaunchRun, value: object) -> Value:
+    match value:
+        case Mapping():
+            rows = {Known(key).entry_key(): (Known(key), value_of(run, item)) for key, item in value.items()}
+            return containers.new_dict(run, {key: row for key, row in rows.items() if key is not None})
+        case list():
+            return containers.new_list(run, [value_of(run, item) for item in value])
+        case None | str() | int() | float():
+            return Known(value)
+    raise AssertionError(value)
+
+
+def is_there(run: LaunchRun, path: str) -> bool | None:
+    """Whether a file or folder is installed; None where that is not known, as of other packages."""
+    if not path.startswith("$(find-pkg-share "):
+        return None
+    match run.resolve(FileKind.PARAMETERS, Known(path), run.place_now).status:
+        case FileStatus.INSTALLED:
+            return True
+        case FileStatus.MISSING:
+            return False
+    return None
+
+
+def _written(write: Callable[..., str], name: str, options: frozenset[str]) -> Plain:
+    """``yaml.dump(data)`` or ``json.dumps(data)``: the text.  Into a file these make none."""
+
+    def written(run: LaunchRun, site: CallSite) -> Value:
+        given = constants_of(site.keywords.values())
+        if len(site.args) != 1 or given is None or not options.issuperset(site.keywords):
+            return Unknown(f"what {name}() writes")
+        try:
+            return Known(write(_plain(run, site.args[0], 0), **dict(zip(site.keywords, given, strict=True))))
+        except _NotKnownError as error:
+            return Unknown(str(error))
+        except (TypeError, ValueError, RecursionError):
+            return Unknown("an operation that fails")
+
+    return written
+
+
+def _dumped(data: object, **options: Any) -> str:
+    import yaml
+
+    return str(yaml.safe_dump(data, **options))
+
+
+class _NotKnownError(Exception):
+    """Why a part of a value is not known."""
+
+
+def _plain(run: LaunchRun, value: Value, depth: int) -> object:
+    """The object of Python that a value stands for."""
+    if depth > NESTED:
+        raise _NotKnownError("data that is nested too deeply")
+    match value:
+        case Known(kind="path"):
+            raise _NotKnownError("a path in YAML")
+        case Known(value=constant):
+            return constant
+        case ListValue(kind="list") if run.is_closed(value):
+            return [_plain(run, item, depth + 1) for item in run.items(value)]
+        case DictValue() if not value.entries(run).open:
+            rows = value.entries(run).entries.values()
+            return {_key(key): _plain(run, item, depth + 1) for key, item in rows}
+    raise _NotKnownError(reason(value))
+
+
+def _key(key: Value) -> object:
+    if not isinstance(key, Known):
+        raise _NotKnownError(reason(key))
+    return key.value
+
+
+NESTED = 20
+"""How deep data may be nested that is written as a text."""
+_YAML_OPTIONS = frozenset({"default_flow_style", "sort_keys", "indent", "width", "allow_unicode"})
+_JSON_OPTIONS = frozenset({"indent", "sort_keys", "ensure_ascii"})
+
+PLAIN: dict[str, Plain] = {
+    "open": _open,
+    "json.load": _load_json,
+    "yaml.safe_load": _load_yaml,
+    "yaml.load": _load_yaml,
+    "yaml.full_load": _load_yaml,
+    "yaml.dump": _written(_dumped, "yaml.dump", _YAML_OPTIONS),
+    "yaml.safe_dump": _written(_dumped, "yaml.safe_dump", _YAML_OPTIONS),
+    "json.dumps": _written(json.dumps, "json.dumps", _JSON_OPTIONS),
+}
+
+__all__ = ["PLAIN", "is_there", "opened", "value_of", "yaml_file"]
