@@ -117,3 +117,32 @@ def test_frontends_keep_configurations_through_a_group_that_forwards_none(launch
         "    children:\n    - node: {pkg: robot, exec: talker, name: $(var kept)}\n"
     )
     assert names(xml) == names(yaml) == ["o"]
+
+
+@pytest.mark.parametrize(
+    "later",
+    [
+        "TimerAction(period=1.0, actions=[NODE])",
+        "RegisterEventHandler(OnProcessExit(target_action=None, on_exit=[NODE]))",
+        "RegisterEventHandler(OnProcessExit(target_action=None, on_exit=lambda event, context: [NODE]))",
+        "GroupAction([TimerAction(period=1.0, actions=[NODE])])",
+    ],
+)
+def test_what_starts_later_is_outside_of_the_groups_around_it(launches, later: str):
+    group = "GroupAction([PushRosNamespace('left'), SetRemap('scan', 'laser'), {now}, {later}])"
+    actions = group.format(now=node("now"), later=later.replace("NODE", node("later")))
+    launched = launches.python(f"[PushRosNamespace('robots'), {actions}]")
+    assert names(launched) == ["/robots/left/now", "/robots/later"]
+    assert [remaps(started) for started in launched.started] == [[("scan", "laser")], []]
+
+
+def test_what_starts_later_is_inside_of_its_own_groups(launches):
+    timer = (
+        f"TimerAction(period=1.0, actions=[GroupAction([PushRosNamespace('arm'), {node('later')}]), {node('last')}])"
+    )
+    launched = launches.python(f"[GroupAction([PushRosNamespace('left'), {timer}]), {node('after')}]")
+    assert names(launched) == ["/arm/later", "last", "after"]
+    unscoped = (
+        f"GroupAction([PushRosNamespace('left'), TimerAction(period=1.0, actions=[{node('later')}])], scoped=False)"
+    )
+    assert names(launches.python(f"[{unscoped}]")) == ["/left/later"]

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from archlint.interpreter import containers, hints, registries
+from archlint.interpreter import containers, hints, path_parts, registries
 from archlint.interpreter.call_site import CallSite
 from archlint.interpreter.classes import SETTERS
-from archlint.interpreter.objects import paths
 from archlint.interpreter.values import (
     MEMBERS,
     NONE,
@@ -81,8 +80,8 @@ def _of_builtin_type(machine: Machine, value: Value, name: str) -> Value:
             return Builtin(f"dict.{name}", value)
         case Known(value=str(text)) if name == "parent":  # of a pathlib.Path
             return Known(text.rpartition("/")[0] or "/", value.via, kind="path")
-        case Known(kind="path") if name in paths.ATTRIBUTES:
-            return paths.attribute(machine, value, name)
+        case Known(kind="path") if name in path_parts.ATTRIBUTES:
+            return path_parts.attribute(machine, value, name)
         case Known():
             return Builtin(f"{type(value.value).__name__}.{name}", value)
         case Holed():

@@ -103,6 +103,8 @@ class LaunchRun(Run):
         self._seen: set[object] = set()
         self._processes = StartedProcesses(result.started)
         self.in_handler = False
+        self.around_groups: Context | None = None
+        """The context around the outermost group that is visited now."""
         self.asked_files: set[str] = set()
         """The paths of which the code asks whether a file exists."""
         self.made_files: dict[str, MadeFile] = {}

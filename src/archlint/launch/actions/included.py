@@ -10,6 +10,7 @@ from archlint.finding import Place
 from archlint.interpreter.values import Items, Known, Value, alternatives
 from archlint.launch.actions.branches import callable_value, each_alternative, visit_items
 from archlint.launch.actions.pairs import pairs_of
+from archlint.launch.actions.scopes import later
 from archlint.launch.context import Context
 from archlint.launch.functions import call_handler, call_opaque
 from archlint.launch.kinds import FileKind
@@ -117,5 +118,6 @@ def event_handler(run: LaunchRun, entity: LaunchObject) -> None:
         value = argument(handler, name)
         if value is not None:
             before, run.in_handler = run.in_handler, True
-            run.visit(call_handler(run, value, class_name(handler)) if callable_value(value) else value)
+            with later(run):
+                run.visit(call_handler(run, value, class_name(handler)) if callable_value(value) else value)
             run.in_handler = before

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -34,6 +36,9 @@ def group(run: LaunchRun, entity: LaunchObject) -> None:
         visit_actions(run, entity)
         return
     kept = run.launch.copy()
+    outermost = run.around_groups is None
+    if outermost:
+        run.around_groups = kept
     given = _configurations(run, entity.argument("launch_configurations"))
     if entity.argument("forwarding") == Known(False):
         run.launch.configurations = {}
@@ -41,6 +46,37 @@ def group(run: LaunchRun, entity: LaunchObject) -> None:
     run.launch.configurations.update(given)
     visit_actions(run, entity)
     run.launch.restore(kept)
+    if outermost:
+        run.around_groups = None
+
+
+@contextmanager
+def later(run: LaunchRun) -> Iterator[None]:
+    """What a timer or an event starts: by then the groups around it have ended, and what they push or set for the
+    nodes in them is gone.
+
+    Source: launch, where a scoped ``GroupAction`` is followed by ``PopLaunchConfigurations``; namespaces, remappings
+    and parameters for all nodes are kept among these.
+    """
+    around = run.around_groups
+    if around is None:
+        yield
+        return
+    now = run.launch
+    before = now.namespace, now.remaps, now.parameters
+    now.namespace, now.remaps, now.parameters = around.namespace, around.remaps, around.parameters
+    run.around_groups = None
+    try:
+        yield
+    finally:
+        run.around_groups = around
+        now.namespace, now.remaps, now.parameters = before
+
+
+def timer(run: LaunchRun, entity: LaunchObject) -> None:
+    """``TimerAction``."""
+    with later(run):
+        visit_actions(run, entity)
 
 
 def _configurations(run: LaunchRun, value: Value | None) -> dict[str, Value]:
