@@ -11,13 +11,10 @@ from typing import TYPE_CHECKING, NoReturn
 
 from archlint.cli import COMMANDS
 from archlint.cli.exits import UsageError
-from archlint.config.selection import Layer
-from archlint.config.settings import ConfigurationError, Settings, load
-from archlint.config.values import unknown_rule
-from archlint.rulebook import codes_of
 from archlint.suggestions import did_you_mean, nearest
 
 if TYPE_CHECKING:
+    from archlint.config.settings import Settings
     from archlint.observed.model import Observed
 
 
@@ -136,6 +133,8 @@ def settings_of(arguments: argparse.Namespace, start: str) -> Settings:
 
     Raises :class:`UsageError` for a configuration that cannot be used.
     """
+    from archlint.config.settings import ConfigurationError, Settings, load  # `explain` and `rules` have none
+
     file = None if arguments.config is None else Path(arguments.config)
     try:
         settings = Settings() if arguments.isolated else load(Path(start), file)
@@ -149,6 +148,8 @@ def settings_of(arguments: argparse.Namespace, start: str) -> Settings:
 
 def _with_selection(settings: Settings, arguments: argparse.Namespace) -> Settings:
     """The settings with ``--select``, ``--extend-select`` and ``--ignore`` as the last layer."""
+    from archlint.config.selection import Layer
+
     given = {
         key: split_selectors(getattr(arguments, key.replace("-", "_"), None), f"--{key}")
         for key in ("select", "extend-select", "ignore")
@@ -165,6 +166,9 @@ def split_selectors(values: Sequence[str] | None, option: str) -> tuple[str, ...
     """Codes from a repeatable option with commas; None where it was not given."""
     if values is None:
         return None
+    from archlint.config.values import unknown_rule
+    from archlint.rulebook import codes_of
+
     selectors = tuple(part.strip() for value in values for part in value.split(",") if part.strip())
     for selector in selectors:
         if not codes_of(selector):

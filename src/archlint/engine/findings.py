@@ -14,7 +14,7 @@ from archlint.config.filters import Filters
 from archlint.config.options import options_for
 from archlint.engine import suppressions, uninstalled
 from archlint.engine.half_ported import as_information, half_ported, with_reason
-from archlint.engine.inputs import is_input, is_of_package, known_files, parts_of, python_files, refuse_nothing
+from archlint.engine.inputs import is_input, is_of_package, known_files, parts_of, python_files
 from archlint.engine.judging import judge_alternatives
 from archlint.engine.loading import as_asked_for, systems_of
 from archlint.engine.looked_at import followed_in_part, for_ros1, without_start
@@ -43,7 +43,6 @@ def judged_in_parts(
     request: Request, workspace: Workspace, facts: FactsOfFiles, tree: SourceTree, store: Store | NullStore
 ) -> Judged:
     """What is found in each of the workspaces that stand side by side."""
-    refuse_nothing(request, workspace, facts)
     judged: list[Judged] = []
     refused: NothingToDo | None = None
     for part in parts_of(request, workspace):

@@ -45,6 +45,7 @@ def check(request: Request) -> Report:
         facts = compiled(request, workspace, store)
         judged = kept.load_again(facts) or _alike(kept, facts)
         if judged is None:
+            refuse_nothing(request, workspace, facts)
             from archlint.engine.findings import judged_in_parts  # all the rules, and what runs the code
 
             judged = call_with_deep_stack(lambda: judged_in_parts(request, workspace, facts, tree, store))
