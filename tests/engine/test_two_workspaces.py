@@ -118,7 +118,7 @@ def test_another_workspace_is_judged_in_between(tmp_path: Path, monkeypatch: pyt
 
 PURE = {
     "checks/registry.py": {"_defined"},
-    "engine/result_cache.py": {"own_code"},
+    "engine/own_code.py": {"own_code"},
     "ros/packages.py": {"table"},
     "ros/standard_interfaces.py": {"table"},
     "rulebook.py": {"rules"},
