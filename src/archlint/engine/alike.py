@@ -44,7 +44,7 @@ class Alike:
         read = [file for file in files if not facts.relevant(file) and facts.was_read(file)]
         screened_out = {file.relative: facts.meaning_of_read(file) or "" for file in read}
         in_one = [(path, word, stands) for (path, word), stands in sorted(words.asked_of_one.items())]
-        in_all = {word: list(files) for word, files in sorted(words.asked_of_all.items())}
+        in_all = {word: sorted(files) for word, files in sorted(words.asked_of_all.items())}
         return cls(key, _digests(files, facts), answers, screened_out, in_one, in_all)
 
     @classmethod

@@ -8,7 +8,6 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.analysis.comparison import compare
 from archlint.config.options import options_for
 from archlint.engine.inputs import is_subset
 from archlint.engine.kept_programs import ProgramCache
@@ -86,6 +85,8 @@ def systems_of(
         ros1 = launches.files.frontend(request.launch or "").ros1
         raise NothingToDo(f"{request.launch} {'is for ROS 1' if ros1 else 'starts nothing that can be read'}")
     if request.observed is not None:
+        from archlint.analysis.comparison import compare  # seldom asked for
+
         is_external = options_for(request.settings, ["GRF006"])["GRF006"].is_external
         context = {file.relative for file in workspace.files if file.context and request.launch is None}
         compared = compare(systems[0], request.observed, is_external, context)

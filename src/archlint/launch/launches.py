@@ -12,7 +12,6 @@ from archlint.interpreter.heap import Store
 from archlint.interpreter.modules import ModuleIndex
 from archlint.interpreter.values import Known
 from archlint.launch.files import LaunchFiles
-from archlint.launch.launcher import Launcher
 from archlint.launch.model import Launched
 from archlint.launch.paths import LaunchPaths
 from archlint.launch.run import Surroundings
@@ -62,6 +61,8 @@ class Launches:
         return result
 
     def _run(self, path: str, arguments: dict[str, str]) -> Launched:
+        from archlint.launch.launcher import Launcher  # where all launches are known, nothing of it is needed
+
         result = Launched(path, self.owners.package_of(path), arguments)
         run = Launcher(self._surroundings, path, result)
         for name, value in arguments.items():
@@ -78,6 +79,8 @@ class Launches:
 
     def import_module(self, module: Module) -> None:
         """Import a module as a launch does that comes to it, for whatever runs later."""
+        from archlint.launch.launcher import Launcher  # as above
+
         Launcher(self._surroundings, module.path, Launched(module.path, None)).import_module(module)
 
     def _command_line(self, run: Launcher, result: Launched) -> Value:

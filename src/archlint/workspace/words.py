@@ -7,7 +7,7 @@ read.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Sequence
 
 WORD = re.compile(r"\w+")
 
@@ -20,7 +20,7 @@ class Words:
         self._words: dict[str, frozenset[str]] = {}
         self.asked_of_one: dict[tuple[str, str], bool] = {}
         """Whether a word stands in a file, by path and word, for all that were asked for."""
-        self.asked_of_all: dict[str, Collection[str]] = {}
+        self.asked_of_all: dict[str, set[str]] = {}
         """The files of the workspace's code that a word stands in, for all words that were asked for."""
 
     def of(self, path: str) -> frozenset[str]:
@@ -36,8 +36,8 @@ class Words:
         return answer
 
     def note(self, word: str, files: Sequence[str]) -> Sequence[str]:
-        """These are the files of the workspace's code that a word stands in."""
-        self.asked_of_all[word] = files
+        """These are the files of a workspace that a word stands in; several may stand side by side."""
+        self.asked_of_all.setdefault(word, set()).update(files)
         return files
 
 
