@@ -239,6 +239,34 @@ FILES = {
             nodes = [Node(package='robot', executable='talker', namespace=name) for name in names()]
             return LaunchDescription(nodes if LOCAL else nodes[:1])
         """,
+    "robot/launch/words.launch.py": """\
+        import sys
+
+        from launch import LaunchDescription
+        from launch_ros.actions import Node
+
+        NAME = sys.argv[2]
+
+
+        def generate_launch_description():
+            return LaunchDescription([Node(package='robot', executable='talker', name=NAME.replace('.', '_'))])
+        """,
+    "robot/launch/works.launch.py": """\
+        import os
+
+        from ament_index_python.packages import get_package_share_directory
+        from launch import LaunchDescription
+        from launch.actions import IncludeLaunchDescription
+        from launch_ros.actions import Node
+
+
+        def generate_launch_description():
+            words = os.path.join(get_package_share_directory('robot'), 'launch', 'words.launch.py')
+            return LaunchDescription([
+                Node(package='robot', executable='listener', name='worker'),
+                IncludeLaunchDescription(words),
+            ])
+        """,
     "robot/launch/names.yaml": "listener: ear\n",
     "robot/launch/listener.yaml": "/**:\n  ros__parameters:\n    rate: 3.0\n",
     "robot/launch/whole.launch.xml": """\
@@ -342,6 +370,8 @@ EDITS = {
     "launch files are not installed": replaced("robot/setup.py", "('share/robot/launch', glob('launch/*')),", ""),
     "an argument of an include": replaced("robot/launch/all.launch.py", "'7.0'", "'seven'"),
     "an argument with a default": replaced("robot/launch/all.launch.py", "('watch')", "('watch', default_value='0')"),
+    "what includes a file that asks for the words": replaced("robot/launch/works.launch.py", "worker", "Worker"),
+    "a file that asks for the words": replaced("robot/launch/words.launch.py", "argv[2]", "argv[1]"),
     "another base": replaced("robot/robot/base.py", "'rate', 10.0", "'rates', 10"),
     "a file that is no Python": written("robot/robot/prefix.py", "PREFIX = (\n"),
     "a test": written("robot/test/test_talker.py", "from robot.talker import Talker\n\n\ndef test():\n    Talker()\n"),
@@ -403,7 +433,9 @@ def test_only_what_an_edit_can_change_is_followed_again(workspace, outputs, foll
 
 
 def test_only_the_launches_that_an_edit_can_change_run_again(workspace, outputs, monkeypatch):
+    """One that asks for the words of its command line runs each time."""
     launched: list[str] = []
+    asks = {"robot/launch/words.launch.py"}
     run = Launches._run
     monkeypatch.setattr(Launches, "_run", lambda self, path, given: [launched.append(path), run(self, path, given)][1])
     outputs(cached=True)
@@ -411,10 +443,11 @@ def test_only_the_launches_that_an_edit_can_change_run_again(workspace, outputs,
     launched.clear()
     replaced("robot/robot/talker.py", "0.1", "0.2")(workspace)
     outputs(cached=True)
-    assert launched == []
+    assert set(launched) == asks
+    launched.clear()
     replaced("robot/launch/robot.launch.py", "'5.0'", "'6.0'")(workspace)
     outputs(cached=True)
-    assert set(launched) == {"robot/launch/robot.launch.py", "robot/launch/all.launch.py"}
+    assert set(launched) == {"robot/launch/robot.launch.py", "robot/launch/all.launch.py"} | asks
     launched.clear()
     written("robot/launch/local.yaml", "{}\n")(workspace)  # a file more: anything may be meant by it
     outputs(cached=True)
@@ -423,7 +456,7 @@ def test_only_the_launches_that_an_edit_can_change_run_again(workspace, outputs,
     replaced("robot/launch/ignored.yaml", "4.0", "5.0")(workspace)
     replaced("robot/launch/names.yaml", "ear", "eye")(workspace)
     outputs(cached=True)
-    assert set(launched) == {"robot/launch/all.launch.py"}
+    assert set(launched) == {"robot/launch/all.launch.py"} | asks
 
 
 def test_a_comment_at_the_end_is_no_reason_to_judge_again(workspace, outputs, monkeypatch):

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections import Counter
-from typing import TYPE_CHECKING
+from itertools import chain
+from typing import TYPE_CHECKING, cast
 
-from archlint.analysis.kept import once_for_each_file
 from archlint.analysis.source_code import code_of
+from archlint.analysis.surrounding_code import tree_of
 from archlint.model import (
     EntityKind,
     Role,
@@ -17,6 +18,7 @@ from archlint.syntax.parts import everything_in
 if TYPE_CHECKING:
     from archlint.finding import Place
     from archlint.model import ApiCall, Program
+    from archlint.syntax.tree import Tree
     from archlint.systems.model import WorkspaceIndex
     from archlint.systems.nodes import Endpoint
 
@@ -116,36 +118,37 @@ def idle_methods(workspace: WorkspaceIndex, file: str) -> frozenset[str]:
 class _Uses:
     """The attributes that a file names: how often each, and which calls are kept in one of ``self``."""
 
-    def __init__(self, file_facts: facts.Facts) -> None:
-        self.count: dict[str, int] = {}
-        self.names: set[str] = set()
+    def __init__(self, tree: Tree) -> None:
+        names = [use.id for use in tree.of_kind(facts.Name)]
+        attributes = [use.attr for use in tree.of_kind(facts.Attribute)]
+        self.count: dict[str, int] = Counter(attributes)
+        self.names = set(names)
         self.kept: dict[tuple[int, int], str] = {}
-        unwritten = 0
-        for item in everything_in(file_facts.body):
-            match item:
-                case facts.Attribute(attr=name):
-                    self.count[name] = self.count.get(name, 0) + 1
-                    unwritten += name in _BY_NAME
-                case facts.Name(id=name):
-                    unwritten += name in _BY_NAME
-                    self.names.add(name)
-                case facts.Call(args=[_, facts.Argument(value=asked), *_]) if item.func.variable == "getattr":
-                    if asked.text is not None:
-                        self.count[asked.text] = self.count.get(asked.text, 0) + 1
-                        unwritten -= 1
+        unwritten = sum(name in _BY_NAME for name in chain(names, attributes))
+        for call in tree.of_kind(facts.Call):
+            if (
+                len(call.args) > 1
+                and call.func.variable == "getattr"
+                and (asked := call.args[1].value.text) is not None
+            ):
+                self.count[asked] += 1
+                unwritten -= 1
+        for assignment in tree.of_kind(facts.Assign):
+            match assignment:
                 case facts.Assign(
                     targets=[facts.Attribute(value=facts.Name(), attr=name)], value=facts.Call(span=span)
                 ):
                     self.kept[span[0], span[1]] = name
         self.by_name = unwritten > 0
-        self.idle = {method.name: _attributes(method) for method in self._methods(file_facts) if self._is_idle(method)}
+        self.idle = {method.name: _attributes(method) for method in self._methods(tree) if self._is_idle(method)}
         """The methods that nothing in the file names, with the attributes that they use and how often."""
 
     @staticmethod
-    def _methods(file_facts: facts.Facts) -> list[facts.Function]:
+    def _methods(tree: Tree) -> list[facts.Function]:
         """The methods of classes whose bases, if any, do not call methods of their own accord."""
-        classes = everything_in(file_facts.body, facts.Class)
-        plain = [cls for cls in classes if all(base.value.last_name in _PLAIN_BASES for base in cls.bases)]
+        plain = [
+            cls for cls in tree.of_kind(facts.Class) if all(base.value.last_name in _PLAIN_BASES for base in cls.bases)
+        ]
         methods = [item for cls in plain for item in cls.body if isinstance(item, facts.Function)]
         names = [method.name for method in methods]
         return [method for method in methods if names.count(method.name) == 1]
@@ -163,4 +166,11 @@ def _attributes(method: facts.Function) -> dict[str, int]:
     return dict(Counter(part.attr for part in everything_in(method.body, facts.Attribute)))
 
 
-_uses = once_for_each_file(_Uses)
+def _uses(workspace: WorkspaceIndex, file: str) -> _Uses | None:
+    tree = tree_of(workspace, file)
+    if tree is None:
+        return None
+    key = (_Uses, file)
+    if key not in workspace.kept:
+        workspace.kept[key] = _Uses(tree)
+    return cast("_Uses", workspace.kept[key])

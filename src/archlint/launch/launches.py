@@ -20,6 +20,7 @@ from archlint.workspace.owners import FileOwners
 if TYPE_CHECKING:
     from archlint.interpreter.modules import Module
     from archlint.interpreter.values import Value
+    from archlint.launch.launcher import Launcher
     from archlint.syntax.facts import Facts
     from archlint.workspace.installed import Installs
     from archlint.workspace.model import SourceFile
@@ -75,6 +76,7 @@ class Launches:
             run.enter(path)
         finally:
             store.cut(depth)
+        result.stands_alone = result.stands_alone and not run.program.reads_command_line
         return result
 
     def import_module(self, module: Module) -> None:

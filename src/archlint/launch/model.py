@@ -102,8 +102,9 @@ class Launched:
     """Arguments that conditions ask for and that nothing decides, with the values that make a difference."""
     ros1: bool = False
     is_launch_file: bool = True
-    cut_short: bool = False
-    """Whether a function ran longer than can be followed."""
+    stands_alone: bool = True
+    """Whether the modules that it imported are as any other launch would have them: not so where a function ran longer
+    than can be followed, or where the command line was asked for."""
 
     def not_followed(self) -> list[Gap]:
         """What is met on the way through the branches that are taken, and starts what is not seen."""

@@ -23,7 +23,7 @@ def _poses(run: LaunchRun, receiver: Value, site: CallSite) -> Value:
     """``ParseMultiRobotPose('robots').value()``: a pose for each robot."""
     given = receiver.arguments if isinstance(receiver, Instance) else {}
     name = known_text(given.get("target_argument", given.get("0")))
-    words = [] if run.argv is None else [known_text(word) for word in run.items(run.argv)]
+    words = [known_text(word) for word in run.words]
     if name is None:
         return Unknown("the name of an argument")
     texts = [word.removeprefix(f"{name}:=") for word in words if word is not None and word.startswith(f"{name}:=")]

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import posixpath
 from abc import abstractmethod
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, TypeVar
@@ -171,6 +171,12 @@ class LaunchRun(Run):
         """Note a process."""
         self._processes.start(started, self.in_handler, tuple(self.includes), tuple(self.visiting))
 
+    @property
+    def words(self) -> Sequence[Value]:
+        """The command line, as far as it is known."""
+        self.result.stands_alone = False
+        return [] if self.argv is None else self.items(self.argv)
+
     def note_undeclared(self, name: str, place: Place, conditional: bool) -> None:
         own = self.place_now if self.declaring == name else None
         unseen = next((include.place for include in self.result.included if include.is_missing), None)
@@ -328,4 +334,4 @@ class LaunchRun(Run):
             self.store.merge([layer])
             self.activations, self.branch_arms = kept, kept_arms
             self.left -= self.steps
-            self.result.cut_short = self.result.cut_short or self.steps >= self.allowed_steps
+            self.result.stands_alone = self.result.stands_alone and self.steps < self.allowed_steps

@@ -134,7 +134,7 @@ class KeptResults(ABC, Generic[Result]):
 
     def _valid(self, table: Table, key: str) -> Row | None:
         """A program, if nothing that it depends on has changed but, perhaps, what ran before it."""
-        if key not in table.keys or any(self._print_of(path) != known for path, known in table.files_of(key)):
+        if key not in table.keys or not table.has_same_files(key, self._print_of):
             return None
         row = table.row(key)
         if row is None or (row.everything and table.everything != self._everything):

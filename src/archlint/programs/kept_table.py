@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -78,6 +78,8 @@ class Table:
             kept = _Kept(surroundings, "", [], [], [], [])
         self._kept = kept
         self._entries = {entry.key: entry for entry in kept.entries}
+        self._changed: set[int] | None = None
+        """The files that are not as they were."""
 
     @property
     def everything(self) -> str:
@@ -93,9 +95,11 @@ class Table:
         """Those of the files, by their paths, that the programs have read."""
         return dict(self._kept.files)
 
-    def files_of(self, key: str) -> list[tuple[str, str]]:
-        """The files that a program has read, with their fingerprints then."""
-        return [self._kept.files[number] for number in self._entries[key].files]
+    def has_same_files(self, key: str, fingerprint: Callable[[str], str | None]) -> bool:
+        """Whether the files that a program has read have the fingerprints that they had; those of now never change."""
+        if self._changed is None:
+            self._changed = {n for n, (path, before) in enumerate(self._kept.files) if fingerprint(path) != before}
+        return self._changed.isdisjoint(self._entries[key].files)
 
     def row(self, key: str) -> Row | None:
         """A program; raises ``LookupError`` where the table is damaged."""

@@ -50,7 +50,9 @@ class Tree(Protocol):
 class _NoFiles:
     """A tree without files."""
 
-    words = Words(lambda path: None)
+    @property
+    def words(self) -> Words:
+        return Words(lambda path: None)
 
     def text(self, path: str) -> str | None:
         return None
