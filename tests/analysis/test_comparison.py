@@ -59,7 +59,7 @@ def test_what_runs_as_it_is_written_differs_in_nothing(recorded, tmp_path, launc
 def test_it_is_said_what_was_compared(recorded, tmp_path):
     file = (tmp_path / "robot.json").as_posix()
     assert compared(recorded, tmp_path).remarks[0] == f"Compared {file} with the system that {LAUNCH} starts."
-    assert "no --launch says which of them are to run" in compared(recorded, tmp_path, None).remarks[0]
+    assert "without --launch it is not known which of them run" in compared(recorded, tmp_path, None).remarks[0]
 
 
 def test_a_node_that_does_not_run(recorded, tmp_path):

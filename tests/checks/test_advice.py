@@ -92,7 +92,7 @@ def test_a_node_that_runs_only_while_it_is_waited_for_answers_no_await(
 
 def test_an_execute_callback_that_returns_has_ended_its_goal(judge: Judge):
     [spin] = judge("EXE001", program(ACTION, ITS_OWN))
-    assert spin.help == "make the execute callback async, and await call_async(…): its goal goes on with the answer"
+    assert spin.help == "make the execute callback async, and await call_async(…): the goal continues with the response"
     [call] = judge("EXE002", program(ACTION, "self.client.call(Trigger.Request())  # here"))
     assert call.help == spin.help
     [goal] = judge("EXE002", program(ACTION, "self.goals.send_goal(Fibonacci.Goal())  # here"))
@@ -103,15 +103,15 @@ def test_an_execute_callback_that_returns_has_ended_its_goal(judge: Judge):
 def test_a_handler_must_have_heard_before_it_returns(judge: Judge, made: str):
     [found] = judge("EXE002", program(made, "self.heard.wait()  # here"))
     assert found.help == (
-        "spin the node with a MultiThreadedExecutor, give the callback that sets the event a callback group "
-        "of its own, and wait here with a timeout"
+        "spin the node with a MultiThreadedExecutor, give the callback that sets the event its own callback group, "
+        "and wait here with a timeout"
     )
 
 
 def test_a_timer_may_leave_the_rest_to_the_callback_that_hears(judge: Judge):
     tick = "self.create_timer(1.0, lambda: self.heard.wait())  # here"
     [found] = judge("EXE002", program(tick, "pass"))
-    assert found.help == "store what arrives in an attribute and continue in the callback that receives it"
+    assert found.help == "continue in the callback that sets the event"
 
 
 LIBRARY = """

@@ -338,15 +338,15 @@ class TestSpinning:
             (
                 "executor = MultiThreadedExecutor()\nexecutor.add_node(robot)\nexecutor.remove_node(robot)\n"
                 "executor.spin()",
-                "it is taken off its executor here",
+                "it is removed from its executor here",
             ),
             (
                 "spinner = threading.Thread(target=rclpy.spin, args=(robot,))\nspinner.daemon = True\ntime.sleep(5)",
-                "this thread would spin it, and is never started",
+                "this thread would spin it, but is never started",
             ),
             (
                 "threading.Thread(target=lambda: rclpy.spin(robot))\ntime.sleep(5)",
-                "this thread would spin it, and is never started",
+                "this thread would spin it, but is never started",
             ),
         ],
         ids=["no node", "removed", "not started", "thrown away"],
@@ -494,7 +494,7 @@ while self.name is None:
         [finding] = run(source(setup, self.TICK, ON_ONE_THREAD))
 
         assert finding.message.startswith("2 callback groups in a node that a single thread spins")
-        assert finding.related[0].message == "a mutually exclusive group is made here"
+        assert finding.related[0].message == "a mutually exclusive group is created here"
         assert finding.related[0].place.line == finding.place.line + 1
 
     ONE_GROUP = """

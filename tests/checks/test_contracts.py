@@ -172,7 +172,7 @@ def test_layers_that_are_not_neighbours(findings):
         ({"topic": '"/stop"', "subscriber": '"/m*"'}, "/motor and /mux do not subscribe to /stop"),
         ({"topic": '"/stop"', "subscriber": '"*"'}, "there is no node to subscribe to /stop"),
         ({"topic": '"/cmd_vel"', "subscriber": '"*"'}, None),
-        ({"topic": '"*_vel"', "publisher": '"/planner"'}, "no node /planner is there to publish /planned_vel"),
+        ({"topic": '"*_vel"', "publisher": '"/planner"'}, "there is no node /planner to publish /planned_vel"),
         ({"service": '"/enable"', "server": '"/motor"', "client": '"*"'}, None),
         ({"service": '"/enable"', "server": '"/mux"'}, "/mux does not serve /enable"),
         ({"action": '"/move"', "server": '"*"'}, "there is no node to serve /move"),

@@ -106,4 +106,4 @@ def test_the_topic_of_a_model(judge: Judge, tmp_path: Path, model: str, bridged:
     [found] = judge("NME001", MOVER.replace("/ball/words", bridged if model == bridged else "/ball/words"))
 
     assert found.severity is severity
-    assert ("Gazebo dictates it" in found.message) == (severity is Severity.INFO)
+    assert ("Gazebo prescribes it" in found.message) == (severity is Severity.INFO)

@@ -172,7 +172,7 @@ def test_a_substitution_that_is_performed_and_does_not_fail(findings, line):
 )
 def test_a_substitution_that_is_taken_for_a_path(findings, line, said, help):
     (one,) = findings("LCH008", **{"launch/it.launch.py": PERFORMED.format(line=line)})
-    assert f"os.path.join() is given {said}, which is no path" in one.message and help in one.help
+    assert f"os.path.join() is called with {said}, which is not a string" in one.message and help in one.help
     assert one.place.line == 14 and one.severity is Severity.ERROR
 
 

@@ -201,14 +201,14 @@ def absolute(*names: str) -> dict[str, str]:
         (
             ["/words"],
             ["left"],
-            "write 'words', to which the node's namespace applies, or take the name from a parameter",
+            "write 'words', so that the node's namespace applies, or take the name from a parameter",
         ),
         (
             ["/left/words"],
             [""],
-            "write 'left/words', to which the node's namespace applies, or take the name from a parameter",
+            "write 'left/words', so that the node's namespace applies, or take the name from a parameter",
         ),
-        (["/lefty/words"], ["left"], "write 'lefty/words', to which"),
+        (["/lefty/words"], ["left"], "write 'lefty/words', so that"),
         (["/left/words"], ["left", ""], "take the name from a parameter: self.declare_parameter('words_name'"),
         (
             ["/left/words", "/left/more"],
@@ -269,7 +269,7 @@ def test_the_value_that_makes_bad_names_is_told_where_it_is_set(findings, parame
     }
     (found,) = findings("NME002", node(parameter), **files)
     assert (found.place.file, found.place.line) == place
-    assert "'/p2, p3/goal', which is made of this value of the parameter 'robot'" in found.message
+    assert "'/p2, p3/goal', which is built from this value of the parameter 'robot'" in found.message
     assert len(found.related) == 2
     assert findings("NME002", node(parameter.replace("p2, p3", "p2")), **files | {"config/p.yaml": ""}) == []
 

@@ -76,8 +76,8 @@ def test_name_renames_all_nodes_of_an_executable(findings):
     assert found.message == "name= renames every node of this executable, so several have the name '/it'"
     assert found.help == "remove name=, so that each node keeps the name from its code"
     assert sorted((one.place.line, one.message) for one in found.related) == [
-        (13, "'talker' is made here"),
-        (14, "'helper' is made here"),
+        (13, "'talker' is created here"),
+        (14, "'helper' is created here"),
     ]
     assert findings("NME004", node(), **{"robot/talker.py": two}) == []  # the advice works
 
@@ -130,7 +130,7 @@ def test_what_a_finally_makes_stands_beside_what_its_try_returned_from(findings)
     before.append("    rclpy.spin_once(rclpy.create_node('farewell'))")
     code = TEXT_MODE.replace("{before}", "\n".join(f"    {line}" for line in before))
     (found,) = findings("NME004", node(name="it"), **{"robot/talker.py": code})
-    assert {"'text' is made here", "'farewell' is made here"} == {one.message for one in found.related}
+    assert {"'text' is created here", "'farewell' is created here"} == {one.message for one in found.related}
 
 
 SPAWNER = """\

@@ -462,7 +462,7 @@ class TestInvalidName:
     def test_the_complete_name_is_shown_where_only_that_is_wrong(self, judge: Judge):
         [found] = judge("NME002", script("node.create_publisher(String, '{ns}/scan', 10)  # here"))
 
-        assert "(complete: '//scan')" in found.message
+        assert "(full name: '//scan')" in found.message
 
     @pytest.mark.parametrize(
         "lines",
@@ -497,7 +497,7 @@ class TestInvalidName:
         lines = ["space = node.get_namespace()", "node.create_publisher(String, f'{space}/words', 10)  # here"]
         [found] = judge("NME002", script(*lines, "node.create_client(Trigger, f'{space}/go')"))
         assert "the topic name '//words' of a node in no namespace: " in found.message
-        assert found.message.endswith("; the same goes for '//go'")
+        assert found.message.endswith("; the same applies to '//go'")
         assert found.help == "write the relative name 'words': ROS adds the node's namespace"
         [alone] = judge("NME002", script(*lines, "node.create_client(Trigger, 'go')"))
         assert "the same goes" not in alone.message

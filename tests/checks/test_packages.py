@@ -32,7 +32,7 @@ def test_an_entry_that_is_not_of_the_form_is_told_once(findings, entries, messag
 @pytest.mark.parametrize(
     ("target", "what"),
     [
-        ("robot.talker", "'robot.talker' is a module, and the entry names no function in it"),
+        ("robot.talker", "'robot.talker' is a module, but the entry names no function in it"),
         ("robot.talker.main", "module 'robot.talker.main' does not exist; did you mean 'robot.talker:main'?"),
     ],
 )
@@ -135,7 +135,7 @@ def test_a_function_that_is_not_there_is_to_be_written_or_another_named(findings
     (found,) = findings("PKG002", **{"setup.py": SETUP.replace(":main", ":mian")})
     assert found.help == "write 'talker = robot.talker:main'"
     (found,) = findings("PKG002", **{"setup.py": SETUP.replace(":main", ":serve_all")})
-    assert found.help == "define 'serve_all' in the module, or name a function that it has"
+    assert found.help == "define 'serve_all' in the module, or use a function that it has"
 
 
 def test_entries_whose_modules_lack_one_function_are_one_finding(findings):

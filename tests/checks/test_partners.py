@@ -333,7 +333,7 @@ def test_in_the_smallest_system_the_node_in_the_middle_is_the_single_point_of_fa
     ends = [node("/sensor", publisher("/scan")), node("/motor", subscriber("/cmd"))]
     [found] = findings(system(middle, *ends), "GRF004")
     assert found.node == "/control"
-    assert found.message == "without /control the system falls into 2 unconnected parts: {/motor}, {/sensor}"
+    assert found.message == "without /control the system splits into 2 unconnected parts: {/motor}, {/sensor}"
     assert findings(system(*ends), "GRF004") == []
 
 

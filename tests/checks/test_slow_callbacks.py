@@ -402,9 +402,9 @@ def test_a_handler_that_tries_three_times_takes_as_long_as_all_of_them(run: Run)
         "def go(self, request, response):\n    for attempt in range(3):\n        time.sleep({})\n    return response\n"
     )
     [found] = run(source(create, body.format("1.0")))
-    assert found.code == "SRV008" and "sleeps for 3 s in all, in a loop: the caller waits meanwhile" in found.message
+    assert found.code == "SRV008" and "sleeps for 3 s in all, in a loop: meanwhile the caller waits" in found.message
     [grows] = run(source(create, body.format("1.0 * (attempt + 1)")))
-    assert "for a time that depends on the loop: the caller waits meanwhile" in grows.message
+    assert "for a time that depends on the loop: meanwhile the caller waits" in grows.message
 
 
 EXECUTE = """
@@ -668,7 +668,7 @@ def test_a_loop_may_watch_the_clock(run: Run):
         "    while read() and time.time() < end:\n        time.sleep(0.1)\n    return response\n"
     )
     [found] = run(source(create, method))
-    assert found.code == "SRV008" and "the caller waits meanwhile and cannot cancel" in found.message
+    assert found.code == "SRV008" and "meanwhile the caller waits and cannot cancel" in found.message
 
 
 @pytest.mark.parametrize(
@@ -785,7 +785,7 @@ def test_a_node_that_waits_for_the_network_in_each_handler_is_one_finding(run: R
         "self.create_service(Trigger, 'add', self.add)\nself.create_timer(5.0, print)\n"
     )
     [found] = run("import requests\n" + source(create, ASKS))
-    assert found.code == "EXE003" and found.message.endswith("; the same goes for another callback")
+    assert found.code == "EXE003" and found.message.endswith("; the same applies to another callback")
     assert "here Robot.add waits in post(), too" in [row.message for row in found.related]
     assert found.help.startswith("spin the node with a MultiThreadedExecutor")
 

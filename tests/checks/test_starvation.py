@@ -265,7 +265,7 @@ def test_a_timer_that_waits_beside_itself_for_an_event(run: Run):
     assert text.splitlines()[found.place.line - 1].strip() == "self.came.wait()"
     assert "starts again every 0.2 s while it still waits for an event that Robot.on_news sets" in found.message
     assert found.message.endswith("all 2 threads wait, and no thread is left to run Robot.on_news: it then deadlocks")
-    assert (found.help or "").startswith("give Robot.tick a MutuallyExclusiveCallbackGroup() of its own")
+    assert (found.help or "").startswith("give Robot.tick its own MutuallyExclusiveCallbackGroup()")
     (found,) = [one for one in run(news(limit="timeout=0.5")) if one.code == "EXE014"]
     assert found.message.endswith("every wait then times out")
 

@@ -160,7 +160,7 @@ def test_what_stands_inside_export_is_to_be_moved_out(lint: Lint):
     text = manifest("talk", *depends("rclpy"))
     files = {"package.xml": text.replace("</export>", f"\n  {inside}"), "talk/node.py": node(POSE)}
     (found,) = lint(files)
-    assert found.help == "declare it outside of <export>: what stands inside does not count"
+    assert found.help == "declare it outside of <export>: entries inside it do not count"
     assert [(one.place.file, one.place.line, one.message) for one in found.related] == [
         ("package.xml", 6, "'geometry_msgs' is inside <export> here, where it does not count")
     ]

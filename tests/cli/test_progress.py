@@ -113,20 +113,20 @@ def test_a_long_run_says_how_far_it_is():
     tally.compiling(3)
     clock.now = 1.0
     tally.compiled("a.py", 0.5)
-    assert terminal.screen == "archlint: 1/3 files compiled"
+    assert terminal.screen == "archlint: 1/3 files read"
     clock.now = 2.0
     tally.following(40)
-    assert terminal.screen == "archlint: 1/3 files compiled, 0/40 programs followed"
+    assert terminal.screen == "archlint: 1/3 files read, 0/40 programs analysed"
     clock.now = 3.0
     tally.followed("ScriptKey(file='a.py')", "a (a.py)", 0.5)
     clock.now = 4.0
     tally.known("ScriptKey(file='b.py')")
-    assert terminal.screen == "archlint: 1/3 files compiled, 2/40 programs followed"
+    assert terminal.screen == "archlint: 1/3 files read, 2/40 programs analysed"
     clock.now = 5.0
     tally.judging(7)
     clock.now = 6.0
     tally.judged()
-    assert terminal.screen.endswith(", 2/40 programs followed, 1/7 systems judged")
+    assert terminal.screen.endswith(", 2/40 programs analysed, 1/7 systems checked")
 
 
 def test_of_what_several_processes_follow_the_parts_are_counted():
@@ -137,11 +137,11 @@ def test_of_what_several_processes_follow_the_parts_are_counted():
     tally.dividing(5)
     clock.now = 3.0
     tally.part_done()
-    assert terminal.screen == "archlint: 1/5 parts of the programs followed"
+    assert terminal.screen == "archlint: 1/5 parts of the programs analysed"
     tally.divided()
     clock.now = 4.0
     tally.known("ScriptKey(file='a.py')")
-    assert terminal.screen == "archlint: 1/40 programs followed"
+    assert terminal.screen == "archlint: 1/40 programs analysed"
 
 
 def test_the_line_changes_only_so_often():
@@ -152,10 +152,10 @@ def test_the_line_changes_only_so_often():
     tally.compiled("a.py", 0.1)
     clock.now = 2.05
     tally.compiled("b.py", 0.1)
-    assert terminal.screen == "archlint: 1/3 files compiled"
+    assert terminal.screen == "archlint: 1/3 files read"
     clock.now = 2.11
     tally.compiled("c.py", 0.1)
-    assert terminal.screen == "archlint: 3/3 files compiled"
+    assert terminal.screen == "archlint: 3/3 files read"
 
 
 def test_nothing_is_left_of_the_line_and_nothing_comes_after():
@@ -217,8 +217,8 @@ def test_where_the_line_is_shown(monkeypatch: pytest.MonkeyPatch, environment: d
 def test_a_run_shows_the_line_and_takes_it_away(capsys: pytest.CaptureFixture[str], command: str):
     status, terminal = run(command, "--no-cache", "--jobs", "1", "--format", "json")
     assert status == 0
-    assert "archlint: 2/2 files compiled" in terminal.getvalue()
-    assert "4/4 programs followed" in terminal.getvalue()
+    assert "archlint: 2/2 files read" in terminal.getvalue()
+    assert "4/4 programs analysed" in terminal.getvalue()
     assert terminal.screen == ""
     json.loads(capsys.readouterr().out)
 
@@ -227,7 +227,7 @@ def test_a_run_shows_the_line_and_takes_it_away(capsys: pytest.CaptureFixture[st
 @pytest.mark.usefixtures("workspace", "long_runs")
 def test_the_line_changes_nothing_of_the_output(capsys: pytest.CaptureFixture[str], command: str, format: str):
     _, terminal = run(command, "--no-cache", "--format", format)
-    assert "files compiled" in terminal.getvalue()
+    assert "files read" in terminal.getvalue()
     with_line = capsys.readouterr().out
     main([command, "--no-cache", "--format", format])
     assert capsys.readouterr().out == with_line
@@ -251,7 +251,7 @@ def test_what_is_checked_again_after_fixes_is_watched_too(workspace: Path):
     (workspace / "waits.py").write_text(waits)
     _, terminal = run("check", "--no-cache", "--jobs", "1", "--fix", "--unsafe-fixes")
     assert "\rFixed " in terminal.getvalue()
-    assert "6/6 files compiled" in terminal.getvalue()  # three files, twice
+    assert "6/6 files read" in terminal.getvalue()  # three files, twice
 
 
 @pytest.mark.usefixtures("workspace", "long_runs")
@@ -263,7 +263,7 @@ def test_the_line_is_gone_before_an_error_is_told(monkeypatch: pytest.MonkeyPatc
     status, terminal = run("check", "--no-cache")
     assert status == 2
     shown, erased, rest = terminal.getvalue().rsplit("\r", 2)
-    assert shown.endswith("0/2 files compiled")
+    assert shown.endswith("0/2 files read")
     assert erased.isspace()
     assert rest.startswith("archlint: internal error: KeyError")
 
@@ -288,9 +288,9 @@ def test_the_slowest_come_first_with_their_share():
     tally.followed("ScriptKey(file='b.py')", "b (b.py)", 2.0)
     assert list(costs(tally)) == [
         "processor time: 20.00 s",
-        "compiled 12 files: 16.50 s, 82.5 %",
+        "read 12 files: 16.50 s, 82.5 %",
         *(f"  {0.25 * number:7.2f} s {1.25 * number:4.1f} %  file_{number:02}.py" for number in range(11, 1, -1)),
-        "followed 2 programs: 3.00 s, 15.0 %; kept 0 from an earlier run",
+        "analysed 2 programs: 3.00 s, 15.0 %; reused 0 from an earlier run",
         "     2.00 s 10.0 %  b (b.py)",
         "     1.00 s  5.0 %  a (a.py)",
     ]
@@ -333,20 +333,20 @@ def test_verbose_names_files_and_programs(workspace: Path, capsys: pytest.Captur
 
 def test_verbose_counts_what_an_earlier_run_had_followed(workspace: Path, capsys: pytest.CaptureFixture[str]):
     main(["check", "--verbose", "--cache-dir", "cache"])
-    assert {"compiled 2 files", "followed 4 programs"} <= set(told(capsys))
+    assert {"read 2 files", "analysed 4 programs"} <= set(told(capsys))
     (workspace / "other.py").write_text(NODE.replace("talker", "listener"))
     main(["check", "--verbose", "--cache-dir", "cache"])
     lines = capsys.readouterr().err.splitlines()
-    assert any(line.startswith("compiled 1 file:") for line in lines)
-    [followed] = [line for line in lines if line.startswith("followed")]
-    assert (followed.split(":")[0], followed.split("; ")[1]) == ("followed 2 programs", "kept 2 from an earlier run")
+    assert any(line.startswith("read 1 file:") for line in lines)
+    [followed] = [line for line in lines if line.startswith("analysed")]
+    assert (followed.split(":")[0], followed.split("; ")[1]) == ("analysed 2 programs", "reused 2 from an earlier run")
 
 
 def test_verbose_says_that_the_whole_result_was_kept(workspace: Path, capsys: pytest.CaptureFixture[str]):
     main(["check", "--cache-dir", "cache"])
     capsys.readouterr()
     main(["check", "--verbose", "--cache-dir", "cache"])
-    assert told(capsys)[-2:] == ["compiled 0 files", "followed no programs"]
+    assert told(capsys)[-2:] == ["read 0 files", "analysed no programs"]
 
 
 def test_quiet_is_stronger_than_verbose(workspace: Path, capsys: pytest.CaptureFixture[str]):
@@ -360,9 +360,9 @@ def test_processes_say_what_each_file_took(workspace: Path, capsys: pytest.Captu
         (workspace / f"node_{number}.py").write_text(NODE.replace("talker", f"node_{number}") + filler)
     main(["check", "--no-cache", "--verbose", "--jobs", "2"])
     lines = capsys.readouterr().err.splitlines()
-    assert any(line.startswith("compiled 6 files: ") for line in lines)
+    assert any(line.startswith("read 6 files: ") for line in lines)
     assert any(
-        line.startswith("followed 12 programs: ") and line.endswith("; kept 0 from an earlier run") for line in lines
+        line.startswith("analysed 12 programs: ") and line.endswith("; reused 0 from an earlier run") for line in lines
     )
     for number in range(4):
         assert any(line.endswith(f"  node_{number} (node_{number}.py)") for line in lines)

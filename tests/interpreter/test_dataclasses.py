@@ -172,4 +172,4 @@ def test_there_is_no_item_behind_the_last_field():
     found = interpret(
         "from typing import NamedTuple\nclass Goal(NamedTuple):\n    x: int\n    y: int\nit = Goal(1, 2)[5]"
     )
-    assert found.reason("it") == "no such item"
+    assert found.reason("it") == "the item does not exist"

@@ -129,7 +129,7 @@ def test_what_is_not_defined_is_unknown():
 @pytest.mark.parametrize(
     ("iterable", "reason"),
     [
-        ("5", "what the loop runs over is not known"),
+        ("5", "the collection that the loop iterates over is not known"),
         ("outside.items()", "outside.items() is outside of this workspace"),
         ("f()", "'f' raises"),
     ],

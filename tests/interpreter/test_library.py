@@ -91,7 +91,7 @@ class TestACallback:
 
     def test_an_attribute_that_is_missing_may_be_set_by_then(self):
         interpreted = interpret("class Robot:\n    pass\nit = hasattr(Robot(), 'arm')")
-        assert interpreted.reason("it") == "whether it is set by then"
+        assert interpreted.reason("it") == "whether it is already set"
 
 
 ROBOT = """

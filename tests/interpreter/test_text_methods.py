@@ -36,7 +36,7 @@ def test_format_takes_arguments_by_place_by_name_and_by_what_they_hold():
         ("'a'.index('b')", "an operation that fails"),
         ("'a'.center('x')", "an operation that fails"),
         ("'a'.strip(chars='a')", "str.strip() of arguments by name is not followed"),
-        ("'ab'.startswith(('a', 'b'))", "a text method of values"),
+        ("'ab'.startswith(('a', 'b'))", "a string method of unknown values"),
         ("'a'.ljust(10**9)", "a string too long to follow"),
         ("'a'.replace('', 'b' * 90000)", "a string too long to follow"),
         ("('\\t' * 5000).expandtabs(5000)", "a string too long to follow"),

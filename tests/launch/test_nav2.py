@@ -120,7 +120,7 @@ def test_a_word_may_stand_for_a_list_or_for_nothing(launches):
     found = given(launches, f"ReplaceString({FILE}, {{'shared': '[1.5e-3, 0.0]', '<robot>/': ''}})", "/elsewhere")
     assert found["map"] == [0.0015, 0.0]
     assert given(launches, f"ReplaceString({FILE}, {{'shared': 'a, b'}})", "/elsewhere")["map"] == NotKnown(
-        "a text that YAML may read in several ways"
+        "a string that YAML may read in several ways"
     )
     assert given(launches, f"ReplaceString({FILE}, {{'5': '1'}})")["Grid.tolerance"] == NotKnown(
         "a value that ReplaceString changes"

@@ -38,7 +38,7 @@ def test_yaml_keeps_types_but_for_texts_that_look_like_numbers(launches):
         "    remap:\n    - {from: x, to: y}\n"
     )
     (started,) = launched.started
-    why = "a text that looks like a number: releases differ in what they make of it"
+    why = "a string that looks like a number, which ROS releases read differently"
     assert parameters(started) == {"a": 1, "b": NotKnown(why), "c": "one"}
     assert remaps(started) == [("x", "y")]
     assert names(launched) == ["/left/-"]
@@ -154,9 +154,9 @@ def test_substitutions_in_a_parameter_file_keep_what_quotes_say(launches):
         "plain": 5,
         "quoted": "5",
         "empty": "",
-        "nothing": NotKnown("a text that YAML may read in several ways"),
+        "nothing": NotKnown("a string that YAML may read in several ways"),
         "joints": ["left_hip", "left_knee", "fixed"],
-        "numbers": NotKnown("a text that YAML may read in several ways"),  # whether its item is quoted is not kept
+        "numbers": NotKnown("a string that YAML may read in several ways"),  # whether its item is quoted is not kept
         "left_arm.rate": 10,
     }
 

@@ -18,7 +18,7 @@ def what_is_compared(system: System) -> str:
     if system.launched is not None:
         given = " ".join(f"{name}:={value}" for name, value in sorted(system.launched.arguments.items()))
         return f"the system that {system.name} starts" + (f" with {given}" if given else "")
-    return "all nodes of the workspace under their default names (no --launch says which of them are to run)"
+    return "all nodes of the workspace under their default names (without --launch it is not known which of them run)"
 
 
 def place_of(node: Node) -> Place:

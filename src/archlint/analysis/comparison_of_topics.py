@@ -120,5 +120,5 @@ def _may_publish(system: System, name: str) -> str | None:
             if not end.resolved and (end.name is None or pattern_matches(end.name, name)):
                 return f"it may be the publisher of {end.place.file}:{end.place.line}"
     for gap in system.launched.not_followed() if system.launched is not None else ():
-        return f"{gap.place.file}:{gap.place.line} may start who publishes it: {gap.reason}"
+        return f"{gap.place.file}:{gap.place.line} may start its publisher: {gap.reason}"
     return None

@@ -27,14 +27,14 @@ if TYPE_CHECKING:
     from archlint.systems.model import System
 
 _CONTINUE_WHEN_DONE = "send the request with call_async(), return, and continue in a done callback"
-_AWAIT = "make the execute callback async, and await {}: its goal goes on with the answer"
+_AWAIT = "make the execute callback async, and await {}: the goal continues with the response"
 _GROUP_HELP = (
     "give the client its own callback group (callback_group=MutuallyExclusiveCallbackGroup()), or "
     + _CONTINUE_WHEN_DONE
 )
 
-_STORE = "store what arrives in an attribute and continue in the callback that receives it"
-_OWN_GROUP = "give the callback that sets the event a callback group of its own, and wait here with a timeout"
+_STORE = "continue in the callback that sets the event"
+_OWN_GROUP = "give the callback that sets the event its own callback group, and wait here with a timeout"
 
 
 def when_done(callback: Callback, client: Creation | None) -> str:

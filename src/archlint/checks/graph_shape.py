@@ -95,8 +95,9 @@ def single_point_of_failure(system: System, options: Options) -> Iterator[Findin
         yield _finding(
             "GRF004",
             node,
-            f"without {node.name} the system falls into {len(parts)} unconnected parts: {', '.join(sorted(names)[:3])}",
-            "restart it when it fails (`respawn=True`), or connect the parts a second way",
+            f"without {node.name} the system splits into {len(parts)} unconnected parts: "
+            f"{', '.join(sorted(names)[:3])}",
+            "start it with respawn=True, so that it restarts when it fails",
         )
 
 

@@ -33,7 +33,7 @@ def _missing(system: System, end: HandlerEnd) -> Finding:
         end.place,
         f"the handler of {endpoint_words(callback.creation)} {what}: rclpy raises a TypeError, and the caller "
         "never gets a response",
-        help="return the response on every path, also where something went wrong",
+        help="return the response on every path, also when something goes wrong",
         related=related_handler(end),
         node=node_name(system, callback.node),
         identity=(callback.name, end.how),

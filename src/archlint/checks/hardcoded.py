@@ -276,7 +276,7 @@ def _may_be_meant(name: str, other: Endpoint) -> bool:
 def _help(name: str, reason: Reason) -> str:
     if reason.cure == FIXED.cure:
         bare = name.lstrip("/") or "…"
-        return f"write '{bare}', to which the node's namespace applies, or take the name from a parameter"
+        return f"write '{bare}', so that the node's namespace applies, or take the name from a parameter"
     if reason.key != FIXED.key:
         return reason.cure
     start = f"{reason.namespace}/"

@@ -63,7 +63,7 @@ def _useless(system: System, program: Program, node: Blueprint, groups: list[tup
         f"{what} in a node that a single thread spins has no effect: callbacks never run in parallel",
         help=f"spin the node with a MultiThreadedExecutor, or remove the group{'s' if others else ''}",
         related=[
-            *(Related(other, f"a {kind} group is made here") for other, kind in others),
+            *(Related(other, f"a {kind} group is created here") for other, kind in others),
             *related_executor(node, program),
         ],
         node=node_name(system, node),

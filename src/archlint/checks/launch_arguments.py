@@ -69,7 +69,7 @@ def _undeclared_uses(system: System, launched: Launched) -> Iterator[Finding]:
         help = f"declare it before it is read: {_declaration(use)}"
         if later:
             message = f"the launch argument '{use.name}' is read before it is declared"
-            help = "move the declaration in front: actions run in order"
+            help = "move the declaration before this line: actions run in order"
         related = [Related(place, "it is declared here" if later else "declared here, later") for place in places[:1]]
         yield finding("LCH003", use.place, message, help=help, related=related, identity=(use.file, use.name))
     for uses in plain.values():

@@ -52,7 +52,7 @@ def _not_a_path(joined: NotAPath) -> Finding:
     return finding(
         "LCH008",
         joined.place,
-        f"os.path.join() is given a {joined.substitution}, which is no path until launch performs it: "
+        f"os.path.join() is called with a {joined.substitution}, which is not a string until launch performs it: "
         "the launch stops here with a TypeError",
         help=instead,
         identity=("os.path.join", joined.substitution),

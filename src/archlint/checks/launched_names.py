@@ -41,7 +41,7 @@ def names_given_by_launch(system: System) -> Iterator[Finding]:
             if diagnostic.message != findings[key].message:
                 others.append(Related(started.place, diagnostic.message))
             elif started.place not in (findings[key].place, others[0].place):
-                others.append(Related(started.place, "this one is part of it, too"))
+                others.append(Related(started.place, "this is part of the invalid name, too"))
     for key, diagnostic in findings.items():
         yield finding(
             diagnostic.code,

@@ -45,7 +45,7 @@ SOON = 5.0
 RETRYING = 10.0
 """Seconds of pauses between some attempts, of which the first is to work."""
 
-_AN_ACTION = "make it an action: a long task then has feedback, a result and cancelling"
+_AN_ACTION = "make it an action: clients then get feedback and a result, and can cancel"
 _IF_TOO_LONG = "if that is too long for the caller, make it an action, with feedback, a result and cancelling"
 _THAT_ACTION = "let clients send a goal to {} of this node instead"
 _Sleep = tuple["ApiCall", Stay]
@@ -147,7 +147,7 @@ def _how_long(code: SourceCode, sleeps: Sequence[_Sleep], total: float, asked: b
     elif call.looped:
         up_to = "up to " if any(limit is not None for limit in call.limits) else ""
         words = f"sleeps for {up_to}{total:.3g} s in all, in a loop"
-    return f"{words}: the caller waits meanwhile and cannot cancel"
+    return f"{words}: meanwhile the caller waits and cannot cancel"
 
 
 def _is_as_asked(system: System, sleeps: Sequence[_Sleep]) -> bool:

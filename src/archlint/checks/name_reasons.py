@@ -54,7 +54,7 @@ NOT_INSTALLED = Reason(
     "not installed",
     "absolute and fixed in the code",
     ", in code that no package installs",
-    "remove the leading '/' if the file is to be installed",
+    "remove the leading '/' if you install the file",
     Severity.INFO,
     is_loose=True,
 )
@@ -83,7 +83,7 @@ def of_others(system: str) -> Reason:
     return Reason(
         "others",
         "absolute",
-        f": {system} dictates {{it}}",
+        f": {system} prescribes {{it}}",
         f"fine for one {system}; for several, remove the leading '/' and start the node in a namespace",
         Severity.INFO,
     )

@@ -85,7 +85,7 @@ def _invalid_endpoints(system: System, node: Node) -> Iterator[Finding]:
         if relative is not None and creation.name.origin_kind == "node_name":
             default = " of a node in no namespace"
         only_complete = names.validate_topic_name(shown) is None and endpoint.name != shown
-        complete = f" (complete: '{endpoint.name}')" if only_complete else ""
+        complete = f" (full name: '{endpoint.name}')" if only_complete else ""
         yield finding(
             "NME002",
             creation.name_place or creation.place,
@@ -117,11 +117,12 @@ def _bad_value(value: Setting, endpoints: Sequence[Endpoint]) -> Finding:
     return finding(
         "NME002",
         value.value_place or value.place,
-        f"ROS rejects the {NAMED[first.kind]} name '{first.written}', which is made of this value of the parameter "
+        f"ROS rejects the {NAMED[first.kind]} name '{first.written}', which is built from this value of the parameter "
         f"'{value.name}': {first.error}",
         help=f"set '{value.name}' to a value that may be part of a name: letters, digits, '_' and '/'",
         related=[
-            Related(end.creation.name.origin or end.place, f"'{end.written}' is made of it here") for end in endpoints
+            Related(end.creation.name.origin or end.place, f"'{end.written}' is built from it here")
+            for end in endpoints
         ],
         node=first.node.name,
         identity=("value", value.name, first.written or ""),
@@ -140,7 +141,7 @@ def _of_one_namespace(several: Sequence[Finding]) -> Finding:
     """One finding for all names that a function begins with an empty namespace."""
     first, *others = several
     written = list(dict.fromkeys(other.identity[2] for other in others if other.identity[2] != first.identity[2]))
-    more = f"; the same goes for {listed([repr(name) for name in written])}" if written else ""
+    more = f"; the same applies to {listed([repr(name) for name in written])}" if written else ""
     related = [Related(other.place, f"'{other.identity[2]}' is used here") for other in others]
     return replace(first, message=first.message + more, related=(*first.related, *related))
 

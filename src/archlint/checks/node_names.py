@@ -218,4 +218,4 @@ def _made(node: Node) -> Iterator[Related]:
     blueprint = node.blueprint
     if blueprint is not None:
         shown = blueprint.name.text or blueprint.class_name
-        yield Related(blueprint.made_at or blueprint.place, f"'{shown}' is made here")
+        yield Related(blueprint.made_at or blueprint.place, f"'{shown}' is created here")

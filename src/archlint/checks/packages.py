@@ -72,13 +72,13 @@ def _broken(workspace: WorkspaceIndex, executable: Executable) -> Iterator[Findi
             help = "add the module, or remove the entry" if near is None else f"write '{executable.name} = {target}'"
             yield _entry_finding(executable, f"module '{module}' does not exist{hint}", help)
         case NoFunctionNamed(module):
-            help = f"name one: '{executable.name} = {module}:function'"
-            yield _entry_finding(executable, f"'{module}' is a module, and the entry names no function in it", help)
+            help = f"write '{executable.name} = {module}:function'"
+            yield _entry_finding(executable, f"'{module}' is a module, but the entry names no function in it", help)
         case NoFunction(module, function, names):
             near = nearest(function, names)
             group = () if near is not None else (executable.place.file, function)
             hint = did_you_mean(function, names)
-            help = f"define '{function}' in the module, or name a function that it has"
+            help = f"define '{function}' in the module, or use a function that it has"
             if near is not None:
                 help = f"write '{executable.name} = {module}:{near}'"
             yield _entry_finding(executable, f"'{module}' has no function '{function}'{hint}", help, group)

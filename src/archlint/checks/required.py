@@ -130,7 +130,7 @@ def _end_of_no_node(system: System, contract: Contract, globs: Globs, kind: Enti
     if not there:
         return f"there is no node to {does} {name}"
     bare = [connection for connection in there if not any(is_meant(globs, end.node) for end in _ends(connection, kind))]
-    return f"no node {' or '.join(globs)} is there to {does} {bare[0].name}" if bare else None
+    return f"there is no node {' or '.join(globs)} to {does} {bare[0].name}" if bare else None
 
 
 def _listed(nodes: list[Node]) -> str:

@@ -315,7 +315,7 @@ def _of_one_cause(findings: Sequence[Finding]) -> Finding:
         message += f"; it waits in {more}, too"
     if callbacks:
         message += (
-            f"; the same goes for {'another callback' if len(callbacks) == 1 else f'{len(callbacks)} more callbacks'}"
+            f"; the same applies to {'another callback' if len(callbacks) == 1 else f'{len(callbacks)} more callbacks'}"
         )
     rows = [row for other in others for row in _rows_of(other, "it" if other in same else other.identity[0])]
     return replace(first, message=message, related=(*first.related, *rows))
@@ -334,7 +334,7 @@ def _answers_in_time(call: ApiCall, stay: Stay) -> bool:
 def _instead(program: Program, call: ApiCall, stay: Stay) -> str:
     """What to do; where the callback's return value is the answer, nothing can go on later."""
     if stay.kind == "lock":
-        return "request it with LOCK_NB, and try again later where another process has it"
+        return "request it with LOCK_NB, and try again later if another process has it"
     if stay.kind == "discovery" and made_here(call):
         return MAKE_IT_EARLIER
     if stay.kind == "discovery" and call.context.role in _ANSWERS - {Role.EXECUTE}:

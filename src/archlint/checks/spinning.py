@@ -63,9 +63,9 @@ def _never_spun(system: System, node: Blueprint, idle: Idle) -> Finding:
     if node.executor == ExecutorKind.NONE:
         if node.never_starting is not None:
             help_ = "start the thread: call its start()"
-            related.append(Related(node.never_starting, "this thread would spin it, and is never started"))
+            related.append(Related(node.never_starting, "this thread would spin it, but is never started"))
         elif node.removed_at is not None:
-            related.append(Related(node.removed_at, "it is taken off its executor here"))
+            related.append(Related(node.removed_at, "it is removed from its executor here"))
     if idle.spin is not None:
         message = f"nothing spins this node after its constructor, so the {callbacks} of its {what} no longer {runs}"
         related.append(Related(idle.spin, "the constructor spins only briefly"))

@@ -65,7 +65,7 @@ def _pile_of_events(system: System, wait: PilingEvent) -> Finding:
         call.place,
         f"{callback_words(callback)} starts again every {wait.pace.period:g} s while it still waits for an event that "
         f"{setter.name} sets: if the event is late, {all_}, and no thread is left to run {setter.name}: {end}",
-        help=f"give {callback.name} a MutuallyExclusiveCallbackGroup() of its own: it then takes one thread at most",
+        help=f"give {callback.name} its own MutuallyExclusiveCallbackGroup(): it then takes one thread at most",
         related=(*related_to(call, wait.program), *_sent(wait.pace)),
         node=node_name(system, callback.node),
         identity=(callback.name, setter.name, "event"),
@@ -80,7 +80,7 @@ def _pile_of_sleeps(system: System, wait: PilingSleep) -> Finding:
         f"{callback_words(callback)} starts again every {wait.pace.period:g} s while it still sleeps for up to "
         f"{wait.longest:g} s in Rate.sleep(): all {wait.threads} threads sleep, and no thread is left to run the "
         f"timer that wakes them: it then deadlocks",
-        help=f"give {callback.name} a MutuallyExclusiveCallbackGroup() of its own: it then takes one thread at most",
+        help=f"give {callback.name} its own MutuallyExclusiveCallbackGroup(): it then takes one thread at most",
         related=(*related_to(call, wait.program), *_sent(wait.pace)),
         node=node_name(system, callback.node),
         identity=(callback.name, "Rate.sleep"),

@@ -283,7 +283,7 @@ def _hint(workspace: WorkspaceIndex, package: Package, use: Use) -> str:
 
 def _help(package: Package, needed: Sequence[str]) -> str:
     if not package.in_export.keys().isdisjoint(needed):
-        return f"declare {'it' if len(needed) == 1 else 'each'} outside of <export>: what stands inside does not count"
+        return f"declare {'it' if len(needed) == 1 else 'each'} outside of <export>: entries inside it do not count"
     manifest, line = package.manifest.relative, f"<{_tag(package)}>{needed[0]}</{_tag(package)}>"
     return f"add {line} to {manifest}" if len(needed) == 1 else f"add a line like {line} for each to {manifest}"
 

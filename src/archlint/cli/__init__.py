@@ -99,10 +99,10 @@ def _failed(error: Exception, verbose: bool) -> int:
         _note("traceback:\n" + "".join(traceback.format_exception(error)))
     from archlint.project import issue_tracker
 
-    hint = "" if verbose else ", with what `--verbose` adds"
+    hint = "" if verbose else ", with the output of `--verbose`"
     return _note(
         f"internal error: {type(error).__name__}: {error}\n"
-        f"This is a fault of archlint, not of your code. Please report it on {issue_tracker()}{hint}."
+        f"This is an error in archlint, not in your code. Please report it on {issue_tracker()}{hint}."
     )
 
 

@@ -1,4 +1,4 @@
-"""``archlint config``: the effective configuration, and where each value came from."""
+"""``archlint config``: the effective configuration, and the origin of each value."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 def parser() -> argparse.ArgumentParser:
-    parser = Parser("config", "Print the effective configuration as TOML, with where each value came from.")
+    parser = Parser("config", "Print the effective configuration as TOML, with the origin of each value.")
     add_paths(parser)
     add_configuration(parser)
     return parser

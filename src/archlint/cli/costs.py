@@ -15,14 +15,14 @@ MOST = 10
 def costs(tally: Tally) -> Iterator[str]:
     """What was done and what was kept, and the slowest files and programs with their share of the processor time."""
     yield f"processor time: {tally.seconds:.2f} s"
-    yield f"compiled {_count(len(tally.files), 'file')}{_total(tally.files.values(), tally.seconds)}"
+    yield f"read {_count(len(tally.files), 'file')}{_total(tally.files.values(), tally.seconds)}"
     yield from _slowest(tally.files, tally.seconds)
     if not tally.links:
-        yield "followed no programs: the result of an earlier run was kept"
+        yield "analysed no programs: the result of an earlier run was reused"
         return
     seconds = [seconds for _, seconds in tally.programs.values()]
-    followed = f"followed {_count(len(tally.programs), 'program')}{_total(seconds, tally.seconds)}"
-    yield f"{followed}; kept {tally.kept} from an earlier run"
+    followed = f"analysed {_count(len(tally.programs), 'program')}{_total(seconds, tally.seconds)}"
+    yield f"{followed}; reused {tally.kept} from an earlier run"
     yield from _slowest(_by_name(tally), tally.seconds)
 
 

@@ -85,7 +85,7 @@ def run(arguments: argparse.Namespace) -> int:
     for fault in drawn.faults:
         console.note(f"archlint: {fault}")
     if drawn.faults:
-        console.note("This is a fault of archlint, not of your code; everything else was followed.")
+        console.note("This is an error in archlint, not in your code; everything else was analysed.")
         return exits.FAILED
     if keeper is not None:
         keeper.keep(answer)

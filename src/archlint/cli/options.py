@@ -105,7 +105,7 @@ def add_talking(parser: argparse.ArgumentParser) -> None:
         "-v",
         "--verbose",
         action="store_true",
-        help="tell the slowest files and programs, and tracebacks of internal errors",
+        help="show the slowest files and programs, and tracebacks of internal errors",
     )
     group.add_argument("--color", metavar="WHEN", choices=("auto", "always", "never"), default="auto",
                        help="auto (default), always or never; NO_COLOR is honoured")  # fmt: skip

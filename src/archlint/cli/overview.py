@@ -5,7 +5,7 @@ from __future__ import annotations
 OVERVIEW = """\
 usage: archlint [COMMAND] [OPTIONS] [PATH ...]
 
-The architecture linter and graph analyzer for ROS 2: reads rclpy code, runs none of it.
+The architecture linter and graph analyzer for ROS 2: reads rclpy code without running it.
 
 commands:
   check [PATH ...]    find what is wrong between nodes and inside their callbacks
@@ -15,14 +15,14 @@ commands:
                       `graph --observed FILE` compare it with the source
   explain CODE        a rule's page: what it finds, why it matters, what to write instead
   rules               the table of rules
-  config [PATH]       the effective configuration, and where each value came from
+  config [PATH]       the effective configuration, and the origin of each value
 
 options:
   -V, --version       print the version
-  -h, --help          print this; `archlint COMMAND --help` tells more about a command
+  -h, --help          print this; `archlint COMMAND --help` prints the options of a command
 
 exit status:
   0  everything was analysed and nothing is at or above the failing severity
   1  findings
-  2  could not do the job: a wrong option or configuration, no input, an internal error
+  2  the run failed: a wrong option or configuration, no input, an internal error
 """

@@ -60,13 +60,13 @@ def words(tally: Tally) -> str:
 
 def _parts(tally: Tally) -> Iterator[str]:
     if tally.files_all:
-        yield f"{_of(tally.files_done, tally.files_all)} files compiled"
+        yield f"{_of(tally.files_done, tally.files_all)} files read"
     if tally.parts_all:
-        yield f"{_of(tally.parts_done, tally.parts_all)} parts of the programs followed"
+        yield f"{_of(tally.parts_done, tally.parts_all)} parts of the programs analysed"
     elif tally.programs_all:
-        yield f"{_of(tally.programs_done, tally.programs_all)} programs followed"
+        yield f"{_of(tally.programs_done, tally.programs_all)} programs analysed"
     if tally.systems_all:
-        yield f"{_of(tally.systems_done, tally.systems_all)} systems judged"
+        yield f"{_of(tally.systems_done, tally.systems_all)} systems checked"
 
 
 def _of(done: int, all_: int) -> str:

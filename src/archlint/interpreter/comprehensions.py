@@ -48,7 +48,9 @@ def comprehension(machine: Machine, e: facts.Comprehension) -> Value:
             # What is filled later is gone through once, with an item that is not known.
             later = items.open and not items.exhaustive and not items.values
             values = (
-                (unknown_item(machine, iterable, "what is in the collection is not known"),) if later else items.values
+                (unknown_item(machine, iterable, "the items of the collection are not known"),)
+                if later
+                else items.values
             )
             machine.items_left -= len(values)
         for item in values:
@@ -77,7 +79,7 @@ def comprehension(machine: Machine, e: facts.Comprehension) -> Value:
 def _why_unknown_items(iterable: Value) -> str:
     match reason(iterable):
         case Uninformative():
-            return "what the loop runs over is not known"
+            return "the collection that the loop iterates over is not known"
         case why:
             return why
 

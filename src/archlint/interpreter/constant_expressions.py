@@ -107,7 +107,7 @@ def _combined(node: ast.BinOp) -> Any:
     left, right = _value(node.left), _value(node.right)
     texts = any(isinstance(side, (str, list, tuple)) for side in (left, right))
     if texts and not isinstance(node.op, ast.Add):
-        raise NotFollowed("an operation on texts that is not followed")
+        raise NotFollowed("an operation on strings that is not followed")
     return _BINARY[type(node.op)](left, right)
 
 

@@ -98,7 +98,7 @@ def _await(machine: Machine, e: facts.Await) -> Value:
 def _yield(machine: Machine, e: facts.Yield) -> Value:
     value = NONE if e.value is None else machine.evaluate(e.value)
     machine.activation.yields.append(value)
-    return Unknown("what is sent into a generator")
+    return Unknown("a value that is sent into a generator")
 
 
 def _sequence(machine: Machine, e: facts.Sequence) -> Value:

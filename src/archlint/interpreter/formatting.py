@@ -125,7 +125,7 @@ def _meant(part: Value) -> Sequence[Value]:
     options = alternatives(part)
     if len(options) == 1:
         return options
-    return [Unknown("it may be None in this text") if option.is_none else option for option in options]
+    return [Unknown("it may be None in this string") if option.is_none else option for option in options]
 
 
 def plain_text(machine: Machine, value: Value) -> Value:

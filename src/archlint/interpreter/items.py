@@ -37,7 +37,7 @@ STRANGE_KEYS = 64
 
 
 def slice_of(machine: Machine, value: Value, bounds: slice | None) -> Value:
-    return machine.library.lost(_slice_of(machine, value, bounds), (value,), "it is in a part of a list")
+    return machine.library.lost(_slice_of(machine, value, bounds), (value,), "it is in a slice of a list")
 
 
 def _slice_of(machine: Machine, value: Value, bounds: slice | None) -> Value:
@@ -64,7 +64,7 @@ def get_item(machine: Machine, container: Value, index: Value) -> Value:
     return item
 
 
-_TAKEN = "it is in a container from which something is taken"
+_TAKEN = "it is in a container from which an item is taken"
 
 
 def _get_item(machine: Machine, container: Value, index: Value) -> Value:
@@ -105,14 +105,14 @@ def _letter(text: str, parameters: frozenset[str], index: Value) -> Value:
     if number is None:
         return Unknown(reason(index))
     if not -len(text) <= number < len(text):
-        return Unknown("an index outside of the text")
+        return Unknown("an index outside of the string")
     return Known(text[number], parameters | index.via)
 
 
 def _item_of_object(machine: Machine, container: Instance, index: Value) -> Value:
     fields, number = container.items(machine), index.whole_number
     if fields is not None and number is not None:
-        return fields.values[number] if abs(number) < fields.size else Unknown("no such item")
+        return fields.values[number] if abs(number) < fields.size else Unknown("the item does not exist")
     method = method_of(machine, container, "__getitem__")
     if method is not None:
         return machine.call(method, CallSite([index]))

@@ -49,7 +49,7 @@ def _loop_of_unknown(machine: Machine, s: facts.For, iterable: Value, items: Ite
         forget_counters(machine, s.body)
         why = reason(iterable)
         if why is NOT_A_CONSTANT:
-            why = "what the loop runs over is not known"
+            why = "the collection that the loop iterates over is not known"
         assign(machine, s.target, containers.unknown_item(machine, iterable, why))
         status = machine.execute(s.body)
     _join_optional_body(machine, status, taken[0])

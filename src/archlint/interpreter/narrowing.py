@@ -111,4 +111,4 @@ def _narrowed(before: Value, wanted: Callable[[Value], bool], proven: Known | No
     if proven is not None:
         return Known(proven.value, before.via)
     name = depends_on(before)
-    return None if name is None else Unknown(f"the parameter '{name}' decides it", name)
+    return None if name is None else Unknown(f"it depends on the parameter '{name}'", name)

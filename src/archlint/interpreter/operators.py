@@ -84,7 +84,7 @@ def _combined(machine: Machine, op: facts.BinaryOperator, left: Value, right: Va
 def _joined_texts(machine: Machine, left: Value, right: Value, span: facts.Span) -> Value:
     match left, right:
         case Known(), Known() if not (left.is_text and right.is_text):
-            return Unknown("adding a text and something else fails")
+            return Unknown("adding a string and something else fails")
     return join_texts((left, right), machine.place(span))
 
 

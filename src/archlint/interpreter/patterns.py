@@ -74,7 +74,7 @@ def bind_pattern(machine: Machine, pattern: facts.Pattern, subject: Value) -> No
         elif number < len(known):
             bind_pattern(machine, part, known[number])
         else:
-            bind_pattern(machine, part, Unknown("part of a value that a pattern takes apart"))
+            bind_pattern(machine, part, Unknown("part of a value that a pattern matches"))
 
 
 def _bind_mapping(machine: Machine, pattern: facts.Pattern, entries: Entries) -> None:

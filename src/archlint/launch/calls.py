@@ -109,14 +109,14 @@ def _find(run: Run, receiver: Value, site: CallSite) -> Value:
 
 
 def _performed(run: Run, receiver: Value, site: CallSite) -> Value:
-    return Unknown("a substitution outside of a launch")
+    return Unknown("a substitution outside of a launch file")
 
 
 def _evaluated(run: Run, receiver: Value, site: CallSite) -> Value:
     return Unknown(UNDECIDED)
 
 
-UNDECIDED = "a condition that the launch arguments do not decide"
+UNDECIDED = "a condition that is not known"
 
 METHODS = {
     "launch.LaunchDescription.add_action": _add,
@@ -130,7 +130,7 @@ METHODS = {
 
 
 def _performed_all(run: Run, site: CallSite) -> Value:
-    return Unknown("a substitution outside of a launch")
+    return Unknown("a substitution outside of a launch file")
 
 
 def _same(run: Run, site: CallSite) -> Value:

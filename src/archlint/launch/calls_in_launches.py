@@ -140,12 +140,12 @@ def _same_path(run: LaunchRun, site: CallSite) -> Value:
 def _run_path(run: LaunchRun, site: CallSite) -> Value:
     """``runpy.run_path(path)``: the variables of a file of this workspace, once it has run."""
     if len(site.args) != 1 or site.keywords:
-        return Unknown("what a file makes of the variables that it is given")
+        return Unknown("the result of a file that is run with given variables")
     source = run.resolve(FileKind.LAUNCH, run.perform(site.args[0]), run.place_now).source
     file = None if source is None else run.files.source_file(source)
     module = None if file is None else run.index.module(file)
     if module is None or module.state == "running":
-        return Unknown("what a file makes that is not followed")
+        return Unknown("the result of a file that is not followed")
     run.import_module(module)
     assert module.scope is not None
     variables = dict(run.store.variables(module.scope.key))

@@ -58,20 +58,20 @@ def _of_yaml(run: LaunchRun, text: str | Unknown) -> Value:
         reader = YamlReader(text)
         return value_of(run, None if reader.root is None else reader.value(reader.root))
     except (YamlError, RecursionError):
-        return Unknown("the content of a YAML file that is broken")
+        return Unknown("the content of an invalid YAML file")
 
 
 def _load_json(run: LaunchRun, site: CallSite) -> Value:
     """``json.load(file)``: what a JSON file of this workspace holds."""
     text = (
-        Unknown("the content of a file that is read in a way of its own") if site.keywords else _text_in(run, site.args)
+        Unknown("the content of a file that is opened in an unusual way") if site.keywords else _text_in(run, site.args)
     )
     if isinstance(text, Unknown):
         return text
     try:
         return value_of(run, json.loads(text))
     except (ValueError, RecursionError):
-        return Unknown("the content of a JSON file that is broken")
+        return Unknown("the content of an invalid JSON file")
 
 
 def _text_in(run: LaunchRun, args: list[Value]) -> str | Unknown:

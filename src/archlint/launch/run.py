@@ -300,7 +300,7 @@ class LaunchRun(Run):
             if asleep:
                 self.launch.restore(before)
             else:
-                self.launch.join(before, "a branch that the arguments do not decide")
+                self.launch.join(before, "a branch whose condition is not known")
 
     @contextmanager
     def perhaps(self) -> Iterator[None]:

@@ -348,7 +348,7 @@ def _make_escaped_class(run: Run) -> None:
     [cls] = run.escapes.classes.values()
     run.activations[-1].statement = None
     instance = run.call(cls)
-    escapes.escape(run, [instance], "code that is not followed makes it")
+    escapes.escape(run, [instance], "code that is not followed creates it")
 
 
 __all__ = ["EntryPoint", "Linker", "link_files", "run_callbacks"]

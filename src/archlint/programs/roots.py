@@ -142,7 +142,7 @@ def _fit(value: Value, arguments: tuple[Value, ...]) -> list[Value]:
         return list(arguments)
     fitted = list(arguments[:room])
     while len(fitted) < room and positional[bound + len(fitted)].default is None:
-        fitted.append(Unknown(f"what '{positional[bound + len(fitted)].name}' is called with"))
+        fitted.append(Unknown(f"the argument '{positional[bound + len(fitted)].name}' of a callback"))
     return fitted
 
 

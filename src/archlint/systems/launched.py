@@ -131,7 +131,11 @@ class LaunchSystems:
         """Why an executable of this workspace has no node; None for one that is not here."""
         if (started.package.text or "", started.executable.text or "") not in self.entries:
             return None
-        return "the file that it starts is not here" if program is None else "no node was found in the code it starts"
+        return (
+            "the file that it starts is not in this workspace"
+            if program is None
+            else "no node was found in the code it starts"
+        )
 
     def program(
         self, started: Started, changes: Overrides | None = None, words: tuple[Word, ...] | None = None

@@ -145,7 +145,7 @@ def file_value(value: Any, use: ParameterFileUse, quoted: bool = False) -> objec
         return _not_substituted(value, use)
     if quoted or (text != (path := _SHARE.sub("/share", text)) and _WORD.fullmatch(path)):
         return text  # a path of an installed package is no number
-    return plain_scalar(text) if _WORD.fullmatch(text) else NotKnown("a text that YAML may read in several ways")
+    return plain_scalar(text) if _WORD.fullmatch(text) else NotKnown("a string that YAML may read in several ways")
 
 
 def _list_value(values: list[Any], use: ParameterFileUse) -> object:
@@ -165,7 +165,7 @@ def _not_substituted(value: object, use: ParameterFileUse) -> NotKnown:
             return NotKnown(f"the environment variable {match[2]}")
         if match[1] != "var" or match[2] not in known:
             return NotKnown(f"'{match[0]}' in a parameter file")
-    return NotKnown("a text that YAML may read in several ways")
+    return NotKnown("a string that YAML may read in several ways")
 
 
 _SUBSTITUTION = re.compile(r"\$\(([\w-]+)(?: ([^()\s]+))?[^()]*\)?")

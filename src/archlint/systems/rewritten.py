@@ -185,7 +185,7 @@ def _plain(text: str) -> object:
     match from_yaml(text) if text.startswith("[") and text.endswith("]") else None:
         case list() as items:
             return items
-    return NotKnown("a text that YAML may read in several ways")
+    return NotKnown("a string that YAML may read in several ways")
 
 
 _PLAIN = re.compile(r"[\w/.<>+$-]+")

@@ -34,7 +34,7 @@ def doubt(started: Started, nodes: Sequence[Node], settings: Sequence[Setting]) 
     own = [setting for setting in settings if not setting.shared]
     declared = any(node.parameters for node in nodes)
     if len(own) >= SETTINGS and not created and not declared:
-        return f"{len(own)} parameters are set, but its code is not seen to declare or create anything"
+        return f"{len(own)} parameters are set, but its code does not seem to declare or create anything"
     return None
 
 

@@ -35,7 +35,7 @@ def length(machine: Machine, site: CallSite) -> Value:
     if items is None or items.open or isinstance(value, OneOf):
         return Unknown("the length of a collection that is not known")
     if isinstance(value, ListValue) and value.kind == "set" and constants_of(items.values) is None:
-        return Unknown("how many items of this set are the same")
+        return Unknown("how many items of this set are equal")
     return Known(items.size)
 
 

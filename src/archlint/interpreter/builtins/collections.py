@@ -94,7 +94,7 @@ def enumerated(machine: Machine, site: CallSite) -> Value:
 def zipped(machine: Machine, site: CallSite) -> Value:
     """``zip``."""
     if any(arg.each is not None for arg in site.args):
-        return _rows([arg.each or Unknown("an item beside others") for arg in site.args], machine)
+        return _rows([arg.each or Unknown("an item of several collections") for arg in site.args], machine)
     columns = all_items(machine, site.args)
     if not columns:
         return Unknown(reason(*site.args))
@@ -145,13 +145,13 @@ def mapped(machine: Machine, site: CallSite) -> Value:
 def filtered(machine: Machine, site: CallSite) -> Value:
     """``filter``."""
     if len(site.args) != 2:
-        return Unknown("what filter() leaves")
+        return Unknown("the result of filter()")
     function, iterable = site.args
     if iterable.each is not None:
         return iterable
     items = iterable.items(machine)
     if items is None:
-        return Unknown("what filter() leaves")
+        return Unknown("the result of filter()")
     kept: list[Value] = []
     open_ = items.open
     for item in items.values:

@@ -90,7 +90,7 @@ def _has(machine: Machine, target: Value, name: str) -> Value:
         return Unknown("hasattr() of an object that is not followed")
     value = get_attribute(machine, target, name)
     if _is_missing(machine, value):
-        return FALSE if machine.phase is Phase.START else Unknown("whether it is set by then")
+        return FALSE if machine.phase is Phase.START else Unknown("whether it is already set")
     return Unknown(value.reason) if isinstance(value, Unknown) else TRUE
 
 

@@ -126,7 +126,7 @@ BUILTINS: dict[str, Handler] = {
     "pow": unknown("a number"),
     "hex": unknown("a number"),
     "bin": unknown("a number"),
-    "format": unknown("a formatted text"),
+    "format": unknown("a formatted string"),
     "globals": unknown("the variables"),
     "locals": unknown("the variables"),
     "__import__": unknown("a module"),

@@ -118,7 +118,7 @@ def _pop(machine: Machine, target: DictValue, site: CallSite) -> Value | None:
 
 def _pop_item(machine: Machine, target: DictValue, site: CallSite) -> Value:
     machine.store.set(target.key, ENTRIES, Entries(target.entries(machine).entries, True))
-    return Unknown("what popitem() takes")
+    return Unknown("the result of popitem()")
 
 
 def _copy(machine: Machine, target: DictValue, site: CallSite) -> Value:

@@ -127,7 +127,7 @@ def _taken(machine: Machine, target: ListValue, at: int | None) -> Value:
         _put(machine, target, tuple(values))
         return taken
     _put(machine, target, items.values, True)
-    return one_of(items.values) if items.values and not items.open else Unknown("what pop() takes")
+    return one_of(items.values) if items.values and not items.open else Unknown("the result of pop()")
 
 
 def _clear(machine: Machine, target: ListValue, site: CallSite) -> Value:

@@ -75,7 +75,7 @@ def _plain_method(machine: Machine, target: Known, name: str, site: CallSite) ->
 def _plain_result(target: Known, text: str, name: str, row: Sequence[Value]) -> Value:
     constants = constants_of(row)
     if constants is None:
-        return Unknown("a text method of values" if isinstance(row[0], ListValue) else reason(*row))
+        return Unknown("a string method of unknown values" if isinstance(row[0], ListValue) else reason(*row))
     if _grows(text, name, constants):
         return Unknown("a string too long to follow")
     try:

@@ -74,7 +74,7 @@ def _value_of_text(frontend: Frontend, element: Element, text: str, place: Place
         return frontend.list([_scalar(frontend, part.strip(), kind) for part in text.split(separator)])
     quoted_number = frontend.file.endswith((".yaml", ".yml")) and from_yaml(text) != text
     if quoted_number and kind is None:
-        return Unknown("a text that looks like a number: releases differ in what they make of it")
+        return Unknown("a string that looks like a number, which ROS releases read differently")
     if "$(" not in text:
         return _scalar(frontend, text, kind)
     given = {"value": frontend.parse(text, place)}

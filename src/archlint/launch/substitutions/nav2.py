@@ -44,7 +44,7 @@ def _rewriting(run: LaunchRun, value: LaunchObject) -> Rewriting | Unknown:
     root, convert = run.perform(value.argument("root_key")), value.given("convert_types")
     root_key, known_keys = known_text(root), None if keys is None else _all_known(keys)
     if parameters is None or values is None or known_keys is None:
-        return Unknown("what a parameter file is rewritten with")
+        return Unknown("the values that a parameter file is rewritten with")
     match convert:
         case Known(value=converts) if root_key is not None:
             return Rewriting(parameters, known_keys, values, root_key, bool(converts))
@@ -60,7 +60,7 @@ def replaced_string(run: LaunchRun, value: LaunchObject) -> Value:
     pairs = _pairs(run, value.argument("replacements"))
     words = None if pairs is None else _all_known(pairs)
     if words is None or not all(_WORD.fullmatch(old) and _WORDS.fullmatch(new) for old, new in words):
-        return Unknown("what a parameter file is changed to")
+        return Unknown("the replacements in a parameter file")
     return _made_of(run, source, Replacing(words))
 
 
@@ -127,7 +127,7 @@ def has_node(run: LaunchRun, value: LaunchObject) -> Value:
         reader = YamlReader(text)
         keys = {key for key, _, _ in reader.pairs(reader.root, 0)} if reader.root is not None else set()
     except (YamlError, RecursionError):
-        return Unknown("the content of a YAML file that is broken")
+        return Unknown("the content of an invalid YAML file")
     return Known(str(name in keys))
 
 

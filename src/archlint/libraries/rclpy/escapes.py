@@ -305,7 +305,7 @@ def settle(run: Run) -> None:
                 verdicts[shared.root] = unseen_use(run, shared.root)
             how = verdicts[shared.root]
             if how is not None:
-                mark(node, Escape(shared.place, f"it is kept in '{shared.root.name}': {how}"))
+                mark(node, Escape(shared.place, f"it is stored in '{shared.root.name}': {how}"))
 
 
 def holders(run: Run, instance: Instance, names: Iterable[str]) -> frozenset[str]:

@@ -92,7 +92,7 @@ def from_parameter(run: Run, value: Value, name: str) -> Value:
             return Unknown(f"the parameter '{name}' has a default that is not known: {why}", name)
         case OneOf(values=options):
             return one_of(from_parameter(run, option, name) for option in options)
-    return Unknown(f"the parameter '{name}' decides it", name)
+    return Unknown(f"it depends on the parameter '{name}'", name)
 
 
 def value_from_python(run: Run, value: object) -> Value:

@@ -26,7 +26,7 @@ def element_tree(run: Run, site: CallSite) -> Value:
         return name if _asks_for_name(values) else Unknown("an element of package.xml")
 
     def findtext(*values: Value, **_: Value) -> Value:
-        return _name(run) if _asks_for_name(values) else Unknown("a text of package.xml")
+        return _name(run) if _asks_for_name(values) else Unknown("a string of package.xml")
 
     root = _object(run, find=_function("find", find), findtext=_function("findtext", findtext))
     return _object(

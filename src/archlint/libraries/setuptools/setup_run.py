@@ -37,7 +37,7 @@ def glob_pattern(run: Run, site: CallSite) -> Value:
     """``glob(pattern)`` in a setup.py: the pattern stands for the files."""
     if isinstance(run, SetupRun) and site.args and isinstance(site.args[0], Known):
         return containers.new_list(run, [site.args[0]])
-    return Unknown("the files that a pattern finds")
+    return Unknown("the files that a pattern matches")
 
 
 def _in_setup(function: Plain) -> Plain:
@@ -45,7 +45,7 @@ def _in_setup(function: Plain) -> Plain:
 
     def handler(run: Run, site: CallSite) -> Value:
         if not isinstance(run, SetupRun):
-            return Unknown("what only a setup.py asks for")
+            return Unknown("a value that only setup.py uses")
         return function(run, site)
 
     return handler
