@@ -60,7 +60,7 @@ class Activation:
                 del layer[at]
 
     def place(self, span: facts.Span) -> Place:
-        return Place(self.module.path, *span)
+        return self.module.place(span)
 
 
 __all__ = ["Activation"]

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from archlint.interpreter import calls, expressions, statements
 from archlint.interpreter.call_site import NOTHING_GIVEN, CallSite
+from archlint.interpreter.calls import call
+from archlint.interpreter.expressions import EXPRESSIONS
 from archlint.interpreter.machine import Machine
+from archlint.interpreter.statements import STATEMENTS
 
 if TYPE_CHECKING:
     from archlint.interpreter.machine import Status
@@ -18,13 +20,13 @@ class Interpreter(Machine):
     """A machine that can run."""
 
     def run_statement(self, statement: facts.Stmt) -> Status:
-        return statements.STATEMENTS[statement.__class__](self, statement)
+        return STATEMENTS[statement.__class__](self, statement)
 
     def evaluate(self, expression: facts.Expr) -> Value:
-        return expressions.EXPRESSIONS[expression.__class__](self, expression)
+        return EXPRESSIONS[expression.__class__](self, expression)
 
     def call(self, function: Value, site: CallSite = NOTHING_GIVEN) -> Value:
-        return calls.call(self, function, site)
+        return call(self, function, site)
 
 
 __all__ = ["Interpreter"]

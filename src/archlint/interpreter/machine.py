@@ -81,6 +81,25 @@ class Repeated:
     """What it read of the state, and what it left there; None where that was not watched."""
 
 
+class _Arm:
+    """One arm of a branch while it runs.  No ``contextmanager``: there are too many to make a generator for each."""
+
+    def __init__(self, machine: Machine, key: Branch, arm: int) -> None:
+        self.machine = machine
+        self.branch_arm = key, arm
+        self.depth = machine.store.depth
+        self.taken: list[Layer] = []
+
+    def __enter__(self) -> list[Layer]:
+        self.machine.store.push()
+        self.machine.branch_arms.append(self.branch_arm)
+        return self.taken
+
+    def __exit__(self, *_: object) -> None:
+        self.machine.branch_arms.pop()
+        self.taken.append(self.machine.store.cut(self.depth))
+
+
 class Machine(ABC):
     """The state of one abstract interpretation."""
 
@@ -145,7 +164,7 @@ class Machine(ABC):
         return self.activations[-1]
 
     def place(self, span: facts.Span) -> Place:
-        return Place(self.activation.module.path, *span)
+        return self.activations[-1].module.place(span)
 
     def enclosing_loops(self) -> tuple[Place, ...]:
         """The loops that go round what runs now, those of the callers first."""
@@ -333,18 +352,9 @@ class Machine(ABC):
             status = self.execute(block)
         return status, taken[0]
 
-    @contextmanager
-    def arm(self, key: Branch, arm: int) -> Iterator[list[Layer]]:
+    def arm(self, key: Branch, arm: int) -> _Arm:
         """What runs inside belongs to one arm of a branch; the list then holds what it wrote."""
-        depth = self.store.depth
-        self.store.push()
-        self.branch_arms.append((key, arm))
-        taken: list[Layer] = []
-        try:
-            yield taken
-        finally:
-            self.branch_arms.pop()
-            taken.append(self.store.cut(depth))
+        return _Arm(self, key, arm)
 
     def leave_open(self, key: Branch, test: Value) -> str | None:
         """Note a test that nothing decides; the reason, where it says more than that."""

@@ -13,7 +13,8 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Literal
 
 from archlint.interpreter.reads import Reads
-from archlint.syntax.facts import Class, Facts, Function, Import, ImportFrom, Stmt
+from archlint.place import Place
+from archlint.syntax.facts import Class, Facts, Function, Import, ImportFrom, Span, Stmt
 from archlint.syntax.walk import statements_of
 from archlint.workspace.closure import closure
 from archlint.workspace.test_code import FileRoles
@@ -65,10 +66,19 @@ class Module:
     """Foreign packages that this module star-imports from."""
     reads: Reads = field(default_factory=Reads)
     """What its import has read."""
+    places: dict[Span, Place] = field(default_factory=dict)
+    """The places in it that were asked for so far."""
 
     @property
     def path(self) -> str:
         return self.file.relative
+
+    def place(self, span: Span) -> Place:
+        """A place in the file; code that runs again and again asks for the same ones."""
+        place = self.places.get(span)
+        if place is None:
+            place = self.places[span] = Place(self.path, *span)
+        return place
 
     @property
     def is_package(self) -> bool:

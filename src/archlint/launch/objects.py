@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TYPE_CHECKING
 
 from archlint.interpreter.attributes import get_attribute
@@ -20,6 +20,7 @@ from archlint.interpreter.values import (
     one_of,
 )
 from archlint.launch.tables import CLASSES, SUBSTITUTIONS, LaunchClass
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.branches import BranchArms

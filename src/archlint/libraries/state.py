@@ -100,6 +100,10 @@ class Callbacks:
     """The attributes, and of which objects (by key), in which callbacks left what another may act on."""
     coroutines: set[int] = field(default_factory=set)
     """The calls, by the id of their facts, whose coroutines another call starts."""
+    changed_attributes: dict[int, dict[str, tuple[Value, ...]]] = field(default_factory=dict)
+    """What methods put into the attributes that they change, by the key of their class."""
+    at_any_time: dict[tuple[int, str], tuple[Value, Value | None]] = field(default_factory=dict)
+    """What an attribute of an object may hold at any time beside the value that it had when that was last asked."""
 
 
 @dataclass

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TYPE_CHECKING, ClassVar
 
 from archlint.interpreter.values import ForeignValue, Value
+from archlint.records import dataclass
 from archlint.syntax.parts import Itself
 
 if TYPE_CHECKING:

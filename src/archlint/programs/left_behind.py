@@ -119,11 +119,11 @@ def forget(run: Run, news: dict[str, set[int]]) -> None:
     for slot, keys in news.items():
         for key in sorted(keys):
             value = run.store.get(key, slot)
-            if isinstance(value, (Known, OneOf, Instance)) and is_plain(run, value):
+            if isinstance(value, (Known, OneOf, Instance)) and is_plain(value):
                 run.store.set(key, slot, one_of([value, Unknown("callbacks change it")]))
 
 
-def is_plain(run: Run, value: Value) -> bool:
+def is_plain(value: Value) -> bool:
     """Whether a value is a constant or a member of an enumeration, or one of several."""
     return all(
         isinstance(option, Known) or (isinstance(option, Instance) and option.is_member)

@@ -7,11 +7,11 @@ object.  A value answers for itself; where its class says nothing else, the answ
 from __future__ import annotations
 
 from collections.abc import Hashable
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar, Protocol, TypeVar, overload
 
 from archlint.interpreter.fields import Field
 from archlint.interpreter.python_classes import PLAIN_BASES
+from archlint.records import dataclass
 from archlint.syntax.parts import Itself
 
 if TYPE_CHECKING:

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Hashable, Iterable, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from itertools import islice
 
 from archlint.interpreter.fields import Field
 from archlint.interpreter.values.base import NO_PARAMETERS, Entries, Items, State, Value
+from archlint.records import dataclass
 
 ALTERNATIVES = 12
 """How many alternatives a value may have before it is unknown."""
@@ -96,7 +97,9 @@ def one_of(values: Iterable[Value]) -> Value:
     distinct: list[Value] = []
     plain = unknown = 0
     for value in values:
-        for alternative in alternatives(value):
+        if len(distinct) == 1 and value is distinct[0]:
+            continue  # as in most joins: no branch has changed it
+        for alternative in value.values if isinstance(value, OneOf) else (value,):
             is_unknown = isinstance(alternative, Unknown)
             if is_unknown and unknown > 1:
                 continue

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import Literal
 
 from archlint.interpreter.values.base import NO_PARAMETERS, Entries, Items, State, Value
 from archlint.interpreter.values.choices import ENTRIES, ITEMS
+from archlint.records import dataclass
 
 ListKind = Literal["list", "tuple", "set", "generator"]
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Hashable, Iterable, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from itertools import groupby
 from typing import TYPE_CHECKING
 
@@ -11,6 +11,7 @@ from archlint.interpreter.values.base import NO_PARAMETERS, Items, State, Value
 from archlint.interpreter.values.choices import Unknown
 from archlint.origins import OriginKind
 from archlint.reasons import NOT_A_CONSTANT
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.finding import Place

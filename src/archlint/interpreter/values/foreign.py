@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import TYPE_CHECKING, ClassVar
 
 from archlint.interpreter.values.base import NO_PARAMETERS, Value
+from archlint.records import dataclass
 from archlint.syntax.parts import Itself
 
 if TYPE_CHECKING:

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.interpreter.values.base import ClassValue, State, Value
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.interpreter.modules import Scope

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Hashable
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TYPE_CHECKING
 
 from archlint.interpreter.values.base import TUPLE_FIELDS, ClassValue, Items, State, Value
 from archlint.interpreter.values.foreign import External
+from archlint.records import dataclass
 from archlint.syntax.parts import Itself
 
 if TYPE_CHECKING:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager, nullcontext
 from typing import TYPE_CHECKING
 
 from archlint.interpreter.values import External, FunctionValue, Unknown, Value
@@ -22,21 +22,27 @@ executor of rclpy is none of them: its task runs in the executor's thread."""
 
 def note_started(run: Run, e: facts.Call, starter: Value) -> None:
     """Remember the calls among the arguments of ``e`` whose coroutines it starts."""
-    if called_name(e) in STARTERS and isinstance(starter, (External, Unknown)):
+    if isinstance(starter, (External, Unknown)) and called_name(e) in STARTERS:
         run.callbacks.coroutines.update(
             id(argument.value) for argument in e.args if isinstance(argument.value, facts.Call)
         )
 
 
-@contextmanager
-def as_own_task(run: Run, e: facts.Call, function: Value) -> Iterator[None]:
+def as_own_task(run: Run, e: facts.Call, function: Value) -> AbstractContextManager[None]:
     """While ``e`` is called: the body of a coroutine that another call starts is followed like that of a thread, so
     that what it waits for holds up nobody here."""
+    if id(e) not in run.callbacks.coroutines:
+        return _AS_IT_IS
     inner = function.callee
     is_coroutine = isinstance(inner, FunctionValue) and inner.ir.is_async
-    if id(e) not in run.callbacks.coroutines or not is_coroutine:
-        yield
-        return
+    return _in_thread(run, function) if is_coroutine else _AS_IT_IS
+
+
+_AS_IT_IS: AbstractContextManager[None] = nullcontext()
+
+
+@contextmanager
+def _in_thread(run: Run, function: Value) -> Iterator[None]:
     kept = run.context
     run.context = callables.describe(run, function, Role.THREAD)
     try:
