@@ -36,9 +36,11 @@ _TRANSPARENT = frozenset({"staticmethod", "classmethod"})
 def check_call(machine: Machine, function: Value, site: CallSite, expression: facts.Call) -> None:
     """Raise Refused where a call of a function of the workspace, or of a node's method, cannot bind its arguments, if
     the statement always comes to that call; note the place of the call in any case."""
-    if is_certain(machine) and _is_missing(machine, function, expression):
+    if not is_certain(machine):
+        return
+    if isinstance(function, Unknown) and _is_missing(machine, function, expression):
         machine.note_refused(machine.place(expression.span))
-    if site.open or not is_certain(machine) or not _refuses(machine, function, len(site.args), site.keywords):
+    if site.open or not _refuses(machine, function, len(site.args), site.keywords):
         return
     machine.note_refused(machine.place(expression.span))
     if machine.phase is Phase.LATER:

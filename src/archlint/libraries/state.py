@@ -80,6 +80,20 @@ class Calls:
     """The calls that rules want to see."""
 
 
+@dataclass(slots=True, eq=False)
+class ChangedAttribute:
+    """An attribute of an object that methods of its class change."""
+
+    at: tuple[int, str]
+    """The key of the object, and the attribute."""
+    others: tuple[Value, ...]
+    """What the methods put there."""
+    value: Value | None = None
+    """What it held when a method was last run."""
+    options: tuple[Value, ...] | None = None
+    """What it may hold at any time for that, as :mod:`archlint.programs.any_time` has it."""
+
+
 @dataclass
 class Callbacks:
     """The callbacks of a program: handed over, running, run."""
@@ -100,10 +114,9 @@ class Callbacks:
     """The attributes, and of which objects (by key), in which callbacks left what another may act on."""
     coroutines: set[int] = field(default_factory=set)
     """The calls, by the id of their facts, whose coroutines another call starts."""
-    changed_attributes: dict[int, dict[str, tuple[Value, ...]]] = field(default_factory=dict)
-    """What methods put into the attributes that they change, by the key of their class."""
-    at_any_time: dict[tuple[int, str], tuple[Value, Value | None]] = field(default_factory=dict)
-    """What an attribute of an object may hold at any time beside the value that it had when that was last asked."""
+    changed_attributes: list[ChangedAttribute] = field(default_factory=list)
+    """Those of the program's first objects, as many as ``seen_instances`` says."""
+    seen_instances: int = 0
 
 
 @dataclass

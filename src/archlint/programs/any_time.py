@@ -7,46 +7,55 @@ true before somebody calls ``stop()``.
 
 from __future__ import annotations
 
+from itertools import islice
+
 from archlint.interpreter.changing import changed_attributes
 from archlint.interpreter.heap import Layer
-from archlint.interpreter.values import ClassValue, OneOf, Unknown, Value, one_of
+from archlint.interpreter.values import TOO_MANY, OneOf, Unknown, Value, one_of
 from archlint.libraries.run import Run
+from archlint.libraries.state import ChangedAttribute
 from archlint.programs.left_behind import is_plain
 
 
 def attributes_at_any_time(run: Run) -> Layer:
-    """What the plain attributes of the program's objects may hold, where a method gives them another value."""
+    """What the plain attributes of the program's objects may hold, where a method gives them another value.
+
+    This is asked for each method, and most attributes hold from one to the next what they held: the last answer is
+    kept for as long as they do.
+    """
     layer: Layer = {}
-    for instance in run.instances.values():
-        cls = instance.own_class
-        if cls is not None:
-            for name, others in _changed_by(run, cls).items():
-                value = run.store.get(instance.key, name)
-                joined = None if value is None else _joined(run, (instance.key, name), value, others)
-                if joined is not None:
-                    layer[(instance.key, name)] = joined
+    get = run.store.get
+    for attribute in _attributes(run):
+        value = get(*attribute.at)
+        if value is not attribute.value:
+            attribute.value, attribute.options = value, _options(value, attribute.others)
+        if attribute.options:
+            # Each method has an object of its own: the same one would count as unchanged where branches are joined.
+            layer[attribute.at] = OneOf(attribute.options)
+        elif attribute.options is not None:
+            layer[attribute.at] = Unknown(TOO_MANY)
     return layer
 
 
-def _changed_by(run: Run, cls: ClassValue) -> dict[str, tuple[Value, ...]]:
-    changed = run.callbacks.changed_attributes
-    if cls.key not in changed:
-        changed[cls.key] = changed_attributes(cls)
-    return changed[cls.key]
-
-
-def _joined(run: Run, at: tuple[int, str], value: Value, others: tuple[Value, ...]) -> Value | None:
-    """What an attribute may hold beside its value; None where that is no more.  Most hold from one method to the next
-    what they held, and this is asked for each method: the last answer is kept."""
-    before, known = run.callbacks.at_any_time.get(at, (None, None))
-    if before is not value:
-        joined = one_of([value, *others]) if is_plain(value) else value
-        known = None if joined == value else joined
-        run.callbacks.at_any_time[at] = value, known
-    # Each method has a value of its own: what is the same object counts as the same state where branches are joined.
-    match known:
-        case OneOf(values):
-            return OneOf(values)
-        case Unknown(reason):
-            return Unknown(reason)
+def _attributes(run: Run) -> list[ChangedAttribute]:
+    """The attributes of the program's objects that methods change, in the order in which the objects were made."""
+    known, instances = run.callbacks.changed_attributes, run.instances
+    for instance in islice(instances.values(), run.callbacks.seen_instances, None):
+        cls = instance.own_class
+        if cls is not None:
+            known += [
+                ChangedAttribute((instance.key, name), others) for name, others in changed_attributes(cls).items()
+            ]
+    run.callbacks.seen_instances = len(instances)
     return known
+
+
+def _options(value: Value | None, others: tuple[Value, ...]) -> tuple[Value, ...] | None:
+    """What an attribute may hold beside its value, with that; empty where that is too much to say, None where it holds
+    no other."""
+    if value is None or not is_plain(value):
+        return None
+    joined = one_of([value, *others])
+    if joined == value:
+        return None
+    return joined.values if isinstance(joined, OneOf) else ()

@@ -12,6 +12,8 @@ from archlint.records import dataclass
 
 ALTERNATIVES = 12
 """How many alternatives a value may have before it is unknown."""
+TOO_MANY = "more values than can be followed"
+"""Why it then is."""
 JOINED_LIMIT = 512
 """Of a list that alternatives filled with more than this, the first are kept: as many as a loop is followed over."""
 
@@ -104,7 +106,7 @@ def one_of(values: Iterable[Value]) -> Value:
             if is_unknown and unknown > 1:
                 continue
             if not is_unknown and plain > ALTERNATIVES:
-                return Unknown("more values than can be followed")
+                return Unknown(TOO_MANY)
             if alternative not in distinct:
                 distinct.append(alternative)
                 unknown += is_unknown
@@ -120,7 +122,7 @@ def one_of(values: Iterable[Value]) -> Value:
         if len(distinct) == 1:
             return distinct[0]
     if len(distinct) > ALTERNATIVES:
-        return Unknown("more values than can be followed")
+        return Unknown(TOO_MANY)
     return OneOf(tuple(distinct))
 
 
