@@ -130,7 +130,7 @@ def test_a_script_that_its_package_does_not_install(named):
 
     assert found.severity is Severity.INFO
     assert found.message == (
-        "the topic '/robot/words' is absolute and fixed in the code, in code that no package installs"
+        "the topic '/robot/words' is absolute and fixed in the code, in code that no installed program uses"
     )
 
 
@@ -141,7 +141,7 @@ def test_what_a_package_does_not_install_is_one_finding(named):
     assert (found.place.file, found.severity) == ("robot/debug/c.py", Severity.INFO)
     assert found.message == (
         "2 names in 3 files are absolute and fixed in the code, such as the topic '/robot/answers', "
-        "in code that no package installs"
+        "in code that no installed program uses"
     )
     assert [(row.place.file, row.message) for row in found.related] == [
         ("robot/tools/a.py", "the topic '/robot/words'"),
@@ -185,7 +185,7 @@ def test_what_only_a_script_that_is_not_installed_imports(named, files: dict[str
 
 def test_a_script_beside_the_packages(named):
     [found] = named({"../tools/smoke.py": NODE})
-    assert found.severity is Severity.INFO and found.message.endswith("in code that no package installs")
+    assert found.severity is Severity.INFO and found.message.endswith("in code that no installed program uses")
     [imported] = named({"../tools/smoke.py": NODE, "../tools/run.py": "from smoke import main\n\nmain()\n"})
     assert imported.severity is Severity.INFO
     [module] = named({"../tools/smoke.py": NODE.partition("if __name__")[0]})
@@ -197,7 +197,7 @@ def test_a_script_where_there_is_no_package(tmp_path: Path, monkeypatch: pytest.
     (tmp_path / "measure.py").write_text(NODE)
     (tmp_path / "archlint.toml").write_text('select = ["NME001"]\n')
     [script] = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
-    assert script.severity is Severity.INFO and script.message.endswith("in code that no package installs")
+    assert script.severity is Severity.INFO and script.message.endswith("in code that no installed program uses")
     assert script.fix is not None and script.fix.title == "take the name from a parameter"
     (tmp_path / "measure.py").write_text(NODE.partition("def main")[0] + "rclpy.init()\nrclpy.spin(Talker())\n")
     [unguarded] = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
@@ -267,7 +267,7 @@ def generate_launch_description():
 def test_a_launch_file_that_names_an_executable_which_is_not_there(named, launch: str):
     [found] = named({"robot/talker.py": NODE, "launch/robot.launch.py": launch})
 
-    assert found.severity is Severity.INFO and found.message.endswith("in code that no package installs")
+    assert found.severity is Severity.INFO and found.message.endswith("in code that no installed program uses")
 
 
 TABLE = """
@@ -378,7 +378,7 @@ def test_an_error_in_code_that_no_package_installs_is_information(tmp_path, monk
     rows = check(Request((".",), Settings(), cached=False, jobs=1)).findings
     [sleep] = [finding for finding in rows if finding.code == "EXE004"]
     assert sleep.severity is severity
-    assert sleep.message.endswith("; no package installs this file") == (severity is Severity.INFO)
+    assert sleep.message.endswith("; no installed program uses this file") == (severity is Severity.INFO)
 
 
 def test_an_error_in_a_folder_without_packages_stays_one(tmp_path, monkeypatch):
@@ -536,7 +536,7 @@ def test_two_scripts_that_nobody_installs_are_no_pair(found, driver: str, severi
     loose = {"../poc/a.py": said("A", BEST_EFFORT), "../poc/b.py": said("B", ASKS)}
     told = found("QOS001", {**loose, "robot/driver.py": said("Driver", driver)})
     assert [one.severity for one in told] == severities
-    assert all(one.message.endswith(", in scripts that no package installs") for one in told)
+    assert all(one.message.endswith(", in scripts that no installed program uses") for one in told)
 
 
 def test_a_script_that_nobody_installs_against_a_program(found):

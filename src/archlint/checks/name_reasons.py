@@ -53,7 +53,7 @@ PRIVATE = Reason(
 NOT_INSTALLED = Reason(
     "not installed",
     "absolute and fixed in the code",
-    ", in code that no package installs",
+    ", in code that no installed program uses",
     "remove the leading '/' if you install the file",
     Severity.INFO,
     is_loose=True,

@@ -63,7 +63,7 @@ def _mismatch(code: str, system: System, pairs: list[tuple[Undelivered, Verdict]
     proven = _is_proven(system, first)
     loose = all(_is_of_loose_scripts(system, pair) for pair, _ in pairs)
     if loose:
-        lost += ", in scripts that no package installs"
+        lost += ", in scripts that no installed program uses"
     elif not proven:
         both = "; no launch file here starts the two together by default"  # what fits may be the one that is meant
         lost += both if served else ", if they run together: no launch file here starts both by default"

@@ -37,7 +37,7 @@ def as_information(findings: Iterable[Finding], files: AbstractSet[str]) -> list
 def with_reason(findings: Iterable[Finding], files: AbstractSet[str]) -> list[Finding]:
     """The findings, with the reason why some are only information in their message."""
     return [
-        replace(finding, message=f"{finding.message}; no package installs this file")
+        replace(finding, message=f"{finding.message}; no installed program uses this file")
         if finding.place.file in files and finding.severity is Severity.INFO and _is_about_code(finding)
         else finding
         for finding in findings
