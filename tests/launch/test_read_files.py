@@ -121,3 +121,28 @@ def test_data_as_a_text(launches, expression: str, text: str):
 )
 def test_mathematics(launches, expression: str, text: str):
     assert names(launches.python(f"[{TALKER}]", f"import math\nname = {expression}")) == [text]
+
+
+@pytest.mark.parametrize(
+    ("paths", "expected"),
+    [
+        ("[path.stem for path in Path(config).glob('*.yaml')]", ["a", "b"]),
+        ("[path.name for path in Path(config).iterdir() if path.suffix == '.txt']", ["c.txt"]),
+        ("[os.path.basename(path) for path in glob.glob(os.path.join(config, '?.txt'))]", ["c.txt"]),
+        ("[name for name in os.listdir(config) if name.endswith('.yaml')]", ["a.yaml", "b.yaml"]),
+        ("os.listdir(get_package_share_directory('robot'))", ["config", "launch"]),
+    ],
+)
+def test_the_files_of_an_installed_folder(launches, paths: str, expected: list[str]):
+    for name in ("b.yaml", "a.yaml", "c.txt", "sub/d.yaml"):
+        launches.file(f"robot/config/{name}", "")
+    before = "import glob\nfrom pathlib import Path\n"
+    before += "config = os.path.join(get_package_share_directory('robot'), 'config')"
+    nodes = f"[Node(package='robot', executable='talker', name=name) for name in {paths}]"
+    assert names(launches.python(nodes, before)) == expected
+
+
+@pytest.mark.parametrize("folder", ["get_package_share_directory('elsewhere')", "'/etc'", "os.path.expanduser('~')"])
+def test_the_files_of_a_folder_that_is_not_here(launches, folder: str):
+    nodes = f"[Node(package='robot', executable='talker', name=name) for name in os.listdir({folder})]"
+    assert names(launches.python(nodes)) == ["?"]

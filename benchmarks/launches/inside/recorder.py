@@ -41,6 +41,7 @@ class Recorder:
         self.deferred = False
         self.original: dict[str, str] = {}
         self.includes = 0
+        self.started: list[Any] = []
 
     # ------------------------------------------------------------------------------------------- visiting
 
@@ -86,7 +87,10 @@ class Recorder:
     # ---------------------------------------------------------------------------------------------- nodes
 
     def process(self, action: Any, context: Any) -> None:
-        """In place of starting a process."""
+        """In place of starting a process; launch refuses to start one action a second time."""
+        if any(action is started for started in self.started):
+            return
+        self.started.append(action)
         action.process_description.prepare(context, action)
         words = [str(word) for word in action.process_description.final_cmd]
         if not isinstance(action, launch_ros.actions.Node):

@@ -137,6 +137,7 @@ def _launch(settings: dict[str, Any], path: str, arguments: dict[str, str]) -> d
     recorder.follow(made)
     stand_ins.Environment.follow()
     guard.install()
+    stand_ins.sort_folders()
     os.chdir(settings["work"])
     sys.argv = _command_line(settings["install"], path, arguments)
     error = None

@@ -106,6 +106,34 @@ def modules() -> None:
     _module("xacro", __getattr__=lambda name: document)
 
 
+def sort_folders() -> None:
+    """Folders list their files in the order of the alphabet, which otherwise the file system decides."""
+    listdir, scandir = os.listdir, os.scandir
+
+    class Sorted:
+        def __init__(self, *args: Any) -> None:
+            with scandir(*args) as entries:
+                self._entries = iter(sorted(entries, key=lambda entry: entry.name))
+
+        def __iter__(self) -> Any:
+            return self._entries
+
+        def __next__(self) -> Any:
+            return next(self._entries)
+
+        def __enter__(self) -> Any:
+            return self
+
+        def __exit__(self, *_: object) -> None:
+            pass
+
+        def close(self) -> None:
+            pass
+
+    os.listdir = lambda *args: sorted(listdir(*args))  # type: ignore[assignment]
+    os.scandir = Sorted  # type: ignore[assignment, misc]
+
+
 class Environment:
     """Notes which variables are asked for that are not set, or different on each machine."""
 

@@ -31,6 +31,7 @@ from archlint.interpreter.values import (
     Unknown,
     Value,
     alternatives,
+    chosen_with,
     one_of,
 )
 from archlint.syntax import facts
@@ -57,7 +58,7 @@ def get_attribute(machine: Machine, value: Value, name: str, expression: facts.A
         case Unknown():
             return _of_unknown(machine, value, name)
         case OneOf():
-            return one_of(get_attribute(machine, option, name) for option in value.values)
+            return chosen_with(one_of(get_attribute(machine, option, name) for option in value.values), value)
         case SuperValue():
             return _of_super(machine, value, name)
         case BoundMethod() | FunctionValue():

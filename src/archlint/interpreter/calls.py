@@ -30,6 +30,7 @@ from archlint.interpreter.values import (
     Unknown,
     Value,
     chosen_for,
+    chosen_with,
     one_of,
 )
 from archlint.reasons import NotPassed
@@ -88,7 +89,7 @@ def _call_alternatives(machine: Machine, function: OneOf, site: CallSite) -> Val
             results.append(call(machine, option, replace(site, args=list(site.args), keywords=dict(site.keywords))))
         layers.append(taken[0])
     machine.store.merge(layers)
-    return one_of(results)
+    return chosen_with(one_of(results), function)
 
 
 # -------------------------------------------------------------------------------------- entering a function

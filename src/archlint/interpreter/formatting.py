@@ -19,6 +19,7 @@ from archlint.interpreter.values import (
     Unknown,
     Value,
     alternatives,
+    chosen_with,
     depends_on,
     join_texts,
     one_of,
@@ -116,7 +117,7 @@ def combine(machine: Machine, parts: Sequence[Value], span: facts.Span | None) -
             options = (Unknown("more values than can be followed"),)
         rows = [[*row, option] for row in rows for option in options]
     place = None if span is None else machine.place(span)
-    return one_of(join_texts([text_of(machine, part) for part in row], place) for row in rows)
+    return chosen_with(one_of(join_texts([text_of(machine, part) for part in row], place) for row in rows), *parts)
 
 
 def _meant(part: Value) -> Sequence[Value]:

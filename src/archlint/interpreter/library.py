@@ -178,6 +178,10 @@ class Library:
         """Whether a ``try`` of which everything is known ends without an exception, so that no handler runs."""
         return False
 
+    def matches(self, folder: str, pattern: str) -> list[str] | None:
+        """The paths of the files in a folder whose names match; None where that is not known."""
+        return None
+
     def opened(self, path: Known) -> Value:
         """The file that ``path.open()`` of a pathlib.Path gives."""
         return Unknown("a file")

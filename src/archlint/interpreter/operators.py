@@ -20,6 +20,7 @@ from archlint.interpreter.values import (
     Unknown,
     Value,
     alternatives,
+    chosen_with,
     constant,
     depends_on,
     file_origin,
@@ -53,7 +54,7 @@ _ARITHMETIC: dict[facts.BinaryOperator, Callable[[Any, Any], Any]] = {
 def binary(machine: Machine, op: facts.BinaryOperator, left: Value, right: Value, span: facts.Span) -> Value:
     """``left op right`` over all alternatives."""
     results = [_combined(machine, op, a, b, span) for a in alternatives(left) for b in alternatives(right)]
-    result = one_of(results[:CARTESIAN])
+    result = chosen_with(one_of(results[:CARTESIAN]), left, right)
     return result if left.is_text else machine.library.lost(result, (left, right), f"it is an operand of '{op}'")
 
 

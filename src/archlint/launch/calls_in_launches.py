@@ -14,6 +14,7 @@ from archlint.interpreter.values import (
     Unknown,
     Value,
     alternatives,
+    chosen_with,
     one_of,
     reason,
 )
@@ -75,7 +76,8 @@ def _of_package(run: LaunchRun, call: ApiUse, folder_of: Callable[[str], Value])
     options = alternatives(call.get("package_name") or Unknown("no package is given"))
     names = [run.perform(option) for option in options]
     texts = [(name, known_text(name)) for name in names]
-    return one_of(Unknown(reason(name)) if text is None else folder_of(text) for name, text in texts)
+    folders = [Unknown(reason(name)) if text is None else folder_of(text) for name, text in texts]
+    return chosen_with(one_of(folders), call.get("package_name") or NONE)
 
 
 def _path_join(run: LaunchRun, call: ApiUse) -> Value:
@@ -137,6 +139,14 @@ def _same_path(run: LaunchRun, site: CallSite) -> Value:
     return Unknown("a path of this machine") if path is None else Known(posixpath.normpath(path))
 
 
+def _of_home(run: LaunchRun, site: CallSite) -> Value:
+    """``os.path.expanduser(path)``."""
+    path = known_text(site.args[0]) if site.args else None
+    if path is None:
+        return Unknown(reason(*site.args))
+    return Unknown("the environment variable HOME") if path.startswith("~") else Known(path)
+
+
 def _run_path(run: LaunchRun, site: CallSite) -> Value:
     """``runpy.run_path(path)``: the variables of a file of this workspace, once it has run."""
     if len(site.args) != 1 or site.keywords:
@@ -161,6 +171,7 @@ PLAIN = {
     "pathlib.Path": _path,
     "pathlib.PurePath": _path,
     "os.path.abspath": _same_path,
+    "os.path.expanduser": _of_home,
     "os.path.realpath": _same_path,
     "os.path.normpath": _same_path,
 }

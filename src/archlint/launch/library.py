@@ -99,6 +99,9 @@ class LaunchFileLibrary(LaunchLibrary):
         """What a launch file reads of the workspace is there, for all that is seen."""
         return True
 
+    def matches(self, folder: str, pattern: str) -> list[str] | None:
+        return read_files.matches(self._launch, folder, pattern)
+
     def opened(self, path: Known) -> Value:
         return read_files.opened(self._launch, path)
 

@@ -107,13 +107,23 @@ class LaunchPaths:
     def names_in(self, package: str, folder: str) -> list[str] | None:
         """The names of the files that a package installs in a folder of its share, sorted; None where that is not
         known."""
+        below = self._below(package, folder)
+        return None if below is None else sorted(path for path in below if "/" not in path)
+
+    def entries_in(self, folder: str) -> list[str] | None:
+        """The names of all that is installed in the folder of a path, sorted; None where that is not known."""
+        shared = _SHARE.match(folder)
+        below = None if shared is None else self._below(shared[1], posixpath.normpath(shared[2].lstrip("/") or "."))
+        return None if not below else sorted({path.partition("/")[0] for path in below})
+
+    def _below(self, package: str, folder: str) -> set[str] | None:
+        """The paths of the files that are installed below a folder of a package's share."""
         installs = self._installs.get(package)
         if installs is None or installs.open_files or not installs.build_files:
             return None
-        there = f"share/{package}/{folder}/"
+        there = f"share/{package}/" if folder == "." else f"share/{package}/{folder}/"
         places = (place for path in self._tree.files_below(installs.folder) for place in installs.places_of(path))
-        names = {place.removeprefix(there) for place in places if place.startswith(there)}
-        return sorted(name for name in names if "/" not in name)
+        return {place.removeprefix(there) for place in places if place.startswith(there)}
 
     def launch_file_named(self, package: str, name: str) -> Value:
         """The path of the launch file that ``ros2 launch`` finds: it walks the whole share folder of the package and

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import fnmatch
 import json
+import re
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
@@ -19,7 +21,7 @@ from archlint.interpreter.values import (
     reason,
 )
 from archlint.launch.kinds import FileKind, FileStatus
-from archlint.launch.objects import argument
+from archlint.launch.objects import argument, known_text
 from archlint.syntax.safe_yaml import YamlError, YamlReader
 
 if TYPE_CHECKING:
@@ -109,6 +111,34 @@ def is_there(run: LaunchRun, path: str) -> bool | None:
     return None
 
 
+_NO_LISTING = Unknown("the files of a folder")
+_WILD = re.compile(r"[*?\[]")
+
+
+def _list_folder(run: LaunchRun, site: CallSite) -> Value:
+    """``os.listdir(folder)``: the names, in the order of the alphabet for want of the file system's own."""
+    folder = known_text(site.args[0]) if site.args else None
+    names = None if folder is None else run.paths.entries_in(folder)
+    return _NO_LISTING if names is None else containers.new_list(run, [Known(name) for name in names])
+
+
+def _glob(run: LaunchRun, site: CallSite) -> Value:
+    """``glob.glob('folder/*.yaml')``."""
+    pattern = known_text(site.args[0]) if len(site.args) == 1 and not site.keywords else None
+    folder, _, last = (pattern or "").rpartition("/")
+    paths = None if not folder or _WILD.search(folder) else matches(run, folder, last)
+    return _NO_LISTING if paths is None else containers.new_list(run, [Known(path) for path in paths])
+
+
+def matches(run: LaunchRun, folder: str, pattern: str) -> list[str] | None:
+    """The paths of what is installed in a folder under a name that matches; None where that is not known."""
+    names = run.paths.entries_in(folder)
+    if names is None or "/" in pattern or "**" in pattern:
+        return None
+    shown = [name for name in names if pattern.startswith(".") or not name.startswith(".")]
+    return [f"{folder}/{name}" for name in fnmatch.filter(shown, pattern)]
+
+
 def _written(write: Callable[..., str], name: str, options: frozenset[str]) -> Plain:
     """``yaml.dump(data)`` or ``json.dumps(data)``: the text.  Into a file these make none."""
 
@@ -166,6 +196,9 @@ _JSON_OPTIONS = frozenset({"indent", "sort_keys", "ensure_ascii"})
 
 PLAIN: dict[str, Plain] = {
     "open": _open,
+    "os.listdir": _list_folder,
+    "glob.glob": _glob,
+    "glob.iglob": _glob,
     "json.load": _load_json,
     "yaml.safe_load": _load_yaml,
     "yaml.load": _load_yaml,
@@ -175,4 +208,4 @@ PLAIN: dict[str, Plain] = {
     "json.dumps": _written(json.dumps, "json.dumps", _JSON_OPTIONS),
 }
 
-__all__ = ["PLAIN", "is_there", "opened", "value_of", "yaml_file"]
+__all__ = ["PLAIN", "is_there", "matches", "opened", "value_of", "yaml_file"]

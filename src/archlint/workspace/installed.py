@@ -99,5 +99,5 @@ class Installs:
                 below = "" if row.contents else posixpath.basename(own)
                 if source.startswith(own + "/"):
                     yield posixpath.normpath(posixpath.join(row.destination, below, source[len(own) + 1 :]))
-            elif fnmatch.fnmatchcase(source, own):
+            elif fnmatch.fnmatchcase(source, own) and ("**" in own or source.count("/") == own.count("/")):
                 yield posixpath.normpath(posixpath.join(row.destination, row.rename or posixpath.basename(source)))

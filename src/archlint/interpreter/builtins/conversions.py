@@ -14,6 +14,7 @@ from archlint.interpreter.values import (
     Unknown,
     Value,
     alternatives,
+    chosen_with,
     constant,
     constants_of,
     one_of,
@@ -30,7 +31,8 @@ def text(machine: Machine, site: CallSite) -> Value:
     """``str(value)``."""
     if not site.args:
         return Known("")
-    return one_of(_plain(formatting.text_of(machine, option)) for option in alternatives(site.args[0]))
+    texts = [_plain(formatting.text_of(machine, option)) for option in alternatives(site.args[0])]
+    return chosen_with(one_of(texts), site.args[0])
 
 
 def _plain(value: Value) -> Value:

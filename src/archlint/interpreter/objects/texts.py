@@ -162,6 +162,17 @@ def _exists(machine: Machine, target: Known, name: str, site: CallSite) -> Value
     return machine.library.asked_for_file(str(target.value))
 
 
+def _listed(machine: Machine, target: Known, name: str, site: CallSite) -> Value | None:
+    """``folder.glob('*.yaml')`` and ``folder.iterdir()`` of a pathlib.Path."""
+    pattern = "*" if name == "iterdir" else site.args[0].text if len(site.args) == 1 else None
+    if target.kind != "path" or pattern is None:
+        return None
+    paths = machine.library.matches(str(target.value), pattern)
+    if paths is None:
+        return Unknown("the files of a folder")
+    return new_list(machine, [Known(path, target.via, kind="path") for path in paths])
+
+
 def _is_absolute(machine: Machine, target: Known, name: str, site: CallSite) -> Value | None:
     """A path that starts with ``$(`` is that of an installed file, which is absolute when a program asks."""
     return Known(str(target.value).startswith(("/", "$("))) if target.kind == "path" else None
@@ -228,8 +239,10 @@ _METHODS: dict[str, Method] = {
     "expanduser": _same_path,
     "format": _format,
     "is_absolute": _is_absolute,
+    "glob": _listed,
     "is_dir": _exists,
     "is_file": _exists,
+    "iterdir": _listed,
     "join": _join,
     "joinpath": _join_path,
     "open": _open,

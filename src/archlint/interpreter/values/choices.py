@@ -133,6 +133,11 @@ def chosen_for(value: Value, why: str | None) -> Value:
     return value
 
 
+def chosen_with(value: Value, *sources: Value) -> Value:
+    """A value that is made of others: what chooses among these chooses among its alternatives."""
+    return chosen_for(value, next((source.why_open for source in sources if source.why_open is not None), None))
+
+
 def join_items(alternatives: Sequence[Items]) -> Items:
     """A list that is one of several: known where all agree in length, else the union, open."""
     first = alternatives[0]

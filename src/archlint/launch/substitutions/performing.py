@@ -14,6 +14,7 @@ from archlint.interpreter.values import (
     OneOf,
     Unknown,
     Value,
+    chosen_with,
     one_of,
     reason,
 )
@@ -66,7 +67,7 @@ def _perform(run: LaunchRun, value: Value) -> Value:
     match value:
         case OneOf(values=options):
             with run.perhaps():
-                return one_of([run.perform(option) for option in options])
+                return chosen_with(one_of([run.perform(option) for option in options]), value)
         case ListValue():
             items = value.items(run)
             if items.open:

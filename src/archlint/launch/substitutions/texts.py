@@ -13,6 +13,7 @@ from archlint.interpreter.values import (
     Unknown,
     Value,
     alternatives,
+    chosen_with,
     file_origin,
     join_texts,
     one_of,
@@ -36,7 +37,8 @@ def concatenate(parts: Sequence[Value], joint: str = "") -> Value:
             options = (Unknown("more values than can be followed"),)
         between = [Known(joint)] if joint and number else []
         rows = [[*row, *between, option] for row in rows for option in options]
-    return one_of(row[0] if len(row) == 1 else join_texts(row, file_origin(*row)) for row in rows)
+    joined = one_of(row[0] if len(row) == 1 else join_texts(row, file_origin(*row)) for row in rows)
+    return chosen_with(joined, *parts)
 
 
 def written_at(value: Value, place: Place | None) -> Value:
@@ -49,7 +51,8 @@ def written_at(value: Value, place: Place | None) -> Value:
 def each_text(value: Value, make: Callable[[str], Value]) -> Value:
     """What is made of each text that a value may be; what is not known stays so."""
     texts = ((option, known_text(option)) for option in alternatives(value))
-    return one_of(Unknown(reason(option)) if text is None else make(text) for option, text in texts)
+    made = one_of(Unknown(reason(option)) if text is None else make(text) for option, text in texts)
+    return chosen_with(made, value)
 
 
 def _parts(run: LaunchRun, value: Value | None) -> list[Value]:
