@@ -51,8 +51,8 @@ def written_at(value: Value, place: Place | None) -> Value:
 def each_text(value: Value, make: Callable[[str], Value]) -> Value:
     """What is made of each text that a value may be; what is not known stays so."""
     texts = ((option, known_text(option)) for option in alternatives(value))
-    made = one_of(Unknown(reason(option)) if text is None else make(text) for option, text in texts)
-    return chosen_with(made, value)
+    results = one_of(Unknown(reason(option)) if text is None else make(text) for option, text in texts)
+    return chosen_with(results, value)
 
 
 def _parts(run: LaunchRun, value: Value | None) -> list[Value]:
