@@ -28,10 +28,15 @@ Step = Callable[[], Cost]
 """Prepares what is to be measured (an edit, say), runs it, and says what it took."""
 
 
+_ENVIRONMENT = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
+"""Python keeps what it has compiled, as it does for users: a part of each run would be compiling archlint."""
+
+
 def run(command: Sequence[str], folder: Path) -> Cost:
     """What one process took; its output is thrown away.  Raises ``RuntimeError`` where it could not do its job."""
     started = time.perf_counter()
-    process = subprocess.Popen(command, cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    nowhere = subprocess.DEVNULL
+    process = subprocess.Popen(command, cwd=folder, stdout=nowhere, stderr=nowhere, env=_ENVIRONMENT)
     _, status, usage = os.wait4(process.pid, 0)
     wall = time.perf_counter() - started
     process.returncode = os.waitstatus_to_exitcode(status)  # it is waited for: Popen need not
