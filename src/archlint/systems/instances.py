@@ -205,8 +205,8 @@ def _node_order(node: Node) -> tuple[object, ...]:
     return (node.name is None, node.name or "", *where, node.blueprint.class_name if node.blueprint else "")
 
 
-_TOGETHER: tuple[DependencyKind, ...] = ("depend", "exec", "run", "build", "build_export")
-"""Kinds of dependency; a package that another needs for its tests alone runs without it."""
+_NEEDED_TO_RUN: tuple[DependencyKind, ...] = ("depend", "exec", "run", "build", "build_export")
+"""Kinds of dependency without which a package does not run; one that only its tests need is none of them."""
 
 
 def dependencies_within(packages: Iterable[Package]) -> dict[str, frozenset[str]]:
@@ -218,4 +218,4 @@ def dependencies_within(packages: Iterable[Package]) -> dict[str, frozenset[str]
 
 def _needs(package: Package) -> list[str]:
     entries = package.dependencies
-    return sorted({entry.name for entry in entries if entry.kind in _TOGETHER})
+    return sorted({entry.name for entry in entries if entry.kind in _NEEDED_TO_RUN})
