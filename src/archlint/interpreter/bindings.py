@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from functools import lru_cache
 
 from archlint.syntax import facts
-from archlint.syntax.parts import Itself
+from archlint.syntax.parts import once_for
 from archlint.syntax.walk import statements_of
 
 
@@ -17,14 +16,9 @@ def bound_in(block: list[facts.Stmt]) -> frozenset[str]:
     return frozenset(names)
 
 
+@once_for
 def bound_names(ir: facts.Function | facts.Lambda) -> tuple[frozenset[str], frozenset[str]]:
     """The local names of a function, and those it declares ``global`` or ``nonlocal``."""
-    return _bound_names(Itself(ir))
-
-
-@lru_cache(maxsize=20_000)
-def _bound_names(key: Itself[facts.Function | facts.Lambda]) -> tuple[frozenset[str], frozenset[str]]:
-    ir = key.fact
     names = {param.name for param in ir.params}
     outer: set[str] = set()
     if isinstance(ir, facts.Function):

@@ -35,8 +35,12 @@ def evaluate_call(machine: Machine, e: facts.Call) -> Value:
     machine.library.coroutines_started(function, e)
     site = call_site(machine, e)
     refusals.check_call(machine, function, site, e)
-    with machine.library.around_call(function, e):
+    context = machine.library.around_call(function, e)
+    if context is None:
         result = call(machine, function, site)
+    else:
+        with context:
+            result = call(machine, function, site)
     machine.unknown_results += isinstance(result, Unknown)
     return result
 
@@ -106,7 +110,7 @@ def never_returns(machine: Machine, e: facts.Call) -> bool:
     match e.func:
         case facts.Name(id=name):
             return name in ("exit", "quit") and machine.lookup(name) is None
-        case facts.Attribute(value=facts.Name(id=name), attr=attribute):
+        case facts.Attribute(value=facts.Name(id=name), attr="exit" | "_exit" as attribute):
             value = machine.lookup(name)
             return value is not None and f"{value.dotted}.{attribute}" in _EXITS
     return False

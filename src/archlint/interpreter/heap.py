@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
+from itertools import chain
 from typing import Any, TypeVar, overload
 
 from archlint.interpreter.fields import Field, Fields, key_in
@@ -187,10 +188,8 @@ class Store:
             # One way on: what it wrote is what holds.
             self.apply(branches[0])
             return False
-        slots: dict[Slot, None] = {}
-        for branch in branches:
-            slots.update(dict.fromkeys(branch))
-            self.work += len(branch)
+        slots = dict.fromkeys(chain.from_iterable(branches))
+        self.work += sum(map(len, branches))
         if self._reads is not None:
             for at in slots:
                 if any(at not in branch for branch in branches):

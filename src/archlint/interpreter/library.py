@@ -7,7 +7,7 @@ the code imports derive from it.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from contextlib import AbstractContextManager, nullcontext
+from contextlib import AbstractContextManager
 from typing import TYPE_CHECKING
 
 from archlint.interpreter.values import ApiMethod, External, ForeignValue, Instance, Unknown, Value
@@ -48,9 +48,9 @@ class Library:
         """``await value``."""
         return value
 
-    def around_call(self, function: Value, expression: facts.Call) -> AbstractContextManager[None]:
-        """While a call expression is followed, its arguments being known."""
-        return nullcontext()
+    def around_call(self, function: Value, expression: facts.Call) -> AbstractContextManager[None] | None:
+        """What holds while a call expression is followed, its arguments being known; None for nothing."""
+        return None
 
     # ---------------------------------------------------------------------------------------- names, attributes
 

@@ -169,7 +169,10 @@ class Machine(ABC):
     def enclosing_loops(self) -> tuple[Place, ...]:
         """The loops that go round what runs now, those of the callers first."""
         return tuple(
-            activation.place(loop.span) for activation in self.activations for loop in self.loops_of(activation)
+            activation.place(loop.span)
+            for activation in self.activations
+            if activation.loops
+            for loop in self.loops_of(activation)
         )
 
     def loops_of(self, activation: Activation) -> list[facts.While | facts.For]:
@@ -202,7 +205,7 @@ class Machine(ABC):
 
     def lookup(self, name: str) -> Value | None:
         """What a name means here; None where it is no variable of any scope (then it may be a builtin)."""
-        scope: Scope | None = self.activation.scope
+        scope: Scope | None = self.activations[-1].scope
         first = True
         while scope is not None:
             if (first or scope.kind != "class") and (scope.bound is None or name in scope.bound):

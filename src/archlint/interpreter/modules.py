@@ -101,6 +101,7 @@ class ModuleIndex:
         self._by_name: dict[str, list[SourceFile]] = {}
         self._by_path: dict[str, SourceFile] = {}
         self._by_tail: dict[str, list[SourceFile]] = {}
+        self._meant: dict[tuple[str, str, int], SourceFile | None] = {}
         self._imported: dict[str, tuple[frozenset[Module], Reads]] = {}
         self._readers: list[Reads] = []
         """Who reads: a program, or a module whose import it has led to."""
@@ -165,7 +166,10 @@ class ModuleIndex:
 
     def file_of(self, importer: SourceFile, name: str, level: int = 0) -> SourceFile | None:
         """The file that an import in another means; None for what is not here."""
-        return self._relative(importer, name, level) if level else self._absolute(importer, name)
+        key = importer.path, name, level
+        if key not in self._meant:  # every attribute of what a package gives is looked up, for it may be a module
+            self._meant[key] = self._relative(importer, name, level) if level else self._absolute(importer, name)
+        return self._meant[key]
 
     def at(self, path: str) -> SourceFile | None:
         """The file with a path."""

@@ -23,7 +23,7 @@ from archlint.interpreter.values import (
     alternatives,
 )
 from archlint.syntax import facts
-from archlint.syntax.parts import everything_in, names_in
+from archlint.syntax.parts import everything_in, names_in, once_for
 
 if TYPE_CHECKING:
     from archlint.interpreter.call_site import CallSite
@@ -87,7 +87,7 @@ def refuses_to_iterate(machine: Machine, iterable: Value) -> bool:
 
 def is_certain(machine: Machine) -> bool:
     """Whether the statement that runs always comes to the expression that is evaluated."""
-    activation = machine.activation
+    activation = machine.activations[-1]
     return activation.scope.kind != "comprehension" and activation.settled == len(machine.branch_arms)
 
 
@@ -108,7 +108,20 @@ def _refused_by(function: FunctionValue, given: int, keywords: Mapping[str, Valu
         len(ir.decorators) != len(function.decorators) or not function.decorators <= _TRANSPARENT
     ):
         return False
+    positional, required = _taken_by_position(ir)
+    if not keywords and required <= given <= positional:
+        return False  # as in most calls
     return not _binds(ir.params, given, keywords)
+
+
+@once_for
+def _taken_by_position(ir: facts.Function | facts.Lambda) -> tuple[int, int]:
+    """How many arguments a function takes by position, and how many of them it needs where no names are given: more
+    than it takes where it needs others by name."""
+    positional = [param for param in ir.params if param.kind in ("positional_only", "normal")]
+    by_name = any(param.kind == "keyword_only" and param.default is None for param in ir.params)
+    required = [number for number, param in enumerate(positional, start=1) if param.default is None]
+    return len(positional), len(positional) + 1 if by_name else max(required, default=0)
 
 
 def _binds(params: Sequence[facts.Param], given: int, keywords: Mapping[str, Value]) -> bool:

@@ -126,9 +126,8 @@ def record(run: Run, api: Api, receiver: Value | None, bound: dict[str, Value], 
     if api.path in parameters.BY_NAME:
         key = (*key, bound.get("name"))  # what a helper reads, for each name that it is given
     known = run.noted.watched.get(key)
-    cleaning = guards.is_cleaning_up(run)
     if known is not None:
-        if known.cleaning and not cleaning:
+        if known.cleaning and not guards.is_cleaning_up(run):
             known.cleaning, known.chain, known.branch_arms = False, run.chain(), tuple(run.branch_arms)
         if known.creation is None and len(on) == 1:
             known.creation = on[0]
@@ -161,7 +160,7 @@ def record(run: Run, api: Api, receiver: Value | None, bound: dict[str, Value], 
         run.enclosing_loops(),
         tuple(run.branch_arms),
         tuple(clocks.limit_of(run, loop) for loop in loops),
-        cleaning,
+        guards.is_cleaning_up(run),
     )
     run.noted.watched[key] = call
     run.program.calls.append(call)

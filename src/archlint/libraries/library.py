@@ -62,7 +62,7 @@ class RosLibrary(Library):
     def awaited(self, value: ForeignValue, expression: facts.Await) -> Value:
         return calls.await_future(self.run, value, expression) if isinstance(value, FutureValue) else value
 
-    def around_call(self, function: Value, expression: facts.Call) -> AbstractContextManager[None]:
+    def around_call(self, function: Value, expression: facts.Call) -> AbstractContextManager[None] | None:
         return tasks.as_own_task(self.run, expression, function)
 
     # ---------------------------------------------------------------------------------------- names, attributes

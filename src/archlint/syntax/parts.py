@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from functools import lru_cache
+from collections.abc import Callable, Iterator, Sequence
 from typing import Generic, TypeVar, Union, overload
 
 from archlint.syntax import facts
@@ -12,6 +11,7 @@ Kind = TypeVar("Kind", bound=facts.Base)
 Source = Union[facts.Base, Sequence[facts.Base], None]
 """A piece of source: one fact, several in their order, or none."""
 T = TypeVar("T")
+Result = TypeVar("Result")
 
 
 class Itself(Generic[T]):
@@ -27,6 +27,25 @@ class Itself(Generic[T]):
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Itself) and other.fact is self.fact
+
+
+def once_for(function: Callable[[T], Result]) -> Callable[[T], Result]:
+    """Keep what a function says of each fact.  For what is asked at every step of a run: a look-up by ``id`` takes a
+    fraction of one by a key such as :class:`Itself`."""
+    known: dict[int, tuple[T, Result]] = {}
+
+    def ask(fact: T) -> Result:
+        row = known.get(id(fact))
+        if row is None:
+            if len(known) >= _KEPT:
+                known.clear()
+            row = known[id(fact)] = fact, function(fact)  # with the fact, whose id is nobody else's for as long
+        return row[1]
+
+    return ask
+
+
+_KEPT = 50_000
 
 
 @overload
@@ -67,14 +86,10 @@ def _walk(fact: Source, kind: type[facts.Base], into_scopes: bool) -> Iterator[f
             stack += (item.statements if of_statements else item.children())[::-1]
 
 
+@once_for
 def names_in(ir: Source) -> frozenset[str]:
     """All names and attributes that a piece of facts uses."""
-    return _names_in(Itself(ir))
+    return frozenset(name for item in everything_in(ir) if (name := item.last_name))
 
 
-@lru_cache(maxsize=50_000)
-def _names_in(key: Itself[Source]) -> frozenset[str]:
-    return frozenset(name for item in everything_in(key.fact) if (name := item.last_name))
-
-
-__all__ = ["Itself", "everything_in", "names_in", "parts_of"]
+__all__ = ["Itself", "everything_in", "names_in", "once_for", "parts_of"]

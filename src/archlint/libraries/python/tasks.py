@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from contextlib import AbstractContextManager, contextmanager, nullcontext
+from contextlib import AbstractContextManager, contextmanager
 from typing import TYPE_CHECKING
 
 from archlint.interpreter.values import External, FunctionValue, Unknown, Value
@@ -28,17 +28,14 @@ def note_started(run: Run, e: facts.Call, starter: Value) -> None:
         )
 
 
-def as_own_task(run: Run, e: facts.Call, function: Value) -> AbstractContextManager[None]:
-    """While ``e`` is called: the body of a coroutine that another call starts is followed like that of a thread, so
-    that what it waits for holds up nobody here."""
+def as_own_task(run: Run, e: facts.Call, function: Value) -> AbstractContextManager[None] | None:
+    """What holds while ``e`` is called: the body of a coroutine that another call starts is followed like that of a
+    thread, so that what it waits for holds up nobody here."""
     if id(e) not in run.callbacks.coroutines:
-        return _AS_IT_IS
+        return None
     inner = function.callee
     is_coroutine = isinstance(inner, FunctionValue) and inner.ir.is_async
-    return _in_thread(run, function) if is_coroutine else _AS_IT_IS
-
-
-_AS_IT_IS: AbstractContextManager[None] = nullcontext()
+    return _in_thread(run, function) if is_coroutine else None
 
 
 @contextmanager
