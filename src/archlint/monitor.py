@@ -1,4 +1,4 @@
-"""Who is told how far a run is, and what its parts cost.  Nothing that is kept or reported depends on it."""
+"""Who follows the progress of a run, and what its parts cost.  Nothing that is kept or reported depends on it."""
 
 from __future__ import annotations
 

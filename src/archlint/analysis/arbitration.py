@@ -66,7 +66,7 @@ def publishes_of(system: System, owner: Endpoint) -> list[ApiCall]:
 
 def never_speaks(owner: Endpoint) -> bool:
     """Whether the program that runs a publisher's node comes to none of the calls that publish with it: only methods do
-    so that this program never calls, and that nobody else gets hold of."""
+    so that this program never calls, and that nobody else can access."""
     calls = publishes_with(owner)
     return bool(calls) and all(call.context.role == "method" for call in calls)
 
@@ -180,7 +180,7 @@ def _halts(name: str) -> bool:
 
 
 def _sets(function: facts.Function | None) -> set[str]:
-    """The attributes of ``self`` that a callback sets, or hands to a function together with its message."""
+    """The attributes of ``self`` that a callback sets, or passes to a function together with its message."""
     if function is None or not function.params:
         return set()
     message = {param.name for param in function.params[1:]}

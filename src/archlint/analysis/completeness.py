@@ -18,7 +18,7 @@ _NODE_BASES = frozenset({"Node", "LifecycleNode", "object", "ABC", "Generic", "P
 
 
 def is_complete(workspace: WorkspaceIndex | None, node: Node) -> bool:
-    """True where nothing outside of this workspace is handed the node or is its base class, and each of its
+    """True where nothing outside of this workspace gets the node or is its base class, and each of its
     endpoints has a known name."""
     if workspace is None or node.blueprint is None or node.program is None or node.doubt is not None:
         return False

@@ -234,7 +234,7 @@ def _relation_of_spin(call: ApiCall, spun: Blueprint | None, client: Creation | 
         other_node = callback.node is not None and client.node is not callback.node
         return OTHER if other_node else group_relation(callback.group, client.group)
     if callback.node is not None and spun is not None and spun is not callback.node:
-        # A default group is the node's own; any other may be handed from node to node.
+        # A default group is the node's own; any other may be passed from node to node.
         shareable = callback.group is not None and callback.group.kind != GroupKind.DEFAULT
         return UNCLEAR if shareable and any(creation.group == callback.group for creation in spun.creations) else OTHER
     relation = group_relation(callback.group, None)

@@ -1,4 +1,4 @@
-"""Publishers and subscriptions of one topic that quality of service keeps apart: no message ever gets through."""
+"""Publishers and subscriptions of one topic whose QoS is incompatible: no message ever gets through."""
 
 from __future__ import annotations
 

@@ -62,7 +62,7 @@ def is_dead(workspace: WorkspaceIndex | None, program: Program, call: ApiCall) -
 
 def is_never_made(workspace: WorkspaceIndex | None, call: ApiCall) -> bool:
     """Whether a call is in a method of a class, no node itself, that no Python file here names but to define it: no
-    object of it is ever made, whatever its annotations say of the node that it would be handed."""
+    object of it is ever made, whatever its annotations say of the node that would be passed to it."""
     owner, _, method = call.function.rpartition(".")
     node, name = call.context.node, owner.rpartition(".")[2]
     if workspace is None or not name.isidentifier() or not method.isidentifier():

@@ -48,13 +48,13 @@ def in_loops(
 
 
 def _iterations_at(code: SourceCode, place: Place) -> float:
-    """How often the ``for`` of a caller goes round; for all that is not known, without end."""
+    """How often the ``for`` of a caller repeats; for all that is not known, without end."""
     loop = code.loop_at(place)
     return math.inf if loop is None or loop.tests else _times(code, place.file, loop, math.inf)
 
 
 def _times(code: SourceCode, file: str, loop: Loop | None, unknown: float) -> float:
-    """How often a loop of a file goes round at most."""
+    """How often a loop of a file repeats at most."""
     file_facts = code.facts_at(file)
     if loop is None or file_facts is None:
         return math.inf
@@ -70,7 +70,7 @@ def _times(code: SourceCode, file: str, loop: Loop | None, unknown: float) -> fl
 
 
 def is_retry(code: SourceCode, call: ApiCall) -> bool:
-    """Whether a ``for`` that ends as soon as something has worked goes round a call: the pause is the exception."""
+    """Whether a ``for`` that ends as soon as something has worked is around a call: the pause is the exception."""
     loop = code.loop(call)
     return loop is not None and not loop.tests and loop_of(loop).is_left_by_jump
 
@@ -114,7 +114,7 @@ def around_future(code: SourceCode, call: ApiCall) -> bool:
 
 
 def is_retried(code: SourceCode, call: ApiCall) -> bool:
-    """Whether a loop goes round one wait: ``while not future.done()``."""
+    """Whether a loop repeats one wait: ``while not future.done()``."""
     tests = (part for loop in code.loops(call) for part in parts_of(loop.tests, facts.Attribute))
     return any(part.attr == "done" for part in tests)
 

@@ -26,7 +26,7 @@ _PAUSES = frozenset(
 
 
 def is_unpaced(loop: Loop | None) -> bool:
-    """Whether a loop goes on for ever and nothing in it waits but the request."""
+    """Whether a loop goes on forever and nothing in it waits but the request."""
     if not isinstance(loop, facts.While) or loop_of(loop).is_left_early:
         return False
     endless = loop.is_endless or (

@@ -80,11 +80,11 @@ class SourceCode:
         return owner if isinstance(owner, facts.Function) else None
 
     def loops(self, call: ApiCall) -> tuple[Loop, ...]:
-        """The loops of the same function that go round a call, outermost first."""
+        """The loops of the same function around a call, outermost first."""
         return tuple(loop for loop in map(self.loop_at, call.loops) if loop is not None)
 
     def loop(self, call: ApiCall) -> Loop | None:
-        """The innermost loop of the same function that goes round a call."""
+        """The innermost loop of the same function around a call."""
         loops = self.loops(call)
         return loops[-1] if loops else None
 

@@ -20,7 +20,7 @@ _PASTIMES = frozenset(
 
 
 def only_the_server_ends(statement: facts.While | facts.For | None) -> bool:
-    """Whether a loop goes round until a server is there, and nothing else ends it: ``while not client.wait_for_service(
+    """Whether a loop repeats until a server is there, and nothing else ends it: ``while not client.wait_for_service(
     timeout_sec=1.0)``, or ``while True`` with such a test that leaves it."""
     if not isinstance(statement, facts.While):
         return False

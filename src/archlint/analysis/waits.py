@@ -111,7 +111,7 @@ def _waits_of(code: SourceCode, call: ApiCall, signals: _Signals) -> Iterator[tu
 
 
 def _loop_until(code: SourceCode, call: ApiCall) -> facts.While | None:
-    """The loop that goes round until a future is done: ``while not future.done()``.  What always leaves its body does
+    """The loop that repeats until a future is done: ``while not future.done()``.  What always leaves its body does
     not wait."""
     loop = code.loop(call)
     if not isinstance(loop, facts.While) or not loop_of(loop).repeats:

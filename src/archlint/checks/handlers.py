@@ -41,7 +41,7 @@ def _missing(system: System, end: HandlerEnd) -> Finding:
 
 
 def related_handler(end: HandlerEnd) -> list[Related]:
-    """The handler of an end, and where it is handed over."""
+    """The handler of an end, and where it is registered."""
     callback = end.callback
     rows = [] if end.place == callback.place else [Related(callback.place, f"{callback.name} is the handler")]
     if callback.registered is not None:

@@ -112,7 +112,7 @@ def hardcoded_name(system: System, options: Options) -> Iterator[Finding]:
 
 def _files_that_use(fixed: Sequence[Endpoint]) -> dict[str, set[str]]:
     """The files that create something under names that are written in another file, by that one.  A helper does not
-    take its names from the file of the node that it works for: that one hands them over."""
+    take its names from the file of the node that it works for: that one passes them."""
     users: dict[str, set[str]] = {}
     for endpoint in fixed:
         literal, node = endpoint.creation.name.origin, endpoint.node.blueprint

@@ -35,7 +35,7 @@ if TYPE_CHECKING:
 
 @rule("TMO005", scope=Scope.CODE, in_use=True)
 def ignored_wait_result(system: System, options: Options) -> Iterator[Finding]:
-    """Waits with a timeout whose answer is thrown away, and that nothing asks for later."""
+    """Waits with a timeout whose result is ignored, and that nothing checks later."""
     asked = _clients_asked_for(system)
     yield from one_for_each_place(
         _ignored(system, call)

@@ -223,7 +223,7 @@ def _finding(sources: list[str], unknown: list[str], given: dict[str, Place], de
 
 
 def _not_scoped(diagnostic: Finding, read_on: Mapping[str, Place]) -> Finding:
-    """An include is not scoped: what it is handed, and does not take, replaces what the including file reads after it.
+    """Includes are not scoped: an argument that an include does not take replaces what the including file reads later.
 
     Source: launch, ``IncludeLaunchDescription.execute`` sets each argument in the context of the including file.
     """

@@ -70,7 +70,7 @@ def _judged(topic: Connection) -> list[Endpoint]:
 
 
 def _misses(system: System, publisher: Endpoint, user: Endpoint) -> bool:
-    # One node that reads and writes two like names tells them apart on purpose.
+    # One node that reads and writes two like names distinguishes them on purpose.
     return (
         publisher.node is not user.node
         and not is_left_over(system.workspace, publisher)

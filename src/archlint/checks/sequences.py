@@ -86,7 +86,7 @@ def _runs(system: System) -> Iterator[list[_Step]]:
             continue
         for chain, loops, clients in ((call.chain, call.enclosing_loops, ()), *call.call_chains):
             # What is in the same arms of all branches runs together or not at all; a program that is no
-            # callback has to go round all of it.
+            # callback has to run all of it.
             outermost = loops[:1] if not runs_in_executor(call.context) else ()
             key = (id(wait.program), id(call.context), call.branch_arms, outermost)
             client = clients[0] if clients else wait.client

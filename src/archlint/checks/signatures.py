@@ -163,7 +163,7 @@ def _settled(system: System, diagnostic: Finding, wrong_in: Sequence[str]) -> Fi
 
 
 def _further(first: _Wrong, other: _Wrong) -> Related:
-    """A wrapper hands over several callbacks in one line: then their definitions tell more."""
+    """A wrapper registers several callbacks in one line: then their definitions say more."""
     if _place(first) == _place(other):
         return Related(other.callback.place, f"{other.callback.name}, which is also registered there, is defined here")
     return Related(_place(other), f"{other.callback.name} is registered here")
@@ -174,7 +174,7 @@ def _what(callback: Callback) -> str:
 
 
 def _place(wrong: _Wrong) -> Place:
-    """Where a callback is handed over; a lambda that a wrapper passes on stands where that is."""
+    """Where a callback is registered; for a lambda that a wrapper passes on, where the wrapper is called."""
     site, callback = _registered(wrong), wrong.callback
     inside = site.file == callback.place.file and site.line <= callback.place.line <= site.end_line
     return callback.place if callback.function is not None and callback.function.is_lambda and not inside else site

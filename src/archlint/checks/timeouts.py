@@ -52,7 +52,7 @@ def wait_without_timeout(system: System, options: Options) -> Iterator[Finding]:
         for _, call in calls
         # What a method that nothing calls gets to, too, says nothing of those that are called.
         if not (call.context.role == Role.METHOD and call.place in called)
-        # Below zero a client does not wait at all; wait_for_message() then waits for ever.
+        # Below zero a client does not wait at all; wait_for_message() then waits forever.
         and waits_for_ever(source_code(system), call, _LIMIT[call.api], negative=call.api == WAIT_FOR_MESSAGE)
         and not is_never_made(system.workspace, call)
     )

@@ -123,7 +123,7 @@ def is_complete(system: System) -> bool:
 def in_sight(system: System) -> bool:
     """Whether the source of everything that runs is here, so that nobody unseen publishes, listens or serves: no
     node and no included launch file of another workspace, no plain process (``ros2 topic pub``, a simulator), no
-    node in the hands of a library, and no helper of a node that is not known."""
+    node that is passed to a library, and no helper of a node that is not known."""
     if system.unowned or any(node.external or not _seen(node, system.workspace) for node in system.nodes):
         return False
     launched = system.launched

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 @rule("TMO004", scope=Scope.CODE, in_use=True)
 def endless_wait_loop(system: System, options: Options) -> Iterator[Finding]:
-    """Loops that go round until a server appears, and that nothing else ends."""
+    """Loops that repeat until a server appears, and that nothing else ends."""
     asked = clients_of_handlers(system, options.distros)
     code = source_code(system)
     loops: dict[Place, list[ApiCall]] = {}
@@ -46,7 +46,7 @@ def endless_wait_loop(system: System, options: Options) -> Iterator[Finding]:
 
 
 def _endless(system: System, calls: Sequence[ApiCall]) -> Finding:
-    """A callback that loops holds up its node; a program that starts up has nothing else to do yet."""
+    """A callback that loops blocks its node; a program that starts up has nothing else to do yet."""
     in_callback = [call for call in calls if runs_in_executor(call.context)]
     call = (in_callback or calls)[0]
     kind = "action" if call.api.startswith("rclpy.action.") else "service"

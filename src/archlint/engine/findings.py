@@ -115,7 +115,7 @@ def _judged(
 def _passed_over(
     request: Request, workspace: Workspace, facts: FactsOfFiles, launch_files: LaunchFiles
 ) -> Iterator[str]:
-    """What is told of files for ROS 1; raises :class:`NothingToDo` where there are no others."""
+    """What is reported of files for ROS 1; raises :class:`NothingToDo` where there are no others."""
     python = [file.relative for file in python_files(workspace) if not file.context and facts.is_ros1(file)]
     launch = launch_files.of_ros1()
     inputs = {file.relative for file in workspace.files if is_input(file)}

@@ -34,6 +34,6 @@ class Request:
     fixes: bool = True
     """Whether the findings are to have their fixes."""
     monitor: Monitor = field(default_factory=Monitor, compare=False, repr=False)
-    """Who is told how far the run is; it changes nothing of what comes of it."""
+    """Who is notified of the progress of the run; the result does not depend on it."""
     keeper: Keeper | None = field(default=None, compare=False, repr=False)
     """Who keeps what is said of the result, where an equal command may be told the same."""

@@ -62,7 +62,7 @@ class Names:
         parts = [part for part in parts if part] or [call.interface]
         names = [_base("_".join(parts[-count:]), call.interface) for count in range(1, len(parts) + 1)]
         candidates = chain(names, (f"{names[0]}_{number}" for number in range(2, 1_000)))
-        # Whoever else declares parameters on a node that is handed over is perhaps in another file.
+        # Whoever else declares parameters on a node that is passed is perhaps in another file.
         elsewhere = self._around.elsewhere(source) if call.shares_node else ()
         texts = (source.text, *elsewhere, *sorted(self._declared_elsewhere))
         name = next(name for name in candidates if name not in source.taken and not _used(name, texts))

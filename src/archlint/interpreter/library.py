@@ -186,16 +186,16 @@ class Library:
         """The file that ``path.open()`` of a pathlib.Path gives."""
         return Unknown("a file")
 
-    # ----------------------------------------------------------------------- events: what gets out of sight
+    # ----------------------------------------------------------------------- events: what escapes
 
     def escaped(self, values: Iterable[Value], reason: str, at: facts.Call | None = None) -> None:
-        """Values get into the hands of code that is not followed: ``at`` a call, else where the run is."""
+        """Values are passed to code that is not followed: ``at`` a call, else where the run is."""
 
     def given_away(self, site: CallSite) -> None:
-        """What a call is given gets out of sight: nothing is known of what is called."""
+        """The arguments of a call escape: nothing is known of what is called."""
 
     def lost(self, result: Value, values: Iterable[Value], how: str) -> Value:
-        """``result``; where it is unknown, what it was made from is out of sight."""
+        """``result``; where it is unknown, what it was made from escapes."""
         return result
 
     def kept(self, key: int, values: Iterable[Value], name: str | None = None) -> None:

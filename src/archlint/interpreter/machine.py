@@ -139,7 +139,7 @@ class Machine(ABC):
         self.ran: dict[int, tuple[facts.Function | facts.Lambda, str]] = {}
         """Functions that ran on anything, by the id of their facts, with the shown path of their file."""
         self._repeats: dict[tuple[int, int], bool] = {}
-        """Whether a loop may go round again after a statement in it, by their ids."""
+        """Whether a loop may repeat after a statement in it, by their ids."""
 
     @property
     def phase(self) -> Phase:
@@ -167,7 +167,7 @@ class Machine(ABC):
         return self.activations[-1].module.place(span)
 
     def enclosing_loops(self) -> tuple[Place, ...]:
-        """The loops that go round what runs now, those of the callers first."""
+        """The loops around what runs now, those of the callers first."""
         return tuple(
             activation.place(loop.span)
             for activation in self.activations
@@ -176,7 +176,7 @@ class Machine(ABC):
         )
 
     def loops_of(self, activation: Activation) -> list[facts.While | facts.For]:
-        """The loops of a function that go round its present statement: what is always followed by ``break`` or
+        """The loops of a function around its present statement: what is always followed by ``break`` or
         ``return`` runs once."""
         statement = activation.statement
         if not activation.loops or statement is None:

@@ -1,4 +1,4 @@
-"""Which launch argument a value comes from, however often it is handed on under other names."""
+"""Which launch argument a value comes from, however often it is passed on under other names."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The functions that a launch file hands to launch, which calls them with its context: of an OpaqueFunction, of an
+"""The functions that a launch file passes to launch, which calls them with its context: of an OpaqueFunction, of an
 event handler, of a predicate."""
 
 from __future__ import annotations

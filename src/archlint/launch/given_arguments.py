@@ -1,4 +1,4 @@
-"""What includes hand over, and who reads it after them: an include is not scoped.
+"""What is passed to includes, and who reads it after them: an include is not scoped.
 
 Source: launch, ``IncludeLaunchDescription.execute`` sets each argument in the context of the including file.
 """

@@ -112,7 +112,7 @@ class LaunchFileLibrary(LaunchLibrary):
 
 
 def _of(launch: LaunchRun, act: Callable[Concatenate[LaunchRun, _P], Value]) -> Callable[Concatenate[Run, _P], Value]:
-    """What happens in a launch, for whoever hands in its run as that of any code."""
+    """What happens in a launch, for whoever passes its run as that of any code."""
 
     def in_launch(run: Run, /, *args: _P.args, **kwargs: _P.kwargs) -> Value:
         return act(launch, *args, **kwargs)

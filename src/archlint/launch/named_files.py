@@ -22,7 +22,7 @@ class FileReference:
     reason: str | None = None
     conditional: bool = False
     given: Place | None = None
-    """Where its name is written: another place than ``place`` where an argument or a variable hands it over."""
+    """Where its name is written: another place than ``place`` where an argument or a variable passes it."""
     optional: bool = False
     """Whether the launch file asks first if it is there."""
 

@@ -1,4 +1,4 @@
-"""Which functions can matter: those that create something, wait, spin, or hand over a callback."""
+"""Which functions can matter: those that create something, wait, spin, or register a callback."""
 
 from __future__ import annotations
 

@@ -172,7 +172,7 @@ class RosLibrary(Library):
         self.run.note_asked_file(path)
         return super().asked_for_file(path)
 
-    # ----------------------------------------------------------------------- events: what gets out of sight
+    # ----------------------------------------------------------------------- events: what escapes
 
     def escaped(self, values: Iterable[Value], reason: str, at: facts.Call | None = None) -> None:
         escapes.escape(self.run, values, reason, at)

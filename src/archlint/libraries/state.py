@@ -41,7 +41,7 @@ class Root:
 
 @dataclass(frozen=True)
 class Escape:
-    """Where something got out of sight, and how."""
+    """Where something escaped, and how."""
 
     place: Place
     reason: str
@@ -96,7 +96,7 @@ class ChangedAttribute:
 
 @dataclass
 class Callbacks:
-    """The callbacks of a program: handed over, running, run."""
+    """The callbacks of a program: registered, running, run."""
 
     pending: list[Pending] = field(default_factory=list)
     """Handed over, and still to be run."""
@@ -109,7 +109,7 @@ class Callbacks:
     lineage: Lineage = ()
     """The functions of the callback that runs now and of those that led to it."""
     registered: dict[tuple[Any, ...], set[Key]] = field(default_factory=dict)
-    """Which callbacks were handed over where, and with what each time."""
+    """Which callbacks were registered where, and with what each time."""
     news: dict[str, set[int]] = field(default_factory=dict)
     """The attributes, and of which objects (by key), in which callbacks left what another may act on."""
     coroutines: set[int] = field(default_factory=set)

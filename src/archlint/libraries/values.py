@@ -37,7 +37,7 @@ class EntityValue(ForeignValue):
 @dataclass(frozen=True, slots=True, eq=False)
 class NodeValue(ForeignValue):
     """A node made without a class of the workspace: ``create_node``, ``Node('x')``, or one that a helper class
-    or function is handed by nobody we can see."""
+    or function gets from nobody we can see."""
 
     blueprint: Blueprint
     key: int

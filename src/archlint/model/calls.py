@@ -34,13 +34,13 @@ class ApiCall:
     function: str = ""
     file: str = ""
     loops: tuple[Place, ...] = ()
-    """The loops of the same function that go round it, outermost first: not those that it always leaves."""
+    """The loops of the same function around it, outermost first: not those that it always leaves."""
     conditional: bool = False
     awaited: bool = False
     in_try: bool = False
     """Whether a ``try`` is around it, here or in a caller."""
     enclosing_loops: tuple[Place, ...] = ()
-    """The loops that go round it, also those of its callers, outermost first."""
+    """The loops around it, also those of its callers, outermost first."""
     branch_arms: tuple[BranchArm, ...] = ()
     """The arms of undecided branches that lead to it, outermost first."""
     limits: tuple[float | None, ...] = ()
@@ -52,5 +52,5 @@ class ApiCall:
 
     @property
     def looped(self) -> bool:
-        """Whether a loop, be it in a caller, goes round it."""
+        """Whether it is in a loop, also one of a caller."""
         return bool(self.enclosing_loops)

@@ -73,7 +73,7 @@ class OneOf(Given):
 
 @dataclass(frozen=True, slots=True)
 class Entity(Given):
-    """What a create call made: an endpoint, a timer, or what these hand out, such as the handle of a goal."""
+    """What a create call made: an endpoint, a timer, or what these return, such as the handle of a goal."""
 
     made_by: tuple[Creation, ...]
 

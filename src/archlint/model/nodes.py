@@ -67,7 +67,7 @@ class Callback:
     group: Group | None = None
     """None: runs in no callback group."""
     registered: Place | None = None
-    """Where it was handed over."""
+    """Where it was registered."""
     is_async: bool = False
     bound_arguments: int = 0
     """How many leading positional arguments are already bound (``self``, ``partial``)."""
@@ -175,7 +175,7 @@ class Blueprint:
     classes: tuple[ClassKey, ...] = ()
     """Its class and the bases of that which are of this workspace."""
     annotated: tuple[ClassKey, str] | None = None
-    """What annotations tell of a node that nothing here hands in: its class, or the class of what holds it and the
+    """What annotations tell of a node that nothing here passes: its class, or the class of what holds it and the
     attribute there."""
     creations: list[Creation] = field(default_factory=list)
     parameters: list[ParameterDeclaration] = field(default_factory=list)

@@ -1,6 +1,6 @@
-"""Helpers: classes and functions that work on a node which they are handed.
+"""Helpers: classes and functions that work on a node which is passed to them.
 
-Each is also tried alone, with a node that is not known, so that no create call is missed.  Where other code hands it
+Each is also tried alone, with a node that is not known, so that no create call is missed.  Where other code passes it
 a node, that node has its endpoints, and what was tried says nothing more.
 """
 
@@ -105,7 +105,7 @@ def _meant(helper: model.Blueprint, every: Sequence[model.Blueprint], holders: H
 
 
 def _give_away(helper: model.Blueprint, owners: Sequence[model.Blueprint]) -> None:
-    """Put a helper's endpoints and parameters under a node.  Nothing shows that it is handed over, so each is there
+    """Put a helper's endpoints and parameters under a node.  Nothing shows that it is passed, so each is there
     under a condition."""
     if not owners:
         return

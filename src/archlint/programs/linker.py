@@ -1,7 +1,7 @@
 """Link: run every program of a workspace symbolically.
 
 First what is started: console scripts and files with a main guard.  Then the node classes that nothing starts,
-then classes and functions that work on a node which nobody here hands them; so each create call is seen, with
+then classes and functions that work on a node which nobody here passes; so each create call is seen, with
 the arguments of its callers where there are any.
 """
 

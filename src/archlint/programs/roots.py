@@ -36,7 +36,7 @@ from archlint.syntax.parts import names_in
 INSTANCES = 8
 """On how many objects of one class the methods that nothing calls are tried."""
 PASSES = 4
-"""How often callbacks that hand over callbacks are followed."""
+"""How often callbacks that register callbacks are followed."""
 AGAIN = 2
 """How often callbacks run again on what others left in attributes; the last time what still changes is not known."""
 
@@ -44,7 +44,7 @@ LIFECYCLE = frozenset({"on_configure", "on_activate", "on_deactivate", "on_clean
 
 
 def run_callbacks(run: Run) -> None:
-    """Run what was handed over, then the methods that nothing calls; again where they hand over more."""
+    """Run the registered callbacks, then the methods that nothing calls; again where they register more."""
     for _ in range(PASSES):
         run_pending(run)
         _run_methods(run)
@@ -69,7 +69,7 @@ def _run_again(run: Run, last: bool) -> None:
 
 
 def run_pending(run: Run) -> None:
-    """Run the callbacks that were handed over so far, and those that they hand over."""
+    """Run the callbacks that were registered so far, and those that they register."""
     open_up(run)
     while run.callbacks.pending:
         pending = run.callbacks.pending.pop(0)

@@ -48,7 +48,7 @@ def always_raises(body: Sequence[facts.Stmt]) -> bool:
 
 
 def may_run_again(statement: facts.While | facts.For, inside: facts.Stmt) -> bool:
-    """Whether a loop may go round again after a statement in it has run: not where ``break``, ``return`` or ``raise``
+    """Whether a loop may repeat after a statement in it has run: not where ``break``, ``return`` or ``raise``
     always follows it."""
     if inside is statement or isinstance(inside, facts.Global):
         return True

@@ -117,11 +117,11 @@ class Loop:
 
     @property
     def repeats(self) -> bool:
-        """Whether it may go round again at all."""
+        """Whether it may repeat at all."""
         return self.repeats_after([self.head])
 
     def repeats_after(self, blocks: Sequence[Block]) -> bool:
-        """Whether it may go round again once some of its blocks have run."""
+        """Whether it may repeat once some of its blocks have run."""
         own = [block for block in blocks if self in block.loops]
         after = [edge for block in own for edge in block.edges if edge.kind is not Kind.RAISE or not block.leaves]
         inside = reach([edge.target for edge in after if self._stays_within(edge)], along=self._stays_within)

@@ -147,7 +147,7 @@ class Node:
 
     @property
     def is_node(self) -> bool:
-        """False for what only stands for a node that is not known: a helper that nothing here hands one."""
+        """False for what only stands for a node that is not known: a helper to which nothing here passes one."""
         return self.blueprint is None or not all(blueprint.caller_unknown for blueprint in self.blueprints)
 
     def of_kind(self, *kinds: EntityKind) -> Iterator[Endpoint]:

@@ -86,7 +86,7 @@ def _given(run: LaunchRun, arguments: Value | None) -> tuple[tuple[str, Place], 
 
 
 def _is_configuration(run: LaunchRun, value: Value, name: str) -> bool:
-    """Whether an include is handed an argument as it is here."""
+    """Whether an argument is passed to an include as it is here."""
     return kind_of(value) == LaunchClass.LAUNCH_CONFIGURATION and run.text_of(argument(value, "variable_name")) == name
 
 

@@ -1,7 +1,7 @@
 """The command line of a program: ``sys.argv``, what argparse makes of it, and what rclpy takes out of it.
 
 Its words are known where a launch file starts the program.  argparse itself divides them up, on plain texts; no
-function of the program is handed to it.
+function of the program is passed to it.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Coroutines that a call hands to an event loop: ``asyncio.create_task(self.go())`` waits for nothing."""
+"""Coroutines that a call passes to an event loop: ``asyncio.create_task(self.go())`` waits for nothing."""
 
 from __future__ import annotations
 

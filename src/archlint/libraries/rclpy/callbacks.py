@@ -1,4 +1,4 @@
-"""Callbacks: what is handed to an executor, a future or a thread, noted to be run later."""
+"""Callbacks: what is passed to an executor, a future or a thread, noted to be run later."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from archlint.libraries.run import Run
 
 REGISTRATIONS = 16
-"""For how many values one place hands the same callback over: the next ones are taken to be like these."""
+"""For how many values one place registers the same callback: the next ones are taken to be like these."""
 
 
 def register_row(
@@ -37,7 +37,7 @@ def register_row(
     creation: model.Creation | None,
     group: model.Group | None = None,
 ) -> dict[model.Role, model.Callback]:
-    """Register all callbacks that a call of the table hands over."""
+    """Register all callbacks that a call of the table takes."""
     callbacks: dict[model.Role, model.Callback] = {}
     for parameter, role in call.api.callbacks:
         value = call.get(parameter)
@@ -99,8 +99,8 @@ def _is_one_of_several(value: Value, creation: model.Creation) -> bool:
 
 
 def _is_new(run: Run, key: tuple[Any, ...], callback: model.Callback, given: Iterable[Value | None]) -> bool:
-    """Whether a callback was not handed over in this way before; one place may do it for several futures, names or
-    objects.  One that hands itself over again is not new, whatever it takes along."""
+    """Whether a callback was not registered in this way before; one place may do it for several futures, names or
+    objects.  One that registers itself again is not new, whatever its arguments."""
     registrations = run.callbacks.registered.setdefault(key, set())
     if registrations and callback.function in run.callbacks.lineage:
         return False

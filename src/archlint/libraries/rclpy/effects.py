@@ -108,7 +108,7 @@ def _callbacks(run: Run, call: ApiUse) -> Value:
 
 
 def _node_of_a_task(run: Run, executor: ExecutorValue) -> model.Blueprint | None:
-    """The node that hands its executor a task, or the only one that the executor has."""
+    """The node that gives its executor a task, or the only one that the executor has."""
     served = executor.use.nodes
     return run.context.node if run.context.node in served else served[0] if len(served) == 1 else None
 

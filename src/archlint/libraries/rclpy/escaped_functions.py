@@ -72,7 +72,7 @@ def _led_to(run: Run, function: FunctionValue) -> Iterator[FunctionValue]:
 
 
 def _passes_on(run: Run, function: FunctionValue) -> bool:
-    """Whether a function hands on an object that it closes over."""
+    """Whether a function passes on an object that it closes over."""
     own = bound_names(function.ir)[0]
     closed_over: set[str] = {name for name, value in function.defaults if _holds_more(value)}
     scope: Scope | None = function.scope

@@ -1,7 +1,7 @@
 """Nodes that escape: whoever has one may create, declare and spin what nobody here can see.
 
 Reading an attribute of a node, calling its methods and calling what is followed are no escapes.  Everything else that
-takes a node out of sight is one, for the node itself and for whatever holds it: a container, an object that keeps it,
+lets a node escape is one, for the node itself and for whatever holds it: a container, an object that keeps it,
 a partial.  An object that has escaped once takes along what is put into it later.
 
 What all code of a module can reach (its variables, attributes of its classes, containers that it makes once) is no
@@ -105,7 +105,7 @@ def _attributes(expression: facts.Expr) -> str:
 
 
 def lost(run: Run, result: Value, values: Iterable[Value], how: str) -> Value:
-    """``result``; where it is unknown, what it was made from is out of sight."""
+    """``result``; where it is unknown, what it was made from escapes."""
     if isinstance(result, Unknown):
         given = carries(values)
         if given:
@@ -114,7 +114,7 @@ def lost(run: Run, result: Value, values: Iterable[Value], how: str) -> Value:
 
 
 def escape(run: Run, values: Iterable[Value], reason: str, expression: facts.Call | None = None) -> None:
-    """Values get into the hands of code that is not followed."""
+    """Values are passed to code that is not followed."""
     _spread(run, values, Escape(_place(run, expression), reason))
 
 

@@ -121,12 +121,12 @@ def _spins(run: Run, use: model.ExecutorUse, call: ApiUse, lasting: model.SpinDu
 
 
 def _place(run: Run, call: ApiUse) -> Place:
-    # A thread whose target is the spin itself: there is no call, but the place where it is handed over.
+    # A thread whose target is the spin itself: there is no call, but the place where it is passed.
     return run.context.place if call.expression is None else run.place(call.expression.span)
 
 
 def _lasting(run: Run, call: ApiUse, spun: Sequence[model.Blueprint]) -> model.SpinDuration:
-    """How long a spin goes on, be it by itself or because a loop goes round it."""
+    """How long a spin goes on, by itself or because it is in a loop."""
     last = call.api.path.rpartition(".")[2]
     if last == "spin":
         return model.SpinDuration.TO_THE_END

@@ -100,7 +100,7 @@ def delivered_by(run: Run, message: MessageValue) -> model.Creation | None:
 
 
 def _may_be_of_another_type(run: Run, message: MessageValue) -> bool:
-    """Whether a helper that is handed messages of several types is in a branch that may be for another type."""
+    """Whether a helper that gets messages of several types is in a branch that may be for another type."""
     activation = run.activation
     is_passed = len(run.activations) > _CALLBACK and run.messages.made_in.get(message.key) is not activation
     chosen = any(isinstance(branch, ChoiceOfCallee) for branch, _ in run.branch_arms)

@@ -1,4 +1,4 @@
-"""Nodes: made by a class of ours, by ``create_node``, or handed in by nobody we can see."""
+"""Nodes: made by a class of ours, by ``create_node``, or passed by nobody we can see."""
 
 from __future__ import annotations
 
@@ -110,7 +110,7 @@ def given_nodes(run: Run, value: Value | None, *, plausible: bool = True) -> lis
 
 
 def nodes_of(run: Run, value: Value | None, *, plausible: bool = True) -> list[model.Blueprint]:
-    """The nodes that a create call makes something on; an unseen one where nobody hands it in."""
+    """The nodes that a create call makes something on; an unseen one where nobody passes it."""
     match value:
         case OneOf(values=options):
             objects = [option for option in options if isinstance(option, (NodeValue, Instance))]

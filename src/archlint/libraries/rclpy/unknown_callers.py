@@ -23,7 +23,7 @@ def _whose(cls: ClassValue) -> tuple[str, Place, str | None]:
 
 
 def _holder(run: Run, instance: Instance | None = None) -> tuple[str, Place, str | None]:
-    """Which class (or function) holds a node that nobody hands in: the object whose method is running."""
+    """Which class (or function) holds a node that nobody passes: the object whose method is running."""
     cls = None if instance is None else instance.own_class
     if cls is not None:
         return _whose(cls)
@@ -41,7 +41,7 @@ def _holder(run: Run, instance: Instance | None = None) -> tuple[str, Place, str
 def blueprint_of_unknown_caller(
     run: Run, instance: Instance | None = None, annotated: tuple[model.ClassKey, str] | None = None
 ) -> model.Blueprint:
-    """The blueprint of a node that a helper is handed by nobody in the workspace."""
+    """The blueprint of a node that nobody in the workspace passes to a helper."""
     name, place, package = _holder(run, instance)
     key = f"{place.file}:{place.line}#held" + (f" {annotated}" if annotated is not None else "")
     known = run.nodes.by_key.get(key)
