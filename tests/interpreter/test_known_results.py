@@ -24,6 +24,9 @@ from launching import names
         ("Path('/a/b/c.yaml').name + Path('/a/b/c.yaml').suffix", "c.yaml.yaml"),
         ("str(Path('/a/b/c.yaml').parents[1])", "/a"),
         ("str(len(Path('/a/b/c.yaml').parents))", "3"),
+        ("f\"{list((1, 'a'))} {(2,)} {[]}\"", "[1, 'a'] (2,) []"),
+        ("str([os.environ['NAME']])", "?"),
+        ("str({1, 2})", "?"),
         ("str(len(Path(__file__).parents))", "?"),  # nobody knows where the workspace is
     ],
 )

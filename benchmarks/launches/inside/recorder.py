@@ -37,7 +37,8 @@ class Recorder:
         self.places = places
         self.nodes: list[dict[str, Any]] = []
         self.not_there: list[str] = []
-        self.later: deque[tuple[Any, Any]] = deque()
+        self.later: deque[tuple[Any, Any, Any]] = deque()
+        """What a timer or an event starts: the locals of the context, the entities, and whether it comes to that."""
         self.deferred = False
         self.original: dict[str, str] = {}
         self.includes = 0
@@ -55,9 +56,11 @@ class Recorder:
         self.visit(launch.actions.IncludeLaunchDescription(source, launch_arguments=arguments.items()), context)
         self.deferred = True
         for _ in range(LATER):
-            if not self.later:
+            due = next((row for row in self.later if row[2]()), None)
+            if due is None:
                 break
-            known, entities = self.later.popleft()
+            self.later.remove(due)
+            known, entities, _ = due
             context._push_locals()
             context.extend_locals(known)
             for entity in entities(context) or ():
@@ -69,7 +72,7 @@ class Recorder:
             self.visit(below, context)
 
     def put_off(self, timer: Any, context: Any) -> None:
-        self.later.append((dict(context.get_locals_as_dict()), lambda _: timer.actions))
+        self.later.append((dict(context.get_locals_as_dict()), lambda _: timer.actions, lambda: True))
 
     def handler(self, action: Any, context: Any) -> None:
         handler = action.event_handler
@@ -82,7 +85,14 @@ class Recorder:
             return found if isinstance(found, (list, tuple)) else ()
 
         if type(handler).__name__ not in ("OnShutdown", "EventHandler"):
-            self.later.append(({}, entities))
+            self.later.append(({}, entities, lambda: self.comes(handler)))
+
+    def comes(self, handler: Any) -> bool:
+        """Whether there is a process whose event a handler waits for; other events are taken to come."""
+        kind = vars(handler).get("_OnActionEventBase__target_event_cls")
+        if kind is None or not issubclass(kind, launch.events.process.RunningProcessEvent):
+            return True
+        return any(handler.matches(_event(kind, action)) for action in self.started)
 
     # ---------------------------------------------------------------------------------------------- nodes
 
@@ -168,6 +178,12 @@ class Recorder:
             return kept(action, context)
         self.not_there.append(self.places.shown(location))
         return [launch.actions.SetLaunchConfiguration(*pair) for pair in action.launch_arguments]
+
+
+def _event(kind: Any, action: Any) -> Any:
+    event = MagicMock(spec=kind)
+    event.action = action
+    return event
 
 
 def _text(context: Any, value: Any) -> str | None:

@@ -20,10 +20,13 @@ from archlint.interpreter.values import (
     Value,
     alternatives,
     chosen_with,
+    constant,
+    constants_of,
     depends_on,
     join_texts,
     one_of,
     reason,
+    via,
 )
 from archlint.syntax import facts
 
@@ -142,6 +145,8 @@ def text_of(machine: Machine, value: Value) -> Value:
     match value:
         case Known() | Holed() | Unknown():
             return value
+        case ListValue(kind="list" | "tuple" as kind):
+            return _text_of_list(machine, value, kind)
         case Instance(cls=ClassValue() as cls):
             member = value.member_value(machine)
             if isinstance(member, Known) and "enum.StrEnum" in cls.external_bases():
@@ -151,6 +156,16 @@ def text_of(machine: Machine, value: Value) -> Value:
                 if method is not None:
                     return machine.call(method)
     return Unknown(reason(value))
+
+
+def _text_of_list(machine: Machine, value: ListValue, kind: str) -> Value:
+    """``str([1, 'a'])``, of constants."""
+    items = value.items(machine)
+    constants = constants_of(items.values)
+    if items.open or constants is None:
+        return Unknown(reason(value, *items.values))
+    text = repr(tuple(constants) if kind == "tuple" else constants)
+    return constant(text, via(*items.values))
 
 
 def format_one(value: Value, conversion: str | None, spec: str | None) -> Value:
