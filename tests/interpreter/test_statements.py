@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from archlint.interpreter.machine import UNROLL
+from archlint.interpreter.limits import UNROLL
 from interpreting import OUTSIDE, assert_like_python, in_python, interpret
 
 

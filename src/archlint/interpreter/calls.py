@@ -12,7 +12,8 @@ from archlint.interpreter.bindings import bound_names
 from archlint.interpreter.builtins import call_builtin
 from archlint.interpreter.call_site import CallSite
 from archlint.interpreter.heap import Layer
-from archlint.interpreter.machine import DEPTH, Machine, Status
+from archlint.interpreter.limits import DEPTH
+from archlint.interpreter.machine import Machine, Status
 from archlint.interpreter.objects.classes import instantiate
 from archlint.interpreter.values import (
     NONE,

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from archlint.interpreter.assignment import assign
 from archlint.interpreter.conditions import evaluate_test
 from archlint.interpreter.containers import ITEM_LIMIT, new_dict, new_list, unknown_item
-from archlint.interpreter.machine import UNROLL
+from archlint.interpreter.limits import UNROLL
 from archlint.interpreter.values import NONE, Unknown, UnknownKey, Value, reason
 from archlint.reasons import Uninformative
 from archlint.syntax import facts

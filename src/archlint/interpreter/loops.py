@@ -7,7 +7,8 @@ from archlint.interpreter.assignment import assign
 from archlint.interpreter.augmented import forget_counters
 from archlint.interpreter.conditions import evaluate_test
 from archlint.interpreter.heap import Layer
-from archlint.interpreter.machine import UNROLL, Machine, Status
+from archlint.interpreter.limits import UNROLL
+from archlint.interpreter.machine import Machine, Status
 from archlint.interpreter.narrowing import narrow
 from archlint.interpreter.values import Items, Unknown, Value, reason
 from archlint.reasons import NOT_A_CONSTANT

@@ -21,35 +21,12 @@ from archlint.interpreter.activation import Activation
 from archlint.interpreter.call_site import NOTHING_GIVEN, CallSite
 from archlint.interpreter.heap import Layer, Slot, Store
 from archlint.interpreter.library import Library
+from archlint.interpreter.limits import COMPREHENDED, PROGRAM_STEPS, STEPS, WORK_OF_A_STEP
 from archlint.interpreter.modules import Module, ModuleIndex, Scope, ScopeKind
 from archlint.interpreter.values import External, Instance, Known, ModuleValue, Unknown, Value, reason
 from archlint.reasons import Uninformative
 from archlint.syntax import facts
 from archlint.syntax.control_flow import may_run_again
-
-DEPTH = 48
-"""How many calls deep a run follows."""
-STEPS = 8_000
-"""How many statements one callback may run."""
-PROGRAM_STEPS = 80_000
-"""How many statements all of a program may run, its entry point first; from then on each root has few."""
-TEST_STEPS = 8_000
-"""The same for test code: its nodes are shown, but what it calls in the library is not its own."""
-FEW_STEPS = 400
-"""What a root may run in any case, so that no callback goes unseen."""
-EXTRA_STEPS = 80_000
-"""What all roots of a program may run in this way, once its own statements are spent: each of them may start more."""
-ROOTS = 4_000
-"""How many callbacks and methods of a program run: a fleet of nodes has some hundreds."""
-SELF_STARTS = 2
-"""How often a function runs as a callback that it started itself.  A callback that makes a node of its own class
-gives each node a callback of its own; the third does what the second did."""
-WORK_OF_A_STEP = 500
-"""How many slots and items that branches leave may be joined for the price of a statement."""
-UNROLL = 512
-"""How many items of a known collection a loop is unrolled over."""
-COMPREHENDED = 8_000
-"""How many items all comprehensions of a program go through one by one: tables of numbers are no names."""
 
 Status = Literal["return", "break", "continue", "raise"] | None
 """How a block ended; None where it fell through."""

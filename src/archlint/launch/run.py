@@ -17,7 +17,7 @@ from archlint import model
 from archlint.branches import Branch, BranchArm, BranchArms
 from archlint.finding import Place
 from archlint.interpreter import containers, values
-from archlint.interpreter.machine import FEW_STEPS, PROGRAM_STEPS
+from archlint.interpreter.limits import FEW_STEPS, PROGRAM_STEPS
 from archlint.interpreter.roots import enter_root
 from archlint.interpreter.values import DictValue, Known, OneOf, Value
 from archlint.launch.argument_names import AGAIN, ArgumentNames

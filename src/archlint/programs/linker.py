@@ -19,7 +19,7 @@ from archlint.finding import Place
 from archlint.interpreter.activation import Activation
 from archlint.interpreter.attributes import get_attribute
 from archlint.interpreter.heap import Store
-from archlint.interpreter.machine import TEST_STEPS
+from archlint.interpreter.limits import TEST_STEPS
 from archlint.interpreter.modules import Module, ModuleIndex
 from archlint.interpreter.reads import Reads
 from archlint.interpreter.values import Value

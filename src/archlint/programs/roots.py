@@ -6,7 +6,7 @@ from archlint import model
 from archlint.interpreter import definitions
 from archlint.interpreter.call_site import CallSite
 from archlint.interpreter.growing import open_up
-from archlint.interpreter.machine import EXTRA_STEPS, FEW_STEPS, ROOTS, SELF_STARTS, STEPS
+from archlint.interpreter.limits import EXTRA_STEPS, FEW_STEPS, ROOTS, SELF_STARTS, STEPS
 from archlint.interpreter.roots import enter_root, module_of
 from archlint.interpreter.values import (
     NONE,
