@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from archlint.interpreter.bindings import bound_in, bound_names
 from archlint.libraries.interest import interesting
 from archlint.syntax import facts
-from archlint.syntax.parts import Itself, everything_in, names_in
+from archlint.syntax.parts import Itself, everything_in, names_in, once_for
 
 if TYPE_CHECKING:
     from archlint.interpreter.modules import Module
@@ -23,7 +23,7 @@ def unseen_use(run: Run, root: Root) -> str | None:
     start = run.first_module if run.program.executable else None
     for module in run.index.loaded() if start is None else run.index.in_process(start):
         here = module is root.module
-        if not here and not _imports(Itself(module.facts), root.module.name.rpartition(".")[2]):
+        if not here and root.module.name.rpartition(".")[2] not in _imported(module.facts):
             continue
         for function in _functions(Itself(module.facts)):
             if id(function) not in run.ran and _uses(function, root, here):
@@ -66,17 +66,17 @@ def _functions(key: Itself[facts.Facts]) -> tuple[facts.Function, ...]:
     return tuple(everything_in(key.fact, facts.Function))
 
 
-@lru_cache(maxsize=20_000)
-def _imports(key: Itself[facts.Facts], name: str) -> bool:
-    for item in everything_in(key.fact):
-        if isinstance(item, facts.Import) and name in item.module.split("."):
-            return True
-        if isinstance(item, facts.ImportFrom) and name in (
-            *item.module.split("."),
-            *(imported for imported, _ in item.names),
-        ):
-            return True
-    return False
+@once_for
+def _imported(code: facts.Facts) -> frozenset[str]:
+    """The words of which the imports in a file are made, wherever they stand: of modules, and of what they give."""
+    words: set[str] = set()
+    for item in everything_in(code, facts.Statement):
+        match item:
+            case facts.Import():
+                words.update(item.module.split("."))
+            case facts.ImportFrom():
+                words.update(item.module.split("."), (name for name, _ in item.names))
+    return frozenset(words)
 
 
 def variables(module: Module) -> frozenset[str]:
