@@ -46,6 +46,24 @@ class TestEntitiesOfCallbacks:
         assert "EXE005" not in codes(run(source("self.later = None\n" + TIMER, method)))
 
     @pytest.mark.parametrize(
+        ("end", "expected"),
+        [
+            pytest.param("self.destroy_subscription(self.kept)", [], id="this one"),
+            pytest.param("self.destroy_subscription(self.other)", ["EXE005"], id="another one"),
+            pytest.param("self.destroy_timer(self.kept)", ["EXE005"], id="as if it were a timer"),
+            pytest.param("self.kept = None", ["EXE005"], id="only forgotten"),
+        ],
+    )
+    def test_what_the_other_arm_destroys_does_not_pile_up(self, run: Run, end: str, expected: list[str]):
+        make = "self.kept = self.create_subscription(Empty, 'there', print, 10)"
+        method = (
+            f"def on_switch(self, request, response):\n    if request.data:\n        {make}\n"
+            f"    else:\n        {end}\n    return response\n"
+        )
+        head = "self.kept = self.other = None\nself.create_service(SetBool, 'switch', self.on_switch)\n"
+        assert codes(run(source(head, method))) == expected
+
+    @pytest.mark.parametrize(
         ("body", "expected"),
         [
             pytest.param("if request.data:\n        {make}", ["EXE005"], id="each time the request says so"),

@@ -63,7 +63,11 @@ class SourceCode:
 
     def statement(self, call: ApiCall) -> facts.Stmt | None:
         """The innermost statement that holds a call."""
-        around = self._spot(call.place).statements
+        return self.statement_at(call.place)
+
+    def statement_at(self, place: Place) -> facts.Stmt | None:
+        """The innermost statement that holds a place."""
+        around = self._spot(place).statements
         return around[-1] if around else None
 
     def body(self, call: ApiCall) -> Sequence[facts.Stmt]:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.callback_roles import callback_words, runs_in_executor
 from archlint.analysis.reach import calls_of, creations_of, node_name, one_for_each_place
+from archlint.analysis.taken_down import is_taken_down
 from archlint.checks.folding import folds
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -67,6 +68,7 @@ def _each_time(
         and (creation.kind == EntityKind.TIMER or creation.name.resolution in ("exact", "parameter"))
         and (callback.creation is None or id(callback.creation) not in ended | left)
         and not program.exhausted
+        and not is_taken_down(system, creation)
     )
 
 
