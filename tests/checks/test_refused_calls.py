@@ -105,3 +105,53 @@ def test_no_class_inherits_from_a_module(run: Run, imported: str, expected: list
     text = refused("time.sleep(2.0)", "").replace("from rclpy.node import Node", imported)
     assert imported in text
     assert codes(run(text)) == expected
+
+
+NEVER_MADE = """
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import String
+
+
+{before}
+class Approach(Node{base}):
+    def __init__(self):
+        super().__init__('approach')
+        self.create_subscription(String, 'chatter', print, 10)
+{method}
+
+def main():
+    rclpy.init()
+    approach = Approach({given})
+    print(approach)
+
+
+if __name__ == '__main__':
+    main()
+"""
+
+
+@pytest.mark.parametrize(
+    ("given", "before", "base", "method", "expected"),
+    [
+        pytest.param("", "", "", "", ["EXE008"], id="it fits"),
+        pytest.param("1.5, [2]", "", "", "", [], id="the constructor takes nothing"),
+        pytest.param("speed=1.5", "", "", "", [], id="no such keyword"),
+        pytest.param("*load()", "", "", "", ["EXE008"], id="nobody knows how many"),
+        pytest.param("1.5", "@single", "", "", ["EXE008"], id="a decorator may be in between"),
+        pytest.param("1.5", "from here import Meta", ", metaclass=Meta", "", ["EXE008"], id="or a metaclass"),
+        pytest.param(
+            "1.5",
+            "",
+            "",
+            "\n    def __new__(cls, *given):\n        return super().__new__(cls)\n",
+            ["EXE008"],
+            id="__new__",
+        ),
+    ],
+)
+def test_no_node_is_made_where_the_constructor_refuses(
+    run: Run, given: str, before: str, base: str, method: str, expected: list[str]
+):
+    text = NEVER_MADE.format(given=given, before=before, base=base, method=method)
+    assert codes(run(text)) == expected

@@ -44,6 +44,10 @@ class Library:
         """Whether a foreign method certainly raises a TypeError for so many positional arguments and these keywords."""
         return False
 
+    def is_made_plainly(self, cls: ClassValue) -> bool:
+        """Whether no foreign base of a class changes how its objects are made."""
+        return False
+
     def awaited(self, value: ForeignValue, expression: facts.Await) -> Value:
         """``await value``."""
         return value

@@ -33,18 +33,25 @@ _TRANSPARENT = frozenset({"staticmethod", "classmethod"})
 """Decorators that leave a function's parameters as they are."""
 
 
-def check_call(machine: Machine, function: Value, site: CallSite, expression: facts.Call) -> None:
-    """Raise Refused where a call of a function of the workspace, or of a node's method, cannot bind its arguments, if
-    the statement always comes to that call; note the place of the call in any case."""
+def check_call(machine: Machine, function: Value, site: CallSite, expression: facts.Call) -> Value | None:
+    """Raise Refused where a call of a function or class of the workspace, or of a node's method, cannot bind its
+    arguments, if the statement always comes to that call; note the place of the call in any case.
+
+    While a program starts, what it calls is followed in spite of that (None); but no object is made of a class.
+    """
     if not is_certain(machine):
-        return
+        return None
     if isinstance(function, Unknown) and _is_missing(machine, function, expression):
         machine.note_refused(machine.place(expression.span))
     if site.open or not _refuses(machine, function, len(site.args), site.keywords):
-        return
+        return None
     machine.note_refused(machine.place(expression.span))
     if machine.phase is Phase.LATER:
         raise Refused
+    match function:
+        case ClassValue(qualified=name):
+            return Unknown(f"'{name}' does not take these arguments")
+    return None
 
 
 def _is_missing(machine: Machine, function: Value, expression: facts.Call) -> bool:
@@ -99,7 +106,27 @@ def _refuses(machine: Machine, function: Value, given: int, keywords: Mapping[st
             return _refused_by(method, given + 1, keywords)
         case FunctionValue():
             return _refused_by(function, given, keywords)
+        case ClassValue():
+            init, _ = function.lookup(machine, "__init__")
+            return (
+                isinstance(init, FunctionValue)
+                and _refused_by(init, given + 1, keywords)
+                and _is_made_plainly(machine, function)
+            )
     return False
+
+
+def _is_made_plainly(machine: Machine, cls: ClassValue) -> bool:
+    """Whether ``__init__`` gets just what a class is called with: no decorator, no metaclass, no ``__new__`` and no
+    base that is not known can come in between."""
+    return (
+        cls.lookup(machine, "__new__")[0] is None
+        and machine.library.is_made_plainly(cls)
+        and not any(
+            base.ir.decorators or any(argument.keyword or argument.star for argument in base.ir.bases)
+            for base in cls.classes
+        )
+    )
 
 
 def _refused_by(function: FunctionValue, given: int, keywords: Mapping[str, Value]) -> bool:

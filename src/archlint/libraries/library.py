@@ -21,6 +21,7 @@ from archlint.libraries.rclpy import (
     message_uses,
     messages,
     names,
+    node_classes,
     nodes,
     policies,
     refusals,
@@ -33,6 +34,7 @@ if TYPE_CHECKING:
     from archlint.interpreter.activation import Activation
     from archlint.interpreter.call_site import CallSite
     from archlint.interpreter.modules import Module
+    from archlint.interpreter.values import ClassValue
     from archlint.libraries.run import Run
     from archlint.syntax import facts
 
@@ -58,6 +60,9 @@ class RosLibrary(Library):
 
     def refuses(self, method: ApiMethod, given: int, keywords: Collection[str]) -> bool:
         return refusals.refuses(method, given, keywords)
+
+    def is_made_plainly(self, cls: ClassValue) -> bool:
+        return node_classes.has_only(cls)
 
     def awaited(self, value: ForeignValue, expression: facts.Await) -> Value:
         return calls.await_future(self.run, value, expression) if isinstance(value, FutureValue) else value
