@@ -38,6 +38,8 @@ from launch_ros.substitutions import FindPackageShare
 class Launches:
     """``launches.python("[Node(…)]")`` and the like run one launch file of the package ``robot``."""
 
+    knows_command_line = False
+
     def __init__(self, root: Path) -> None:
         self.root = root
         self.package("robot")
@@ -83,6 +85,7 @@ class Launches:
 
     def run(self, path: str, **arguments: str) -> Launched:
         launches = self.of_workspace()
+        launches.knows_command_line = self.knows_command_line
         return call_with_deep_stack(lambda: launches.run(path, arguments))
 
 

@@ -78,6 +78,7 @@ class Checkout:
             launches = Launches(
                 part.files, facts.facts_of, installs, tree, facts.relevant, ros1_packages=old, distro=DISTRO
             )
+            launches.knows_command_line = True
             self.parts.append(launches)
 
     def launch(self, file: str, arguments: Mapping[str, str]) -> tuple[Launched | None, list[Row]]:

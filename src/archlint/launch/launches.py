@@ -50,12 +50,17 @@ class Launches:
         self.files = LaunchFiles(files, facts_of, tree, self.owners, roles, relevant, self.faults, ros1_packages)
         self._surroundings = Surroundings(self.index, Store(), self.files, paths, self.faults, distro)
         self._of_defaults: dict[str, Launched] = {}
+        self.knows_command_line = False
+        """Whether the arguments that a run is given are all that the command line says, as where the user names them;
+        otherwise a launch file that looks at ``sys.argv`` may find any word there."""
         self.follow: Callable[[str, Mapping[str, str], Callable[[], Launched]], Launched] = lambda _, __, act: act()
         """What a launch yields: the answer of ``act``, or one that is known."""
 
     def run(self, path: str, arguments: Mapping[str, str] | None = None) -> Launched:
         """Run a launch file as ``ros2 launch path name:=value …``; without arguments the defaults hold."""
         given = dict(arguments or {})
+        if self.knows_command_line:
+            return self._run(path, given)
         result = self.follow(path, given, lambda: self._run(path, given))
         if not given:
             self._of_defaults.setdefault(path, result)
@@ -71,7 +76,7 @@ class Launches:
         store = self._surroundings.store
         depth = store.depth
         store.push()
-        run.argv = self._command_line(run, result)
+        run.argv = self._command_line(run, result) if self.knows_command_line else None
         try:
             run.enter(path)
         finally:

@@ -24,8 +24,8 @@ def _poses(run: LaunchRun, receiver: Value, site: CallSite) -> Value:
     given = receiver.arguments if isinstance(receiver, Instance) else {}
     name = known_text(given.get("target_argument", given.get("0")))
     words = [known_text(word) for word in run.words]
-    if name is None:
-        return Unknown("the name of an argument")
+    if name is None or run.argv is None:
+        return Unknown("what the command line says")
     texts = [word.removeprefix(f"{name}:=") for word in words if word is not None and word.startswith(f"{name}:=")]
     try:
         return read_files.value_of(run, dict(_pose(robot) for robot in _robots(texts[0] if texts else "")))

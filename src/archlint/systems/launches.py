@@ -159,6 +159,7 @@ def _given_arguments(systems: Sequence[System]) -> list[str]:
 def _launched(launches: Launches, chosen: str | None, arguments: Mapping[str, str] | None) -> list[Launched]:
     """The launch files of the workspace with their defaults, or the chosen one with its arguments."""
     if chosen is not None:
+        launches.knows_command_line = True
         return [launches.run(chosen, arguments)]
     return [launches.run(path) for path in launches.files.all()]
 
