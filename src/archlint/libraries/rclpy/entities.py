@@ -20,7 +20,7 @@ from archlint.libraries.api_use import ApiUse, argument_places
 from archlint.libraries.rclpy import callbacks, nodes, profiles
 from archlint.libraries.rclpy.groups import group_of
 from archlint.libraries.rclpy.guards import guard_of, proven_of
-from archlint.libraries.rclpy.interface_types import types_of
+from archlint.libraries.rclpy.interface_types import may_be_type, types_of
 from archlint.libraries.texts import text_of_value
 from archlint.libraries.values import EntityValue
 from archlint.syntax import facts
@@ -33,18 +33,33 @@ COMBINATIONS = 32
 """How many combinations of names and types one create call may stand for."""
 
 
-def _plausible(value: Value | None, receiver: Value | None) -> bool:
-    """Whether a create call on an object that we do not see can be one on a node: ``create_client('s3')`` of
-    another library is not."""
-    return not isinstance(value, Known) and not isinstance(receiver, Known)
+def _is_of_another_library(run: Run, call: ApiUse, on: Value | None) -> bool:
+    """Whether a create call is none of ROS's: ``create_client('s3')`` on an object that we do not see is not.
+
+    On a node it is one all the same, which we do not understand: the node is noted as one with a gap.
+    """
+    if call.api.type is None:
+        return False
+    if may_be_type(call.api, call.get(call.api.type)):
+        return isinstance(on, Known)
+    node = nodes.known_node(run, on)
+    if node is not None and not node.caller_unknown and call.expression is not None:
+        [(_, why)] = types_of(call)
+        _note_gap(node, (run.place(call.expression.span), why or ""))
+    return True
+
+
+def _note_gap(node: model.Blueprint, gap: tuple[Place, str]) -> None:
+    if gap not in node.gaps:
+        node.gaps.append(gap)
+    node.complete = False
 
 
 def endpoint(run: Run, call: ApiUse) -> Value:
     """One create call of the table: an endpoint for each node, name and type it may have."""
     api = call.api
     on = call.get(api.node) if api.node is not None else call.receiver
-    type_value = call.get(api.type)
-    if api.type is not None and not _plausible(type_value, on):
+    if _is_of_another_library(run, call, on):
         return Unknown(f"the result of {api.path}() of another library")
     of = nodes.nodes_of if api.node is None else nodes.given_nodes
     blueprints = of(run, on, plausible=api.node is None or isinstance(on, (Unknown, Instance)))

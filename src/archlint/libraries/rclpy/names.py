@@ -234,6 +234,11 @@ def is_part_of_interface(name: str) -> bool:
     )
 
 
+def is_interface(text: str) -> bool:
+    """Whether a text is the full name of an interface, ``std_msgs/msg/String``."""
+    return "." not in text and interface_and_section(text.replace("/", ".")) == (text, "")
+
+
 @lru_cache(maxsize=4096)
 def interface_and_section(path: str) -> tuple[str | None, str]:
     """``std_msgs.msg.String`` → ``("std_msgs/msg/String", "")``; with ``.Request`` and the like as part."""

@@ -96,6 +96,8 @@ class Api:
     node: str | None = None
     """Parameter that is the node; None: the object the method is called on."""
     type: str | None = None
+    type_as_text: bool = False
+    """True where the type is given as a text, ``'std_msgs/msg/String'``, and not as a class."""
     name: str | None = None
     qos: str | None = None
     group: str | None = None
