@@ -82,6 +82,6 @@ def test_distributions_in_words(distros: tuple[str, ...], words: str):
 
 
 def test_outcomes_in_words():
-    assert outcome_words({"humble": blocking.HANGS, "jazzy": blocking.HANGS}) == "deadlocks"
-    mixed = {"humble": blocking.HANGS, "jazzy": blocking.RAISES_NESTED}
+    assert outcome_words({"humble": blocking.Outcome.HANGS, "jazzy": blocking.Outcome.HANGS}) == "deadlocks"
+    mixed = {"humble": blocking.Outcome.HANGS, "jazzy": blocking.Outcome.RAISES_NESTED}
     assert outcome_words(mixed) == "deadlocks in humble and raises 'Executor is already spinning' in jazzy"

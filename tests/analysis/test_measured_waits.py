@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from archlint.analysis.blocking import HANGS, LIMITED_STEAL, ONE, OTHER, REENTRANT, SAME, SPIN, STEAL, STRANDS, look_up
+from archlint.analysis.blocking import LIMITED_STEAL, ONE, OTHER, REENTRANT, SAME, SPIN, STEAL, Outcome, look_up
 from checks.callbacks import ON_SEVERAL_THREADS, Run, codes, source
 
 CLIENT = "self.client = self.create_client(Trigger, 'check')\n"
@@ -88,9 +88,9 @@ rclpy.spin_until_future_complete(self, future, executor=SingleThreadedExecutor()
 
 
 def test_a_stolen_node_hangs_where_its_own_group_keeps_the_answer_out():
-    assert set(look_up(STEAL, ONE, SAME, "").outcomes.values()) == {HANGS}
-    assert set(look_up(STEAL, ONE, REENTRANT, "").outcomes.values()) == {STRANDS}
-    assert set(look_up(LIMITED_STEAL, ONE, SAME, "").outcomes.values()) == {STRANDS}
+    assert set(look_up(STEAL, ONE, SAME, "").outcomes.values()) == {Outcome.HANGS}
+    assert set(look_up(STEAL, ONE, REENTRANT, "").outcomes.values()) == {Outcome.STRANDS}
+    assert set(look_up(LIMITED_STEAL, ONE, SAME, "").outcomes.values()) == {Outcome.STRANDS}
 
 
 def test_the_first_releases_let_a_nested_spin_in():

@@ -14,6 +14,7 @@ from dataclasses import dataclass, replace
 from typing import Final, Literal
 
 from archlint.ros.distros import DISTROS
+from archlint.string_enum import StringEnum
 
 CALL: Final = "call"
 """The thread stands still until the answer is there: ``call``, ``send_goal``, a loop, an event."""
@@ -66,45 +67,57 @@ Threads = Literal[
 Relation = Literal["same group", "other group", "reentrant group", "group not known"]
 """How the group of the client is to that of the callback which waits."""
 
-FINE = "works"
-HANGS = "deadlocks"
-TIMES_OUT = "always times out"
-SOMETIMES_HANGS = "sometimes deadlocks"
-SOMETIMES_TIMES_OUT = "sometimes times out"
-HANGS_OR_RAISES = "sometimes deadlocks or raises RCLError"
-TIMES_OUT_OR_RAISES = "sometimes times out or raises RCLError"
-_WITH_AN_ACTION_CLIENT = {SOMETIMES_HANGS: HANGS_OR_RAISES, SOMETIMES_TIMES_OUT: TIMES_OUT_OR_RAISES}
+
+class Outcome(StringEnum):
+    """What becomes of a wait, in words that follow "…: "."""
+
+    FINE = "works"
+    HANGS = "deadlocks"
+    TIMES_OUT = "always times out"
+    SOMETIMES_HANGS = "sometimes deadlocks"
+    SOMETIMES_TIMES_OUT = "sometimes times out"
+    HANGS_OR_RAISES = "sometimes deadlocks or raises RCLError"
+    TIMES_OUT_OR_RAISES = "sometimes times out or raises RCLError"
+    NO_SUCH_ARGUMENT = "raises TypeError (call() has no timeout_sec)"
+    GIVES_NONE = "always times out and returns None"
+    RAISES_TIMEOUT = "always times out and raises TimeoutError"
+    RAISES_NESTED = "raises 'Executor is already spinning'"
+    STRANDS = "takes the node away from its executor, so none of its callbacks runs again"
+    NONE_AT_ONCE = "returns None, because the response has not arrived yet"
+    UNKNOWN = "may deadlock"
+
+
+_WITH_AN_ACTION_CLIENT = {
+    Outcome.SOMETIMES_HANGS: Outcome.HANGS_OR_RAISES,
+    Outcome.SOMETIMES_TIMES_OUT: Outcome.TIMES_OUT_OR_RAISES,
+}
 """What several threads that spin one executor do to a node with an action client.
 
 The client notes where it stands in the wait set, once; another thread's wait set may be shorter, and rcl then finds
 that the number "is out of bounds".
 """
-NO_SUCH_ARGUMENT = "raises TypeError (call() has no timeout_sec)"
-GIVES_NONE = "always times out and returns None"
-RAISES_TIMEOUT = "always times out and raises TimeoutError"
-RAISES_NESTED = "raises 'Executor is already spinning'"
-STRANDS = "takes the node away from its executor, so none of its callbacks runs again"
-NONE_AT_ONCE = "returns None, because the response has not arrived yet"
-UNKNOWN = "may deadlock"
 
 NESTED_SINCE = {"jazzy": "7.1.9", "kilted": "9.1.5"}
 """The rclpy that first refuses a nested spin: before, these distributions let it in, as humble does."""
 
 _Cell = tuple[Form, Threads, Relation]
-Outcomes = Mapping[str, str]
+Outcomes = Mapping[str, Outcome]
 """The outcome in each distribution."""
 
 
-def _everywhere(outcome: str) -> dict[str, str]:
+def _everywhere(outcome: Outcome) -> dict[str, Outcome]:
     return dict.fromkeys(DISTROS, outcome)
 
 
-def _humble_and_later(humble: str, later: str) -> dict[str, str]:
+def _humble_and_later(humble: Outcome, later: Outcome) -> dict[str, Outcome]:
     return {distro: humble if distro == "humble" else later for distro in DISTROS}
 
 
-_TIMED = {distro: {"humble": NO_SUCH_ARGUMENT, "jazzy": GIVES_NONE}.get(distro, RAISES_TIMEOUT) for distro in DISTROS}
-_TIMED_FINE = _humble_and_later(NO_SUCH_ARGUMENT, FINE)
+_TIMED = {
+    distro: {"humble": Outcome.NO_SUCH_ARGUMENT, "jazzy": Outcome.GIVES_NONE}.get(distro, Outcome.RAISES_TIMEOUT)
+    for distro in DISTROS
+}
+_TIMED_FINE = _humble_and_later(Outcome.NO_SUCH_ARGUMENT, Outcome.FINE)
 
 _GROUPS: tuple[Relation, ...] = (SAME, OTHER, REENTRANT, UNCLEAR)
 _CONCURRENT: tuple[Relation, ...] = (OTHER, REENTRANT)
@@ -113,7 +126,7 @@ _THREADS: tuple[Threads, ...] = (ONE, SEVERAL, NOBODY, ANY)
 
 def _stuck(form: Form, outcomes: Outcomes, fine: Outcomes) -> dict[_Cell, Outcomes]:
     """The rows of a form that keeps its thread: it needs a second thread and a group apart."""
-    unknown = _everywhere(UNKNOWN)
+    unknown = _everywhere(Outcome.UNKNOWN)
     return {
         **{(form, ONE, group): outcomes for group in _GROUPS},
         **{(form, threads, SAME): outcomes for threads in _THREADS},
@@ -123,39 +136,43 @@ def _stuck(form: Form, outcomes: Outcomes, fine: Outcomes) -> dict[_Cell, Outcom
     }
 
 
-def _nested(form: Form, stuck: str, sometimes: str) -> dict[_Cell, Outcomes]:
+def _nested(form: Form, stuck: Outcome, sometimes: Outcome) -> dict[_Cell, Outcomes]:
     """The rows of a spin of the running executor: humble lets it in, and one thread works where the group is free.
 
     Several threads then spin one executor at a time.  One of them takes the wake-up that was meant for the other, or
     too few threads of the pool are left.
     """
-    by_group = {SAME: stuck, **dict.fromkeys(_CONCURRENT, FINE), UNCLEAR: UNKNOWN}
+    by_group = {SAME: stuck, **dict.fromkeys(_CONCURRENT, Outcome.FINE), UNCLEAR: Outcome.UNKNOWN}
     threaded = {**by_group, **dict.fromkeys(_CONCURRENT, sometimes)}
     of_threads = {**dict.fromkeys(_THREADS, by_group), SEVERAL: threaded, POOL_OF_ONE: dict.fromkeys(_GROUPS, stuck)}
     return {
-        (form, threads, group): _humble_and_later(outcome, RAISES_NESTED)
+        (form, threads, group): _humble_and_later(outcome, Outcome.RAISES_NESTED)
         for threads, outcomes in of_threads.items()
         for group, outcome in outcomes.items()
     }
 
 
 MATRIX: dict[_Cell, Outcomes] = {
-    **_stuck(CALL, _everywhere(HANGS), _everywhere(FINE)),
-    **_stuck(LIMITED_CALL, _everywhere(TIMES_OUT), _everywhere(FINE)),
+    **_stuck(CALL, _everywhere(Outcome.HANGS), _everywhere(Outcome.FINE)),
+    **_stuck(LIMITED_CALL, _everywhere(Outcome.TIMES_OUT), _everywhere(Outcome.FINE)),
     **_stuck(TIMED_CALL, _TIMED, _TIMED_FINE),
-    **{(AWAIT, threads, SAME): _everywhere(HANGS) for threads in _THREADS},
-    **{(AWAIT, threads, group): _everywhere(FINE) for threads in _THREADS for group in _CONCURRENT},
-    **{(AWAIT, threads, UNCLEAR): _everywhere(UNKNOWN) for threads in _THREADS},
-    **_nested(SPIN, HANGS, SOMETIMES_HANGS),
-    **_nested(LIMITED_SPIN, TIMES_OUT, SOMETIMES_TIMES_OUT),
+    **{(AWAIT, threads, SAME): _everywhere(Outcome.HANGS) for threads in _THREADS},
+    **{(AWAIT, threads, group): _everywhere(Outcome.FINE) for threads in _THREADS for group in _CONCURRENT},
+    **{(AWAIT, threads, UNCLEAR): _everywhere(Outcome.UNKNOWN) for threads in _THREADS},
+    **_nested(SPIN, Outcome.HANGS, Outcome.SOMETIMES_HANGS),
+    **_nested(LIMITED_SPIN, Outcome.TIMES_OUT, Outcome.SOMETIMES_TIMES_OUT),
     # Another executor takes the node along, and serves it while the callback spins; afterwards nobody does.
-    **{(STEAL, threads, SAME): _everywhere(HANGS) for threads in _THREADS},
-    **{(STEAL, threads, group): _everywhere(STRANDS) for threads in _THREADS for group in (*_CONCURRENT, UNCLEAR)},
-    **{(LIMITED_STEAL, threads, group): _everywhere(STRANDS) for threads in _THREADS for group in _GROUPS},
-    **{(RATE, ONE, group): _everywhere(HANGS) for group in _GROUPS},
-    **{(RATE, SEVERAL, group): _everywhere(FINE) for group in _GROUPS},
-    **{(RATE, threads, group): _everywhere(UNKNOWN) for threads in (NOBODY, ANY) for group in _GROUPS},
-    **{(RESULT, threads, group): _everywhere(NONE_AT_ONCE) for threads in _THREADS for group in _GROUPS},
+    **{(STEAL, threads, SAME): _everywhere(Outcome.HANGS) for threads in _THREADS},
+    **{
+        (STEAL, threads, group): _everywhere(Outcome.STRANDS)
+        for threads in _THREADS
+        for group in (*_CONCURRENT, UNCLEAR)
+    },
+    **{(LIMITED_STEAL, threads, group): _everywhere(Outcome.STRANDS) for threads in _THREADS for group in _GROUPS},
+    **{(RATE, ONE, group): _everywhere(Outcome.HANGS) for group in _GROUPS},
+    **{(RATE, SEVERAL, group): _everywhere(Outcome.FINE) for group in _GROUPS},
+    **{(RATE, threads, group): _everywhere(Outcome.UNKNOWN) for threads in (NOBODY, ANY) for group in _GROUPS},
+    **{(RESULT, threads, group): _everywhere(Outcome.NONE_AT_ONCE) for threads in _THREADS for group in _GROUPS},
 }
 """By form of waiting, threads of the executor, and how the client's group relates to the callback's.
 
@@ -167,22 +184,22 @@ What runs in no group (an action's execute callback, done callbacks, executor ta
 class Verdict:
     """What becomes of a wait, in each of the distributions asked for, and why in words that follow "…: "."""
 
-    outcomes: Mapping[str, str]
+    outcomes: Outcomes
     why: str
-    before: str | None = None
+    before: Outcome | None = None
     """What the first releases of the distributions of :data:`NESTED_SINCE` do, where that is something else."""
 
     @property
     def safe(self) -> bool:
         """Proved to end well; a distribution that does not know ``timeout_sec`` is another matter."""
         outcomes = set(self.outcomes.values())
-        return FINE in outcomes and outcomes <= {FINE, NO_SUCH_ARGUMENT}
+        return Outcome.FINE in outcomes and outcomes <= {Outcome.FINE, Outcome.NO_SUCH_ARGUMENT}
 
     @property
     def unknown(self) -> bool:
         """Nothing is proved, for better or for worse."""
         outcomes = set(self.outcomes.values())
-        return UNKNOWN in outcomes and outcomes <= {UNKNOWN, NO_SUCH_ARGUMENT}
+        return Outcome.UNKNOWN in outcomes and outcomes <= {Outcome.UNKNOWN, Outcome.NO_SUCH_ARGUMENT}
 
     def with_an_action_client(self) -> Verdict:
         """The same for a node that has an action client."""
@@ -210,20 +227,20 @@ def look_up(form: Form, threads: Threads, relation: Relation, why: str, distros:
     """The verdict of the matrix for some distributions."""
     row = MATRIX[form, threads, relation]
     outcomes = {distro: row[distro] for distro in distros}
-    if set(outcomes.values()) == {NO_SUCH_ARGUMENT}:
+    if set(outcomes.values()) == {Outcome.NO_SUCH_ARGUMENT}:
         why = "humble does not have this argument"
-    changed = any(outcomes.get(distro) == RAISES_NESTED for distro in NESTED_SINCE)
+    changed = any(outcomes.get(distro) == Outcome.RAISES_NESTED for distro in NESTED_SINCE)
     return Verdict(outcomes, why, row["humble"] if changed else None)
 
 
-def outcome_words(outcomes: Mapping[str, str]) -> str:
+def outcome_words(outcomes: Outcomes) -> str:
     """The outcomes of all distributions in a phrase: ``deadlocks in humble and raises … from jazzy on``."""
-    by_outcome: dict[str, list[str]] = {}
+    by_outcome: dict[Outcome, list[str]] = {}
     for distro in DISTROS:
         if distro in outcomes:
             by_outcome.setdefault(outcomes[distro], []).append(distro)
     if len(by_outcome) == 1:
-        return next(iter(by_outcome))
+        return str(next(iter(by_outcome)))
     *first, last = (f"{outcome} {in_distros(where)}" for outcome, where in by_outcome.items())
     return f"{', '.join(first)} and {last}"
 

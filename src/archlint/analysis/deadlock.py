@@ -12,7 +12,6 @@ from archlint.analysis.blocking import (
     ANY,
     AWAIT,
     CALL,
-    FINE,
     LIMITED_CALL,
     LIMITED_SPIN,
     LIMITED_STEAL,
@@ -27,7 +26,7 @@ from archlint.analysis.blocking import (
     STEAL,
     TIMED_CALL,
     UNCLEAR,
-    UNKNOWN,
+    Outcome,
     Verdict,
     look_up,
 )
@@ -208,13 +207,15 @@ def judge_spin(
     if globally and any(use.place is None for use in running):
         return nested
     if spun is None or node is None:
-        return Verdict(dict.fromkeys(distros, UNKNOWN), "it is not known which node is spun")
+        return Verdict(dict.fromkeys(distros, Outcome.UNKNOWN), "it is not known which node is spun")
     if spun is not node:
         if globally and any(spun in use.nodes for use in running):
             return look_up(LIMITED_STEAL, ANY, relation, _STOLEN_FROM_US, distros)
         if not running or any(spun in use.nodes for use in running):
-            return Verdict(dict.fromkeys(distros, UNKNOWN), "it is not known whether its executor is already spinning")
-        return Verdict(dict.fromkeys(distros, FINE), _OWN_SPIN)
+            return Verdict(
+                dict.fromkeys(distros, Outcome.UNKNOWN), "it is not known whether its executor is already spinning"
+            )
+        return Verdict(dict.fromkeys(distros, Outcome.FINE), _OWN_SPIN)
     if (globally and running) or _on_one_of_its_own(call, node, running):
         return look_up(steal, ANY, relation, _STOLEN, distros)
     return nested

@@ -119,7 +119,7 @@ def _no_answer_yet(system: System, early: EarlyResult) -> Finding:
 
 def _deaf(system: System, wait: EventWait) -> Finding:
     call, callback = wait.call, wait.call.context
-    end = blocking.TIMES_OUT if wait.limited else blocking.HANGS
+    end = blocking.Outcome.TIMES_OUT if wait.limited else blocking.Outcome.HANGS
     return finding(
         "EXE002",
         call.place,

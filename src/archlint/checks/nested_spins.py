@@ -50,7 +50,7 @@ def _nested_spin(system: System, program: Program, call: ApiCall, options: Optio
     spun = spun_node(call, program)
     limited = has_limit(call, "timeout_sec")
     verdict = judge_spin(call, spun, client, program, limited, options.distros)
-    if verdict.safe and set(verdict.outcomes.values()) == {blocking.FINE} and spun is not call.context.node:
+    if verdict.safe and set(verdict.outcomes.values()) == {blocking.Outcome.FINE} and spun is not call.context.node:
         return
     if verdict.unknown:
         return
