@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import ast
+from pathlib import Path
+
+import archlint
 from archlint.ros import well_known
 
 
@@ -27,3 +31,17 @@ def test_nobody_in_the_workspace_has_to_read_what_tools_show():
 def test_a_topic_has_one_row():
     names = [topic.name for topic in well_known.TOPICS]
     assert len(names) == len(set(names))
+
+
+def test_no_other_module_lists_well_known_topics():
+    names = {topic.name for topic in well_known.TOPICS}
+    source = Path(archlint.__file__).parent
+    lists = [
+        f"{file.relative_to(source)}:{item.lineno}"
+        for file in sorted(source.rglob("*.py"))
+        if file != Path(well_known.__file__)
+        for item in ast.walk(ast.parse(file.read_text(encoding="utf-8")))
+        if isinstance(item, (ast.Set, ast.List, ast.Tuple))
+        and len({part.value for part in item.elts if isinstance(part, ast.Constant)} & names) > 1
+    ]
+    assert lists == []

@@ -16,6 +16,7 @@ from archlint.model import (
     EntityKind,
     Role,
 )
+from archlint.ros.well_known import OF_MANY_PUBLISHERS
 from archlint.systems.nodes import key_of
 
 if TYPE_CHECKING:
@@ -178,10 +179,7 @@ def are_alternatives(system: System, node: Node, other: Node) -> bool:
     """Whether two nodes that nothing is seen to start together publish one topic: each does the other's work."""
     if known_to_coexist(system, node, other):
         return False
-    return not _publishes(node).isdisjoint(_publishes(other) - _EVERYBODYS)
-
-
-_EVERYBODYS = frozenset({"/tf", "/tf_static", "/rosout", "/parameter_events", "/diagnostics", "/joint_states"})
+    return not _publishes(node).isdisjoint(_publishes(other) - OF_MANY_PUBLISHERS)
 
 
 def _publishes(node: Node) -> set[str]:

@@ -13,7 +13,7 @@ from archlint.checks.scope import Scope
 from archlint.finding import Finding
 from archlint.model import EntityKind
 from archlint.ros import names
-from archlint.ros.well_known import OF_EVERY_NODE
+from archlint.ros.well_known import OF_EVERY_NODE, OF_TRANSFORMS
 from archlint.suggestions import did_you_mean, listed
 from archlint.systems.instances import instantiate
 
@@ -143,7 +143,7 @@ _SERVICES = frozenset(
 
 def _implicit(full: str, name: str, namespace: str) -> bool:
     """Names that rclpy gives every node.  Remapping /tf is a habit that harms nobody."""
-    if full in OF_EVERY_NODE or full.rpartition("/")[2] in ("tf", "tf_static"):
+    if full in OF_EVERY_NODE or full[full.rindex("/") :] in OF_TRANSFORMS:
         return True
     below = names.join(namespace, name) + "/"
     return full.startswith(below) and full[len(below) :] in _SERVICES

@@ -25,13 +25,17 @@ class WellKnownTopic:
     """Whether any node may have it without a word of it in its own code."""
     by_click: bool = False
     """Whether somebody clicks it into RViz: each message is an event, whoever else may send one."""
+    of_transforms: bool = False
+    """Whether tf2 publishes it."""
     for_tools: bool = False
     """Whether tools listen to it that no workspace holds: RViz, the diagnostics aggregator, loggers."""
 
 
 TOPICS = (
-    WellKnownTopic("/tf", absolute=True, many_publishers=True, of_every_node=True, for_tools=True),
-    WellKnownTopic("/tf_static", absolute=True, many_publishers=True, of_every_node=True, for_tools=True),
+    WellKnownTopic("/tf", absolute=True, many_publishers=True, of_every_node=True, of_transforms=True, for_tools=True),
+    WellKnownTopic(
+        "/tf_static", absolute=True, many_publishers=True, of_every_node=True, of_transforms=True, for_tools=True
+    ),
     WellKnownTopic("/rosout", absolute=True, many_publishers=True, of_every_node=True, for_tools=True),
     WellKnownTopic("/parameter_events", absolute=True, many_publishers=True, of_every_node=True, for_tools=True),
     WellKnownTopic("/clock", absolute=True, of_every_node=True),
@@ -46,6 +50,7 @@ ABSOLUTE = frozenset(topic.name for topic in TOPICS if topic.absolute)
 OF_MANY_PUBLISHERS = frozenset(topic.name for topic in TOPICS if topic.many_publishers)
 BY_CLICK = frozenset(topic.name for topic in TOPICS if topic.by_click)
 OF_EVERY_NODE = frozenset(topic.name for topic in TOPICS if topic.of_every_node)
+OF_TRANSFORMS = frozenset(topic.name for topic in TOPICS if topic.of_transforms)
 FOR_TOOLS = frozenset(topic.name for topic in TOPICS if topic.for_tools)
 
 TYPES_OF_MANY_PUBLISHERS = frozenset(
