@@ -404,3 +404,10 @@ def main():
 def test_a_value_for_what_the_launch_file_turns_off_waits_for_it(findings, controls: bool):
     told = findings(f"{{'controls': {controls}, 'gain': 2.0, 'speed': 2.0}},", talker=CONTROLLER)
     assert [finding.identity[1] for finding in told] == ["speed"]
+
+
+@pytest.mark.parametrize(("makes", "told"), [("MoveItPy(node_name='planner')", 0), ("str('planner')", 1)])
+def test_a_node_of_cpp_in_the_same_process_takes_parameters_too(findings, makes: str, told: int):
+    talker = TALKER.replace("import rclpy\n", "import rclpy\nfrom moveit.planning import MoveItPy\n", 1)
+    talker = talker.replace("    rclpy.spin", f"    planner = {makes}\n    rclpy.spin")
+    assert len(findings("{'robot_description': 'x'}", talker=talker)) == told

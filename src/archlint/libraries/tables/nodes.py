@@ -29,6 +29,8 @@ ROWS = (
     ),
     Api("rclpy.experimental.async_node.AsyncNode", f"node_name {_NODE_OPTIONS}", effect="create_node"),
     Api("rclpy.experimental.async_node.AsyncNode.__init__", f"node_name {_NODE_OPTIONS}", effect="node_init"),
+    # ---- what makes a node of C++ in the same process (moveit_py, moveit/planning.py)
+    Api("moveit.planning.MoveItPy", "node_name", watched=True),
     # ---- names of nodes
     Api("rclpy.node.Node.get_name", strict=True, effect="get_name"),
     Api("rclpy.node.Node.get_namespace", strict=True, effect="get_namespace"),
