@@ -351,3 +351,21 @@ console_scripts =
         "look": (5, True),
         "walk": (2, True),
     }
+
+
+@pytest.mark.parametrize(
+    ("kind", "executables"),
+    [("ament_python", {"talker"}), ("ament_cmake", {"one.py"})],
+)
+def test_a_package_is_built_by_setup_py_or_by_cmake(installs_of, kind: str, executables: set[str]):
+    scripts = "entry_points={'console_scripts': ['talker = robot.talker:main']}"
+    installs = installs_of(
+        **{
+            "package.xml": MANIFEST.replace("ament_python", kind),
+            "setup.py": f"from setuptools import setup\nsetup(name='robot', {scripts})\n",
+            "CMakeLists.txt": "project(robot)\ninstall(PROGRAMS scripts/one.py DESTINATION lib/robot)\n",
+            "scripts/one.py": "",
+        }
+    )
+    assert {name for name in installs.executables if name in executables} == executables
+    assert ("one.py" in installs.executables) == (kind == "ament_cmake")

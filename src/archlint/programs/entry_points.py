@@ -72,7 +72,7 @@ def read_installs(
     for package in packages:
         installs = by_package[package.name] = Installs(package.name, package.relative)
         with _reading(installs, "CMakeLists.txt", faults) as cmake:
-            if tree.is_file(cmake):
+            if tree.is_file(cmake) and not _is_built_by_setup_py(package, tree):
                 read_cmake(installs, cmake, tree)
         if package.build_type == "ament_python":  # which does not run CMake
             installs.open_executables = installs.open_files = False
@@ -89,6 +89,11 @@ def read_installs(
             _find_programs(installs, files)
             _follow_links(installs, files, tree)
     return by_package
+
+
+def _is_built_by_setup_py(package: PackageFolder, tree: Tree) -> bool:
+    """Whether a package is built by its setup.py alone: a CMakeLists.txt beside that is never run."""
+    return package.build_type == "ament_python" and tree.is_file(posixpath.join(package.relative, "setup.py"))
 
 
 @contextmanager
