@@ -138,6 +138,21 @@ class TestACoroutineThatIsHandedToAnEventLoop:
 
         assert codes(run(source(setup, f"def tick(self):\n    {start}\n\n{self.ASK}", ON_ONE_THREAD))) == []
 
+    @pytest.mark.parametrize(
+        ("body", "expected"),
+        [
+            pytest.param("await future", [], id="it awaits"),
+            pytest.param("time.sleep(3.0)", ["EXE003"], id="it holds up the thread"),
+        ],
+    )
+    def test_a_task_of_the_executor_is_in_no_callback_group(self, run: Run, body: str, expected: list[str]):
+        ask = f"async def ask(self):\n    future = self.client.call_async(Trigger.Request())\n    {body}\n"
+        tick = f"def tick(self):\n    self.executor.create_task(self.ask())\n\n{ask}"
+        found = run(source(self.SETUP, tick, ON_ONE_THREAD))
+
+        assert codes(found) == expected
+        assert all("task of the executor" in finding.message for finding in found)
+
     def test_a_callback_that_runs_it_to_its_end(self, run: Run):
         tick = f"def tick(self):\n    asyncio.run(self.ask())\n\n{self.ASK}"
 

@@ -112,8 +112,8 @@ class Callbacks:
     """Which callbacks were registered where, and with what each time."""
     news: dict[str, set[int]] = field(default_factory=dict)
     """The attributes, and of which objects (by key), in which callbacks left what another may act on."""
-    coroutines: set[int] = field(default_factory=set)
-    """The calls, by the id of their facts, whose coroutines another call starts."""
+    coroutines: dict[int, model.Role] = field(default_factory=dict)
+    """The calls, by the id of their facts, whose coroutines another call starts, and as what."""
     changed_attributes: list[ChangedAttribute] = field(default_factory=list)
     """Those of the program's first objects, as many as ``seen_instances`` says."""
     seen_instances: int = 0
