@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import fnmatch
 import json
+import posixpath
 import re
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
@@ -106,7 +107,7 @@ def is_there(run: LaunchRun, path: str) -> bool | None:
     match run.resolve(FileKind.PARAMETERS, Known(path), run.place_now).status:
         case FileStatus.INSTALLED:
             return True
-        case FileStatus.MISSING:
+        case FileStatus.MISSING if posixpath.splitext(path)[1]:  # a folder may have no file yet
             return False
     return None
 
