@@ -55,7 +55,7 @@ TALKER = "Node(package='robot', executable='talker', name=name)"
     ("path", "expected"),
     [
         ("os.path.join(get_package_share_directory('robot'), 'config', 'team.json')", ["there"]),
-        ("os.path.join(get_package_share_directory('robot'), 'config', 'none.json')", ["gone"]),
+        ("os.path.join(get_package_share_directory('robot'), 'config', 'none.json')", ["?"]),
         ("os.path.join(get_package_share_directory('elsewhere'), 'config', 'team.json')", ["?"]),
         ("'/etc/team.json'", ["?"]),
     ],

@@ -107,8 +107,8 @@ class LaunchFileLibrary(LaunchLibrary):
 
     def asked_for_file(self, path: str) -> Value:
         unknown = super().asked_for_file(path)
-        there = read_files.is_there(self._launch, path)
-        return unknown if there is None else Known(there)
+        # What is not there is LCH004's: the launch file may stop where it asks.
+        return Known(True) if read_files.is_there(self._launch, path) else unknown
 
 
 def _of(launch: LaunchRun, act: Callable[Concatenate[LaunchRun, _P], Value]) -> Callable[Concatenate[Run, _P], Value]:
