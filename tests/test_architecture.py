@@ -168,3 +168,15 @@ def test_findings_are_in_the_order_of_their_places(workspace: Workspace):
     places = [(one["file"], one["line"], one["column"], one["code"]) for one in diagnostics]
     assert places
     assert places == sorted(places)
+
+
+def test_no_rule_reads_the_files_of_the_workspace():
+    """A rule asks the ``WorkspaceIndex`` what it knows; the tree behind it is for launch and for analysis."""
+    reads = [
+        f"{file.name}:{item.lineno}"
+        for file in sorted((ROOT / "src" / "archlint" / "checks").glob("*.py"))
+        for item in ast.walk(ast.parse(file.read_text(encoding="utf-8")))
+        if (isinstance(item, ast.Attribute) and item.attr == "tree")
+        or (isinstance(item, ast.ImportFrom) and item.module == "archlint.workspace.tree")
+    ]
+    assert reads == []
