@@ -12,7 +12,7 @@ from functools import cache
 from pathlib import Path
 
 from archlint.finding import Severity
-from archlint.suggestions import distance, nearest
+from archlint.suggestions import distance, meant, nearest
 
 ON = "on"
 OFF = "off"
@@ -139,7 +139,7 @@ def codes_of(selector: str) -> list[str]:
 def suggestion(selector: str) -> str:
     """``; did you mean …?`` for an unknown code or name, or nothing where nothing is near."""
     near = _nearest(selector.upper()) or _nearest_name(selector.lower())
-    return f"; did you mean {near}?" if near else ""
+    return meant(near or "")
 
 
 def _nearest(selector: str) -> str | None:

@@ -98,7 +98,13 @@ def _made_of(coarse: list[str], fine: list[str]) -> bool:
 def did_you_mean(word: str, known: Iterable[str], quote: str = "'") -> str:
     """``; did you mean 'x'?`` to put after a message, or nothing."""
     near = nearest(word, known)
-    return f"; did you mean {quote}{near}{quote}?" if near is not None else ""
+    return "" if near is None else meant(f"{quote}{near}{quote}")
+
+
+def meant(words: str) -> str:
+    """``; did you mean …?`` to put after a message, of the words for what is perhaps meant; nothing where there are
+    none."""
+    return f"; did you mean {words}?" if words else ""
 
 
 def listed(names: Sequence[str], otherwise: str = "none", *, shown: int = 8) -> str:

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from archlint import suggestions
 from archlint.analysis.completeness import enclosing_class
 from archlint.checks.folding import folds
 from archlint.checks.registry import Options, finding, rule
@@ -160,10 +161,10 @@ def _did_you_mean(meant: Mapping[str, str], inside: str) -> str:
     if inside:
         [first, *others] = meant
         those = f"those of '{inside}'" if others else f"'{inside}.{first}'"
-        return f"; did you mean {those}?"
+        return suggestions.meant(those)
     hints = [f"'{near}'" + (f" for '{name}'" if len(meant) > 1 else "") for name, near in meant.items() if near]
     last = " and ".join(part for part in (", ".join(hints[:-1]), *hints[-1:]) if part)
-    return f"; did you mean {last}?" if hints else ""
+    return suggestions.meant(last)
 
 
 @folds("MSG001")

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from archlint import suggestions
 from archlint.checks.folding import folds
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -73,7 +74,7 @@ def _instead(meant: str, name: str = "") -> str:
     if "/" in meant:
         return f"; there is {meant}"
     by = f" by '{name}'" if name else ""
-    return f"; did you mean '{meant}'{by}?"
+    return suggestions.meant(f"'{meant}'{by}")
 
 
 def _part(interface: UnknownInterface) -> tuple[str, str] | None:

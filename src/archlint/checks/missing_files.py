@@ -16,7 +16,7 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
 from archlint.launch.kinds import FileKind, FileStatus
-from archlint.suggestions import common_words, did_you_mean, distance, have_same_words
+from archlint.suggestions import common_words, did_you_mean, distance, have_same_words, meant
 
 if TYPE_CHECKING:
     from archlint.finding import Place
@@ -96,7 +96,7 @@ def _did_you_mean_file(workspace: WorkspaceIndex | None, package: str, shown: st
     name = posixpath.basename(posixpath.normpath(shown))
     same = [other for other in beside if have_same_words(name, other)]
     if len(same) == 1:
-        return f"; did you mean '{same[0]}'?"
+        return meant(f"'{same[0]}'")
     return did_you_mean(name, [other for other in beside if _is_like(name, other)])
 
 

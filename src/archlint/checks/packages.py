@@ -12,7 +12,7 @@ from archlint.checks.folding import folds
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
-from archlint.suggestions import did_you_mean, listed, nearest
+from archlint.suggestions import did_you_mean, listed, meant, nearest
 
 if TYPE_CHECKING:
     from archlint.systems.model import System, WorkspaceIndex
@@ -68,7 +68,7 @@ def _broken(workspace: WorkspaceIndex, executable: Executable) -> Iterator[Findi
             target = f"{near}:{function or 'main'}"
             if function is None and parent in known:
                 near = target = f"{parent}:{last}"
-            hint = "" if near is None else f"; did you mean '{near}'?"
+            hint = "" if near is None else meant(f"'{near}'")
             help = "add the module, or remove the entry" if near is None else f"write '{executable.name} = {target}'"
             yield _entry_finding(executable, f"module '{module}' does not exist{hint}", help)
         case NoFunctionNamed(module):

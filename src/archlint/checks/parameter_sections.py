@@ -22,7 +22,7 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related
 from archlint.launch.kinds import FileStatus
-from archlint.suggestions import did_you_mean, listed
+from archlint.suggestions import did_you_mean, listed, meant
 from archlint.systems.nodes import key_of
 from archlint.systems.overrides import key_matches
 
@@ -90,23 +90,23 @@ def _judged(
         if not right or (namespace and any(node.other_namespace for node in namesakes)):
             return None
         help = f"the key must be the full name: write '{right[0]}:', or '/**/{last}:' for any namespace"
-        return _finding(place, key, f"; did you mean '{right[0]}'?", help, (namespace, right[0].rpartition("/")[0]))
+        return _finding(place, key, meant(f"'{right[0]}'"), help, (namespace, right[0].rpartition("/")[0]))
     if others_are_not_run(workspace):
         return None
     if names_cpp_node(workspace, file, last) or _is_another_program(workspace, file, last, started):
         return None
-    meant = did_you_mean(key, [node.name for node in unmet if not node.other_name])
-    if not meant and (_may_hold_more_nodes(workspace, file) or any(node.other_name for node in started)):
+    hint = did_you_mean(key, [node.name for node in unmet if not node.other_name])
+    if not hint and (_may_hold_more_nodes(workspace, file) or any(node.other_name for node in started)):
         return None
     help = f"nodes that load this file: {listed(sorted({node.name for node in started}))}"
-    return _finding(place, key, meant, help, () if meant else (namespace, ""))
+    return _finding(place, key, hint, help, () if hint else (namespace, ""))
 
 
-def _finding(place: Place, key: str, meant: str, help: str, group: Sequence[str]) -> Finding:
+def _finding(place: Place, key: str, hint: str, help: str, group: Sequence[str]) -> Finding:
     return finding(
         "PRM005",
         place,
-        f"no launch file that loads this file starts a node '{key}'{meant}",
+        f"no launch file that loads this file starts a node '{key}'{hint}",
         help=help,
         identity=(place.file, key),
         group=(place.file, *group) if group else (),

@@ -20,7 +20,7 @@ from archlint.finding import Finding, Place, Related
 from archlint.launch.kinds import StartedKind
 from archlint.ros import packages
 from archlint.rulebook import rules
-from archlint.suggestions import distance, nearest
+from archlint.suggestions import distance, meant, nearest
 from archlint.workspace.closure import closure
 from archlint.workspace.manifest import condition_holds
 
@@ -277,8 +277,8 @@ def _hint(workspace: WorkspaceIndex, package: Package, use: Use) -> str:
     there = packages.table().names | workspace.packages.keys()
     declared = {d.name for d in package.dependencies} - there - {use.needed}
     near = nearest(use.needed, declared)
-    meant = near is not None and distance(use.needed, near, 2) <= 2
-    return f"; did you mean '{use.needed}' by '{near}'?" if meant else ""
+    is_slip = near is not None and distance(use.needed, near, 2) <= 2
+    return meant(f"'{use.needed}' by '{near}'") if is_slip else ""
 
 
 def _help(package: Package, needed: Sequence[str]) -> str:

@@ -18,6 +18,7 @@ from archlint.model import (
     EntityKind,
 )
 from archlint.ros.well_known import FOR_TOOLS, TYPES_OF_MANY_PUBLISHERS
+from archlint.suggestions import meant
 from archlint.systems.implicit import implicit_names
 
 if TYPE_CHECKING:
@@ -155,7 +156,7 @@ def _finding(code: str, system: System, end: Endpoint, message: str, help: str) 
     return finding(
         code,
         end.place,
-        message + (f"; did you mean '{other.name}'?" if other is not None else ""),
+        message + meant(f"'{other.name}'" if other is not None else ""),
         help=help,
         related=[Related(other.place, f"{other.node.name} has this one")] if other is not None else (),
         node=end.node.name,

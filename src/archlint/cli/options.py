@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, NoReturn
 
 from archlint.cli import COMMANDS
 from archlint.cli.exits import UsageError
-from archlint.suggestions import did_you_mean, nearest
+from archlint.suggestions import did_you_mean, meant, nearest
 
 if TYPE_CHECKING:
     from archlint.config.settings import Settings
@@ -123,7 +123,7 @@ def paths_of(arguments: argparse.Namespace) -> tuple[str, ...]:
     for path in paths:
         if not Path(path).exists():
             near = nearest(path, COMMANDS)
-            hint = f"; did you mean the command `{near}`?" if near else ""
+            hint = meant(f"the command `{near}`" if near else "")
             raise UsageError(f"no such file or directory: {path}{hint}")
     return tuple(paths)
 

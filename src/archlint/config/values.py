@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from archlint.finding import Severity
 from archlint.globs import Glob
 from archlint.rulebook import codes_of, suggestion
-from archlint.suggestions import did_you_mean
+from archlint.suggestions import did_you_mean, meant
 
 if TYPE_CHECKING:
     from archlint.config.source import Key
@@ -61,5 +61,5 @@ def home_of(path: str, key: Key) -> Path:
 
 def unknown_key(key: str, known: Mapping[str, object], words: str = "unknown key") -> str:
     dashed = key.replace("_", "-")
-    near = f"; did you mean `{dashed}`?" if dashed in known else did_you_mean(dashed, known, quote="`")
+    near = meant(f"`{dashed}`") if dashed in known else did_you_mean(dashed, known, quote="`")
     return f"{words} `{key}`{near}"
