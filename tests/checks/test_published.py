@@ -126,3 +126,29 @@ def test_one_of_two_publishers_fits(judge: Judge):
             publisher.publish(Twist())
         """,
     )
+
+
+BUTTONS = """
+    from rclpy.node import Node
+    from std_msgs.msg import String
+
+    class Panel(Node):
+        def __init__(self):
+            super().__init__('panel')
+            self.key = self.create_publisher(String, 'key', 10)
+            self.lamp = self.create_publisher(String, 'lamp', 10)
+            self.create_timer(1.0, self.press)
+
+        def press(self):
+            self.key.publish('<Y>')  # here
+            self.key.publish('<N>')
+            self.key.publish(String(data='<Q>'))
+            self.lamp.publish('on')  # here
+"""
+
+
+def test_one_publisher_is_one_finding(judge: Judge):
+    key, lamp = judge("TOP005", BUTTONS)
+    assert key.message.endswith("; another call is wrong in the same way on the same endpoint")
+    assert [related.place.line for related in key.related] == [7, 13]
+    assert lamp.message.endswith("expects std_msgs/msg/String")

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.reach import creations_of, is_given_a_literal
 from archlint.analysis.source_code import SourceCode, source_code
+from archlint.checks.folding import folds
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related
@@ -97,6 +99,19 @@ def _finding(call: ApiCall, creation: Creation, argument: str, section_name: str
         related=[Related(creation.place, f"the {creation.kind.replace('_', ' ')} is created here")],
         node=creation.node.name.text,
         identity=(creation.kind, creation.name.text or "", given),
+        group=(call.place.file, str(creation.place), method, wanted),
+    )
+
+
+@folds("TOP005")
+def _of_one_endpoint(findings: Sequence[Finding]) -> Finding:
+    """The finding for all calls on one endpoint that pass the wrong type, from before it was ported say."""
+    first, *others = findings
+    more = "another call is" if len(others) == 1 else f"{len(others)} more calls are"
+    return replace(
+        first,
+        message=f"{first.message}; {more} wrong in the same way on the same endpoint",
+        related=(*first.related, *(Related(other.place, other.message) for other in others)),
     )
 
 
