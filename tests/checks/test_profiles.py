@@ -125,3 +125,28 @@ def test_another_program_has_presets_of_its_own(judge: Judge):
 def test_an_endless_duration_is_no_bound(judge: Judge, offered: str, requested: str, mark: str):
     talker = written("Talker", PUBLISH.format(offered))
     judge("QOS003", talker, written("Listener", SUBSCRIBE.format(requested) + mark))
+
+
+DEPTHS = """
+    from rclpy.node import Node
+    from rclpy.qos import HistoryPolicy, QoSProfile
+    from std_msgs.msg import String
+
+    class {first}(Node):
+        def __init__(self):
+            super().__init__('talker')
+            self.said = self.create_publisher(String, 'said', 0)  # here
+            self.heard = self.create_subscription(String, 'heard', print, {depth})
+
+    class Other(Node):
+        def __init__(self):
+            super().__init__('other')
+            self.told = self.create_publisher(String, 'told', 0)  # here
+"""
+
+
+@pytest.mark.parametrize(("depth", "told"), [("0", 2), ("1", 1)])
+def test_one_habit_of_a_class_is_one_finding(judge: Judge, depth: str, told: int):
+    first, _ = judge("QOS004", DEPTHS.format(first="Talker", depth=depth))
+    assert ("another profile does the same in Talker" in first.message) == (told == 2)
+    assert len(first.related) == told - 1

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from archlint.checks.folding import folds
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
@@ -17,7 +19,7 @@ if TYPE_CHECKING:
     from archlint.systems.nodes import Endpoint
 
 
-@rule("QOS004", scope=Scope.SYSTEM)
+@rule("QOS004", scope=Scope.AS_LAUNCHED)
 def qos_contradiction(system: System, options: Options) -> Iterator[Finding]:
     """Profiles whose parts do not go together, one finding a profile, at the first create call that uses it."""
     profiles: dict[tuple[Place, str], dict[Place, Endpoint]] = {}
@@ -37,7 +39,24 @@ def qos_contradiction(system: System, options: Options) -> Iterator[Finding]:
             related=[*related, *(Related(other, "it is used here, too") for other, _ in others)],
             node=end.node.name,
             identity=(end.kind, end.name or "", contradiction),
+            group=(place.file, _class_of(end), contradiction),
         )
+
+
+def _class_of(end: Endpoint) -> str:
+    return end.node.name or "" if end.node.blueprint is None else end.node.blueprint.class_name
+
+
+@folds("QOS004")
+def _of_one_class(findings: Sequence[Finding]) -> Finding:
+    """The finding for all profiles of a node class that are wrong in the same way: one habit."""
+    first, *others = findings
+    more = "another profile does" if len(others) == 1 else f"{len(others)} more profiles do"
+    return replace(
+        first,
+        message=f"{first.message}; {more} the same in {first.group[1]}",
+        related=(*first.related, *(Related(other.place, "the same again") for other in others)),
+    )
 
 
 def _profiles(end: Endpoint) -> list[Qos]:
