@@ -103,14 +103,29 @@ def test_a_word_that_only_holds_the_letters_of_one(named, path: str):
 
 @pytest.mark.parametrize(
     "path",
-    ["robot/archive/talker.py", "robot/old_arm/talker.py", "robot/talker_old.py", "robot/talker.sync-conflict-1.py"],
+    [
+        "robot/archive/talker.py",
+        "robot/old_arm/talker.py",
+        "robot/talker_old.py",
+        "robot/talker_unused.py",
+        "robot/talker.sync-conflict-1.py",
+    ],
 )
 def test_what_is_put_aside(named, path: str):
     assert named({path: NODE}) == []
 
 
 @pytest.mark.parametrize(
-    "path", ["robot/folder/talker.py", "legacy_bridge/talker.py", "conflict_detector.py", "gold/x.py", "backup/x.py"]
+    "path",
+    [
+        "robot/folder/talker.py",
+        "legacy_bridge/talker.py",
+        "conflict_detector.py",
+        "gold/x.py",
+        "backup/x.py",
+        "unused_ports.py",
+        "nounused.py",
+    ],
 )
 def test_what_only_sounds_like_it(path: str):
     assert not FileRoles().is_put_aside(path)

@@ -13,7 +13,7 @@ _PUT_ASIDE = frozenset({"archive", "archived", "archives", "attic", "backups", "
     *("old", "outdated", "unused"),
 }
 _NAMED_OLD = re.compile(r"(?:old|archived|deprecated)_.+|.+_(?:old|archived?|deprecated|backup|bak)")
-_COPY = re.compile(r"\(copy|[ _.-]copy\W|sync-conflict-|\(\d+\)|[ _.-](?:bak|backup|old|orig)\.")
+_COPY = re.compile(r"\(copy|[ _.-]copy\W|sync-conflict-|\(\d+\)|[ _.-](?:bak|backup|old|orig|unused)\.")
 
 
 @dataclass(frozen=True)
