@@ -135,7 +135,7 @@ def _interpreted(texts: dict[str, str], make_run: Callable[[ModuleIndex], Interp
     module = index.module(files["it"])
     assert module is not None
     call_with_deep_stack(lambda: run.import_module(module))
-    faults = run.faults.found()
+    faults = run.faults.by_place()
     assert not faults, faults
     return Interpreted(run, module)
 

@@ -35,19 +35,19 @@ class Faults:
     """The faults of one run, each once."""
 
     def __init__(self) -> None:
-        self._found: dict[tuple[Place, str, str], Fault] = {}
+        self._by_key: dict[tuple[Place, str, str], Fault] = {}
 
     def note(self, what: str, error: Exception, place: Place) -> None:
         fault = Fault.of(what, error, place)
-        self._found.setdefault((place, what, fault.kind), fault)
+        self._by_key.setdefault((place, what, fault.kind), fault)
 
     @property
     def count(self) -> int:
-        return len(self._found)
+        return len(self._by_key)
 
-    def found(self) -> list[Fault]:
+    def by_place(self) -> list[Fault]:
         """All of them by place."""
-        return [self._found[key] for key in sorted(self._found)]
+        return [self._by_key[key] for key in sorted(self._by_key)]
 
     @contextmanager
     def contained(self, what: str, place: Place) -> Iterator[None]:

@@ -47,7 +47,7 @@ def launched(line: str, functions: int = 0) -> list[str | None]:
     request = pipeline.Request((".",), Settings(), cached=False, jobs=1, launch="launch/odd.launch.py")
     system = pipeline.graph(request)
     assert system.workspace is not None
-    assert system.workspace.faults.found() == []
+    assert system.workspace.faults.by_place() == []
     return [node.name for node in system.nodes]
 
 

@@ -203,7 +203,7 @@ def _of_one_process(first: Node, other: Node) -> Iterator[Finding]:
         help="remove name=, so that each node keeps the name from its code"
         if renamed and differ
         else "give each its own name in the code" + (", and remove name= here" if renamed else ""),
-        related=list(dict.fromkeys(related for node in (first, other) for related in _made(node))),
+        related=list(dict.fromkeys(related for node in (first, other) for related in _where_made(node))),
         node=first.name,
         identity=(first.name or "",),
     )
@@ -214,7 +214,7 @@ def _own_name(node: Node) -> str | None:
     return node.blueprint.name.text if node.blueprint is not None else None
 
 
-def _made(node: Node) -> Iterator[Related]:
+def _where_made(node: Node) -> Iterator[Related]:
     blueprint = node.blueprint
     if blueprint is not None:
         shown = blueprint.name.text or blueprint.class_name

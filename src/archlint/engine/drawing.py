@@ -30,7 +30,7 @@ def drawn(system: System, format: str, color: bool) -> Drawn:
 
 
 def _faults(system: System) -> list[str]:
-    faults = system.workspace.faults.found() if system.workspace is not None else []
+    faults = system.workspace.faults.by_place() if system.workspace is not None else []
     return [
         f"{fault.place.file}:{fault.place.line}:{fault.place.column}: {fault.what} failed with {fault.message}"
         for fault in faults

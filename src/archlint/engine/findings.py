@@ -83,7 +83,7 @@ def _judged(
     by_file = {file.relative: read.suppressions for file in known if (read := facts.facts_of(file)) is not None}
     candidates.extend(unreadable(*problem) for problem in launch_files.problems())
     by_file.update(launch_files.suppressions())
-    candidates.extend(failure(fault) for fault in faults.found())
+    candidates.extend(failure(fault) for fault in faults.by_place())
     old = half_ported(workspace, known, facts)
     aside = uninstalled.files_of(index, candidates)
     candidates = uninstalled.as_information(as_information(candidates, old), aside)

@@ -59,8 +59,8 @@ def judge_alternatives(system: System, selected: Mapping[str, Options]) -> Itera
         conditional = replace(finding, condition=None if by_default else condition(where, every))
         at_place.setdefault((finding.code, finding.place), []).append(conditional)
     for several in at_place.values():
-        told = [finding for finding in several if finding.condition is None] if system.defaults_decide else []
-        yield from told or (several if len(several) <= _VARIANTS else [min(several, key=_how_general)])
+        unconditional = [finding for finding in several if finding.condition is None] if system.defaults_decide else []
+        yield from unconditional or (several if len(several) <= _VARIANTS else [min(several, key=_how_general)])
 
 
 _VARIANTS = 2

@@ -30,7 +30,7 @@ def mended(judged: Judged, request: Request, workspace: Workspace) -> Judged:
     # A launch file that git ignores is read where another one includes it.
     everywhere = Surroundings([file.path for file in python_files(workspace)])
     findings += attach(left, everywhere, faults)
-    failures = [failure(fault) for fault in faults.found()]
+    failures = [failure(fault) for fault in faults.by_place()]
     ordered = sorted((*findings, *failures), key=lambda finding: finding.sort_key)
     summary = replace(judged.summary, errors=judged.summary.errors + len(failures))
     return replace(judged, findings=ordered, summary=summary, mended=True)

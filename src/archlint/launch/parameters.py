@@ -50,20 +50,20 @@ def parameters_of(run: LaunchRun, value: Value | None, place: Place) -> list[Par
             return [OpenParameters("one of several lists of parameters", place, of_several=True), *rows]
         case ListValue():
             items = value.items(run)
-            rows = [row for item in items.values for row in _one(run, item, place)]
+            rows = [row for item in items.values for row in _of_item(run, item, place)]
             return [*rows, OpenParameters("a list of parameters that is not known", place)] if items.open else rows
         case DictValue() | Known():
-            return list(_one(run, value, place))
-    return list(_one(run, value, place)) if class_name(value) else [OpenParameters(reason(value), place)]
+            return list(_of_item(run, value, place))
+    return list(_of_item(run, value, place)) if class_name(value) else [OpenParameters(reason(value), place)]
 
 
-def _one(run: LaunchRun, item: Value, place: Place) -> Iterator[Parameter]:
+def _of_item(run: LaunchRun, item: Value, place: Place) -> Iterator[Parameter]:
     place = place_of(item) or place
     match item:
         case OneOf(values=options):
             yield OpenParameters("one of several parameters", place, of_several=True)
             with run.perhaps():
-                rows = [row for option in options for row in _one(run, option, place)]
+                rows = [row for option in options for row in _of_item(run, option, place)]
             yield from rows
         case DictValue():
             yield from _entries(run, item, (), place, _Room())

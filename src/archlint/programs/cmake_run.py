@@ -116,7 +116,7 @@ class CMakeRun:
             elif command.name in ("macro", "function"):
                 self._define(command, commands[at + 1 : end], file)
             elif command.name != "while":
-                self._one(command, file, scope, depth)
+                self._command(command, file, scope, depth)
             at = end + 1
 
     # ----------------------------------------------------------------------------------------------- blocks
@@ -151,7 +151,7 @@ class CMakeRun:
 
     # --------------------------------------------------------------------------------------------- commands
 
-    def _one(self, command: Command, file: str, scope: _Scope, depth: int) -> None:
+    def _command(self, command: Command, file: str, scope: _Scope, depth: int) -> None:
         if command.name in _NO_EFFECT:
             return
         arguments = _expanded(command, scope)

@@ -66,7 +66,7 @@ class Store:
         self._today = self._opened // (_DAY * 10**9)
         inner = (os.path.join(self.folder, kind) for kind in ("facts", "runs", "programs", "answers"))
         self._usable = not any(map(os.path.islink, (root, self.folder, *inner)))
-        self._made: set[str] = set()
+        self._folders: set[str] = set()
         self._index, self._swept = _read_index(self._read(INDEX))
         self._changed = False
 
@@ -155,7 +155,7 @@ class Store:
 
     def _make(self, folder: str) -> None:
         """Make a folder of the cache.  A cache that is ours from the start is marked for git and for backups."""
-        if folder in self._made:
+        if folder in self._folders:
             return
         os.makedirs(self.root, exist_ok=True)
         if not os.listdir(self.root):
@@ -165,7 +165,7 @@ class Store:
         os.makedirs(folder, exist_ok=True)
         if os.path.islink(folder):
             raise NotADirectoryError(folder)
-        self._made.add(folder)
+        self._folders.add(folder)
 
     def _sweep(self) -> None:
         """Delete what no run has asked for in a long time, also of other versions."""

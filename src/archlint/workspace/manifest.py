@@ -175,14 +175,14 @@ def _either(tokens: list[str], values: dict[str, str]) -> tuple[bool | None, lis
 
 
 def _both(tokens: list[str], values: dict[str, str]) -> tuple[bool | None, list[str]]:
-    verdict, tokens = _one(tokens, values)
+    verdict, tokens = _term(tokens, values)
     while tokens and tokens[0] == "and":
-        other, tokens = _one(tokens[1:], values)
+        other, tokens = _term(tokens[1:], values)
         verdict = False if False in (verdict, other) else None if None in (verdict, other) else True
     return verdict, tokens
 
 
-def _one(tokens: list[str], values: dict[str, str]) -> tuple[bool | None, list[str]]:
+def _term(tokens: list[str], values: dict[str, str]) -> tuple[bool | None, list[str]]:
     if tokens[0] == "(":
         verdict, rest = _either(tokens[1:], values)
         return verdict, rest[1:]

@@ -123,9 +123,9 @@ class SourceTree:
             self._tell(question, answer)
 
     @contextmanager
-    def telling(self, told: Callable[[Question, str | None], None]) -> Iterator[None]:
+    def telling(self, tell: Callable[[Question, str | None], None]) -> Iterator[None]:
         """Tell of each question that is asked inside, with its first answer."""
-        before, self._tell = self._tell, told
+        before, self._tell = self._tell, tell
         try:
             yield
         finally:

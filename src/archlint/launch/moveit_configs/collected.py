@@ -117,7 +117,7 @@ def _sensors(builder: Builder, site: CallSite) -> None:
 def _planning_pipelines(builder: Builder, site: CallSite) -> None:
     default, pipelines, load_all = arguments(site, "default_planning_pipeline", "pipelines", "load_all")
     given = pipelines not in (None, NONE)
-    names = _texts(builder.run, pipelines) if given else _found(builder, load_all)
+    names = _texts(builder.run, pipelines) if given else _in_files(builder, load_all)
     if names is None:
         builder.keep("planning_pipelines", builder.open_dict())
         return
@@ -131,7 +131,7 @@ def _planning_pipelines(builder: Builder, site: CallSite) -> None:
     builder.keep("planning_pipelines", builder.dict_of(values))
 
 
-def _found(builder: Builder, load_all: Value | None) -> list[str] | None:
+def _in_files(builder: Builder, load_all: Value | None) -> list[str] | None:
     """The pipelines that the package has files for, and those of moveit_configs_utils."""
     names, everything = builder.names(_PLANNING), TRUE if load_all is None else load_all
     if names is None or not isinstance(everything, Known):
