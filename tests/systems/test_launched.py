@@ -11,7 +11,7 @@ from archlint.engine.pipeline import Request, check, graph
 from archlint.render.json import document
 from archlint.render.text import render
 from archlint.systems.overrides import key_matches
-from robot_package import SETUP, manifest, write_robot
+from robot_package import CMAKE, SETUP, manifest, write_robot
 
 TALKER = """\
 import rclpy
@@ -313,7 +313,7 @@ def test_a_script_without_a_suffix_is_the_node_that_it_runs(robot):
     root = robot(
         '<node pkg="robot" exec="speak"/><node pkg="robot" exec="again"/>',
         **{
-            "setup.py": "from setuptools import setup\nsetup()",
+            "package.xml": CMAKE,
             "CMakeLists.txt": "install(PROGRAMS scripts/speak scripts/again DESTINATION lib/robot)",
             "scripts/speak": f"#!/usr/bin/env python3\n{SCRIPT}",
         },
