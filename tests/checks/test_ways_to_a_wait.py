@@ -114,6 +114,45 @@ def test_several_nodes_on_one_executor_share_its_thread(run: Run):
     assert codes(run(source(setup, method, threaded))) == []
 
 
+@pytest.mark.parametrize(
+    ("given", "expected"),
+    [("list(future.result().message)", []), ("load(future)", ["EXE001"])],
+)
+def test_what_a_property_asks_for_once_is_there_when_callbacks_run(run: Run, given: str, expected: list[str]):
+    setup = CLIENT + "self.kept = None\nself.create_timer(5.0, self.tick)\nprint(self.names)"
+    methods = f"""
+@property
+def names(self):
+    if self.kept is None:
+        self.kept = self.ask()
+    return self.kept
+
+def ask(self):
+    future = self.client.call_async(Trigger.Request())
+    rclpy.spin_until_future_complete(self, future, timeout_sec=1.0)
+    return {given}
+
+def tick(self):
+    print(self.names)
+"""
+    assert [code for code in codes(run(source(setup, methods, ON_ONE_THREAD))) if code == "EXE001"] == expected
+
+
+@pytest.mark.parametrize(("given", "expected"), [("message.data", []), ("load(message)", ["TMO001"])])
+def test_a_field_of_a_message_is_never_none(run: Run, given: str, expected: list[str]):
+    setup = "self.create_service(SetBool, 'switch', self.on_switch)"
+    methods = f"""
+def on_switch(self, message, response):
+    self.load({given})
+    return response
+
+def load(self, key):
+    if key is None:
+        self.create_client(Trigger, 'mask').wait_for_service()
+"""
+    assert [code for code in codes(run(source(setup, methods, ON_ONE_THREAD))) if code == "TMO001"] == expected
+
+
 class TestACoroutineThatIsHandedToAnEventLoop:
     """``asyncio.create_task(self.ask())`` makes a coroutine and returns: the callback waits for nothing."""
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.interpreter.builtins.handlers import Handler, because_of, first
@@ -46,7 +47,9 @@ def _collected(machine: Machine, value: Value, kind: ListKind) -> Value:
     if value.each is not None:
         return value
     items = value.items(machine)
-    return because_of(value) if items is None else new_list(machine, items.values, kind, items.open)
+    if items is None:
+        return replace(because_of(value), never_none=True)
+    return new_list(machine, items.values, kind, items.open)
 
 
 def dictionary(machine: Machine, site: CallSite) -> Value:

@@ -33,6 +33,8 @@ class Unknown(Value):
     """The attribute that an object certainly lacks."""
     interface: str | None = field(default=None, compare=False)
     """The interface that it would be if its package defined one: the graph still says which type the code writes."""
+    never_none: bool = False
+    """Whether it is some object for certain: what ``list()`` gives, the field of a message."""
 
     @property
     def via(self) -> frozenset[str]:
@@ -40,6 +42,13 @@ class Unknown(Value):
 
     def chosen_by(self, parameters: frozenset[str]) -> Unknown:
         return self if self.parameter is not None else replace(self, parameter=min(parameters))
+
+    @property
+    def is_object(self) -> bool:
+        return self.never_none
+
+    def truth(self, state: State) -> bool | None:
+        return None
 
     @property
     def why_unknown(self) -> str:

@@ -142,7 +142,7 @@ def _of_message(run: Run, value: MessageValue, name: str) -> Value:
         if constant is not None:
             return Known(constant)
     nested = messages.nested(run, value, name)
-    return Unknown(f"the field '{name}' of a message") if nested is None else nested
+    return Unknown(f"the field '{name}' of a message", never_none=True) if nested is None else nested
 
 
 __all__ = ["inherited", "interface_constant", "mixed_in", "of_object", "of_unknown", "of_value"]
