@@ -10,13 +10,20 @@ import re
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
+from typing import Final, Literal
 
 from archlint.finding import Severity
 from archlint.suggestions import distance, meant, nearest
 
-ON = "on"
-OFF = "off"
-CLOSED_WORLD = "closed-world"
+ON: Final = "on"
+OFF: Final = "off"
+CLOSED_WORLD: Final = "closed-world"
+
+Default = Literal["on", "off", "closed-world"]
+Safety = Literal["", "safe", "unsafe"]
+_DEFAULTS: Final[dict[str, Default]] = {ON: ON, OFF: OFF, CLOSED_WORLD: CLOSED_WORLD}
+_FIXES: Final[dict[str, Safety]] = {"none": "", "safe": "safe", "unsafe": "unsafe"}
+"""What the pages call a fix, and what it is."""
 
 _PAGE = re.compile(r"[A-Z]{3}\d{3}-[a-z0-9-]+\.md")
 _FRONT_MATTER = re.compile(r"---\r?\n(.*?)\r?\n---\r?\n", re.DOTALL)
@@ -38,8 +45,8 @@ class Rule:
     code: str
     name: str
     severity: Severity
-    default: str
-    fix: str
+    default: Default
+    fix: Safety
     since: str
     summary: str
     body: str
@@ -86,22 +93,22 @@ def parse_page(text: str, source: str) -> Rule:
         raise RuleBookError(f"{source}: a page starts with front matter between two lines of ---")
     fields = _fields(matter[1], source)
     try:
-        severity, default = Severity.parse(fields["severity"]), fields["default"]
-        rule = Rule(
+        severity = Severity.parse(fields["severity"])
+        default, fix = _DEFAULTS.get(fields["default"]), _FIXES.get(fields["fix"])
+        if default is None or fix is None:
+            raise RuleBookError(f"{source}: default is on, off or closed-world; fix is safe, unsafe or none")
+        return Rule(
             code=fields["code"],
             name=fields["name"],
             severity=severity,
             default=default,
-            fix="" if fields["fix"] == "none" else fields["fix"],
+            fix=fix,
             since=fields["since"],
             summary=fields["summary"],
             body=text[matter.end() :],
         )
     except KeyError as error:
         raise RuleBookError(f"{source}: {error.args[0]} is missing or not a known word") from None
-    if default not in (ON, OFF, CLOSED_WORLD) or rule.fix not in ("", "safe", "unsafe"):
-        raise RuleBookError(f"{source}: default is on, off or closed-world; fix is safe, unsafe or none")
-    return rule
 
 
 def _fields(matter: str, source: str) -> dict[str, str]:

@@ -6,7 +6,7 @@ import posixpath
 from collections.abc import Iterator, Mapping, Sequence
 from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, cast
+from typing import TYPE_CHECKING, Literal, cast
 
 from archlint.analysis.aside import is_not_installed
 from archlint.analysis.ignored import words_ignored_at
@@ -37,7 +37,7 @@ class Use:
 
     place: Place
     needed: str
-    how: str
+    how: Literal["imports", "starts a node of"]
     also: tuple[str, ...] = ()
 
 

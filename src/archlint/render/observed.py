@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     import networkx
 
     from archlint.finding import Place
+    from archlint.observed.model import Status
     from archlint.systems.model import System
 
 _PACKAGE = re.compile(r"^\w+/(msg|srv|action)/")
@@ -82,7 +83,7 @@ def _add_node(graph: networkx.MultiDiGraph, system: System, seen: SeenNode) -> N
 
 
 def _add_end(
-    graph: networkx.MultiDiGraph, key: Key, node: Node, seen: SeenEnd, status: str, place: Place, remark: str
+    graph: networkx.MultiDiGraph, key: Key, node: Node, seen: SeenEnd, status: Status, place: Place, remark: str
 ) -> None:
     blueprint = node.blueprint or Blueprint("", Text(node.name, "exact"), Text("/", "exact"), place, None)
     creation = Creation(seen.kind, "observed", blueprint, place, Text(seen.name, "exact"), seen.type, qos=seen.qos)

@@ -7,10 +7,17 @@ Sources: rmw ``qos_profiles.h``, rcl_action ``default_qos.h`` and rclpy ``qos.py
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final, Literal
 
 if TYPE_CHECKING:
     from archlint.finding import Place
+
+
+DurationPolicy = Literal["deadline", "liveliness_lease"]
+"""A policy of two durations that an offer and a request must agree on."""
+StrengthPolicy = Literal["reliability", "durability", "liveliness"]
+"""A policy of two strengths."""
+Level = Literal["error", "warning"]
 
 
 @dataclass(frozen=True)
@@ -92,8 +99,8 @@ class Verdict:
     Durations are in seconds, None where nothing is set.
     """
 
-    policy: str
-    level: str
+    policy: DurationPolicy | StrengthPolicy
+    level: Level
     offered: str | float | None
     requested: str | float | None
 
@@ -102,7 +109,7 @@ class Verdict:
 class _Rule:
     """A policy of two strengths: a weak offer does not serve a strong request."""
 
-    policy: str
+    policy: StrengthPolicy
     weak: str
     strong: str
 
@@ -114,7 +121,7 @@ _RULES = (
 )
 _UNDECIDED = ("system_default", "unknown")
 """What the middleware decides."""
-_DURATIONS = ("deadline", "liveliness_lease")
+_DURATIONS: Final[tuple[DurationPolicy, ...]] = ("deadline", "liveliness_lease")
 _TIMES = (*_DURATIONS, "lifespan")
 
 
@@ -145,7 +152,7 @@ def _policy_verdict(rule: _Rule, offered: Qos, requested: Qos) -> Verdict | None
     return Verdict(rule.policy, "warning", offer, request) if undecided else None
 
 
-def _duration_verdict(policy: str, offered: Qos, requested: Qos) -> Verdict | None:
+def _duration_verdict(policy: DurationPolicy, offered: Qos, requested: Qos) -> Verdict | None:
     if policy in offered.unknown_durations or policy in requested.unknown_durations:
         return None
     offer: float | None = getattr(offered, policy)

@@ -9,15 +9,21 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
+from typing import Final, Literal
 
 from archlint.ros import names
 from archlint.ros.names import InvalidName
 
-TOPIC = "topic"
-SERVICE = "service"
-ACTION = "action"
-NODE_NAME = "node_name"
-NAMESPACE = "namespace"
+TOPIC: Final = "topic"
+SERVICE: Final = "service"
+ACTION: Final = "action"
+NODE_NAME: Final = "node_name"
+NAMESPACE: Final = "namespace"
+
+NameKind = Literal["topic", "service", "action"]
+"""What a name is a name of."""
+RuleKind = Literal["topic", "service", "action", "node_name", "namespace"]
+"""What a rule applies to."""
 
 _TOKEN = r"(?!__)[A-Za-z_](?:[A-Za-z0-9]|_(?!_))*"
 _NAME = rf"(?:~/|/)?{_TOKEN}(?:/{_TOKEN})*"
@@ -25,7 +31,7 @@ _PREFIX = rf"(?:(?P<node>{_TOKEN}):(?!=))?"
 _NODE_RULE = re.compile(rf"{_PREFIX}(?:__node|__name):=(?P<replacement>{_TOKEN})")
 _NAMESPACE_RULE = re.compile(rf"{_PREFIX}__ns:=(?P<replacement>/(?:{_TOKEN}(?:/{_TOKEN})*/?)?)")
 _NAME_RULE = re.compile(rf"{_PREFIX}(?P<scheme>rostopic://|rosservice://)?(?P<match>{_NAME}):=(?P<replacement>{_NAME})")
-_KINDS = {
+_KINDS: Final[dict[str | None, frozenset[RuleKind]]] = {
     None: frozenset((TOPIC, SERVICE, ACTION)),
     "rostopic://": frozenset((TOPIC, ACTION)),
     "rosservice://": frozenset((SERVICE,)),
@@ -37,7 +43,7 @@ class RemapRule:
     """One rule, as after ``-r``, and what it applies to; ``__node`` and ``__ns`` rules have no ``match``."""
 
     text: str
-    kinds: frozenset[str]
+    kinds: frozenset[RuleKind]
     match: str
     replacement: str
     node: str | None = None
@@ -54,7 +60,7 @@ class RemapRule:
             return cls(text, _KINDS[match["scheme"]], match["match"], match["replacement"], match["node"])
         raise ValueError(_refusal(text))
 
-    def applies(self, kind: str, node_name: str | None) -> bool:
+    def applies(self, kind: RuleKind, node_name: str | None) -> bool:
         return kind in self.kinds and self.node in (None, node_name)
 
     def in_distro(self, distro: str | None) -> RemapRule:
@@ -87,7 +93,9 @@ class Resolved:
     rule: RemapRule | None = None
 
 
-def first_match(name: str, kind: str, node_name: str, namespace: str, rules: Iterable[RemapRule]) -> RemapRule | None:
+def first_match(
+    name: str, kind: NameKind, node_name: str, namespace: str, rules: Iterable[RemapRule]
+) -> RemapRule | None:
     """The first rule that matches the fully qualified ``name``."""
     for rule in rules:
         if rule.applies(kind, node_name) and names.expand(rule.match, node_name, namespace) == name:
@@ -97,7 +105,7 @@ def first_match(name: str, kind: str, node_name: str, namespace: str, rules: Ite
 
 def resolve(
     name: str,
-    kind: str,
+    kind: NameKind,
     node: tuple[str, str],
     local_rules: Sequence[RemapRule] = (),
     global_rules: Sequence[RemapRule] = (),

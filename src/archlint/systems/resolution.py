@@ -102,7 +102,7 @@ def node_init(
     return NodeName(new_name, _absolute(new_namespace))
 
 
-def _replacement(kind: str, name: Text, rules: Sequence[RemapRule]) -> Text | None:
+def _replacement(kind: remapping.RuleKind, name: Text, rules: Sequence[RemapRule]) -> Text | None:
     return next((Text(rule.replacement, "exact") for rule in rules if rule.applies(kind, name.text)), None)
 
 
@@ -129,7 +129,7 @@ def _exact(name: str, weakest: Text, kind: EntityKind, own: NodeName, rules: Seq
     return FinalName(shown, error, weakest.resolution, weakest.parameter)
 
 
-def _rule_kind(kind: EntityKind) -> str:
+def _rule_kind(kind: EntityKind) -> remapping.NameKind:
     """Which rules apply to a kind of endpoint."""
     if kind in (EntityKind.ACTION_SERVER, EntityKind.ACTION_CLIENT):
         return remapping.ACTION
