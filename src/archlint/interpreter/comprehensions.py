@@ -66,6 +66,13 @@ def comprehension(machine: Machine, e: facts.Comprehension) -> Value:
         walk(0)
     finally:
         activation.scope = kept
+    return _collected(machine, e, rows, open_, exhaustive)
+
+
+def _collected(
+    machine: Machine, e: facts.Comprehension, rows: Sequence[tuple[Value, Value]], open_: bool, exhaustive: bool
+) -> Value:
+    """The collection of what a comprehension gave: keys with values, or elements."""
     if e.kind == "dict":
         entries: dict[Hashable, tuple[Value, Value]] = {}
         for key, value in rows:
