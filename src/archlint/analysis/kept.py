@@ -26,14 +26,19 @@ _Owner = TypeVar("_Owner", bound=Keeps)
 _Result = TypeVar("_Result")
 
 
+def kept(owner: Keeps, key: object, work: Callable[[], _Result]) -> _Result:
+    """What is kept under a key, which says which analysis and of what; ``work`` is done where nothing is yet."""
+    if key not in owner.kept:
+        owner.kept[key] = work()
+    return cast("_Result", owner.kept[key])
+
+
 def once(analysis: Callable[[_Owner], _Result]) -> Callable[[_Owner], _Result]:
     """Keep what an analysis finds, for as long as what it is of lives."""
 
     @wraps(analysis)
     def of(owner: _Owner) -> _Result:
-        if analysis not in owner.kept:
-            owner.kept[analysis] = analysis(owner)
-        return cast("_Result", owner.kept[analysis])
+        return kept(owner, analysis, lambda: analysis(owner))
 
     return of
 
@@ -44,11 +49,6 @@ def once_for_each_file(analysis: Callable[[facts.Facts], _Result]) -> Callable[[
     @wraps(analysis)
     def of(workspace: HasFiles, file: str) -> _Result | None:
         file_facts = workspace.facts_at(file)
-        if file_facts is None:
-            return None
-        key = (analysis, file)
-        if key not in workspace.kept:
-            workspace.kept[key] = analysis(file_facts)
-        return cast("_Result", workspace.kept[key])
+        return None if file_facts is None else kept(workspace, (analysis, file), lambda: analysis(file_facts))
 
     return of

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections import Counter
 from itertools import chain
-from typing import TYPE_CHECKING, cast
+from typing import TYPE_CHECKING
 
+from archlint.analysis.kept import kept
 from archlint.analysis.source_code import code_of
 from archlint.analysis.surrounding_code import tree_of
 from archlint.model import (
@@ -33,10 +34,10 @@ def is_left_over(workspace: WorkspaceIndex | None, endpoint: Endpoint) -> bool:
     if workspace is None or endpoint.kind != EntityKind.PUBLISHER:
         return False
     code, file, package = workspace.code, endpoint.place.file, endpoint.node.package
-    kept = _kept_as(workspace, endpoint.place)
-    if kept is None or package is None:
+    attribute = _kept_as(workspace, endpoint.place)
+    if attribute is None or package is None:
         return False
-    name, methods = kept
+    name, methods = attribute
     others = [other for other in code.files_of(package) if other != file]
     if any(code.mentions(other, method) for other in others for method in methods):
         return False
@@ -168,9 +169,4 @@ def _attributes(method: facts.Function) -> dict[str, int]:
 
 def _uses(workspace: WorkspaceIndex, file: str) -> _Uses | None:
     tree = tree_of(workspace, file)
-    if tree is None:
-        return None
-    key = (_Uses, file)
-    if key not in workspace.kept:
-        workspace.kept[key] = _Uses(tree)
-    return cast("_Uses", workspace.kept[key])
+    return None if tree is None else kept(workspace, (_Uses, file), lambda: _Uses(tree))

@@ -6,18 +6,18 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from archlint.analysis import blocking
-from archlint.analysis.callback_roles import callback_words, related_to
+from archlint.analysis.callback_roles import callback_words
 from archlint.analysis.deadlock import Verdict, group_relation, threads_of
 from archlint.analysis.early_results import EarlyResult, early_results
 from archlint.analysis.event_waits import EventWait, event_waits
 from archlint.analysis.reach import (
     endpoint_words,
-    node_name,
     one_for_each_place,
 )
 from archlint.analysis.stuck import is_spin, stuck_waits
 from archlint.analysis.waits import Wait
-from archlint.checks.registry import Options, finding, rule
+from archlint.checks.callback_findings import finding_in_callback
+from archlint.checks.registry import Options, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding
 from archlint.model import EntityKind, Role
@@ -92,42 +92,42 @@ def _stuck(code: str, system: System, wait: Wait, verdict: Verdict, options: Opt
     several = threads_of(callback.node, wait.program) == blocking.SEVERAL
     one_group = group_relation(callback.group, wait.client.group) == blocking.SAME
     help_ = _GROUP_HELP if (wait.kind == blocking.AWAIT or several) and one_group else when_done(callback, wait.client)
-    return finding(
+    return finding_in_callback(
         code,
-        call.place,
+        system,
+        wait.program,
+        call,
         f"{callback_words(callback)} waits for {endpoint_words(wait.client)} and {verdict.words}: {verdict.why}",
         help=help_,
-        related=tuple(related_to(call, wait.program, wait.client)),
-        node=node_name(system, callback.node),
-        identity=(callback.name, wait.client.name.text or "", call.api),
+        client=wait.client,
+        identity=(wait.client.name.text or "", call.api),
     )
 
 
 def _no_answer_yet(system: System, early: EarlyResult) -> Finding:
-    call, callback = early.call, early.call.context
-    return finding(
+    return finding_in_callback(
         "EXE002",
-        call.place,
-        f"{callback_words(callback)} reads result() right after call_async(): {endpoint_words(early.client)} has "
-        "not responded yet, so it is None",
+        system,
+        early.program,
+        early.call,
+        f"{callback_words(early.call.context)} reads result() right after call_async(): "
+        f"{endpoint_words(early.client)} has not responded yet, so it is None",
         help="future.add_done_callback(...) and read the result there",
-        related=tuple(related_to(call, early.program, early.client)),
-        node=node_name(system, callback.node),
-        identity=(callback.name, early.client.name.text or "", "result"),
+        client=early.client,
+        identity=(early.client.name.text or "", "result"),
     )
 
 
 def _deaf(system: System, wait: EventWait) -> Finding:
-    call, callback = wait.call, wait.call.context
     end = blocking.Outcome.TIMES_OUT if wait.limited else blocking.Outcome.HANGS
-    return finding(
+    return finding_in_callback(
         "EXE002",
-        call.place,
-        f"{callback_words(callback)} waits for an event that {wait.setter.name} sets, and {end}: {wait.why}",
+        system,
+        wait.program,
+        wait.call,
+        f"{callback_words(wait.call.context)} waits for an event that {wait.setter.name} sets, and {end}: {wait.why}",
         help=_to_hear(wait),
-        related=tuple(related_to(call, wait.program)),
-        node=node_name(system, callback.node),
-        identity=(callback.name, wait.setter.name, "event"),
+        identity=(wait.setter.name, "event"),
     )
 
 

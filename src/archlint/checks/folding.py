@@ -37,13 +37,28 @@ def all_sites(findings: Sequence[Finding]) -> Sites | None:
     return sum(sites, Sites()) if sites else None
 
 
+def with_others(findings: Sequence[Finding], another: str, more: str, rest: str, beside: str = "") -> Finding:
+    """The first of several findings, which stands for all: its message says how many others there are, and where these
+    are is related.
+
+    ``another`` and ``more`` are subject and verb for one other finding and for several, "another call is" and "more
+    calls are"; ``rest`` ends the sentence.  ``beside`` is said at the place of each other, by default its own message.
+    """
+    first, others = with_places(findings, beside), len(findings) - 1
+    subject = another if others == 1 else f"{others} {more}"
+    return replace(first, message=f"{first.message}; {subject} {rest}", sites=all_sites(findings))
+
+
+def with_places(findings: Sequence[Finding], beside: str = "") -> Finding:
+    """The first of several findings, with the places of the others related; ``beside`` is said at each of these, by
+    default its own message."""
+    first, *others = findings
+    return replace(
+        first, related=(*first.related, *(Related(other.place, beside or other.message) for other in others))
+    )
+
+
 def of_one_function(findings: Sequence[Finding], noun: str, beside: str) -> Finding:
     """The first finding of a function for all that do the same in it; ``beside`` is said at the others."""
-    first, *others = findings
-    nouns, do = (f"another {noun}", "does") if len(others) == 1 else (f"{len(others)} more {noun}s", "do")
-    return replace(
-        first,
-        message=f"{first.message}; {nouns} in {first.group[1]}() {do} the same",
-        related=(*first.related, *(Related(other.place, beside) for other in others)),
-        sites=all_sites(findings),
-    )
+    inside = f"in {findings[0].group[1]}()"
+    return with_others(findings, f"another {noun} {inside} does", f"more {noun}s {inside} do", "the same", beside)

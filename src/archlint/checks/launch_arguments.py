@@ -9,7 +9,7 @@ from itertools import groupby
 from typing import TYPE_CHECKING
 
 from archlint.analysis.launch_code import may_read_argument
-from archlint.checks.folding import folds
+from archlint.checks.folding import folds, with_places
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related, Severity
@@ -247,8 +247,7 @@ _PASSED_TO_ALL = frozenset({"use_sim_time"})
 @folds("LCH003", across_systems=True)
 def _of_one_file(findings: Sequence[Finding]) -> Finding:
     """One finding for an included file that does not take an argument, however many others hand it over."""
-    first, *others = findings
-    return replace(first, related=(*first.related, *(Related(other.place, "it is set here, too") for other in others)))
+    return with_places(findings, "it is set here, too")
 
 
 def _is_known(target: Launched) -> bool:

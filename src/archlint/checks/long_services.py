@@ -9,7 +9,6 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from archlint.analysis.actions_beside import action_beside
-from archlint.analysis.callback_roles import related_to
 from archlint.analysis.conditions import conditions
 from archlint.analysis.loop_times import (
     around_future,
@@ -19,11 +18,12 @@ from archlint.analysis.loop_times import (
     varies_by_iteration,
     watches_the_clock,
 )
-from archlint.analysis.reach import endpoint_words, judged_calls, node_name, one_for_each_place
+from archlint.analysis.reach import endpoint_words, judged_calls, one_for_each_place
 from archlint.analysis.requested_times import lasts_as_requested
 from archlint.analysis.sleeps import Stay, stay_of
 from archlint.analysis.source_code import SourceCode, source_code
-from archlint.checks.registry import Options, finding, rule
+from archlint.checks.callback_findings import finding_in_callback
+from archlint.checks.registry import Options, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related, Severity
 from archlint.model import Role
@@ -107,14 +107,15 @@ def _long_service(system: System, program: Program, sleeps: Sequence[_Sleep]) ->
     action = _action_beside(callback)
     if action is not None and (asked or soon):
         return None
-    diagnostic = finding(
+    diagnostic = finding_in_callback(
         "SRV008",
-        call.place,
+        system,
+        program,
+        call,
         f"the handler of {endpoint_words(callback.creation)} {_how_long(source_code(system), sleeps, total, asked)}",
         help=_IF_TOO_LONG if soon else _AN_ACTION if action is None else _THAT_ACTION.format(endpoint_words(action)),
-        related=(*related_to(call, program), *further.values()),
-        node=node_name(system, callback.node),
-        identity=(callback.name, call.api),
+        further=further.values(),
+        identity=(call.api,),
     )
     return replace(diagnostic, severity=Severity.INFO) if asked or soon else diagnostic
 

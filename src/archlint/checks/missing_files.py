@@ -5,13 +5,12 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.generated_files import is_generated
 from archlint.analysis.launch_code import writes_files
 from archlint.analysis.missing_files import names_beside
-from archlint.checks.folding import folds
+from archlint.checks.folding import folds, with_places
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
@@ -69,9 +68,7 @@ def missing_launch_file(system: System, options: Options) -> Iterator[Finding]:
 @folds("LCH004", across_systems=True)
 def _of_one_file(several: Sequence[Finding]) -> Finding:
     """One finding for a file that is not there, however many launch files name it."""
-    first, *others = several
-    places = (Related(other.place, "it is named here, too") for other in others)
-    return replace(first, related=(*first.related, *places))
+    return with_places(several, "it is named here, too")
 
 
 def _in_package(system: System, reference: FileReference, shown: str) -> str:

@@ -7,23 +7,23 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis import blocking
-from archlint.analysis.callback_roles import callback_words, related_to, runs_in_executor
+from archlint.analysis.callback_roles import callback_words, runs_in_executor
 from archlint.analysis.deadlock import judge_spin, threads_of
 from archlint.analysis.reach import (
     argument,
     creations_of,
     has_limit,
     judged_calls,
-    node_name,
     one_for_each_place,
 )
 from archlint.analysis.spins import is_left_to, is_spin_call, spun_node
 from archlint.analysis.stuck import nested_spins
+from archlint.checks.callback_findings import finding_in_callback
 from archlint.checks.callback_waits import when_done
-from archlint.checks.folding import folds
-from archlint.checks.registry import Options, finding, rule
+from archlint.checks.folding import folds, with_places
+from archlint.checks.registry import Options, rule
 from archlint.checks.scope import Scope
-from archlint.finding import Finding, Related, Severity
+from archlint.finding import Finding, Severity
 from archlint.model import Role
 
 if TYPE_CHECKING:
@@ -55,14 +55,15 @@ def _nested_spin(system: System, program: Program, call: ApiCall, options: Optio
     if verdict.unknown:
         return
     function = call.api.rpartition(".")[2]
-    diagnostic = finding(
+    diagnostic = finding_in_callback(
         "EXE001",
-        call.place,
+        system,
+        program,
+        call,
         f"{callback_words(call.context)} calls {function}(), and {verdict.why}: this {verdict.words}",
         help=_instead_of_spinning(program, call, spun, client),
-        related=tuple(related_to(call, program, client)),
-        node=node_name(system, call.context.node),
-        identity=(call.context.name, function),
+        client=client,
+        identity=(function,),
         group=(call.context.place.file, str(call.context.place.line), call.context.name),
     )
     yield replace(diagnostic, severity=Severity.WARNING) if verdict.safe else diagnostic
@@ -90,5 +91,4 @@ _EVENT = "wait for a threading.Event with a timeout; put the callback that sets 
 @folds("EXE001")
 def _of_one_callback(findings: Sequence[Finding]) -> Finding:
     """The finding for all spins of one callback: it must do without any."""
-    first, *others = findings
-    return replace(first, related=(*first.related, *(Related(other.place, "it spins here, too") for other in others)))
+    return with_places(findings, "it spins here, too")

@@ -6,11 +6,12 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from archlint.analysis import blocking
-from archlint.analysis.callback_roles import callback_words, related_to, runs_in_executor
+from archlint.analysis.callback_roles import callback_words, runs_in_executor
 from archlint.analysis.deadlock import threads_of
 from archlint.analysis.piling_rates import RATE_SLEEP
-from archlint.analysis.reach import calls_of, node_name, one_for_each_place
-from archlint.checks.registry import Options, finding, rule
+from archlint.analysis.reach import calls_of, one_for_each_place
+from archlint.checks.callback_findings import finding_in_callback
+from archlint.checks.registry import Options, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding
 
@@ -23,15 +24,15 @@ if TYPE_CHECKING:
 def rate_sleep_in_callback(system: System, options: Options) -> Iterator[Finding]:
     """Rates that sleep on the only thread that could wake them."""
     yield from one_for_each_place(
-        finding(
+        finding_in_callback(
             "EXE004",
-            call.place,
+            system,
+            program,
+            call,
             f"{callback_words(call.context)} calls Rate.sleep() and {verdict.words}: the timer that wakes it needs "
             f"the thread that is sleeping{_unless_it_ran(call)}",
             help="do the work step by step in a timer callback, or spin the node with a MultiThreadedExecutor",
-            related=tuple(related_to(call, program)),
-            node=node_name(system, call.context.node),
-            identity=(call.context.name, "Rate.sleep"),
+            identity=("Rate.sleep",),
         )
         for program, call in calls_of(system, (RATE_SLEEP,))
         if runs_in_executor(call.context)

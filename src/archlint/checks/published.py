@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.reach import creations_of, is_given_a_literal
 from archlint.analysis.source_code import SourceCode, source_code
-from archlint.checks.folding import folds
+from archlint.checks.folding import folds, with_others
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related
@@ -106,13 +105,7 @@ def _finding(call: ApiCall, creation: Creation, argument: str, section_name: str
 @folds("TOP005")
 def _of_one_endpoint(findings: Sequence[Finding]) -> Finding:
     """The finding for all calls on one endpoint that pass the wrong type, from before it was ported say."""
-    first, *others = findings
-    more = "another call is" if len(others) == 1 else f"{len(others)} more calls are"
-    return replace(
-        first,
-        message=f"{first.message}; {more} wrong in the same way on the same endpoint",
-        related=(*first.related, *(Related(other.place, other.message) for other in others)),
-    )
+    return with_others(findings, "another call is", "more calls are", "wrong in the same way on the same endpoint")
 
 
 def _words(type_: str, section_name: str) -> str:

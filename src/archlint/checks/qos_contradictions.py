@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.checks.folding import folds
+from archlint.checks.folding import folds, with_others
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
@@ -50,13 +49,8 @@ def _class_of(end: Endpoint) -> str:
 @folds("QOS004")
 def _of_one_class(findings: Sequence[Finding]) -> Finding:
     """The finding for all profiles of a node class that are wrong in the same way: one habit."""
-    first, *others = findings
-    more = "another profile does" if len(others) == 1 else f"{len(others)} more profiles do"
-    return replace(
-        first,
-        message=f"{first.message}; {more} the same in {first.group[1]}",
-        related=(*first.related, *(Related(other.place, "the same again") for other in others)),
-    )
+    same = f"the same in {findings[0].group[1]}"
+    return with_others(findings, "another profile does", "more profiles do", same, "the same again")
 
 
 def _profiles(end: Endpoint) -> list[Qos]:

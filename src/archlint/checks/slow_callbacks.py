@@ -9,19 +9,20 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis import blocking
 from archlint.analysis.aside import is_not_installed
-from archlint.analysis.callback_roles import callback_words, related_to, runs_in_executor
+from archlint.analysis.callback_roles import callback_words, runs_in_executor
 from archlint.analysis.deadlock import threads_of
 from archlint.analysis.loop_times import around_future, in_loops
 from archlint.analysis.own_timers import ends_its_timer_before
 from archlint.analysis.present_servers import is_there
 from archlint.analysis.processes import ends_the_machine, ends_with_the_node, is_signalled_to_end
-from archlint.analysis.reach import argument, creations_of, judged_calls, node_name, one_for_each_place
+from archlint.analysis.reach import argument, creations_of, judged_calls, one_for_each_place
 from archlint.analysis.sleeps import Stay, stay_of
 from archlint.analysis.source_code import SourceCode, source_code
 from archlint.analysis.states import leaves_its_state
 from archlint.analysis.stuck import clients_of_handlers, functions_that_ask
+from archlint.checks.callback_findings import finding_in_callback
 from archlint.checks.folding import folds
-from archlint.checks.registry import Options, finding, rule
+from archlint.checks.registry import Options, rule
 from archlint.checks.scope import Scope
 from archlint.checks.wait_words import MAKE_IT_EARLIER, made_here
 from archlint.finding import Finding, Place, Related, Severity
@@ -270,17 +271,15 @@ def _slow(system: System, rows: Sequence[_Row], only_network: bool) -> Finding:
         meanwhile = f"the node has no other callback, but its next {_ITS_NEXT[callback.role]} has to wait"
     elif _OTHERS not in waiting:
         meanwhile = "everything else on its thread has to wait"
-    diagnostic = finding(
+    diagnostic = finding_in_callback(
         "EXE003",
-        call.place,
+        system,
+        program,
+        call,
         f"{callback_words(callback)} {stay.words}{end}: {meanwhile}",
         help=_instead(program, call, stay),
-        related=(
-            *related_to(call, program),
-            *(Related(other.place, f"here it {words.words}", again=True) for _, other, words in others),
-        ),
-        node=node_name(system, callback.node),
-        identity=(callback.name, call.api),
+        further=(Related(other.place, f"here it {words.words}", again=True) for _, other, words in others),
+        identity=(call.api,),
         group=_cause(callback, only_network),
     )
     return replace(diagnostic, severity=Severity.INFO) if mild else diagnostic

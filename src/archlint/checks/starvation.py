@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from archlint.analysis.callback_roles import callback_words, related_to
+from archlint.analysis.callback_roles import callback_words
 from archlint.analysis.crowded_executors import crowds
 from archlint.analysis.paces import Pace, pace_of
 from archlint.analysis.piling_events import PilingEvent, piling_events
@@ -17,6 +17,7 @@ from archlint.analysis.reach import (
     one_for_each_place,
 )
 from archlint.analysis.waits import Wait
+from archlint.checks.callback_findings import finding_in_callback
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
@@ -43,47 +44,51 @@ def _pile(system: System, wait: Wait) -> Finding:
     assert pace is not None
     all_ = f"all {threads} threads wait" if threads is not None else "all threads wait"
     end = "every wait then times out" if wait.limited else "it then deadlocks"
-    return finding(
+    return finding_in_callback(
         "EXE014",
-        call.place,
+        system,
+        wait.program,
+        call,
         f"{callback_words(callback)} starts again every {pace.period:g} s while it still waits for "
         f"{endpoint_words(wait.client)}: if responses are late, {all_}, and no thread is left to process one: "
         f"{end}",
         help="send the request with call_async() and continue in a done callback, which blocks no thread",
-        related=(*related_to(call, wait.program, wait.client), *_sent(pace)),
-        node=node_name(system, callback.node),
-        identity=(callback.name, wait.client.name.text or "", call.api),
+        client=wait.client,
+        further=_sent(pace),
+        identity=(wait.client.name.text or "", call.api),
     )
 
 
 def _pile_of_events(system: System, wait: PilingEvent) -> Finding:
-    call, callback, setter = wait.call, wait.call.context, wait.setter
+    callback, setter = wait.call.context, wait.setter
     all_ = f"all {wait.threads} threads wait" if wait.threads is not None else "all threads wait"
     end = "every wait then times out" if wait.limited else "it then deadlocks"
-    return finding(
+    return finding_in_callback(
         "EXE014",
-        call.place,
+        system,
+        wait.program,
+        wait.call,
         f"{callback_words(callback)} starts again every {wait.pace.period:g} s while it still waits for an event that "
         f"{setter.name} sets: if the event is late, {all_}, and no thread is left to run {setter.name}: {end}",
         help=f"give {callback.name} its own MutuallyExclusiveCallbackGroup(): it then takes one thread at most",
-        related=(*related_to(call, wait.program), *_sent(wait.pace)),
-        node=node_name(system, callback.node),
-        identity=(callback.name, setter.name, "event"),
+        further=_sent(wait.pace),
+        identity=(setter.name, "event"),
     )
 
 
 def _pile_of_sleeps(system: System, wait: PilingSleep) -> Finding:
-    call, callback = wait.call, wait.call.context
-    return finding(
+    callback = wait.call.context
+    return finding_in_callback(
         "EXE014",
-        call.place,
+        system,
+        wait.program,
+        wait.call,
         f"{callback_words(callback)} starts again every {wait.pace.period:g} s while it still sleeps for up to "
         f"{wait.longest:g} s in Rate.sleep(): all {wait.threads} threads sleep, and no thread is left to run the "
         f"timer that wakes them: it then deadlocks",
         help=f"give {callback.name} its own MutuallyExclusiveCallbackGroup(): it then takes one thread at most",
-        related=(*related_to(call, wait.program), *_sent(wait.pace)),
-        node=node_name(system, callback.node),
-        identity=(callback.name, "Rate.sleep"),
+        further=_sent(wait.pace),
+        identity=("Rate.sleep",),
     )
 
 

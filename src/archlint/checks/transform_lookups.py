@@ -3,19 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis import blocking
-from archlint.analysis.callback_roles import callback_words, related_to, runs_in_executor
+from archlint.analysis.callback_roles import callback_words, runs_in_executor
 from archlint.analysis.deadlock import threads_of
-from archlint.analysis.reach import argument, calls_of, node_name, one_for_each_place
+from archlint.analysis.reach import argument, calls_of, one_for_each_place
 from archlint.analysis.sleeps import longest
 from archlint.analysis.spins import spun_node
-from archlint.checks.folding import folds
-from archlint.checks.registry import Options, finding, rule
+from archlint.checks.callback_findings import finding_in_callback
+from archlint.checks.folding import folds, with_places
+from archlint.checks.registry import Options, rule
 from archlint.checks.scope import Scope
-from archlint.finding import Finding, Related
+from archlint.finding import Finding
 from archlint.model.given import Constant
 
 if TYPE_CHECKING:
@@ -32,18 +32,18 @@ def blocking_tf_lookup(system: System, options: Options) -> Iterator[Finding]:
         (program, spun_node(call, program)) for program, call in calls_of(system, (_LISTENER,)) if _spins_itself(call)
     ]
     yield from one_for_each_place(
-        finding(
+        finding_in_callback(
             "EXE007",
-            call.place,
+            system,
+            program,
+            call,
             f"{callback_words(call.context)} waits{_limit_words(call)} for a transform that cannot arrive: the "
             f"listener needs the thread that is waiting{_in_spite_of(threaded, program)}",
             help=(
                 "look up the transform without a timeout and try again next time, or spin the node with a "
                 "MultiThreadedExecutor"
             ),
-            related=tuple(related_to(call, program)),
-            node=node_name(system, call.context.node),
-            identity=(call.context.name, call.api),
+            identity=(call.api,),
             group=(call.file, call.function, call.context.name),
         )
         for program, call in calls_of(system, _LOOKUPS)
@@ -65,9 +65,7 @@ def _in_spite_of(threaded: Sequence[tuple[Program, Blueprint | None]], program: 
 @folds("EXE007")
 def _of_one_function(findings: Sequence[Finding]) -> Finding:
     """The finding for all lookups of a function: whether a transform is there, and then what it is."""
-    first, *others = findings
-    more = tuple(Related(other.place, "it looks up a transform here, too") for other in others)
-    return replace(first, related=(*first.related, *more))
+    return with_places(findings, "it looks up a transform here, too")
 
 
 def _waits(call: ApiCall) -> bool:

@@ -6,11 +6,12 @@ import posixpath
 from collections.abc import Iterator, Mapping, Sequence
 from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Literal, cast
+from typing import TYPE_CHECKING, Literal
 
 from archlint.analysis.aside import is_not_installed
 from archlint.analysis.ignored import words_ignored_at
 from archlint.analysis.imports import imports_at_start
+from archlint.analysis.kept import kept
 from archlint.analysis.manifests import package_around
 from archlint.checks.packages import workspace_of
 from archlint.checks.registry import Options, finding, rule
@@ -75,9 +76,7 @@ def _is_hidden(workspace: WorkspaceIndex, use: Use) -> bool:
 def uses_by_package(workspace: WorkspaceIndex, options: Options) -> dict[str, list[Use]]:
     """What each package (by its folder) uses and does not declare, in the order of the files."""
     key = (uses_by_package, options.external, options.ignored_in)
-    if key not in workspace.kept:
-        workspace.kept[key] = _uses_by_package(workspace, options)
-    return cast("dict[str, list[Use]]", workspace.kept[key])
+    return kept(workspace, key, lambda: _uses_by_package(workspace, options))
 
 
 def _uses_by_package(workspace: WorkspaceIndex, options: Options) -> dict[str, list[Use]]:

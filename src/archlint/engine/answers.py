@@ -19,7 +19,7 @@ from archlint.syntax.signed import CACHE_FOLDER, read_signed, version_folder
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:  # typing takes as long to import as all that is done here
-    from collections.abc import Iterable, Iterator, Sequence
+    from collections.abc import Callable, Iterable, Iterator, Sequence
 
 ANSWERED = ("check", "graph")
 """Those whose answers are kept."""
@@ -138,27 +138,30 @@ def roots(words: Sequence[str], paths: Iterable[str] | None = None) -> Iterator[
 
 def stamps_of(paths: Iterable[str]) -> str:
     """What changes with the content of files, and with the names in folders; a line each."""
-    rows = []
-    for path in paths:
-        try:
-            status = os.stat(path)
-        except OSError as error:
-            rows.append(f"-{error.errno}")
-        else:
-            rows.append(f"{status.st_mtime_ns} {status.st_ctime_ns} {status.st_size} {status.st_ino}")
-    return "\n".join(rows)
+    return _rows(
+        paths,
+        lambda status: f"{status.st_mtime_ns} {status.st_ctime_ns} {status.st_size} {status.st_ino}",
+        lambda path: "",
+    )
 
 
 def kinds_of(paths: Iterable[str]) -> str:
     """Whether something is at some paths, and what; a line each."""
+    return _rows(
+        paths,
+        lambda status: f"{stat.S_IFMT(status.st_mode)} {status.st_ino}",
+        lambda path: "@" * os.path.islink(path),
+    )
+
+
+def _rows(paths: Iterable[str], there: Callable[[os.stat_result], str], missing: Callable[[str], str]) -> str:
+    """A line for each path: what is said of something that is there, or why not, and what is said of a path then."""
     rows = []
     for path in paths:
         try:
-            status = os.stat(path)
+            rows.append(there(os.stat(path)))
         except OSError as error:
-            rows.append(f"-{error.errno}{'@' * os.path.islink(path)}")
-        else:
-            rows.append(f"{stat.S_IFMT(status.st_mode)} {status.st_ino}")
+            rows.append(f"-{error.errno}{missing(path)}")
     return "\n".join(rows)
 
 
