@@ -14,7 +14,7 @@ from archlint.config.filters import Filters
 from archlint.config.options import options_for
 from archlint.engine import suppressions, uninstalled
 from archlint.engine.half_ported import as_information, half_ported, with_reason
-from archlint.engine.inputs import is_input, is_of_package, known_files, parts_of, python_files
+from archlint.engine.inputs import Inputs, is_input, is_of_package, known_files, parts_of, python_files
 from archlint.engine.judging import judge_alternatives
 from archlint.engine.loading import as_asked_for, systems_of
 from archlint.engine.looked_at import followed_in_part, for_ros1, without_start
@@ -32,28 +32,24 @@ if TYPE_CHECKING:
     from archlint.config.settings import Settings
     from archlint.finding import Finding
     from archlint.launch.files import LaunchFiles
-    from archlint.syntax.cache import NullStore, Store
     from archlint.syntax.files import FactsOfFiles
     from archlint.systems.model import System
     from archlint.workspace.model import SourceFile, Workspace
-    from archlint.workspace.tree import SourceTree
 
 
-def judged_in_parts(
-    request: Request, workspace: Workspace, facts: FactsOfFiles, tree: SourceTree, store: Store | NullStore
-) -> Judged:
+def judged_in_parts(inputs: Inputs, facts: FactsOfFiles) -> Judged:
     """What is found in each of the workspaces that stand side by side."""
     judged: list[Judged] = []
     refused: NothingToDo | None = None
-    for part in parts_of(request, workspace):
+    for part in parts_of(inputs.request, inputs.workspace):
         try:
-            judged.append(_judged(request, part, facts, tree, store))
+            judged.append(_judged(replace(inputs, workspace=part), facts))
         except NothingToDo as error:
             refused = refused or error
     if not judged:
         assert refused is not None
         raise refused
-    return judged[0] if len(judged) == 1 else _joined(judged, workspace)
+    return judged[0] if len(judged) == 1 else _joined(judged, inputs.workspace)
 
 
 def _joined(judged: Sequence[Judged], workspace: Workspace) -> Judged:
@@ -70,11 +66,10 @@ def _joined(judged: Sequence[Judged], workspace: Workspace) -> Judged:
     return Judged(findings, summary, list(dict.fromkeys(notice for part in judged for notice in part.notices)))
 
 
-def _judged(
-    request: Request, workspace: Workspace, facts: FactsOfFiles, tree: SourceTree, store: Store | NullStore
-) -> Judged:
+def _judged(inputs: Inputs, facts: FactsOfFiles) -> Judged:
+    request, workspace = inputs.request, inputs.workspace
     known = known_files(request, workspace, facts)
-    systems = systems_of(request, workspace, facts, tree, store)
+    systems = systems_of(inputs, facts)
     index = systems[0].workspace or WorkspaceIndex()
     faults, launch_files = index.faults, index.launch_files
     imported = [f for f in python_files(workspace) if f not in known and facts.was_read(f) and not facts.is_ros1(f)]
@@ -102,7 +97,7 @@ def _judged(
         elapsed_s=0.0,
     )
     refused = [suppressions.refusal(file, suppression) for file, suppression in outcome.refused]
-    notices = [*_passed_over(request, workspace, facts, launch_files)]
+    notices = [*_passed_over(inputs, facts, launch_files)]
     if request.launch is not None:
         notices.extend(argument_notices(systems[0]))
     notices.extend(comparison_notices(systems[0].compared))
@@ -112,15 +107,14 @@ def _judged(
     return Judged(findings, summary, [*refused, *notices, *_idle(request.settings, systems)], remarks)
 
 
-def _passed_over(
-    request: Request, workspace: Workspace, facts: FactsOfFiles, launch_files: LaunchFiles
-) -> Iterator[str]:
+def _passed_over(inputs: Inputs, facts: FactsOfFiles, launch_files: LaunchFiles) -> Iterator[str]:
     """What is reported of files for ROS 1; raises :class:`NothingToDo` where there are no others."""
+    workspace = inputs.workspace
     python = [file.relative for file in python_files(workspace) if not file.context and facts.is_ros1(file)]
     launch = launch_files.of_ros1()
-    inputs = {file.relative for file in workspace.files if is_input(file)}
-    if inputs and inputs <= {*python, *launch}:
-        raise NothingToDo(f"nothing to check in {', '.join(request.paths)}: all of it is for ROS 1")
+    given = {file.relative for file in workspace.files if is_input(file)}
+    if given and given <= {*python, *launch}:
+        raise NothingToDo(f"nothing to check in {', '.join(inputs.request.paths)}: all of it is for ROS 1")
     yield from for_ros1(python, launch)
 
 

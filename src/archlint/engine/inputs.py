@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -12,8 +13,20 @@ from archlint.workspace.model import CODE_KINDS, LAUNCH_TEXT_KINDS, PYTHON_KINDS
 from archlint.workspace.parts import parts
 
 if TYPE_CHECKING:
+    from archlint.syntax.cache import NullStore, Store
     from archlint.syntax.files import FactsOfFiles
     from archlint.workspace.model import SourceFile, Workspace
+    from archlint.workspace.tree import SourceTree
+
+
+@dataclass(frozen=True)
+class Inputs:
+    """What a run works on: a request, the workspace that it is about, its folders, and where results are kept."""
+
+    request: Request
+    workspace: Workspace
+    tree: SourceTree
+    store: Store | NullStore
 
 
 _INPUTS: tuple[SourceKind, ...] = (*CODE_KINDS, *LAUNCH_TEXT_KINDS)

@@ -9,7 +9,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.config.options import options_for
-from archlint.engine.inputs import is_subset
+from archlint.engine.inputs import Inputs, is_subset
 from archlint.engine.kept_programs import ProgramCache
 from archlint.engine.request import NothingToDo, Request
 from archlint.faults import Faults
@@ -30,20 +30,17 @@ if TYPE_CHECKING:
     from archlint.interpreter.modules import ModuleIndex
     from archlint.launch.files import LaunchFiles
     from archlint.programs.kept import KeptPrograms
-    from archlint.syntax.cache import Store
     from archlint.syntax.files import FactsOfFiles
     from archlint.workspace.installed import Installs
     from archlint.workspace.model import Workspace
-    from archlint.workspace.tree import SourceTree
 
 
-def systems_of(
-    request: Request, workspace: Workspace, facts: FactsOfFiles, tree: SourceTree, store: Store | NullStore
-) -> list[System]:
+def systems_of(inputs: Inputs, facts: FactsOfFiles) -> list[System]:
     """Link and load."""
+    request, workspace, tree = inputs.request, inputs.workspace, inputs.tree
     faults = Faults()
     installs = read_installs(workspace.packages, workspace.files, facts.facts_of, tree, faults)
-    linker, cache = _linker(request, workspace, installs, facts, tree, store, faults)
+    linker, cache = _linker(inputs, facts, installs, faults)
     entries = entry_points(installs, workspace.files)
     programs = linker.run_all(entries)
     forget_names(programs, linker.started.values(), installs)
@@ -95,28 +92,23 @@ def systems_of(
 
 
 def _linker(
-    request: Request,
-    workspace: Workspace,
-    installs: Mapping[str, Installs],
-    facts: FactsOfFiles,
-    tree: SourceTree,
-    store: Store | NullStore,
-    faults: Faults,
+    inputs: Inputs, facts: FactsOfFiles, installs: Mapping[str, Installs], faults: Faults
 ) -> tuple[Linker, ProgramCache]:
     """What follows the programs, and what keeps them."""
+    request, workspace, tree = inputs.request, inputs.workspace, inputs.tree
     words = {name: install.words for name, install in installs.items()}
     generated = {name: install.generated for name, install in installs.items() if install.generated is not None}
     names = Counter(package.name for package in workspace.packages)
     without = [name for name, install in installs.items() if install.generates_nothing and names[name] == 1]
     interfaces = InterfaceTable(workspace.files, lambda file: tree.text(file.relative), words, generated, without)
-    cache = ProgramCache(store, workspace, facts, tree)
+    cache = ProgramCache(inputs.store, workspace, facts, tree)
 
     def keep(index: ModuleIndex, import_now: Callable[[Iterable[str]], None]) -> KeptPrograms:
         parts = {name: sorted(interfaces) for name, interfaces in generated.items()}
         return cache.open(index, import_now, words, parts, without)
 
     jobs = request.jobs or os.cpu_count() or 1
-    keeps = jobs > 1 or not isinstance(store, NullStore)
+    keeps = jobs > 1 or not isinstance(inputs.store, NullStore)
     kept = keep if keeps else None
     linker = Linker(workspace.files, facts.facts_of, facts.relevant, interfaces, faults, kept, jobs, request.monitor)
     return linker, cache

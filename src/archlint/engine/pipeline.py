@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from archlint import __version__
 from archlint.engine.drawn import Drawn
-from archlint.engine.inputs import find_files, is_subset, parts_of, refuse_nothing
+from archlint.engine.inputs import Inputs, find_files, is_subset, parts_of, refuse_nothing
 from archlint.engine.looked_at import idle_patterns, without_node
 from archlint.engine.request import NothingToDo, Request
 from archlint.engine.result_cache import Result, RunCache
@@ -35,26 +35,25 @@ def check(request: Request) -> Report:
     if request.keeper is not None:
         request.keeper.starts(request.paths, request.settings)
     workspace = call_with_deep_stack(lambda: find_files(request))
-    store = store_of(request)
-    tree = SourceTree(Path.cwd(), Path(workspace.root))
-    kept = RunCache(store, request, workspace, tree, Judged)
+    inputs = _inputs(request, workspace)
+    kept = RunCache(inputs, Judged)
     judged = kept.load()
     if judged is None:
         from archlint.engine.compiling import compiled  # a check with a known result needs none of it
 
-        facts = compiled(request, workspace, store)
+        facts = compiled(request, workspace, inputs.store)
         judged = kept.load_again(facts) or _alike(kept, facts)
         if judged is None:
             refuse_nothing(request, workspace, facts)
             from archlint.engine.findings import judged_in_parts  # all the rules, and what runs the code
 
-            judged = call_with_deep_stack(lambda: judged_in_parts(request, workspace, facts, tree, store))
+            judged = call_with_deep_stack(lambda: judged_in_parts(inputs, facts))
             if facts.lasting and not any(finding.code == "LNT003" for finding in judged.findings):
                 kept.save(judged, facts)
     if request.fixes and not judged.mended and any(finding.sites is not None for finding in judged.findings):
         judged = _mended(judged, request, workspace, kept)
-    _tell_keeper(request, workspace, kept, store)
-    store.close()
+    _tell_keeper(inputs, kept)
+    inputs.store.close()
     elapsed = time.perf_counter() - started
     summary = replace(judged.summary, elapsed_s=elapsed, cpp_packages=len(workspace.cpp_packages))
     notices = [*judged.notices, *_not_looked_at(request, workspace, summary)]
@@ -95,11 +94,10 @@ def graph(request: Request, everything: bool = False) -> System:
     from archlint.engine.compiling import compiled  # as above: `check` does without them where it can
 
     workspace = find_files(request)
-    store = store_of(request)
-    facts = compiled(request, workspace, store)
-    tree = SourceTree(Path.cwd(), Path(workspace.root))
-    system = _graph(request, workspace, store, facts, tree, everything)
-    store.close()
+    inputs = _inputs(request, workspace)
+    facts = compiled(request, workspace, inputs.store)
+    system = _graph(inputs, facts, everything)
+    inputs.store.close()
     return system
 
 
@@ -111,49 +109,49 @@ def draw(request: Request, format: str, color: bool, everything: bool) -> Drawn:
     if request.keeper is not None:
         request.keeper.starts(request.paths, request.settings)
     workspace = find_files(request)
-    store = store_of(request)
-    tree = SourceTree(Path.cwd(), Path(workspace.root))
-    kept = RunCache(store, request, workspace, tree, Drawn, format, color, everything)
+    inputs = _inputs(request, workspace)
+    kept = RunCache(inputs, Drawn, format, color, everything)
     lasts = not FORMATS[format].drawn  # a picture depends on the Graphviz that is installed
     result = kept.load() if lasts else None
     if result is None:
         from archlint.engine.compiling import compiled
         from archlint.engine.drawing import drawn
 
-        facts = compiled(request, workspace, store)
+        facts = compiled(request, workspace, inputs.store)
         result = (kept.load_again(facts) or kept.load_alike(facts)) if lasts else None
         if result is None:
-            result = drawn(_graph(request, workspace, store, facts, tree, everything), format, color)
+            result = drawn(_graph(inputs, facts, everything), format, color)
             if lasts and facts.lasting and not result.faults:
                 kept.save(result, facts)
-    _tell_keeper(request, workspace, kept, store)
-    store.close()
+    _tell_keeper(inputs, kept)
+    inputs.store.close()
     return result
 
 
-def _tell_keeper(request: Request, workspace: Workspace, kept: RunCache[Result], store: Store | NullStore) -> None:
-    if request.keeper is not None and kept.asked is not None:
-        request.keeper.lasts(workspace, kept.asked, store)
+def _tell_keeper(inputs: Inputs, kept: RunCache[Result]) -> None:
+    keeper = inputs.request.keeper
+    if keeper is not None and kept.asked is not None:
+        keeper.lasts(inputs.workspace, kept.asked, inputs.store)
 
 
-def _graph(
-    request: Request,
-    workspace: Workspace,
-    store: Store | NullStore,
-    facts: FactsOfFiles,
-    tree: SourceTree,
-    everything: bool,
-) -> System:
+def _graph(inputs: Inputs, facts: FactsOfFiles, everything: bool) -> System:
     from archlint.engine.loading import as_asked_for, combined, systems_of
     from archlint.systems.implicit import with_implicit
 
-    refuse_nothing(request, workspace, facts)
-    parts = parts_of(request, workspace)
-    opened = call_with_deep_stack(lambda: [systems_of(request, part, facts, tree, store)[0] for part in parts])
+    request = inputs.request
+    refuse_nothing(request, inputs.workspace, facts)
+    parts = parts_of(request, inputs.workspace)
+    opened = call_with_deep_stack(
+        lambda: [systems_of(replace(inputs, workspace=part), facts)[0] for part in parts],
+    )
     system = combined(
         [as_asked_for(request, opened_system, part) for opened_system, part in zip(opened, parts, strict=True)]
     )
     return with_implicit(system, request.settings.distro) if everything else system
+
+
+def _inputs(request: Request, workspace: Workspace) -> Inputs:
+    return Inputs(request, workspace, SourceTree(Path.cwd(), Path(workspace.root)), store_of(request))
 
 
 def store_of(request: Request) -> Store | NullStore:

@@ -20,11 +20,9 @@ from archlint.engine.own_code import own_code
 from archlint.workspace.model import PYTHON_KINDS
 
 if TYPE_CHECKING:
-    from archlint.engine.request import Request
-    from archlint.syntax.cache import NullStore, Store
+    from archlint.engine.inputs import Inputs
     from archlint.syntax.files import FactsOfFiles
-    from archlint.workspace.model import SourceFile, Workspace
-    from archlint.workspace.tree import SourceTree
+    from archlint.workspace.model import SourceFile
 
 
 _PIECE = 1_000_000
@@ -45,19 +43,11 @@ class RunCache(Generic[Result]):
     ``kind`` is the type of what is kept, a dataclass; ``beside`` tells apart what one request may ask for.
     """
 
-    def __init__(
-        self,
-        store: Store | NullStore,
-        request: Request,
-        workspace: Workspace,
-        tree: SourceTree,
-        kind: type[Result],
-        *beside: object,
-    ) -> None:
-        self._store = store
-        self._request = request
-        self._workspace = workspace
-        self._tree = tree
+    def __init__(self, inputs: Inputs, kind: type[Result], *beside: object) -> None:
+        self._store = inputs.store
+        self._request = inputs.request
+        self._workspace = inputs.workspace
+        self._tree = inputs.tree
         self._kind = kind
         self._beside = beside
         self._key: str | None = None
