@@ -14,6 +14,7 @@ from archlint.syntax import compile as compiler
 from archlint.syntax import workers
 from checks.callbacks import Run, findings
 from checks.judging import Judge
+from installing import InstallsOf
 from launching import Launches
 
 settings.register_profile("archlint", deadline=None, suppress_health_check=[HealthCheck.too_slow])
@@ -61,3 +62,8 @@ def run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Run:
 @pytest.fixture
 def launches(tmp_path: Path) -> Launches:
     return Launches(tmp_path)
+
+
+@pytest.fixture
+def installs_of(tmp_path: Path) -> InstallsOf:
+    return InstallsOf(tmp_path)

@@ -108,6 +108,23 @@ def test_each_folder_of_tests_is_named_like_the_package_that_it_tests():
         assert tested.is_dir(), f"tests/{folder}: there is no {tested.relative_to(ROOT)}"
 
 
+def modules_of(package: Path) -> set[str]:
+    return {path.stem for path in package.glob("*.py")} - {"__init__"}
+
+
+def test_each_package_has_a_folder_of_tests_and_each_module_its_tests_there():
+    source, tests = ROOT / "src" / "archlint", ROOT / "tests"
+    nested = sorted(
+        path.parent for path in source.rglob("__init__.py") if path.parent.parent not in (source, source.parent)
+    )
+    for package in nested:
+        above, folder = package.parent, tests / package.relative_to(source)
+        assert list(folder.glob("test_*.py")), f"{package.relative_to(ROOT)} has no tests in {folder.relative_to(ROOT)}"
+        for module in sorted(modules_of(package) - modules_of(above)):
+            aside = tests / above.relative_to(source) / f"test_{module}.py"
+            assert not aside.exists(), f"{aside.relative_to(ROOT)} belongs in {folder.relative_to(ROOT)}"
+
+
 def variables(source: str) -> set[tuple[str, int]]:
     """The variables and parameters that a file binds, with the line of each."""
     bound = set()

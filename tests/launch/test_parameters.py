@@ -5,17 +5,7 @@ from __future__ import annotations
 import pytest
 
 from archlint.systems.overrides import NotKnown, settings_of
-from launching import names, node, parameters, remaps
-
-
-def test_types_of_parameters(launches):
-    launched = launches.xml(
-        """<arg name="x" default="1.5"/><node pkg="robot" exec="talker">
-          <param name="a" value="1"/><param name="b" value="1" type="str"/><param name="c" value="$(var x)"/>
-          <param name="d"><param name="e" value="true"/></param><param name="f" value="[1, 2]"/>
-        </node>"""
-    )
-    assert parameters(launched.started[0]) == {"a": 1, "b": "1", "c": 1.5, "d.e": True, "f": [1, 2]}
+from launching import names, node, parameters
 
 
 def test_parameters_of_python(launches):
@@ -29,19 +19,6 @@ def test_parameters_of_python(launches):
     not_known = NotKnown("launch.actions.secret() is outside of this workspace")
     assert parameters(started) == {"use_sim_time": True, "rate": 5, "deep.er": "text", "no": not_known}
     assert started.parameters[-1].reference.status == "missing"
-
-
-def test_yaml_keeps_types_but_for_texts_that_look_like_numbers(launches):
-    launched = launches.yaml(
-        "launch:\n- node:\n    pkg: robot\n    exec: talker\n    namespace: left\n"
-        "    param:\n    - {name: a, value: 1}\n    - {name: b, value: '1'}\n    - {name: c, value: one}\n"
-        "    remap:\n    - {from: x, to: y}\n"
-    )
-    (started,) = launched.started
-    why = "a string that looks like a number, which ROS releases read differently"
-    assert parameters(started) == {"a": 1, "b": NotKnown(why), "c": "one"}
-    assert remaps(started) == [("x", "y")]
-    assert names(launched) == ["/left/-"]
 
 
 def test_yaml_that_a_launch_file_loads_itself(launches):
@@ -103,24 +80,6 @@ def setup(context):
     return [{node("real")}]
 """
     assert names(launches.python("[OpaqueFunction(function=setup)]", before)) == expected
-
-
-@pytest.mark.parametrize(
-    ("attributes", "value"),
-    [
-        ('value="1"', 1),
-        ('value="1" type="float"', 1.0),
-        ('value="1" type="int"', 1),
-        ('value="1" type="str"', "1"),
-        ('value="yes" type="bool"', True),
-        ('value="0.5"', 0.5),
-        ('value="x" type="int"', NotKnown("a value that is not of type int")),
-    ],
-)
-def test_the_type_of_a_parameter_in_xml(launches, attributes, value):
-    launched = launches.xml(f'<node pkg="robot" exec="talker"><param name="p" {attributes}/></node>')
-    found = parameters(launched.started[0])["p"]
-    assert (type(found), found) == (type(value), value)
 
 
 @pytest.mark.parametrize(("text", "value"), [("0.5", 0.5), ("3", 3), ("true", True), ("robot", "robot")])

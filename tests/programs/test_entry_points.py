@@ -3,34 +3,13 @@
 from __future__ import annotations
 
 import re
-from pathlib import Path
 
 import pytest
 
-from archlint.programs.entry_points import entry_points, read_installs
-from archlint.syntax.compile import compile_python
 from archlint.workspace.discovery import find
 from archlint.workspace.installed import Installs
 from archlint.workspace.tree import SourceTree
-
-MANIFEST = "<package><name>robot</name><export><build_type>ament_python</build_type></export></package>"
-
-
-@pytest.fixture
-def installs_of(tmp_path):
-    def read(**files: str) -> Installs:
-        files.setdefault("package.xml", MANIFEST)
-        for name, text in files.items():
-            path = tmp_path / "robot" / name
-            path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_text(text)
-        workspace = find(["."], working_directory=str(tmp_path))
-        facts_of = lambda file: compile_python(Path(file.path).read_text())  # noqa: E731
-        installs = read_installs(workspace.packages, workspace.files, facts_of, SourceTree(tmp_path))["robot"]
-        read.entry_points = entry_points({"robot": installs}, workspace.files)
-        return installs
-
-    return read
+from installing import MANIFEST
 
 
 def test_console_scripts_through_variables_and_comprehensions(installs_of):
@@ -259,55 +238,6 @@ def test_a_link_out_of_the_workspace_is_not_followed(tmp_path):
     files = [*find(["."], working_directory=str(workspace)).files, *find([str(outside)]).files]
     assert SourceTree(tmp_path).same_file("workspace/robot/talk", files) is not None
     assert SourceTree(workspace).same_file("robot/talk", files) is None
-
-
-def modules_of(installs: Installs) -> dict[str, tuple[str | None, str | None]]:
-    return {executable.name: (executable.module, executable.function) for executable in installs.executables.values()}
-
-
-@pytest.mark.parametrize(
-    "name",
-    [
-        "ET.parse('package.xml').getroot().find('name').text",
-        "ET.parse(os.path.join(here, 'package.xml')).findtext('name')",
-        "minidom.parse('package.xml').getElementsByTagName('name')[0].firstChild.data",
-        "parse_package(here).name",
-        "ET.parse(Path(__file__).parent / 'package.xml').find('name').text.strip()",
-    ],
-)
-def test_a_setup_py_that_reads_its_name_from_the_manifest(installs_of, name):
-    installs = installs_of(
-        **{
-            "setup.py": f"""\
-import os
-import xml.etree.ElementTree as ET
-from pathlib import Path
-from xml.dom import minidom
-from catkin_pkg.package import parse_package
-from setuptools import setup
-here = os.path.dirname(os.path.abspath(__file__))
-name = {name}
-setup(
-    name=name,
-    data_files=[('share/' + name, ['package.xml'])],
-    entry_points={{'console_scripts': [f'talk = {{name}}.talk:main']}},
-)
-"""
-        }
-    )
-    assert modules_of(installs) == {"talk": ("robot.talk", "main")}
-    assert not installs.open_executables and not installs.open_files
-
-
-@pytest.mark.parametrize("name", ["ET.parse('other.xml').getroot().find('name').text", "read('package.xml')"])
-def test_a_name_from_elsewhere_leaves_the_executables_open(installs_of, name):
-    text = f"""\
-import xml.etree.ElementTree as ET
-from setuptools import setup
-from tools import read
-setup(entry_points={{'console_scripts': ['talk = ' + {name} + '.talk:main']}})
-"""
-    assert installs_of(**{"setup.py": text}).open_executables
 
 
 @pytest.mark.parametrize(
