@@ -7,6 +7,7 @@ from pathlib import Path
 from archlint.programs.entry_points import entry_points, read_installs
 from archlint.programs.linker import EntryPoint
 from archlint.syntax.compile import compile_python
+from archlint.syntax.workspace_files import WorkspaceFiles
 from archlint.workspace.discovery import find
 from archlint.workspace.installed import Installs
 from archlint.workspace.tree import SourceTree
@@ -29,7 +30,8 @@ class InstallsOf:
             path.write_text(text)
         workspace = find(["."], working_directory=str(self.root))
         facts_of = lambda file: compile_python(Path(file.path).read_text())  # noqa: E731
-        installs = read_installs(workspace.packages, workspace.files, facts_of, SourceTree(self.root))["robot"]
+        files = WorkspaceFiles(workspace.files, facts_of, tree=SourceTree(self.root))
+        installs = read_installs(workspace.packages, files)["robot"]
         self.entry_points = entry_points({"robot": installs}, workspace.files)
         return installs
 

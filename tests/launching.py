@@ -11,6 +11,7 @@ from archlint.launch.started import Started
 from archlint.programs.entry_points import read_installs
 from archlint.syntax.compile import compile_python
 from archlint.syntax.python.deep_stack import call_with_deep_stack
+from archlint.syntax.workspace_files import WorkspaceFiles
 from archlint.workspace.discovery import find
 from archlint.workspace.model import SourceFile
 from archlint.workspace.tree import SourceTree
@@ -79,9 +80,8 @@ class Launches:
                 known[file.path] = compile_python(Path(file.path).read_text(encoding="utf-8"))
             return known[file.path]
 
-        tree = SourceTree(self.root)
-        installs = read_installs(workspace.packages, workspace.files, facts_of, tree)
-        return WorkspaceLaunches(workspace.files, facts_of, installs, tree, relevant, distro=distro)
+        files = WorkspaceFiles(workspace.files, facts_of, relevant, SourceTree(self.root))
+        return WorkspaceLaunches(files, read_installs(workspace.packages, files), distro=distro)
 
     def run(self, path: str, **arguments: str) -> Launched:
         launches = self.of_workspace()

@@ -23,6 +23,7 @@ from archlint.model import Text
 from archlint.programs.entry_points import read_installs
 from archlint.ros import names
 from archlint.syntax.parameter_files import NotKnown
+from archlint.syntax.workspace_files import WorkspaceFiles
 from archlint.systems.overrides import applied, settings_of
 from archlint.workspace.tree import SourceTree
 
@@ -73,11 +74,10 @@ class Checkout:
         tree = SourceTree(Path.cwd(), Path(workspace.root))
         self.parts: list[Launches] = []
         for part in parts_of(request, workspace):
-            installs = read_installs(part.packages, part.files, facts.facts_of, tree)
+            files = WorkspaceFiles(part.files, facts.facts_of, facts.relevant, tree)
+            installs = read_installs(part.packages, files)
             old = frozenset(package.name for package in part.packages if package.ros1)
-            launches = Launches(
-                part.files, facts.facts_of, installs, tree, facts.relevant, ros1_packages=old, distro=DISTRO
-            )
+            launches = Launches(files, installs, ros1_packages=old, distro=DISTRO)
             launches.knows_command_line = True
             self.parts.append(launches)
 

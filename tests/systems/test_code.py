@@ -8,6 +8,7 @@ import pytest
 
 from archlint.place import Place
 from archlint.syntax.python.lowering import lower
+from archlint.syntax.workspace_files import WorkspaceFiles
 from archlint.systems.code import WorkspaceCode
 from archlint.workspace.installed import Executable, Installs
 from archlint.workspace.model import SourceFile
@@ -31,9 +32,8 @@ def code(tmp_path: Path) -> WorkspaceCode:
     files = [_file(path) for path in TEXTS]
     installs = Installs("robot", "robot")
     installs.add(Executable("talker", "robot", Place("setup.py", 6, 1, 6, 20), "robot.talker", "main"))
-    return WorkspaceCode(
-        files, lambda file: lower(TEXTS[file.relative]), None, SourceTree(tmp_path), {"robot": installs}
-    )
+    workspace = WorkspaceFiles(files, lambda file: lower(TEXTS[file.relative]), tree=SourceTree(tmp_path))
+    return WorkspaceCode(workspace, installs={"robot": installs})
 
 
 def _file(path: str) -> SourceFile:
@@ -89,7 +89,7 @@ def test_only_python_has_facts():
     compiled: list[str] = []
     launch = SourceFile("/w/it.launch.yaml", "it.launch.yaml", "launch_yaml", "robot", "")
     script = SourceFile("/w/it.py", "it.py", "python", "robot", "it")
-    code = WorkspaceCode([launch, script], lambda file: compiled.append(file.relative))
+    code = WorkspaceCode(WorkspaceFiles([launch, script], lambda file: compiled.append(file.relative)))
     assert code.facts_at("it.launch.yaml") is code.facts_at("it.py") is None
     assert compiled == ["it.py"]
 

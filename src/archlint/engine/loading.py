@@ -20,6 +20,7 @@ from archlint.programs.linker import Linker
 from archlint.programs.scripts import forget_names
 from archlint.ros.interfaces import InterfaceTable
 from archlint.syntax.cache import NullStore
+from archlint.syntax.workspace_files import WorkspaceFiles
 from archlint.systems.code import WorkspaceCode
 from archlint.systems.instances import assemble
 from archlint.systems.launches import launch_systems
@@ -39,15 +40,16 @@ def systems_of(inputs: Inputs, facts: FactsOfFiles) -> list[System]:
     """Link and load."""
     request, workspace, tree = inputs.request, inputs.workspace, inputs.tree
     faults = Faults()
-    installs = read_installs(workspace.packages, workspace.files, facts.facts_of, tree, faults)
-    linker, cache = _linker(inputs, facts, installs, faults)
+    files = WorkspaceFiles(workspace.files, facts.facts_of, facts.relevant, tree)
+    installs = read_installs(workspace.packages, files, faults)
+    linker, cache = _linker(inputs, facts, files, installs, faults)
     entries = entry_points(installs, workspace.files)
     programs = linker.run_all(entries)
     forget_names(programs, linker.started.values(), installs)
     [opened] = assemble(programs, workspace, request.settings)
     old = frozenset(package.name for package in workspace.packages if package.ros1)
     distro = request.settings.distro
-    launches = Launches(workspace.files, facts.facts_of, installs, tree, facts.relevant, faults, old, distro)
+    launches = Launches(files, installs, faults, old, distro)
     if cache.lasts:
         keep_launches(launches, tree, lambda index, now: cache.open_launches(index, now, installs, sorted(old), distro))
     if request.launch is not None and not launches.files.can_be_launched(request.launch):
@@ -61,7 +63,7 @@ def systems_of(inputs: Inputs, facts: FactsOfFiles) -> list[System]:
             installs,
             {package.name: package for package in workspace.packages},
             {package.relative: package for package in workspace.packages},
-            code=WorkspaceCode(workspace.files, facts.facts_of, launches.index, tree, installs, facts.relevant),
+            code=WorkspaceCode(files, launches.index, installs),
             launch_files=launches.files,
             tree=tree,
             owners=launches.owners,
@@ -92,7 +94,7 @@ def systems_of(inputs: Inputs, facts: FactsOfFiles) -> list[System]:
 
 
 def _linker(
-    inputs: Inputs, facts: FactsOfFiles, installs: Mapping[str, Installs], faults: Faults
+    inputs: Inputs, facts: FactsOfFiles, files: WorkspaceFiles, installs: Mapping[str, Installs], faults: Faults
 ) -> tuple[Linker, ProgramCache]:
     """What follows the programs, and what keeps them."""
     request, workspace, tree = inputs.request, inputs.workspace, inputs.tree
@@ -110,7 +112,7 @@ def _linker(
     jobs = request.jobs or os.cpu_count() or 1
     keeps = jobs > 1 or not isinstance(inputs.store, NullStore)
     kept = keep if keeps else None
-    linker = Linker(workspace.files, facts.facts_of, facts.relevant, interfaces, faults, kept, jobs, request.monitor)
+    linker = Linker(files, interfaces, faults, kept, jobs, request.monitor)
     return linker, cache
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, NamedTuple
@@ -16,10 +16,10 @@ from archlint.syntax.launch_templates import has_placeholders
 from archlint.syntax.launch_xml import read_launch_xml
 from archlint.syntax.launch_yaml import read_launch_yaml
 from archlint.syntax.parameter_files import ParameterFacts, read_parameters
+from archlint.syntax.workspace_files import NO_WORKSPACE, WorkspaceFiles
 from archlint.workspace.model import LAUNCH_TEXT_KINDS
 from archlint.workspace.owners import FileOwners
 from archlint.workspace.test_code import FileRoles
-from archlint.workspace.tree import NO_FILES, Tree
 
 if TYPE_CHECKING:
     from archlint.workspace.model import SourceFile
@@ -55,22 +55,19 @@ class LaunchFiles:
 
     def __init__(
         self,
-        files: Sequence[SourceFile] = (),
-        facts_of: Callable[[SourceFile], facts.Facts | None] = lambda file: None,
-        tree: Tree = NO_FILES,
+        files: WorkspaceFiles = NO_WORKSPACE,
         owners: FileOwners | None = None,
         roles: FileRoles | None = None,
-        relevant: Callable[[SourceFile], bool] = lambda file: True,
         faults: Faults | None = None,
         ros1_packages: frozenset[str] = frozenset(),
     ) -> None:
-        self._files = files
-        self._by_path = {file.relative: file for file in files}
-        self._facts_of = facts_of
-        self._tree = tree
+        self._files = files.files
+        self._by_path = {file.relative: file for file in files.files}
+        self._facts_of = files.facts_of
+        self._relevant = files.relevant
+        self._tree = files.tree
         self._owners = owners or FileOwners()
         self._roles = roles or FileRoles()
-        self._relevant = relevant
         self._faults = faults or Faults()
         self._ros1_packages = ros1_packages
         self._frontend_facts: dict[str, LaunchFacts] = {}

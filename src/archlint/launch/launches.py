@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING
 
 from archlint.faults import Faults
@@ -21,10 +21,8 @@ if TYPE_CHECKING:
     from archlint.interpreter.modules import Module
     from archlint.interpreter.values import Value
     from archlint.launch.launcher import Launcher
-    from archlint.syntax.facts import Facts
+    from archlint.syntax.workspace_files import WorkspaceFiles
     from archlint.workspace.installed import Installs
-    from archlint.workspace.model import SourceFile
-    from archlint.workspace.tree import Tree
 
 
 class Launches:
@@ -32,22 +30,18 @@ class Launches:
 
     def __init__(
         self,
-        files: Sequence[SourceFile],
-        facts_of: Callable[[SourceFile], Facts | None],
+        files: WorkspaceFiles,
         installs: Mapping[str, Installs],
-        tree: Tree,
-        relevant: Callable[[SourceFile], bool] = lambda file: True,
         faults: Faults | None = None,
         ros1_packages: frozenset[str] = frozenset(),
         distro: str | None = None,
     ) -> None:
         self.installs = installs
-        self.index = ModuleIndex(files, facts_of)
+        self.index = ModuleIndex(files.files, files.facts_of)
         self.faults = faults or Faults()
-        self.owners = FileOwners(files, installs)
-        paths = LaunchPaths(installs, tree, self.owners)
-        roles = self.index.roles
-        self.files = LaunchFiles(files, facts_of, tree, self.owners, roles, relevant, self.faults, ros1_packages)
+        self.owners = FileOwners(files.files, installs)
+        paths = LaunchPaths(installs, files.tree, self.owners)
+        self.files = LaunchFiles(files, self.owners, self.index.roles, self.faults, ros1_packages)
         self._surroundings = Surroundings(self.index, Store(), self.files, paths, self.faults, distro)
         self._of_defaults: dict[str, Launched] = {}
         self.knows_command_line = False

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import posixpath
 import re
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from typing import TYPE_CHECKING, Protocol
@@ -23,15 +23,14 @@ from archlint.launch.library import LaunchLibrary
 from archlint.libraries.setuptools.setup_run import SetupRun
 from archlint.programs.installs import console_script, read_cmake
 from archlint.programs.linker import EntryPoint
-from archlint.syntax import facts
 from archlint.syntax.entry_point_tables import ScriptEntry, entries_of_pyproject, entries_of_setup_cfg, parse_entry
 from archlint.workspace.installed import Executable, InstalledFiles, Installs
 from archlint.workspace.model import CODE_KINDS
 
 if TYPE_CHECKING:
+    from archlint.syntax.workspace_files import WorkspaceFiles
     from archlint.workspace.model import BuildType, SourceFile
-
-FactsOf = Callable[["SourceFile"], "facts.Facts | None"]
+    from archlint.workspace.tree import Tree
 
 
 class PackageFolder(Protocol):
@@ -47,25 +46,12 @@ class PackageFolder(Protocol):
     def build_type(self) -> BuildType: ...
 
 
-class Tree(Protocol):
-    def text(self, path: str) -> str | None: ...
-
-    def is_file(self, path: str) -> bool: ...
-
-    def files_below(self, folder: str) -> list[str]: ...
-
-    def same_file(self, path: str, files: Iterable[SourceFile]) -> SourceFile | None: ...
-
-
 def read_installs(
-    packages: Iterable[PackageFolder],
-    files: Sequence[SourceFile],
-    facts_of: FactsOf,
-    tree: Tree,
-    faults: Faults | None = None,
+    packages: Iterable[PackageFolder], workspace: WorkspaceFiles, faults: Faults | None = None
 ) -> dict[str, Installs]:
     """What each package installs, by package name.  Of what fails here, ``faults`` are told."""
-    index = ModuleIndex(files, facts_of)
+    files, tree = workspace.files, workspace.tree
+    index = ModuleIndex(files, workspace.facts_of)
     setups = {file.relative: file for file in files if file.kind == "setup_py"}
     faults = faults or Faults()
     by_package: dict[str, Installs] = {}

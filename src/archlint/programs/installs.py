@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import posixpath
 import re
+from collections.abc import Sequence
 from typing import Protocol
 
 from archlint.finding import Place
@@ -19,7 +20,7 @@ class CMakeTree(Protocol):
 
     def text(self, path: str) -> str | None: ...
 
-    def files_below(self, folder: str) -> list[str]: ...
+    def files_below(self, folder: str) -> Sequence[str]: ...
 
 
 # --------------------------------------------------------------------------------------------------- CMake

@@ -39,12 +39,12 @@ from archlint.programs.roots import run_callbacks, run_pending
 from archlint.programs.sweep import Sweep
 from archlint.programs.top_level import called_alone, place_of
 from archlint.syntax import facts
-from archlint.syntax.python.deep_stack import call_with_deep_stack
 from archlint.syntax.walk import main_guard
 from archlint.workspace.test_code import common_folder
 
 if TYPE_CHECKING:
     from archlint.ros.interfaces import InterfaceTable
+    from archlint.syntax.workspace_files import WorkspaceFiles
     from archlint.workspace.model import SourceFile
 
 
@@ -63,44 +63,27 @@ Entry = tuple[EntryPoint, Module]
 """An entry point, and the module that it starts."""
 
 
-def link_files(
-    files: Sequence[SourceFile],
-    facts_of: Callable[[SourceFile], facts.Facts | None],
-    relevant: Callable[[SourceFile], bool],
-    entry_points: Iterable[EntryPoint] = (),
-    interfaces: InterfaceTable | None = None,
-) -> list[model.Program]:
-    """Run all programs of these files.
-
-    ``facts_of`` gives a file's facts, compiling on demand; ``relevant`` tells the files that the screen kept.
-    """
-    linker = Linker(files, facts_of, relevant, interfaces)
-    return call_with_deep_stack(lambda: linker.run_all(list(entry_points)))
-
-
 class Linker:
     """Runs programs over one index of modules and one base store."""
 
     def __init__(
         self,
-        files: Sequence[SourceFile],
-        facts_of: Callable[[SourceFile], facts.Facts | None],
-        relevant: Callable[[SourceFile], bool],
+        files: WorkspaceFiles,
         interfaces: InterfaceTable | None = None,
         faults: Faults | None = None,
         keep: Callable[[ModuleIndex, Callable[[Iterable[str]], None]], KeptPrograms] | None = None,
         jobs: int = 1,
         monitor: Monitor | None = None,
     ) -> None:
-        self.index = ModuleIndex(files, facts_of)
+        self.index = ModuleIndex(files.files, files.facts_of)
         self.earlier = EarlierImports(
             self.index, lambda module: self.new_run(module.name, module).import_module(module)
         )
         self.kept: KeptPrograms | NothingKept = NothingKept() if keep is None else keep(self.index, self.earlier.now)
         self.earlier.of(self.kept)
-        self.files = sorted(files, key=lambda file: file.relative)
+        self.files = sorted(files.files, key=lambda file: file.relative)
         self._shown = {file.relative: file for file in self.files}
-        self.relevant = relevant
+        self.relevant = files.relevant
         self.interfaces = interfaces
         self.jobs = jobs
         self.monitor = monitor or Monitor()
@@ -351,4 +334,4 @@ def _make_escaped_class(run: Run) -> None:
     escapes.escape(run, [instance], "code that is not followed creates it")
 
 
-__all__ = ["EntryPoint", "Linker", "link_files", "run_callbacks"]
+__all__ = ["EntryPoint", "Linker", "run_callbacks"]

@@ -3,20 +3,19 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING
 
 from archlint.interpreter.modules import Module, ModuleIndex
+from archlint.syntax.workspace_files import NO_WORKSPACE, WorkspaceFiles
 from archlint.workspace.model import CODE_KINDS, PYTHON_KINDS
-from archlint.workspace.tree import NO_FILES
 from archlint.workspace.words import WORD
 
 if TYPE_CHECKING:
     from archlint.syntax.facts import Facts
     from archlint.workspace.installed import Installs
     from archlint.workspace.model import SourceFile
-    from archlint.workspace.tree import Tree
 
 
 class WorkspaceCode:
@@ -24,20 +23,17 @@ class WorkspaceCode:
 
     def __init__(
         self,
-        files: Sequence[SourceFile] = (),
-        facts_of: Callable[[SourceFile], Facts | None] = lambda file: None,
+        files: WorkspaceFiles = NO_WORKSPACE,
         index: ModuleIndex | None = None,
-        tree: Tree = NO_FILES,
         installs: Mapping[str, Installs] | None = None,
-        relevant: Callable[[SourceFile], bool] = lambda file: True,
     ) -> None:
-        self._files = files
-        self._facts_of = facts_of
-        self._index = index or ModuleIndex(files, facts_of)
-        self._tree = tree
+        self._files = files.files
+        self._facts_of = files.facts_of
+        self._index = index or ModuleIndex(files.files, files.facts_of)
+        self._tree = files.tree
         self._installs = installs or {}
-        self._relevant = relevant
-        self._by_path = {file.relative: file for file in files}
+        self._relevant = files.relevant
+        self._by_path = {file.relative: file for file in files.files}
 
     def facts_at(self, path: str) -> Facts | None:
         """The facts of a file; None where it was not read, or is no Python."""

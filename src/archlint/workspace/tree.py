@@ -46,6 +46,8 @@ class Tree(Protocol):
 
     def read_again(self, path: str) -> None: ...
 
+    def same_file(self, path: str, files: Iterable[SourceFile]) -> SourceFile | None: ...
+
 
 class _NoFiles:
     """A tree without files."""
@@ -70,6 +72,9 @@ class _NoFiles:
         return ()
 
     def read_again(self, path: str) -> None:
+        return None
+
+    def same_file(self, path: str, files: Iterable[SourceFile]) -> SourceFile | None:
         return None
 
 
