@@ -83,6 +83,27 @@ def test_a_missing_file_is_told_once_however_many_launch_files_name_it(findings)
     assert (camera.place.file, camera.related) == ("launch/other.launch.xml", ())
 
 
+def test_the_files_of_a_folder_that_is_not_there_are_told_once(findings):
+    load = '<param from="$(find-pkg-share robot)/{}"/>'.format
+    launch = node("".join(map(load, ["params/a.yaml", "params/b.yaml", "config/c.yaml", "config/d.yaml"])))
+    folder, *files = findings("LCH004", launch, **{"config/p.yaml": "talker: {}"})
+    assert folder.message == ("package 'robot' has no folder 'params' with these 2 files: params/a.yaml, params/b.yaml")
+    assert [row.message for row in folder.related] == ["'params/b.yaml' is named here"]
+    assert [one.message for one in files] == [  # the folder is right: each name is wrong for itself
+        "package 'robot' has no parameter file 'config/c.yaml'",
+        "package 'robot' has no parameter file 'config/d.yaml'",
+    ]
+
+
+def test_the_files_of_a_folder_that_is_not_installed_are_told_once(findings):
+    load = '<param from="$(find-pkg-share robot)/{}"/>'.format
+    launch = node("".join(map(load, ["params/a.yaml", "params/b.yaml", "more/c.yaml"])))
+    files = dict.fromkeys(["params/a.yaml", "params/b.yaml", "more/c.yaml"], "talker: {}")
+    params, more = findings("LCH004", launch, **files)
+    assert params.message == "package 'robot' does not install these 2 files: params/a.yaml, params/b.yaml"
+    assert more.message == "package 'robot' does not install the parameter file 'more/c.yaml'"
+
+
 @pytest.mark.parametrize(
     ("there", "hint"),
     [

@@ -81,14 +81,19 @@ def test_a_key_that_the_file_has_already_is_no_advice(findings):
     assert told.message.endswith("starts a node '/tlaker'; did you mean '/talker'?")
 
 
-def test_sections_that_lack_their_nodes_in_the_same_way_are_said_once(findings):
+def test_sections_that_lack_their_nodes_are_said_once_for_a_file(findings):
     two = node(LOAD_IT, namespace="left", name="a") + node(LOAD_IT, namespace="left", name="b")
     (told,) = findings("PRM005", two, **{"config/p.yaml": f"a: {RATE}\nb: {RATE}\n"})
-    assert told.message.endswith("starts any of these 2 nodes: /a, /b")
+    assert told.message.endswith("any of these 2 nodes: /a, /b; did you mean '/left/a' and '/left/b'?")
     assert told.help.startswith("the key must be the full name: write '/left/a:'")
-    assert [(one.place.line, one.message) for one in told.related] == [(2, "'/b'")]
-    both = findings("PRM005", two, **{"config/p.yaml": f"a: {RATE}\nright:\n  b: {RATE}\n"})
-    assert len(both) == 2
+    assert [(one.place.line, one.message) for one in told.related] == [(2, "'/b'; did you mean '/left/b'?")]
+    (told,) = findings("PRM005", two, **{"config/p.yaml": f"a: {RATE}\nright:\n  b: {RATE}\n"})
+    assert [(one.place.line, one.message) for one in told.related] == [(3, "'/right/b'; did you mean '/left/b'?")]
+    files = {"config/p.yaml": f"a: {RATE}\n", "config/q.yaml": f"b: {RATE}\n"}
+    apart = node(LOAD_IT, namespace="left", name="a") + node(
+        LOAD_IT.replace("p.yaml", "q.yaml"), namespace="left", name="b"
+    )
+    assert [told.place.file for told in findings("PRM005", apart, **files)] == ["config/p.yaml", "config/q.yaml"]
 
 
 def test_a_section_for_a_python_node_of_the_package_that_is_run_by_hand(findings):

@@ -5,17 +5,18 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.generated_files import is_generated
 from archlint.analysis.launch_code import writes_files
-from archlint.analysis.missing_files import names_beside
+from archlint.analysis.missing_files import is_folder_missing, names_beside
 from archlint.checks.folding import folds, with_places
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
 from archlint.launch.kinds import FileKind, FileStatus
-from archlint.suggestions import common_words, did_you_mean, distance, have_same_words, meant
+from archlint.suggestions import common_words, did_you_mean, distance, have_same_words, listed, meant
 
 if TYPE_CHECKING:
     from archlint.finding import Place
@@ -41,7 +42,7 @@ def missing_launch_file(system: System, options: Options) -> Iterator[Finding]:
         if reference.status == FileStatus.MISSING and any(writes_files(system.workspace, file) for file in files):
             continue
         what = _WHAT[reference.kind]
-        shown = re.sub(r"^\$\((?:find-pkg-share [\w.-]+|workspace)\)/?", "", written or "")
+        shown = _below_package(written or "")
         if reference.status == FileStatus.MISSING and is_generated(system.workspace, reference.package or "", shown):
             continue
         if reference.status == FileStatus.MISSING:
@@ -61,14 +62,42 @@ def missing_launch_file(system: System, options: Options) -> Iterator[Finding]:
             help=help,
             related=[Related(used_at, "it is used here") for used_at in read],
             identity=(reference.package or "", written or ""),
-            group=(reference.status, reference.package or "", _in_package(system, reference, shown)),
+            group=(reference.status, reference.package or "", _cause(system, reference, shown)),
         )
 
 
+def _below_package(written: str) -> str:
+    return re.sub(r"^\$\((?:find-pkg-share [\w.-]+|workspace)\)/?", "", written)
+
+
+def _cause(system: System, reference: FileReference, shown: str) -> str:
+    """What one change mends: the folder of a file, where none of its files is installed or where it is not there at
+    all; or else the file."""
+    path = _in_package(system, reference, shown)
+    if reference.status == FileStatus.NOT_INSTALLED:
+        return posixpath.dirname(path)
+    missing = system.workspace is not None and is_folder_missing(system.workspace, reference.package or "", shown)
+    return posixpath.dirname(path) if missing else path
+
+
 @folds("LCH004", across_systems=True)
-def _of_one_file(several: Sequence[Finding]) -> Finding:
-    """One finding for a file that is not there, however many launch files name it."""
-    return with_places(several, "it is named here, too")
+def _of_one_cause(several: Sequence[Finding]) -> Finding:
+    """One finding for a file that is not there, however many launch files name it, and for all files of a folder that
+    is not there or not installed."""
+    first, *others = several
+    names = list(dict.fromkeys(_below_package(diagnostic.identity[1]) for diagnostic in several))
+    if len(names) == 1:
+        return with_places(several, "it is named here, too")
+    status, package, folder = first.group
+    places = [Related(other.place, f"'{_below_package(other.identity[1])}' is named here") for other in others]
+    if status == FileStatus.MISSING:
+        message = f"package '{package}' has no folder '{folder}' with these {len(names)} files: {listed(names)}"
+        help = "check the path of the folder; it is relative to the package's installed share folder"
+    else:
+        message = f"package '{package}' does not install these {len(names)} files: {listed(names)}"
+        help = "install the folder that they are in (data_files in setup.py, install(DIRECTORY …) in CMake)"
+    identity = (package, *dict.fromkeys(diagnostic.identity[1] for diagnostic in several))
+    return replace(first, message=message, help=help, related=(*first.related, *places), identity=identity)
 
 
 def _in_package(system: System, reference: FileReference, shown: str) -> str:

@@ -22,7 +22,7 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related
 from archlint.launch.kinds import FileStatus
-from archlint.suggestions import did_you_mean, listed, meant
+from archlint.suggestions import listed, meant, nearest
 from archlint.systems.nodes import key_of
 from archlint.systems.overrides import key_matches
 
@@ -90,38 +90,45 @@ def _judged(
         if not right or (namespace and any(node.other_namespace for node in namesakes)):
             return None
         help = f"the key must be the full name: write '{right[0]}:', or '/**/{last}:' for any namespace"
-        return _finding(place, key, meant(f"'{right[0]}'"), help, (namespace, right[0].rpartition("/")[0]))
+        return _finding(place, key, right[0], help)
     if others_are_not_run(workspace):
         return None
     if names_cpp_node(workspace, file, last) or _is_another_program(workspace, file, last, started):
         return None
-    hint = did_you_mean(key, [node.name for node in unmet if not node.other_name])
-    if not hint and (_may_hold_more_nodes(workspace, file) or any(node.other_name for node in started)):
+    near = nearest(key, [node.name for node in unmet if not node.other_name]) or ""
+    if not near and (_may_hold_more_nodes(workspace, file) or any(node.other_name for node in started)):
         return None
     help = f"nodes that load this file: {listed(sorted({node.name for node in started}))}"
-    return _finding(place, key, hint, help, () if hint else (namespace, ""))
+    return _finding(place, key, near, help)
 
 
-def _finding(place: Place, key: str, hint: str, help: str, group: Sequence[str]) -> Finding:
+def _finding(place: Place, key: str, right: str, help: str) -> Finding:
     return finding(
         "PRM005",
         place,
-        f"no launch file that loads this file starts a node '{key}'{hint}",
+        f"no launch file that loads this file starts a node '{key}'{_hint(right)}",
         help=help,
         identity=(place.file, key),
-        group=(place.file, *group) if group else (),
+        group=(place.file,),
+        meant=right,
     )
 
 
+def _hint(right: str) -> str:
+    return meant(right and f"'{right}'")
+
+
 @folds("PRM005")
-def _one_for_a_namespace(several: Sequence[Finding]) -> Finding:
-    """One finding for all sections of a file that lack their nodes in the same way."""
+def _one_for_a_file(several: Sequence[Finding]) -> Finding:
+    """One finding for all sections of a file that lack their nodes."""
+    first, *others = several
     keys = [reported.identity[1] for reported in several]
+    instead = meant(" and ".join(f"'{reported.meant}'" for reported in several if reported.meant))
     return replace(
-        several[0],
-        message=f"no launch file that loads this file starts any of these {len(keys)} nodes: {listed(keys)}",
-        related=tuple(Related(reported.place, f"'{reported.identity[1]}'") for reported in several[1:]),
-        identity=(several[0].identity[0], *keys),
+        first,
+        message=f"no launch file that loads this file starts any of these {len(keys)} nodes: {listed(keys)}{instead}",
+        related=tuple(Related(other.place, f"'{other.identity[1]}'{_hint(other.meant)}") for other in others),
+        identity=(first.identity[0], *keys),
     )
 
 
