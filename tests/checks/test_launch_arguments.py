@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from archlint.finding import Severity
-from robot_package import node
+from robot_package import SETUP, node
 
 
 def test_an_argument_that_every_includer_passes_is_declared_enough(findings):
@@ -47,6 +47,13 @@ def test_names_that_one_file_forgets_are_one_finding(findings):
     assert [(one.place.line, one.message) for one in found.related] == [
         (3, "'sped' is read here; did you mean 'speed'?")
     ]
+
+
+def test_the_files_of_a_folder_that_declare_nothing_are_one_finding(findings):
+    more = {f"launch/{name}.launch.xml": f"<launch>{node(name='$(var z)')}</launch>" for name in ("more", "most")}
+    (found,) = findings("LCH003", node(name="$(var x)"), **more)  # the habit of a folder
+    assert found.message.endswith("no launch argument is declared; the same holds for 2 more launch files")
+    assert [row.place.file for row in found.related] == ["launch/more.launch.xml", "launch/most.launch.xml"]
 
 
 def test_a_file_that_declares_nothing_gets_its_arguments_on_the_command_line(findings):
@@ -342,6 +349,20 @@ def test_use_sim_time_handed_over_as_a_matter_of_course_is_information(findings)
     outer = f'<include file="$(find-pkg-share robot)/launch/inner.launch.xml">{given}</include>'
     (one,) = findings("LCH003", outer, **inner)
     assert one.severity.label == "info"
+
+
+def test_use_sim_time_handed_to_many_is_told_once_for_a_folder(findings):
+    inner = {f"launch/{name}.launch.xml": '<launch><arg name="speed" default="1"/></launch>' for name in "ab"}
+    inner["more/c.launch.xml"] = inner["launch/a.launch.xml"]
+    given = '<arg name="use_sim_time" value="false"/>'
+    files = [*inner]
+    outer = "\n".join(f'<include file="$(find-pkg-share robot)/{file}">{given}</include>' for file in files)
+    setup = SETUP.replace("glob('config/*'))", "glob('config/*')), ('share/robot/more', glob('more/*'))")
+    folder, other = findings("LCH003", outer, **inner, **{"setup.py": setup})
+    told = "{}.launch.xml declares no launch argument 'use_sim_time'".format
+    assert folder.message == f"{told('a')}; the same holds for 1 more launch file"
+    assert [(row.place.line, row.message) for row in folder.related] == [(2, told("b"))]
+    assert other.message == told("c")
 
 
 BEFORE_ANOTHER = """\

@@ -70,6 +70,14 @@ def main():
     assert len(findings("NME004", node(name="it"), **{"robot/talker.py": both})) == 1
 
 
+def test_a_node_that_one_branch_makes_beside_the_other_is_information(findings):
+    branch = "Talker())\n    if len(sys.argv) > 3:\n        rclpy.spin(rclpy.create_node('helper'))"
+    two = "import sys\n" + TALKER.replace("Talker())", branch)
+    (found,) = findings("NME004", node(name="it"), **{"robot/talker.py": two})
+    assert found.severity.label == "info"
+    assert found.message.endswith("have the name '/it', once a branch of its code has created both")
+
+
 def test_name_renames_all_nodes_of_an_executable(findings):
     two = TALKER.replace("Talker())", "Talker())\n    rclpy.spin(rclpy.create_node('helper'))")
     (found,) = findings("NME004", node(name="it"), **{"robot/talker.py": two})

@@ -256,6 +256,58 @@ def test_a_dict_that_several_nodes_get_is_for_all_of_them(
     assert sorted(names) == told
 
 
+FROM_FILE = """\
+import yaml
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    with open(get_package_share_directory('robot') + '/config/all.yaml') as stream:
+        every = yaml.safe_load(stream)['every']
+    return LaunchDescription([Node(package='robot', executable='talker', parameters=[every])])
+"""
+
+
+def test_a_dict_from_a_file_is_for_all_programs_of_the_package(findings, tmp_path: Path):
+    for folder in ("launch", "robot", "config"):
+        (tmp_path / folder).mkdir()
+    (tmp_path / "robot/walker.py").write_text(OTHER)
+    (tmp_path / "launch/all.launch.py").write_text(FROM_FILE)
+    (tmp_path / "config/all.yaml").write_text("every: {gain: 2.0, pace: 3.0, nobody: 1.0}")
+    setup = SETUP.replace("['talker = ", "['walker = robot.walker:main', 'talker = ")
+    (found,) = findings("{'gain': 2.0}", setup=setup)
+    assert found.identity[1:] == ("nobody",)
+
+
+CHOSEN = """\
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, OpaqueFunction
+from launch.substitutions import LaunchConfiguration
+from launch_ros.actions import Node
+
+def start(context):
+    return [Node(package='robot', executable=EXECUTABLE, parameters=[{'gain': 2.0, 'pace': 3.0}])]
+
+def generate_launch_description():
+    return LaunchDescription([DeclareLaunchArgument('which', default_value='talker'), OpaqueFunction(function=start)])
+"""
+
+
+@pytest.mark.parametrize(
+    ("executable", "told"), [("LaunchConfiguration('which').perform(context)", 0), ("'talk' + 'er_2'", 1)]
+)
+def test_a_value_for_the_other_executable_that_an_argument_may_choose(
+    findings, tmp_path: Path, executable: str, told: int
+):
+    for folder in ("launch", "robot"):
+        (tmp_path / folder).mkdir()
+    (tmp_path / "robot/walker.py").write_text(OTHER)
+    (tmp_path / "launch/chosen.launch.py").write_text(CHOSEN.replace("EXECUTABLE", executable))
+    entries = "['walker = robot.walker:main', 'talker_2 = robot.talker:main', 'talker = "
+    assert len(findings("{'gain': 2.0}", setup=SETUP.replace("['talker = ", entries))) == told
+
+
 SWITCHED = """\
 import os
 from ament_index_python.packages import get_package_share_directory

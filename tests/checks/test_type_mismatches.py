@@ -2,14 +2,19 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 
 from archlint.checks.registry import Options
 from archlint.checks.type_mismatches import action_type_mismatch, service_type_mismatch, topic_type_mismatch
+from archlint.config.settings import load
+from archlint.engine.pipeline import Request, check
 from archlint.finding import Finding, Severity
 from archlint.model import UnknownInterface
 from archlint.systems.model import System
+from robot_package import SETUP, write_robot
+from robot_package import node as node_xml
 from systems.builders import (
     action_client,
     action_server,
@@ -154,3 +159,42 @@ def test_two_endpoints_that_may_not_be_there_prove_nothing():
     other = node("/b", subscriber("x", "p/msg/Two", conditional=True))
 
     assert found(topic_type_mismatch, system(one, other)) == []
+
+
+MONITOR = """\
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import Bool, String
+
+class {name}(Node):
+    def __init__(self):
+        super().__init__('{name}'.lower())
+        {create}
+
+def main():
+    rclpy.init()
+    rclpy.spin({name}())
+"""
+PUBLISH = "self.create_publisher({}, 'stop', 10)"
+LISTEN = "self.create_subscription(Bool, 'stop', print, 10)"
+
+
+@pytest.mark.parametrize(
+    ("launched", "severities"),
+    [
+        ("talker", ["error", "info"]),  # the other launch file starts a pair of its own
+        ("", ["error", "error"]),  # no launch file says what it runs with
+    ],
+)
+def test_two_nodes_of_which_each_has_its_launch_file(tmp_path: Path, monkeypatch, launched: str, severities: list[str]):
+    monkeypatch.chdir(tmp_path)
+    names = {"talker": ("Talker", PUBLISH.format("String")), "right": ("Right", PUBLISH.format("String"))}
+    names["drive"] = ("Drive", LISTEN)
+    files = {f"robot/{file}.py": MONITOR.format(name=n, create=c) for file, (n, c) in names.items()}
+    entries = ", ".join(f"'{file} = robot.{file}:main'" for file in names)
+    files["setup.py"] = SETUP.replace("'talker = robot.talker:main'", entries)
+    files["launch/drive.launch.xml"] = f"<launch>{node_xml(exec='right')}{node_xml(exec='drive')}</launch>"
+    files["archlint.toml"] = 'select = ["TOP001"]'
+    write_robot(tmp_path, node_xml(exec=launched) if launched else "", **files)
+    told = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+    assert [one.severity.label for one in told] == severities

@@ -33,6 +33,13 @@ def namespace_is_chosen(launched: Launched, started: Started) -> bool:
     return not _words(launched).isdisjoint(parts)
 
 
+def executable_is_chosen(launched: Launched, started: Started) -> bool:
+    """Whether an argument may choose the executable that a launch file starts: a default is it, or ends it
+    (``f'planner_{version}'``)."""
+    name = started.executable.text or ""
+    return any(word and (name == word or name.endswith(f"_{word}")) for word in _words(launched))
+
+
 def _words(launched: Launched) -> frozenset[str]:
     defaults = [argument.default.text for argument in launched.declared if argument.default is not None]
     return frozenset(word.strip("/") for text in defaults if text is not None for word in _BETWEEN.split(text))

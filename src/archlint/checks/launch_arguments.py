@@ -101,7 +101,9 @@ def _never_declared(launched: Launched, uses: Sequence[UndeclaredUse]) -> Findin
         ],
         identity=(first.file, *(use.name for use in uses)),
     )
-    return replace(diagnostic, severity=Severity.INFO) if from_the_command_line else diagnostic
+    if not from_the_command_line:
+        return diagnostic
+    return replace(diagnostic, severity=Severity.INFO, group=(posixpath.dirname(first.file),))
 
 
 def _declares(launched: Launched) -> bool:
@@ -218,8 +220,10 @@ def _finding(sources: list[str], unknown: list[str], given: dict[str, Place], de
         related=[Related(given[name], f"'{name}' is set here" + did_you_mean(name, declared)) for name in others],
         identity=(*sources, *unknown),
     )
-    severity = Severity.INFO if set(unknown) <= _PASSED_TO_ALL else diagnostic.severity
-    return replace(diagnostic, severity=severity, group=(*sources, *unknown))
+    if set(unknown) <= _PASSED_TO_ALL:
+        folders = sorted({posixpath.dirname(source) for source in sources})
+        return replace(diagnostic, severity=Severity.INFO, group=(*folders, *unknown))
+    return replace(diagnostic, group=(*sources, *unknown))
 
 
 def _not_scoped(diagnostic: Finding, read_on: Mapping[str, Place]) -> Finding:
@@ -245,9 +249,17 @@ _PASSED_TO_ALL = frozenset({"use_sim_time"})
 
 
 @folds("LCH003", across_systems=True)
-def _of_one_file(findings: Sequence[Finding]) -> Finding:
-    """One finding for an included file that does not take an argument, however many others hand it over."""
-    return with_places(findings, "it is set here, too")
+def _of_one_cause(findings: Sequence[Finding]) -> Finding:
+    """One finding for an included file that does not take an argument, however many others hand it over; and for the
+    launch files of a folder that all have the same habit."""
+    first, *others = findings
+    alike = len({diagnostic.identity for diagnostic in findings}) - 1
+    if not alike:
+        return with_places(findings, "it is set here, too")
+    more = "launch file" if alike == 1 else "launch files"
+    rows = [Related(o.place, "it is set here, too" if o.identity == first.identity else o.message) for o in others]
+    message = f"{first.message}; the same holds for {alike} more {more}"
+    return replace(first, message=message, related=(*first.related, *rows))
 
 
 def _is_known(target: Launched) -> bool:

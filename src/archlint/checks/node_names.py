@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Iterator
+from dataclasses import replace
 from itertools import combinations, groupby
 from typing import TYPE_CHECKING
 
@@ -11,7 +12,7 @@ from archlint.analysis.brief_programs import is_brief
 from archlint.branches import exclusive, runs_along
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
-from archlint.finding import Finding, Related
+from archlint.finding import Finding, Related, Severity
 
 if TYPE_CHECKING:
     from archlint.finding import Place
@@ -196,10 +197,12 @@ def _of_one_process(first: Node, other: Node) -> Iterator[Finding]:
     message = f"this executable creates several nodes with the name '{first.name}'"
     if renamed:
         message = f"name= renames every node of this executable, so several have the name '{first.name}'"
-    yield finding(
+    arms = [frozenset() if node.blueprint is None else node.blueprint.branch_arms for node in (first, other)]
+    sure = arms[0] == arms[1]
+    diagnostic = finding(
         "NME004",
         other.launch_place,
-        message,
+        message if sure else f"{message}, once a branch of its code has created both",
         help="remove name=, so that each node keeps the name from its code"
         if renamed and differ
         else "give each its own name in the code" + (", and remove name= here" if renamed else ""),
@@ -207,6 +210,7 @@ def _of_one_process(first: Node, other: Node) -> Iterator[Finding]:
         node=first.name,
         identity=(first.name or "",),
     )
+    yield diagnostic if sure else replace(diagnostic, severity=Severity.INFO)
 
 
 def _own_name(node: Node) -> str | None:

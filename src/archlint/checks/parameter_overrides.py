@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import astuple, replace
 from typing import TYPE_CHECKING
 
+from archlint.analysis.chosen_names import executable_is_chosen
 from archlint.analysis.completeness import declares_all
 from archlint.analysis.declared_parameters import always_declared, declared_by, followed
 from archlint.analysis.kept import once
@@ -55,7 +56,7 @@ def unknown_parameter_override(system: System, options: Options) -> Iterator[Fin
                 names_of_all = every[section]
                 if names_of_all is None or setting.name in names_of_all:
                     continue
-            elif shared.is_for_another(setting, settings):
+            elif shared.is_for_another(setting, settings) or _is_for_another_choice(system, node, setting.name):
                 continue
             line = node.blueprint.place, setting.place, setting.name
             if line in said:
@@ -77,6 +78,28 @@ def _by_default(system: System, node: Node, name: str) -> bool:
     if system.workspace is None:
         return False
     return any(name in _open_names(system.workspace).get(key_of(blueprint), ()) for blueprint in node.blueprints)
+
+
+def _is_for_another_choice(system: System, node: Node, name: str) -> bool:
+    """Whether a launch argument chooses which executable of a package it is, and another one of them declares a
+    name."""
+    started, launched = node.started, system.launched
+    if started is None or launched is None or not executable_is_chosen(launched, started):
+        return False
+    return name in _names_in(system.workspace, started.package.text)
+
+
+def _names_in(workspace: WorkspaceIndex | None, package: str | None) -> set[str]:
+    """The names that the nodes of a package declare."""
+    return set() if workspace is None else _names_by_package(workspace).get(package, set())
+
+
+@once
+def _names_by_package(workspace: WorkspaceIndex) -> Mapping[str | None, set[str]]:
+    names: dict[str | None, set[str]] = {}
+    for node in (node for system in workspace.systems if system.launched is None for node in system.nodes):
+        names.setdefault(node.package, set()).update(declared_by(node) or ())
+    return names
 
 
 @once
@@ -117,6 +140,10 @@ class _Bundles:
 
     def __init__(self, system: System) -> None:
         self._given: dict[str, list[tuple[Node, Place, bool]]] = {}
+        self._workspace = system.workspace
+        self._packages = {
+            node.package for node in system.nodes if node.package is not None and node.started is not None
+        }
         if system.workspace is None:
             return
         for node in system.nodes:
@@ -128,6 +155,8 @@ class _Bundles:
     def is_for_another(self, setting: Setting, settings: Sequence[Setting]) -> bool:
         """Whether another node that gets the same dict declares a name of it, or may."""
         bundled = _is_bundled(setting, settings)
+        if bundled and any(setting.name in _names_in(self._workspace, package) for package in self._packages):
+            return True  # what is read from a file is for all programs, those of other launch files, too
         for node, place, also in self._given.get(setting.name, ()):
             if place == setting.place or (bundled and also):
                 declared = None if node.external else declared_by(node)

@@ -6,7 +6,13 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.analysis.coexistence import all_endpoints, conflicting_pairs, in_source_order, known_to_coexist
+from archlint.analysis.coexistence import (
+    all_endpoints,
+    conflicting_pairs,
+    in_source_order,
+    known_to_coexist,
+    launched_separately,
+)
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related, Severity
@@ -59,8 +65,22 @@ def _mismatches(code: str, system: System, connections: Mapping[str, Connection]
             first, second = sorted((endpoint.type or "", other.type or ""))
             pairs.setdefault((first, second), []).append((endpoint, other))
         for types in sorted(pairs):
-            diagnostic = _mismatch(code, connection, pairs[types])
-            yield _if_both_run(diagnostic) if _are_at_home(system, connection, pairs[types]) else diagnostic
+            together = [pair for pair in pairs[types] if not _are_alternatives(system, connection, *pair)]
+            diagnostic = _mismatch(code, connection, together or pairs[types])
+            unsure = not together or _are_at_home(system, connection, together)
+            yield _if_both_run(diagnostic) if unsure else diagnostic
+
+
+def _are_alternatives(system: System, connection: Connection, endpoint: Endpoint, other: Endpoint) -> bool:
+    """Whether launch files start two nodes and none starts both, while one of them starts both ends of the name with
+    other nodes: each has its own partner."""
+    if endpoint.node is other.node or not launched_separately(system, endpoint.node, other.node):
+        return False
+    systems = system.workspace.systems if system.workspace is not None else []
+    launches = [launch for launch in systems if launch.launched is not None]
+    names = [names for launch in launches for names in (launch.topics, launch.services, launch.actions)]
+    alike = [connections[connection.name] for connections in names if connection.name in connections]
+    return any(there.kind == connection.kind and there.providers and there.users for there in alike)
 
 
 def _are_at_home(system: System, connection: Connection, pairs: list[tuple[Endpoint, Endpoint]]) -> bool:
