@@ -1,185 +1,110 @@
-"""How far launch files load, and whether every node action in them is accounted for: ``python -m benchmarks.launches
-CHECKOUT… [--misses]``.
+"""Holds archlint's launches of a folder of repositories against launch itself, in one command: ``python -m
+benchmarks.launches FOLDER -o OUTPUT``.
 
-All launch files of a checkout (test code and ROS 1 left out) are loaded with their default arguments.  A file is
-loaded *fully* where everything on its way was followed, *partly* where something was not (an include of a package
-that is not in the checkout, a list that only data decides …; the graph says so under ``unresolved``), and *not at
-all* where nothing of it could be read.
-
-The text search takes, in each launch file, what looks like a node action: ``Node(``, ``LifecycleNode(``,
-``ComposableNode(``, ``ComposableNodeContainer(`` and ``ExecuteProcess(`` of ``ros2 run`` in Python, ``<node``,
-``<lifecycle_node``, ``<composable_node`` and ``<node_container`` in XML, ``node:`` and its relatives in YAML, comments
-left out.  An action is accounted for where a launch starts a node at its place: as one whose code is in the checkout
-(*here*), one whose code is elsewhere (*external*), or one under a condition that the defaults do not meet (*not
-taken*).  *Not reached* are those in code that the launch files do not run with their defaults, *unresolved* those in
-a file with something that was not followed, *put nowhere* those that a run came past and that no description holds.
+Each repository below FOLDER is recorded (see ``record``) and compared (see ``compare``), two at a time. OUTPUT gets
+NAME.json, the record, and NAME.txt, its row and each difference; a repository that has a record is not recorded
+again. The table and its sum go to the standard output. What is not there is set up: the environment with rclpy
+(``scripts/ros_environment``), and the sources of ros2/launch and ros2/launch_ros below ``--ros``.
 """
 
 from __future__ import annotations
 
-import io
-import os
-import re
+import argparse
+import subprocess
 import sys
-import tokenize
 from collections import Counter
+from collections.abc import Iterable, Iterator
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from archlint.config.settings import Settings
-from archlint.engine.compiling import compiled
-from archlint.engine.inputs import find_files
-from archlint.engine.loading import systems_of as systems_of_workspace
-from archlint.engine.pipeline import store_of
-from archlint.engine.request import Request
-from archlint.finding import Place
-from archlint.launch.files import LaunchFiles
-from archlint.launch.model import Launched
-from archlint.systems.model import System
-from archlint.workspace.tree import SourceTree
+from benchmarks.launches import compare
+from benchmarks.launches.expected import DISTRO
+from benchmarks.launches.record import Sandbox
+from benchmarks.launches.repository import held
 
-KINDS = ("here", "external", "not taken", "unresolved", "not reached", "put nowhere")
-PYTHON = re.compile(r"(?<![\w])(?:Lifecycle)?(?:Node|ComposableNode|ComposableNodeContainer)\s*\(")
-NO_ACTION = re.compile(r"^\s*(?:class|def|from|import)\b")
-XML = re.compile(r"<(?:node|lifecycle_node|composable_node|node_container)\b")
-XML_COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
-YAML = re.compile(r"^\s*-?\s*(?:node|lifecycle_node|composable_node|node_container)\s*:", re.MULTILINE)
+ROOT = Path(__file__).resolve().parents[2]
+NEEDED = ("lark", "osrf_pycommon")
+"""What launch imports beside rclpy's wheels."""
 
 
-def systems_of(root: Path) -> list[System]:
-    os.chdir(root)
-    request = Request((".",), Settings(), cached=False, jobs=1)
-    workspace = find_files(request)
-    facts = compiled(request, workspace, store_of(request))
-    return systems_of_workspace(request, workspace, facts, SourceTree(Path.cwd(), Path(workspace.root)))
-
-
-def actions_in(path: str) -> list[int]:
-    """The lines of a launch file with something that looks like a node action."""
-    text = Path(path).read_text("utf-8", "replace")
-    if path.endswith((".yaml", ".yml")):
-        text = re.sub(r"(?m)^\s*#.*$", "", text)
-        return _lines(YAML, text)
-    if text.lstrip().startswith("<"):
-        return _lines(XML, XML_COMMENT.sub(lambda comment: re.sub(r"[^\n]", " ", comment[0]), text))
-    return [
-        number
-        for number, line in enumerate(_code(text).splitlines(), start=1)
-        if PYTHON.search(line) and not NO_ACTION.match(line)
-        for _ in PYTHON.findall(line)
+def main() -> int:
+    parser = argparse.ArgumentParser(
+        prog="python -m benchmarks.launches", description=(__doc__ or "").partition(":")[0]
+    )
+    parser.add_argument("folder", type=Path, nargs="+", help="a folder of repositories")
+    parser.add_argument("-o", "--output", type=Path, required=True, help="for records and differences")
+    parser.add_argument("--one", action="store_true", help="each FOLDER is one repository")
+    parser.add_argument("--jobs", type=int, default=2, help="how many repositories at a time")
+    parser.add_argument("--python", type=Path, help="the Python of an environment with rclpy, lark and osrf_pycommon")
+    parser.add_argument("--ros", type=Path, default=ROOT / "corpus", help="where launch and launch_ros are checked out")
+    parser.add_argument("--library", type=Path, action="append", default=[], help="a folder with further packages")
+    options = parser.parse_args()
+    options.output.mkdir(parents=True, exist_ok=True)
+    sandbox = Sandbox(
+        options.python or environment(),
+        source(options.ros, "launch"),
+        source(options.ros, "launch_ros"),
+        tuple(options.library),
+    )
+    roots = [
+        root.resolve() for folder in options.folder for root in ([folder] if options.one else repositories(folder))
     ]
+    print(compare.HEAD)
+    failures = []
+    total: Counter[str] = Counter()
+    with ThreadPoolExecutor(options.jobs) as threads:
+        for outcome in threads.map(lambda root: held(root, sandbox, options.output.resolve()), roots):
+            total += outcome.counts
+            if outcome.failure is not None:
+                failures.append(f"{outcome.name}: {outcome.failure}")
+            elif outcome.counts["files"]:
+                print(compare.line(outcome.name.replace("+", "/"), outcome.counts), flush=True)
+    print(compare.line("all", total))
+    print("".join(f"not compared: {failure}\n" for failure in failures), end="")
+    return 1 if failures else 0
 
 
-def _lines(pattern: re.Pattern[str], text: str) -> list[int]:
-    return [text.count("\n", 0, match.end()) + 1 for match in pattern.finditer(text)]
+def repositories(folder: Path) -> Iterator[Path]:
+    yield from (root for root in sorted(folder.iterdir()) if root.is_dir() and not root.name.startswith("."))
 
 
-def _code(text: str) -> str:
-    """Python without its comments and texts."""
-    lines = text.splitlines(keepends=True)
-    try:
-        for token in tokenize.generate_tokens(io.StringIO(text).readline):
-            if token.type in (tokenize.COMMENT, tokenize.STRING):
-                for row in range(token.start[0] - 1, token.end[0]):
-                    start = token.start[1] if row == token.start[0] - 1 else 0
-                    end = token.end[1] if row == token.end[0] - 1 else len(lines[row])
-                    kept = lines[row]
-                    lines[row] = kept[:start] + re.sub(r"[^\n]", " ", kept[start:end]) + kept[end:]
-    except (tokenize.TokenError, SyntaxError, IndentationError):
-        pass
-    return "".join(lines)
+# ------------------------------------------------------------------------------------------------ what is needed
 
 
-def accounted(systems: list[System]) -> dict[tuple[str, int], str]:
-    """What became of the node action at each place, the best of all launches that meet it."""
-    found: dict[tuple[str, int], str] = {}
-
-    def note(place: Place | None, kind: str) -> None:
-        for line in range(place.line, place.end_line + 1) if place is not None else ():
-            assert place is not None
-            known = found.get((place.file, line), KINDS[-1])
-            found[place.file, line] = min(kind, known, key=KINDS.index)
-
-    for system in systems:
-        for node in system.nodes:
-            note(node.launch_place, "external" if node.external and node.unfollowed is None else "here")
-        for started in system.launched.started if system.launched is not None else ():
-            note(started.place, "not taken" if started.dormant else "external")
-    return found
+def environment() -> Path:
+    """The Python of an environment with rclpy and what launch imports, which is made where there is none."""
+    run([sys.executable, str(ROOT / "scripts" / "ros_environment"), DISTRO])
+    python = ROOT / f".venv-ros-{DISTRO}" / "bin" / "python"
+    if not python.exists():
+        sys.exit(f"no ROS 2 {DISTRO} on this machine; name another Python with --python")
+    modules = f"import {', '.join(NEEDED)}"
+    if subprocess.run([python, "-c", modules], stderr=subprocess.DEVNULL, check=False).returncode:
+        run([sys.executable, "-m", "pip", "--quiet", "--python", str(python.parents[1]), "install", *NEEDED])
+    return python
 
 
-def level(launched: Launched) -> tuple[str, list[str]]:
-    """How far a launch file was loaded, with the reasons where that is not fully."""
-    reasons = [gap.reason for gap in launched.not_followed()]
-    if not reasons:
-        return "fully", []
-    whole = launched.started or launched.included or launched.declared
-    return "partly" if whole else "not at all", reasons
+def source(folder: Path, name: str) -> Path:
+    """The checkout of one repository of ROS, which is cloned where it is not there."""
+    if not (folder / name).is_dir():
+        run(
+            [
+                "git",
+                "clone",
+                "--quiet",
+                "--depth",
+                "1",
+                "-b",
+                DISTRO,
+                f"https://github.com/ros2/{name}",
+                str(folder / name),
+            ]
+        )
+    return folder / name
 
 
-def measure(root: Path) -> tuple[Counter[str], Counter[str], list[str]]:
-    systems = [system for system in systems_of(root) if system.launched is not None]
-    files: Counter[str] = Counter()
-    kinds: Counter[str] = Counter()
-    told: list[str] = []
-    unfollowed: set[str] = set()
-    index = systems[0].workspace if systems else None
-    if index is None:
-        return files, kinds, told
-    launch_files = index.launch_files
-    for system in systems:
-        assert system.launched is not None
-        how, reasons = level(system.launched)
-        files[how] += 1
-        unfollowed.update(gap.place.file for gap in system.launched.not_followed())
-        if how != "fully":
-            told.append(f"{how}: {system.launched.file}: {'; '.join(sorted(set(reasons)))[:200]}")
-    files["ROS 1"] = sum(launch_files.frontend(path).ros1 for path in frontends(launch_files))
-    places = accounted(systems)
-    made = {
-        (place.file, line)
-        for system in systems
-        for place in (system.launched.node_actions if system.launched is not None else ())
-        for line in range(place.line, place.end_line + 1)
-    }
-    for path in launch_files.all():
-        if path.endswith((".launch", ".xml")) and launch_files.frontend(path).ros1:
-            continue
-        for line in actions_in(path):
-            kind = places.get((path, line))
-            if kind is None:
-                came_past = (path, line) in made or not path.endswith(".py")
-                kind = "unresolved" if path in unfollowed else "put nowhere" if came_past else "not reached"
-            kinds[kind] += 1
-            if kind in KINDS[3:]:
-                told.append(f"{kind}: {path}:{line}")
-    return files, kinds, told
-
-
-def frontends(launch_files: LaunchFiles) -> list[str]:
-    return [path for path in launch_files.all() if path.endswith((".launch", ".xml"))]
-
-
-def main() -> None:
-    roots = [Path(argument).resolve() for argument in sys.argv[1:] if not argument.startswith("-")]
-    print("| checkout | fully | partly | not at all | ROS 1 | node actions | " + " | ".join(KINDS) + " |")
-    print("|---|" + "---|" * (5 + len(KINDS)))
-    all_files: Counter[str] = Counter()
-    all_kinds: Counter[str] = Counter()
-    for root in roots:
-        files, kinds, told = measure(root)
-        all_files += files
-        all_kinds += kinds
-        print(_row(root.name.replace("+", "/"), files, kinds), flush=True)
-        if "--misses" in sys.argv:
-            print("".join(f"    {line}\n" for line in told), end="", flush=True)
-    print(_row("all", all_files, all_kinds))
-
-
-def _row(name: str, files: Counter[str], kinds: Counter[str]) -> str:
-    cells = [files[how] for how in ("fully", "partly", "not at all", "ROS 1")]
-    cells += [kinds.total(), *(kinds[kind] for kind in KINDS)]
-    return f"| {name} | " + " | ".join(map(str, cells)) + " |"
+def run(command: Iterable[str]) -> None:
+    subprocess.run([*command], stdout=sys.stderr, check=True)
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

@@ -26,6 +26,8 @@ from benchmarks.launches.expected import MADE, Checkout, Row, Unknown, recorded
 from benchmarks.launches.inside.guard import FROM_OUTSIDE, OUTPUT
 
 FIELDS = ("package", "executable", "name", "namespace", "remaps", "parameters", "presence")
+HEAD = f"| checkout | launch files | do not load | runs | nodes | {' | '.join(FIELDS)} | equal | unknown | wrong |"
+HEAD += "\n|---|" + "---|" * (len(FIELDS) + 7)
 EQUAL, OPEN, WRONG = "equal", "unknown", "wrong"
 OUTSIDE = (OUTPUT, FROM_OUTSIDE)
 DOCUMENT = 500
@@ -34,20 +36,15 @@ DOCUMENT = 500
 
 def main() -> None:
     records, *roots = [Path(word).resolve() for word in sys.argv[1:] if not word.startswith("-")]
-    print(
-        "| checkout | launch files | do not load | runs | nodes | "
-        + " | ".join(FIELDS)
-        + " | equal | unknown | wrong |"
-    )
-    print("|---|" + "---|" * (len(FIELDS) + 7))
+    print(HEAD)
     total: Counter[str] = Counter()
     for root in roots:
         counts, told = measure(json.loads((records / f"{root.name}.json").read_text()), Checkout(root))
         total += counts
-        print(_line(root.name.replace("+", "/"), counts), flush=True)
+        print(line(root.name.replace("+", "/"), counts), flush=True)
         if "--misses" in sys.argv:
-            print("".join(f"    {line}\n" for line in told), end="", flush=True)
-    print(_line("all", total))
+            print("".join(f"    {words}\n" for words in told), end="", flush=True)
+    print(line("all", total))
 
 
 def measure(record: list[dict[str, Any]], checkout: Checkout) -> tuple[Counter[str], list[str]]:
@@ -63,15 +60,15 @@ def measure(record: list[dict[str, Any]], checkout: Checkout) -> tuple[Counter[s
             counts["runs"] += 1
             launched, ours = checkout.launch(row["file"], run["arguments"])
             where = " ".join([row["file"], *(f"{name}:={value}" for name, value in run["arguments"].items())])
-            for verdicts, line in compared(recorded(run["nodes"]), ours, frozenset(run.get("environment") or ())):
+            for verdicts, words in compared(recorded(run["nodes"]), ours, frozenset(run.get("environment") or ())):
                 counts["nodes"] += 1
                 worst = max(verdicts.values(), key=(EQUAL, OPEN, WRONG).index)
                 counts[worst] += 1
                 counts.update(name for name, verdict in verdicts.items() if verdict == EQUAL)
                 if worst != EQUAL:
                     gaps = [] if launched is None else sorted({gap.reason for gap in launched.not_followed()})
-                    more = f"  [not followed: {'; '.join(gaps)[:200]}]" if gaps and "missing" in line else ""
-                    told.append(f"{worst}: {where}: {line}{more}" + (" [no launch file]" if launched is None else ""))
+                    more = f"  [not followed: {'; '.join(gaps)[:200]}]" if gaps and "missing" in words else ""
+                    told.append(f"{worst}: {where}: {words}{more}" + (" [no launch file]" if launched is None else ""))
     return counts, told
 
 
@@ -246,10 +243,11 @@ def _shown(row: Row) -> str:
     return f"{row.kind} {row.fields['package']}/{row.fields['executable']}"
 
 
-def _line(name: str, counts: Counter[str]) -> str:
+def line(name: str, counts: Counter[str]) -> str:
     nodes = counts["nodes"] or 1
     cells = [str(counts[key]) for key in ("files", "failed", "runs", "nodes")]
-    cells += [f"{100 * counts[key] / nodes:.1f} %" for key in (*FIELDS, EQUAL)]
+    cells += [f"{100 * counts[key] / nodes:.1f} %" for key in FIELDS]
+    cells.append(f"{100 * counts[EQUAL] / nodes:.2f} %")
     return f"| {name} | " + " | ".join([*cells, str(counts[OPEN]), str(counts[WRONG])]) + " |"
 
 

@@ -20,6 +20,7 @@ import shlex
 import subprocess
 import sys
 import tempfile
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -30,11 +31,22 @@ UNSHARE = ("unshare", "--map-root-user", "--mount", "--net", "--pid", "--fork", 
 HOURS = 3
 
 
+@dataclass(frozen=True)
+class Sandbox:
+    """What launch files are loaded with: a Python that has rclpy, checkouts of ros2/launch and ros2/launch_ros, and
+    folders with further packages."""
+
+    python: Path
+    launch: Path
+    launch_ros: Path
+    libraries: tuple[Path, ...] = ()
+
+
 def main() -> int:
     parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
     parser.add_argument("checkouts", nargs="+", type=Path)
     parser.add_argument("-o", "--output", type=Path, required=True)
-    parser.add_argument("--python", required=True)
+    parser.add_argument("--python", type=Path, required=True)
     parser.add_argument("--launch", type=Path, required=True)
     parser.add_argument("--launch-ros", type=Path, required=True)
     parser.add_argument(
@@ -42,8 +54,9 @@ def main() -> int:
     )
     options = parser.parse_args()
     options.output.mkdir(parents=True, exist_ok=True)
+    sandbox = Sandbox(options.python, options.launch, options.launch_ros, tuple(options.library))
     for checkout in options.checkouts:
-        rows = record(checkout.resolve(), options)
+        rows = record(checkout.resolve(), sandbox)
         (options.output / f"{checkout.name}.json").write_text(json.dumps(rows, indent=1) + "\n")
         runs = [run for row in rows for run in row["runs"]]
         failed = sum(run["error"] is not None for run in runs)
@@ -51,36 +64,34 @@ def main() -> int:
     return 0
 
 
-def record(root: Path, options: argparse.Namespace) -> list[dict[str, Any]]:
+def record(root: Path, sandbox: Sandbox) -> list[dict[str, Any]]:
     with tempfile.TemporaryDirectory(prefix="launches-") as folder:
         install, work = Path(folder, "install"), Path(folder, "work")
         install.mkdir()
         work.mkdir()
         found = layout.packages(root)
         wanted = [{"setup": str(one.folder / "setup.py")} for one in found if one.setup]
-        answers = sandboxed(wanted, install, work, options)
+        answers = sandboxed(wanted, install, work, sandbox)
         setups = {row["setup"]: row["runs"][0] for row in answers}
         for package in found:
             layout.lay_out(package, setups.get(str(package.folder / "setup.py")), install)
         files = [(path, package) for package in found for path in layout.launch_files(package)]
         places = {str(layout.place_of(package, path, install)): path for path, package in files}
-        rows = sandboxed([{"launch": place} for place in places], install, work, options)
+        rows = sandboxed([{"launch": place} for place in places], install, work, sandbox)
         return [{"file": places[row["launch"]].relative_to(root).as_posix(), "runs": row["runs"]} for row in rows]
 
 
-def sandboxed(
-    jobs: list[dict[str, str]], install: Path, work: Path, options: argparse.Namespace
-) -> list[dict[str, Any]]:
+def sandboxed(jobs: list[dict[str, str]], install: Path, work: Path, sandbox: Sandbox) -> list[dict[str, Any]]:
     """Run jobs where nothing can be written but to ``work``, which is in memory."""
     if not jobs:
         return []
     settings = work.parent / "settings.json"
-    made = {"install": str(install), "work": str(work), "launch": str(options.launch.resolve()), "jobs": jobs}
-    made["libraries"] = [str(one.resolve()) for one in options.library]
+    made = {"install": str(install), "work": str(work), "launch": str(sandbox.launch.resolve()), "jobs": jobs}
+    made["libraries"] = [str(one.resolve()) for one in sandbox.libraries]
     settings.write_text(json.dumps(made))
-    launch, ros = options.launch.resolve(), options.launch_ros.resolve()
+    launch, ros = sandbox.launch.resolve(), sandbox.launch_ros.resolve()
     path = [launch / "launch", launch / "launch_xml", launch / "launch_yaml", ros / "launch_ros", install / "python"]
-    path += [one.resolve() for one in options.library]
+    path += [one.resolve() for one in sandbox.libraries]
     environment = {
         "PATH": "/usr/bin:/bin",
         "HOME": str(work),
@@ -99,7 +110,7 @@ def sandboxed(
     script = (
         f"mount --make-rprivate / && mount -t tmpfs -o size=256m tmpfs {shlex.quote(str(work))} && "
         f"mount -o remount,ro,bind / && mount -t proc proc /proc && ulimit -v 4000000 && "
-        f"exec {shlex.join([str(Path(options.python).absolute()), '-s', str(RUNNER), str(settings)])}"
+        f"exec {shlex.join([str(sandbox.python.absolute()), '-s', str(RUNNER), str(settings)])}"
     )
     done = subprocess.run(
         [*UNSHARE, "sh", "-c", script],

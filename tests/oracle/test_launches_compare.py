@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 import json
+import sys
 from pathlib import Path
 
 import pytest
 from benchmarks.launches import layout
+from benchmarks.launches.__main__ import main
 from benchmarks.launches.compare import EQUAL, OPEN, WRONG, compared, measure
 from benchmarks.launches.expected import Checkout, Row, Unknown, recorded
 from benchmarks.launches.inside.guard import FROM_OUTSIDE, OUTPUT
 from benchmarks.launches.inside.parameters import rows_of_file, value_of
+
+from robot_package import manifest
 
 PLAIN = {"package": "robot", "executable": "talker", "name": "a", "namespace": None, "remaps": [], "files": []}
 UNKNOWN = Unknown("it is an argument")
@@ -136,3 +140,31 @@ def test_archlints_rows_against_a_record(tmp_path, monkeypatch):
     record[0]["runs"][0]["nodes"].append(recorded([more]) and more)
     counts, told = measure(record, Checkout(Path(tmp_path)))
     assert told == ["wrong: robot/launch/a.launch.py: missing: node robot/more "]
+
+
+def test_one_command_for_a_folder_of_repositories(tmp_path, capsys, monkeypatch):
+    """What has a record is not recorded again; each repository gets its row, and its differences in a file."""
+    checkouts, records = tmp_path / "checkouts", tmp_path / "records"
+    launch_file = checkouts / "a+robot" / "robot" / "launch" / "it.launch.py"
+    launch_file.parent.mkdir(parents=True)
+    launch_file.write_text(
+        "from launch import LaunchDescription\nfrom launch_ros.actions import Node\n"
+        "def generate_launch_description():\n"
+        "    return LaunchDescription([Node(package='robot', executable='talker')])\n"
+    )
+    (checkouts / "a+robot" / "robot" / "package.xml").write_text(manifest("robot"))
+    (checkouts / ".hidden").mkdir()
+    records.mkdir()
+    seen = [{**PLAIN, "name": None, "kind": "node", "parameters": []} for _ in range(2)]
+    run = {"arguments": {}, "error": None, "nodes": seen, "environment": []}
+    (records / "a+robot.json").write_text(json.dumps([{"file": "robot/launch/it.launch.py", "runs": [run]}]))
+    monkeypatch.setattr(
+        sys, "argv", ["", str(checkouts), "-o", str(records), "--python", sys.executable, "--ros", str(tmp_path)]
+    )
+    for name in ("launch", "launch_ros"):
+        (tmp_path / name).mkdir()
+    assert main() == 0
+    row, whole = capsys.readouterr().out.splitlines()[-2:]
+    assert row.startswith("| a/robot | 1 | 0 | 1 | 2 |") and row.endswith("| 50.00 % | 0 | 1 |")
+    assert whole == row.replace("a/robot", "all")
+    assert "missing: node robot/talker" in (records / "a+robot.txt").read_text()
