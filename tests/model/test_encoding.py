@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+import collections.abc
 import re
+from collections.abc import Iterator
 from dataclasses import dataclass, fields
 from pathlib import Path
+from types import UnionType
+from typing import Any, ForwardRef, Literal, Union, get_args, get_origin
 
 import msgspec
 import pytest
 
+from archlint import branches, finding, origins, place, reasons
 from archlint.branches import ChoiceOfCallee, CodeBranch
 from archlint.cli import main
 from archlint.finding import Place
@@ -25,12 +30,20 @@ from archlint.model import (
     Spell,
     SpinDuration,
     Text,
+    calls,
     encoding,
+    executors,
     given,
+    kinds,
+    messages,
+    nodes,
+    programs,
+    texts,
 )
 from archlint.model.encoding import NotEncodable, NotPrograms, decode, encode
 from archlint.programs.linker import EntryPoint, Linker
 from archlint.reasons import NotPassed
+from archlint.ros import interfaces, qos
 
 FIXTURES = Path(__file__).parents[2] / "fixtures"
 PLACE = Place("robot/node.py", 3, 5, 3, 9)
@@ -137,24 +150,80 @@ def test_a_payload_of_other_fields_is_refused(monkeypatch: pytest.MonkeyPatch):
         decode(written)
 
 
+MODULES = (
+    *(calls, executors, given, kinds, messages, nodes, programs, texts),
+    *(branches, finding, interfaces, origins, place, qos, reasons),
+)
+"""Where the classes of programs and what their fields are annotated with are defined."""
+NAMES = {name: item for module in MODULES for name, item in vars(module).items()}
+PLAIN = {bool, int, float, str, bytes, object, type(None), Any, Ellipsis}
+
+
+def parts_of(annotation: object) -> Iterator[object]:
+    """The classes and Literals that an annotation is made of; an alias counts as what it stands for."""
+    if isinstance(annotation, str):
+        annotation = ForwardRef(annotation)
+    if isinstance(annotation, ForwardRef):
+        annotation = eval(annotation.__forward_arg__, NAMES)
+    if get_origin(annotation) in (None, Literal):
+        yield annotation
+    else:
+        yield get_origin(annotation)
+        for argument in get_args(annotation):
+            yield from parts_of(argument)
+
+
+def words_of(annotation: object) -> set[object] | None:
+    """The texts that a field may have; None where its annotation does not name them all."""
+    parts = [part for part in parts_of(annotation) if part not in (Union, UnionType, None, type(None))]
+    literal = bool(parts) and all(get_origin(part) is Literal for part in parts)
+    return {word for part in parts for word in get_args(part)} if literal else None
+
+
+WORDS = {
+    (number, name): words
+    for number, kind in enumerate(encoding.PROGRAMS.records)
+    for name, words in ((row.name, words_of(row.type)) for row in fields(kind))
+    if words is not None
+}
+"""What the fields may have that are Literals, by the number of the record and the name of the field."""
+
+
+def odd_words(payload: bytes) -> list[tuple[str, str, object]]:
+    """What stands in a field that is a Literal, and is none of its words."""
+    written = msgspec.msgpack.decode(payload, type=encoding.Payload)
+    return [
+        (kind.__name__, name, word)
+        for number, *row in (*written.values, *written.objects)
+        for kind in [encoding.PROGRAMS.records[number]]
+        for name, word in zip(encoding.PROGRAMS.fields[kind], row, strict=True)
+        if (number, name) in WORDS and word is not None and word not in WORDS[number, name]
+    ]
+
+
+def test_a_field_that_is_a_literal_has_one_of_its_words():
+    profile = qos.Qos(history="keep_all", liveliness=None)
+    [again] = decode(encode([profile]))
+    assert again == profile and type(again.history) is str
+    assert odd_words(encode([profile])) == []
+    assert odd_words(encode([qos.Qos(history="keep_some")])) == [("Qos", "history", "keep_some")]
+
+
 def test_every_class_of_the_model_is_known():
     """Each class that a field of a program names, and each kind of what a call is given."""
-    annotations = " ".join(str(row.type) for kind in encoding.PROGRAMS.records for row in fields(kind))
-    named = set(re.findall(r"\b[A-Z]\w+\b", annotations)) - {"None", "Literal"}
-    aliases = {
-        "BranchArm",
-        "BranchArms",
-        "ClassKey",
-        "GuardKind",
-        "InterfaceKind",
-        "OriginKind",
-        "Resolution",
-        "Access",
-    }
-    records = {kind.__name__ for kind in encoding.PROGRAMS.records}
-    assert named - aliases <= records | encoding.PROGRAMS.words_by_name.keys()
-    assert {kind.__name__ for kind in given.Given.__subclasses__()} <= records
-    assert {kind.__name__ for kind in (CodeBranch, *CodeBranch.__subclasses__())} <= records
+    records = set(encoding.PROGRAMS.records)
+    known = {*records, *encoding.PROGRAMS.words, *PLAIN, list, tuple, set, frozenset, dict, Union, UnionType}
+    known |= {collections.abc.Sequence, collections.abc.Mapping}
+    for kind in encoding.PROGRAMS.records:
+        for row in fields(kind):
+            for part in parts_of(row.type):
+                if get_origin(part) is Literal:
+                    assert all(type(word) in (str, int, bool) for word in get_args(part)), row
+                else:
+                    bases = isinstance(part, type) and part is not object and any(issubclass(r, part) for r in records)
+                    assert part in known or bases, f"{kind.__name__}.{row.name}: {part}"
+    for base in (given.Given, CodeBranch):  # by name: a class with slots is made twice
+        assert {kind.__name__ for kind in base.__subclasses__()} <= {kind.__name__ for kind in records}
 
 
 # ------------------------------------------------------------------------------------------------ fixtures
@@ -168,7 +237,9 @@ def through_bytes(monkeypatch: pytest.MonkeyPatch) -> list[int]:
     def all_again(linker: Linker, entries: list[EntryPoint]) -> list[Program]:
         programs = run_all(linker, entries)
         every = list({id(one): one for one in (*programs, *linker.started.values())}.values())
-        again = dict(zip(map(id, every), decode(encode(every)), strict=True))
+        payload = encode(every)
+        assert odd_words(payload) == []
+        again = dict(zip(map(id, every), decode(payload), strict=True))
         linker.started = {key: again[id(one)] for key, one in linker.started.items()}
         counted[0] += len(programs)
         return [again[id(one)] for one in programs]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from archlint.checks.registry import finding
 from archlint.finding import Finding, Related
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 def names_given_by_launch(system: System) -> Iterator[Finding]:
     """Every bad name that a launch file gives: of nodes, of namespaces, and in remappings; each cause once."""
     reported: dict[tuple[str, Place | str], list[Related]] = {}
-    findings: dict[tuple[str, Place | str], Finding] = {}
+    findings: dict[tuple[str, Place | str], _BadName] = {}
     launched = system.launched
     if launched is None:
         return
@@ -32,17 +32,17 @@ def names_given_by_launch(system: System) -> Iterator[Finding]:
     for started in launched.started:
         if started.dormant or started.kind == StartedKind.PROCESS:
             continue
-        for diagnostic, cause in _bad_names(started):
-            if empty and _has_empty_part(diagnostic):
+        for bad in _bad_names(started):
+            if empty and _has_empty_part(bad.finding):
                 continue
-            key = (diagnostic.identity[0], cause)  # the rounds of a loop give several names at one place
-            findings.setdefault(key, diagnostic)
+            key = (bad.finding.identity[0], bad.cause)  # the rounds of a loop give several names at one place
+            first = findings.setdefault(key, bad)
             others = reported.setdefault(key, [Related(started.place, "")])
-            if diagnostic.message != findings[key].message:
-                others.append(Related(started.place, diagnostic.message))
-            elif started.place not in (findings[key].place, others[0].place):
+            if bad.rejected != first.rejected:
+                others.append(Related(started.place, bad.finding.message))
+            elif started.place not in (first.finding.place, others[0].place):
                 others.append(Related(started.place, "this is part of the invalid name, too"))
-    for key, diagnostic in findings.items():
+    for key, (diagnostic, _, _) in findings.items():
         yield finding(
             diagnostic.code,
             diagnostic.place,
@@ -90,14 +90,22 @@ def _wrong_of(started: Started) -> Iterator[tuple[names.InvalidName, str]]:
             yield wrong, key
 
 
-def _bad_names(started: Started) -> Iterator[tuple[Finding, Place | str]]:
-    """Findings with what tells one cause from another: a place, or for a namespace that was pushed its name."""
+class _BadName(NamedTuple):
+    """What ROS rejects, and why: ``cause`` is a place, or for a namespace that was pushed its name."""
+
+    finding: Finding
+    cause: Place | str
+    rejected: tuple[str, str]
+    """What is rejected of a node or a remapping, and its text."""
+
+
+def _bad_names(started: Started) -> Iterator[_BadName]:
     for wrong, key in _wrong_of(started):
         text = started.name if key == "name" else started.namespace
         shown = "" if text is None or text.text is None else text.text
         own = started.places.get(key)
         what = "name of the node" if key == "name" else "namespace"
-        yield (
+        yield _BadName(
             finding(
                 "NME002",
                 own or started.place,
@@ -108,11 +116,13 @@ def _bad_names(started: Started) -> Iterator[tuple[Finding, Place | str]]:
                 identity=(key, shown),
             ),
             own or shown,
+            (key, shown),
         )
     for remap in started.remaps:
-        message = _refused(remap)
-        if message is not None:
-            yield (
+        refused = _refused(remap)
+        if refused is not None:
+            message, rejected = refused
+            yield _BadName(
                 finding(
                     "NME002",
                     remap.place,
@@ -124,23 +134,24 @@ def _bad_names(started: Started) -> Iterator[tuple[Finding, Place | str]]:
                     identity=("remap", remap.source.text or "", remap.target.text or ""),
                 ),
                 remap.place,
+                rejected,
             )
 
 
-def _refused(remap: Remap) -> str | None:
+def _refused(remap: Remap) -> tuple[str, tuple[str, str]] | None:
+    """Why ROS rejects a remapping, and what of it."""
     source, target = remap.source, remap.target
     if source.text is None or target.text is None or not (_is_known(source) and _is_known(target)):
         return None
+    rule = f"{source.text}:={target.text}"
     try:
-        RemapRule.parse(f"{source.text}:={target.text}")
+        RemapRule.parse(rule)
     except ValueError as error:
-        wrong = names.validate_topic_name(target.text)
-        if wrong is not None:
-            return f"ROS rejects the name '{target.text}', the target of this remapping: {wrong.message}"
-        wrong = names.validate_topic_name(source.text)
-        if wrong is not None:
-            return f"ROS rejects the name '{source.text}', the source of this remapping: {wrong.message}"
-        return f"ROS rejects this remapping: {error}"
+        for text, end in ((target.text, "target"), (source.text, "source")):
+            wrong = names.validate_topic_name(text)
+            if wrong is not None:
+                return f"ROS rejects the name '{text}', the {end} of this remapping: {wrong.message}", (end, text)
+        return f"ROS rejects this remapping: {error}", ("rule", rule)
     return None
 
 

@@ -15,7 +15,7 @@ from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related, Severity
 
 if TYPE_CHECKING:
-    from archlint.ros.qos import Verdict
+    from archlint.ros.qos import DurationPolicy, StrengthPolicy, Verdict
     from archlint.systems.model import System
 
 
@@ -37,7 +37,7 @@ def qos_deadline_mismatch(system: System, options: Options) -> Iterator[Finding]
     yield from _mismatches("QOS003", system, {"deadline", "liveliness", "liveliness_lease"})
 
 
-def _mismatches(code: str, system: System, policies: set[str]) -> Iterator[Finding]:
+def _mismatches(code: str, system: System, policies: set[DurationPolicy | StrengthPolicy]) -> Iterator[Finding]:
     """One finding for each subscription (one create call) and policy, with all publishers that do not fit."""
     against: dict[tuple[int, str], list[tuple[Undelivered, Verdict]]] = {}
     for pair in undelivered(system):

@@ -6,7 +6,7 @@ No more than what analyses ask.  Each kind answers for itself; the base says tha
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 from archlint.origins import OriginKind
 
@@ -166,11 +166,14 @@ class ForeignClass(Given):
     path: str
 
 
+CollectionKind = Literal["list", "tuple", "set", "dict", "generator"]
+
+
 @dataclass(frozen=True, slots=True)
 class Collection(Given):
-    """Several values; ``kind`` is ``list``, ``tuple``, ``set``, ``dict`` or ``generator``."""
+    """Several values."""
 
-    kind: str
+    kind: CollectionKind
 
 
 ObjectIdentity = tuple["Process", int]

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
-from typing import Any, TypeVar
+from typing import Any, Final, TypeVar
 
 import msgspec
 from msgspec import Struct, field
@@ -17,16 +17,35 @@ from msgspec import Struct, field
 from archlint import model as program
 from archlint.finding import Place
 from archlint.observed.model import BAG, MONITOR, RECORDING, Observed, SeenEnd, SeenNode, SeenParameter, SeenTopic
-from archlint.ros.qos import Qos
+from archlint.ros.qos import Durability, History, Liveliness, Qos, Reliability
 from archlint.syntax.safe_yaml import YamlError, YamlReader
 
 VERSION = 1
 """The newest version of a recording that is understood."""
 
-_HISTORY = ("system_default", "keep_last", "keep_all", "unknown")
-_RELIABILITY = ("system_default", "reliable", "best_effort", "unknown", "best_available")
-_DURABILITY = ("system_default", "transient_local", "volatile", "unknown", "best_available")
-_LIVELINESS = ("system_default", "automatic", "manual_by_node", "manual_by_topic", "unknown", "best_available")
+_HISTORY: Final[tuple[History, ...]] = ("system_default", "keep_last", "keep_all", "unknown")
+_RELIABILITY: Final[tuple[Reliability, ...]] = (
+    "system_default",
+    "reliable",
+    "best_effort",
+    "unknown",
+    "best_available",
+)
+_DURABILITY: Final[tuple[Durability, ...]] = (
+    "system_default",
+    "transient_local",
+    "volatile",
+    "unknown",
+    "best_available",
+)
+_LIVELINESS: Final[tuple[Liveliness, ...]] = (
+    "system_default",
+    "automatic",
+    "manual_by_node",
+    "manual_by_topic",
+    "unknown",
+    "best_available",
+)
 _UNSPECIFIED = ("system_default", "unknown", "best_available")
 """What a middleware says where it does not know, or has not decided."""
 _FOREVER_S = 1e9
@@ -34,6 +53,7 @@ _FOREVER_S = 1e9
 
 
 _Form = TypeVar("_Form")
+_Word = TypeVar("_Word", bound=str)
 
 
 class NotOfThisForm(Exception):
@@ -84,10 +104,10 @@ class _Qos(Struct):
         )
 
 
-def _policy(given: str | int | None, words: Sequence[str]) -> str | None:
+def _policy(given: str | int | None, words: Sequence[_Word]) -> _Word | None:
     if isinstance(given, int):
         given = words[given] if 0 <= given < len(words) else None
-    return given if given in words and given not in _UNSPECIFIED else None
+    return next((word for word in words if word == given and word not in _UNSPECIFIED), None)
 
 
 def observed(data: Any, file: str, text: str, digest: str) -> Observed:

@@ -17,6 +17,8 @@ BAG: Final = "bag"
 MONITOR: Final = "monitor"
 
 Status = Literal["missing", "unexpected", "different"]
+Subject = EntityKind | Literal["node", "topic", "parameter"]
+"""What a difference is about: the end of a node, or something else."""
 MISSING: Final = "missing"
 UNEXPECTED: Final = "unexpected"
 DIFFERENT: Final = "different"
@@ -89,15 +91,14 @@ class Observed:
 class Difference:
     """One thing in which the running system differs from the source.
 
-    ``status`` is ``missing``, ``unexpected`` or ``different``; ``kind`` that of an endpoint, or ``node``, ``topic``,
-    ``parameter``.  ``node`` is the full name of the node that it is about, ``name`` that of the entity (for a node,
-    its own).  ``place`` is in the source where something there is about it, else in the observed file.
+    ``node`` is the full name of the node that it is about, ``name`` that of the entity (for a node, its own).
+    ``place`` is in the source where something there is about it, else in the observed file.
     ``expected`` and ``observed`` are the two sides in words, empty where there is none.  Of a ``doubtful`` one no
     launch file says that it should be otherwise.
     """
 
     status: Status
-    kind: str
+    kind: Subject
     name: str
     node: str | None
     message: str

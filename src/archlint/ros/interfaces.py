@@ -4,19 +4,25 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Mapping
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING
 
 from archlint.ros import standard_interfaces
-from archlint.syntax.interfaces import FieldType, Interface, InterfaceField, Section, parse_interface
+from archlint.syntax.interfaces import (
+    INTERFACE_KINDS,
+    KIND_OF_SUFFIX,
+    FieldType,
+    Interface,
+    InterfaceField,
+    InterfaceKind,
+    Section,
+    SectionName,
+    parse_interface,
+)
 
 if TYPE_CHECKING:
     from archlint.workspace.model import SourceFile
 
-InterfaceKind = Literal["msg", "srv", "action"]
-"""The folder and the suffix of an interface's file."""
-INTERFACE_KINDS: tuple[InterfaceKind, ...] = ("msg", "srv", "action")
-_BY_WORD: Mapping[str, InterfaceKind] = {kind: kind for kind in INTERFACE_KINDS}
-_SECTIONS = {
+_SECTIONS: Mapping[str, SectionName] = {
     "": "message",
     "Request": "request",
     "Response": "response",
@@ -43,14 +49,14 @@ _WRAPPERS = {
 def parts_of_type(interface: str) -> tuple[str, InterfaceKind, str]:
     """Package, kind and name of ``package/msg/Name``; raises KeyError for another kind."""
     package, kind, name = interface.split("/")
-    return package, _BY_WORD[kind], name
+    return package, KIND_OF_SUFFIX[kind], name
 
 
 def type_of_file(file: SourceFile) -> str | None:
     """``package/msg/Name`` of an interface file; None where it lies in no package."""
     path = file.path.replace("\\", "/")
     stem, _, kind = path.rpartition("/")[2].rpartition(".")
-    if file.package is None or kind not in _BY_WORD or not stem:
+    if file.package is None or kind not in KIND_OF_SUFFIX or not stem:
         return None
     return f"{file.package}/{kind}/{stem}"
 
@@ -116,12 +122,12 @@ class InterfaceTable:
         for word in words:
             stem, _, suffix = word.rpartition(".")
             folder, _, name = stem.rpartition("/")
-            if name and suffix in _BY_WORD:
+            if name and suffix in KIND_OF_SUFFIX:
                 self._listed.add((package, suffix, name))
             elif name and suffix == "idl":
                 kind = folder.rpartition("/")[2]
                 self._listed.update(
-                    (package, other, name) for other in ([kind] if kind in _BY_WORD else INTERFACE_KINDS)
+                    (package, other, name) for other in ([kind] if kind in KIND_OF_SUFFIX else INTERFACE_KINDS)
                 )
 
     def _lists(self, package: str) -> bool:
@@ -129,7 +135,7 @@ class InterfaceTable:
 
     def _add_listed(self, package: str, words: Collection[str]) -> None:
         self._add_names(package, words)
-        globbed = any(f".{suffix}" in words for suffix in _BY_WORD)
+        globbed = any(f".{suffix}" in words for suffix in KIND_OF_SUFFIX)
         if not globbed and self._lists(package) and "GLOB" not in words:
             self._complete.add(package)
         if ".idl" in words or not _MADE_BY_CMAKE.isdisjoint(words):
@@ -194,8 +200,8 @@ class InterfaceTable:
     def get(self, name: str) -> Interface | None:
         """The interface called ``package/kind/Name``; None where it is not known."""
         if name not in self._parsed:
-            text, kind = self._text(name), name.split("/")[1]
-            self._parsed[name] = None if text is None else parse_interface(text, kind)
+            text = self._text(name)
+            self._parsed[name] = None if text is None else parse_interface(text, parts_of_type(name)[1])
         return self._parsed[name]
 
     def _text(self, name: str) -> str | None:
@@ -265,3 +271,6 @@ class InterfaceTable:
             if definition.name == constant and isinstance(definition.value, (str, int, float, bool)):
                 return definition.value
         return None
+
+
+__all__ = ["InterfaceKind", "InterfaceTable", "parts_of_type", "type_of_file"]

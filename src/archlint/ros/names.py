@@ -12,6 +12,7 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 from functools import lru_cache
+from typing import Literal
 
 HOLE = "*"
 TOPIC_NAME_LIMIT = 247
@@ -30,11 +31,29 @@ _TILDE = "topic name must not have a tilde '~' that is not followed by a forward
 _LAST_SLASH = "topic name must not end with a forward slash"
 
 
+NameFault = Literal[
+    "EMPTY",
+    "ENDS_WITH_SLASH",
+    "MISPLACED_TILDE",
+    "NOT_ABSOLUTE",
+    "REPEATED_SLASH",
+    "STARTS_WITH_NUMBER",
+    "SUBSTITUTION_STARTS_WITH_NUMBER",
+    "SUBSTITUTION_UNALLOWED",
+    "TILDE_NOT_FOLLOWED_BY_SLASH",
+    "TOKEN_STARTS_WITH_NUMBER",
+    "TOO_LONG",
+    "UNALLOWED_CHARACTERS",
+    "UNKNOWN_SUBSTITUTION",
+    "UNMATCHED_CURLY_BRACE",
+]
+
+
 @dataclass(frozen=True)
 class InvalidName:
     """Why ROS rejects a name: rcl's code, rcl's message, and where in the text (from 0)."""
 
-    code: str
+    code: NameFault
     message: str
     index: int
 

@@ -13,8 +13,17 @@ if TYPE_CHECKING:
     from archlint.finding import Place
 
 
+History = Literal["system_default", "keep_last", "keep_all", "unknown"]
+Reliability = Literal["system_default", "reliable", "best_effort", "unknown", "best_available"]
+Durability = Literal["system_default", "transient_local", "volatile", "unknown", "best_available"]
+Liveliness = Literal["system_default", "automatic", "manual_by_node", "manual_by_topic", "unknown", "best_available"]
+PolicyName = Literal["history", "reliability", "durability", "liveliness"]
+"""A policy that has words for values."""
+PolicyValue = History | Reliability | Durability | Liveliness
+BoundName = Literal["deadline", "lifespan", "liveliness_lease"]
+"""A policy that is a duration."""
 DurationPolicy = Literal["deadline", "liveliness_lease"]
-"""A policy of two durations that an offer and a request must agree on."""
+"""A duration that an offer and a request must agree on."""
 StrengthPolicy = Literal["reliability", "durability", "liveliness"]
 """A policy of two strengths."""
 Level = Literal["error", "warning"]
@@ -27,16 +36,16 @@ class Qos:
     Durations are in seconds, None where the default (infinite) stands.  ``explicit`` names the policies that
     the code set itself."""
 
-    history: str | None = "keep_last"
+    history: History | None = "keep_last"
     depth: int | None = 10
-    reliability: str | None = "reliable"
-    durability: str | None = "volatile"
+    reliability: Reliability | None = "reliable"
+    durability: Durability | None = "volatile"
     deadline: float | None = None
     lifespan: float | None = None
-    liveliness: str | None = "system_default"
+    liveliness: Liveliness | None = "system_default"
     liveliness_lease: float | None = None
     explicit: frozenset[str] = frozenset()
-    unknown_durations: frozenset[str] = frozenset()
+    unknown_durations: frozenset[BoundName] = frozenset()
     parameter: str | None = None
     """The parameter that decides (part of) the profile, if one does."""
     place: Place | None = None
@@ -101,8 +110,8 @@ class Verdict:
 
     policy: DurationPolicy | StrengthPolicy
     level: Level
-    offered: str | float | None
-    requested: str | float | None
+    offered: PolicyValue | float | None
+    requested: PolicyValue | float | None
 
 
 @dataclass(frozen=True)
@@ -110,8 +119,8 @@ class _Rule:
     """A policy of two strengths: a weak offer does not serve a strong request."""
 
     policy: StrengthPolicy
-    weak: str
-    strong: str
+    weak: PolicyValue
+    strong: PolicyValue
 
 
 _RULES = (
@@ -119,7 +128,7 @@ _RULES = (
     _Rule("durability", "volatile", "transient_local"),
     _Rule("liveliness", "automatic", "manual_by_topic"),
 )
-_UNDECIDED = ("system_default", "unknown")
+_UNDECIDED: Final = ("system_default", "unknown")
 """What the middleware decides."""
 _DURATIONS: Final[tuple[DurationPolicy, ...]] = ("deadline", "liveliness_lease")
 _TIMES = (*_DURATIONS, "lifespan")
@@ -139,8 +148,8 @@ def compatible(offered: Qos, requested: Qos) -> list[Verdict]:
 
 
 def _policy_verdict(rule: _Rule, offered: Qos, requested: Qos) -> Verdict | None:
-    offer: str | None = getattr(offered, rule.policy)
-    request: str | None = getattr(requested, rule.policy)
+    offer: PolicyValue | None = getattr(offered, rule.policy)
+    request: PolicyValue | None = getattr(requested, rule.policy)
     if offer is None or request is None:
         return None
     if offer == rule.weak and request == rule.strong:

@@ -8,6 +8,7 @@ sections.  What it refuses becomes a problem at that line; the lines that are in
 from __future__ import annotations
 
 import re
+from typing import Final, Literal
 
 import msgspec
 
@@ -15,7 +16,16 @@ from archlint.syntax.facts import Base, FileProblem
 from archlint.syntax.interface_values import PRIMITIVE_TYPES, InvalidValue, Value, parse_primitive, parse_value
 from archlint.syntax.python import gate
 
-SECTIONS = {
+InterfaceKind = Literal["msg", "srv", "action"]
+"""What an interface file defines, as the suffix of the file says."""
+INTERFACE_KINDS: Final[tuple[InterfaceKind, ...]] = ("msg", "srv", "action")
+KIND_OF_SUFFIX: Final[dict[str, InterfaceKind]] = {kind: kind for kind in INTERFACE_KINDS}
+SectionName = Literal["message", "request", "response", "goal", "result", "feedback"]
+WrapperName = Literal["feedback message", "result response"]
+"""What rclpy wraps sections of an action in."""
+ArrayKind = Literal["", "fixed", "bounded", "unbounded"]
+
+SECTIONS: Final[dict[InterfaceKind, tuple[SectionName, ...]]] = {
     "msg": ("message",),
     "srv": ("request", "response"),
     "action": ("goal", "result", "feedback"),
@@ -41,7 +51,7 @@ class FieldType(Base, frozen=True):
     """
 
     name: str
-    array: str = ""
+    array: ArrayKind = ""
     size: int | None = None
     string_bound: int | None = None
 
@@ -69,9 +79,9 @@ class InterfaceConstant(Base, frozen=True):
 
 
 class Section(Base, frozen=True):
-    """One of the messages of an interface; ``name`` is one of :data:`SECTIONS`."""
+    """One of the messages of an interface; ``name`` is one of :data:`SECTIONS`, or what rclpy wraps one in."""
 
-    name: str
+    name: SectionName | WrapperName
     fields: list[InterfaceField] = msgspec.field(default_factory=list)
     constants: list[InterfaceConstant] = msgspec.field(default_factory=list)
 
@@ -83,7 +93,7 @@ class Section(Base, frozen=True):
 class Interface(Base, frozen=True):
     """An interface file.  ``kind`` is ``msg``, ``srv`` or ``action``; all its sections are always there."""
 
-    kind: str
+    kind: InterfaceKind
     sections: list[Section]
     problems: list[FileProblem] = msgspec.field(default_factory=list)
 
@@ -92,7 +102,7 @@ class Interface(Base, frozen=True):
         return next(section for section in self.sections if section.name == name)
 
 
-def parse_interface(text: str, kind: str) -> Interface:
+def parse_interface(text: str, kind: InterfaceKind) -> Interface:
     """Read an interface file.  Never raises for what is in the text."""
     names = SECTIONS[kind]
     sections = [Section(name) for name in names]
@@ -118,7 +128,7 @@ def interface_problems(path: str) -> list[tuple[int, int, str]]:
     data = gate.read_bytes(path)
     if isinstance(data, gate.Refusal):
         return [(data.line, data.column, data.message)]
-    kind = path.rpartition(".")[2]
+    kind = KIND_OF_SUFFIX[path.rpartition(".")[2]]
     interface = parse_interface(data.decode("utf-8", "replace"), kind)
     return [(problem.line, problem.column, problem.message) for problem in interface.problems]
 
@@ -181,7 +191,8 @@ def _add_field(section: Section, kind: FieldType, name: str, default: str, numbe
 
 def parse_type(text: str) -> FieldType:
     """The type of a field as it is written.  Raises :class:`InvalidDefinition`."""
-    array, size, element = "", None, text
+    array: ArrayKind = ""
+    size, element = None, text
     match = _ARRAY.match(text)
     if match is not None:
         element = match[1]

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 from archlint.interpreter.values import Unknown, Value
 from archlint.libraries.rclpy import names
 from archlint.model import UnknownInterface
-from archlint.ros.interfaces import INTERFACE_KINDS, parts_of_type
+from archlint.ros.interfaces import parts_of_type
+from archlint.syntax.interfaces import INTERFACE_KINDS
 
 if TYPE_CHECKING:
     from archlint.libraries.run import Run

@@ -9,18 +9,16 @@ from archlint.interpreter.values import (
     Value,
 )
 from archlint.libraries.rclpy import names as rclpy_names
+from archlint.ros.qos import PolicyName, PolicyValue
 
-_BY_NUMBER: dict[str, dict[int, str]] = {
+_BY_NUMBER: dict[PolicyName, dict[int, PolicyValue]] = {
     "history": {0: "system_default", 1: "keep_last", 2: "keep_all"},
     "reliability": {0: "system_default", 1: "reliable", 2: "best_effort", 4: "best_available"},
     "durability": {0: "system_default", 1: "transient_local", 2: "volatile", 4: "best_available"},
     "liveliness": {0: "system_default", 1: "automatic", 3: "manual_by_topic", 5: "best_available"},
 }
-_KNOWN_POLICIES = {
-    "history": {"system_default", "keep_last", "keep_all"},
-    "reliability": {"system_default", "reliable", "best_effort", "best_available"},
-    "durability": {"system_default", "transient_local", "volatile", "best_available"},
-    "liveliness": {"system_default", "automatic", "manual_by_topic", "best_available"},
+_BY_WORD: dict[PolicyName, dict[str, PolicyValue]] = {
+    name: {value: value for value in by_number.values()} for name, by_number in _BY_NUMBER.items()
 }
 
 
@@ -29,7 +27,7 @@ def policy_by_name(path: str, name: object) -> External | None:
     return External(f"{path}.{name.upper()}") if path.startswith("rclpy.qos.") and isinstance(name, str) else None
 
 
-_POLICY_CLASSES = {
+_POLICY_CLASSES: dict[str, PolicyName] = {
     "rclpy.qos.HistoryPolicy": "history",
     "rclpy.qos.ReliabilityPolicy": "reliability",
     "rclpy.qos.DurabilityPolicy": "durability",
@@ -47,17 +45,17 @@ def policy_number(path: str) -> int | None:
     return next((number for number, text in _BY_NUMBER[name].items() if text == wanted), None)
 
 
-def policy(name: str, value: Value) -> str | None:
+def policy(name: PolicyName, value: Value) -> PolicyValue | None:
     """The policy that an enum member, its number or its short key stands for."""
     match value:
         case External(path=path):
             tail = path.removesuffix(".value").rpartition(".")[2].upper()
             tail = tail.removeprefix(f"RMW_QOS_POLICY_{name.upper()}_").lower()
-            return tail if tail in _KNOWN_POLICIES[name] else None
+            return _BY_WORD[name].get(tail)
         case Known(value=int(number)):
             return _BY_NUMBER[name].get(number)
-        case Known(value=str(text)) if text.lower() in _KNOWN_POLICIES[name]:
-            return text.lower()
+        case Known(value=str(text)):
+            return _BY_WORD[name].get(text.lower())
     return None
 
 

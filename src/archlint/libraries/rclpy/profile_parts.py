@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
+from typing import Final
+
 from archlint.interpreter.fields import Field
-from archlint.ros.qos import Qos
+from archlint.ros.qos import BoundName, PolicyName, Qos
 
 PROFILE = "rclpy.qos.QoSProfile"
 
-POLICIES = ("history", "reliability", "durability", "liveliness")
-DURATIONS = {"deadline": "deadline", "lifespan": "lifespan", "liveliness_lease_duration": "liveliness_lease"}
+POLICIES: Final[tuple[PolicyName, ...]] = ("history", "reliability", "durability", "liveliness")
+DURATIONS: Final[dict[str, BoundName]] = {
+    "deadline": "deadline",
+    "lifespan": "lifespan",
+    "liveliness_lease_duration": "liveliness_lease",
+}
 
 
 OPEN: Field[bool] = Field("more arguments than are known")

@@ -24,7 +24,7 @@ from archlint.libraries.rclpy.changed_profiles import as_changed, copy_of
 from archlint.libraries.rclpy.policies import duration_seconds, policy
 from archlint.libraries.rclpy.presets import API_DEFAULTS, DEFAULT, preset
 from archlint.libraries.rclpy.profile_parts import DURATIONS, OPEN, POLICIES, PRESET, PROFILE
-from archlint.ros.qos import Qos
+from archlint.ros.qos import BoundName, Qos
 
 if TYPE_CHECKING:
     from archlint.libraries.api_use import ApiUse
@@ -149,7 +149,7 @@ def _of_profile(run: Run, profile: Instance) -> Qos:
     explicit: set[str] = set(base.explicit)
     fields: dict[str, object] = {}
     parameters: set[str] = set()
-    unknown: set[str] = set()
+    unknown: set[BoundName] = set()
     # rclpy fills what is not given from the default profile: keep last, 10, reliable, volatile.
     for name in POLICIES:
         value = run.store.get(profile.key, name)
@@ -163,10 +163,10 @@ def _of_profile(run: Run, profile: Instance) -> Qos:
         parameters |= via(depth)
         number = depth.whole_number
         fields["depth"] = None if isinstance(number, bool) else number
-    for name, field in DURATIONS.items():
-        value = run.store.get(profile.key, name)
+    for duration, field in DURATIONS.items():
+        value = run.store.get(profile.key, duration)
         if value is not None:
-            explicit.add(name)
+            explicit.add(duration)
             seconds = duration_seconds(value)
             if seconds is None:
                 unknown.add(field)
