@@ -110,6 +110,29 @@ def test_one_action_in_both_arms_of_an_undecided_if_is_started_once(findings, li
     assert findings(lines) == []
 
 
+GROUP = "GroupAction([PushRosNamespace(ns), {}])"
+TIMER = "TimerAction(period=5.0, actions=[{}])"
+EACH = "Node(package='robot', executable='talker', name='{}')"
+
+
+@pytest.mark.parametrize(
+    ("around", "told"),
+    [
+        (GROUP.format(TIMER), 1),  # the group ends before the timer fires
+        (TIMER.format(GROUP), 0),
+        (GROUP, 0),
+    ],
+)
+def test_a_timer_in_a_group_starts_its_nodes_without_the_namespace(findings, around: str, told: int):
+    both = f"{EACH.format('a')}, {EACH.format('b')}"
+    found = findings([f"for ns in ('left', 'right'):\n        nodes.append({around.format(both)})"])
+    assert len(found) == told
+    for one in found:
+        assert "starts a node with the name '/a': the namespace of the group around it is gone" in one.message
+        assert one.message.endswith("; another action is started in the same way")
+        assert one.help.startswith("put the timer or event handler around the group")
+
+
 @pytest.mark.parametrize(
     ("lines", "at", "related"),
     [

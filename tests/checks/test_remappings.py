@@ -44,3 +44,17 @@ def test_a_node_that_hands_itself_out_may_have_more_names(findings):
     text = TALKER.replace("        self.create_publisher", "        Helper(self)\n        self.create_publisher")
     text = "from library import Helper\n" + text
     assert findings("LCH002", node('<remap from="odom" to="x"/>'), **{"robot/talker.py": text}) == []
+
+
+def test_dead_remappings_of_one_node_are_one_finding(findings):
+    remaps = '<remap from="odom" to="a"/>\n<remap from="chatter" to="b"/>\n<remap from="scan" to="c"/>'
+    copy = {"launch/more.launch.xml": f"<launch>{node(remaps)}</launch>"}
+    (found,) = findings("LCH002", node(remaps), **copy)
+    assert found.message == ("/talker has none of these 2 names, so these remappings have no effect: /odom, /scan")
+    assert [(row.place.file, row.place.line) for row in found.related] == [
+        ("launch/it.launch.xml", 3),
+        ("launch/more.launch.xml", 1),
+        ("launch/more.launch.xml", 3),
+    ]
+    misspelt = remaps.replace("odom", "chater")
+    assert len(findings("LCH002", node(misspelt), **{"launch/more.launch.xml": "<launch/>"})) == 2

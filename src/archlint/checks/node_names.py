@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import combinations, groupby
 from typing import TYPE_CHECKING
 
 from archlint.analysis.brief_programs import is_brief
 from archlint.branches import exclusive, runs_along
+from archlint.checks.folding import folds, with_others
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related, Severity
@@ -158,14 +159,20 @@ def _of_two_actions(system: System, several: list[Twins]) -> Iterator[Finding]:
         shared = f"two launch actions start nodes with the same names: {', '.join(names)}"
     if first.launch_place == here:
         shared = f"this line creates several actions, and each starts a node with the name '{names[0]}'"
+    late = all(twin.started is not None and twin.started.without_namespace for twin in (first, other))
+    if late:
+        shared = f"{shared}: the namespace of the group around it is gone when its timer or event handler starts it"
     sole = all(sum(node.started is twin.started for node in system.nodes) == 1 for twin in (first, other))
-    yield finding(
+    help = "give each its own name or namespace"
+    if late:
+        help = "put the timer or event handler around the group, or give each node its namespace="
+    elif not sole:
+        help = "give each action its own namespace: name= would rename all its nodes"
+    diagnostic = finding(
         "NME004",
         here,
         shared,
-        help="give each its own name or namespace"
-        if sole
-        else "give each action its own namespace: name= would rename all its nodes",
+        help=help,
         related=[
             *([Related(first.launch_place, "the other one is started here")] if first.launch_place != here else []),
             *(Related(place, "another one is started here") for place in more),
@@ -173,6 +180,13 @@ def _of_two_actions(system: System, several: list[Twins]) -> Iterator[Finding]:
         node=names[0],
         identity=tuple(names),
     )
+    yield replace(diagnostic, group=(here.file,)) if late else diagnostic
+
+
+@folds("NME004")
+def _of_one_group(several: Sequence[Finding]) -> Finding:
+    """One finding for all nodes of a file that come too late for the namespace of their group."""
+    return with_others(several, "another action is", "more actions are", "started in the same way")
 
 
 _COUNTS = dict(enumerate(("two", "three", "four", "five", "six", "seven", "eight")))

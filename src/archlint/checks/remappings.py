@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from dataclasses import astuple, replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.completeness import is_complete
 from archlint.analysis.kept import once
+from archlint.checks.folding import folds, with_places
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
-from archlint.finding import Finding
+from archlint.finding import Finding, Related
 from archlint.model import EntityKind
 from archlint.ros import names
 from archlint.ros.well_known import OF_EVERY_NODE, OF_TRANSFORMS
@@ -92,14 +94,34 @@ def _dead(remap: Remap, nodes: list[Node], started: Started) -> Iterator[Finding
         expanded = full
         known |= names_of_node
     shown = [n.rpartition("/")[2] if "/" not in source.strip("/") and not source.startswith("/") else n for n in known]
-    node_name = nodes[0].name
+    node_name, hint = nodes[0].name, did_you_mean(source, shown)
+    blueprint = nodes[0].blueprint
+    cause = () if hint or blueprint is None else (*map(str, astuple(blueprint.place)), blueprint.class_name)
     yield finding(
         "LCH002",
         remap.place,
-        f"{node_name} has no name '{expanded}', so this remapping has no effect" + did_you_mean(source, shown),
-        help=f"use a full name of the node: {listed(sorted(known))}",
+        f"{node_name} has no name '{expanded}', so this remapping has no effect{hint}",
+        help=f"use a full name of the node: {listed(sorted(name for name in known if '/_action/' not in name))}",
         node=node_name,
         identity=(node_name or "", expanded),
+        group=cause,
+    )
+
+
+@folds("LCH002", across_systems=True)
+def _of_one_node(several: Sequence[Finding]) -> Finding:
+    """One finding for all dead remappings of a node, in however many launch files: the next is a copy of the first."""
+    names = list(dict.fromkeys(diagnostic.identity[1] for diagnostic in several))
+    if len(names) == 1:
+        return with_places(several, "it is remapped here, too")
+    first, *others = several
+    rows = tuple(Related(other.place, f"'{other.identity[1]}'") for other in others)
+    return replace(
+        first,
+        message=f"{first.node} has none of these {len(names)} names, so these remappings have no effect: "
+        f"{listed(names)}",
+        related=(*first.related, *rows),
+        identity=(first.identity[0], *names),
     )
 
 

@@ -105,6 +105,8 @@ class LaunchRun(Run):
         self.in_handler = False
         self.around_groups: Context | None = None
         """The context around the outermost group that is visited now."""
+        self.without_namespace = False
+        """Whether what is visited now starts when the groups around it, and the namespace that they push, have gone."""
         self.asked_files: set[str] = set()
         """The paths of which the code asks whether a file exists."""
         self.made_files: dict[str, MadeFile] = {}

@@ -51,6 +51,8 @@ class Started:
     container: Text | None = None
     includes: tuple[Place, ...] = ()
     """The includes that lead to the file it is in, outermost first."""
+    without_namespace: bool = False
+    """Whether a timer or an event starts it, when the group around it has ended, and with it the group's namespace."""
     visited: tuple[tuple[int, int], ...] = ()
     """The actions that lead to it, itself included, each with the number of its visit."""
 

@@ -62,6 +62,7 @@ def _started(run: LaunchRun, entity: LaunchObject, kind: StartedKind) -> Started
         branch_arms=run.current_arms,
         dormant=run.is_dormant,
         places=entity.places,
+        without_namespace=run.without_namespace,
     )
     started.remaps = [*(run.launch.remaps or ()), *_remaps(run, entity.argument("remappings"))]
     words, all_known = _texts(run, entity.argument("arguments"))

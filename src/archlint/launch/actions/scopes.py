@@ -64,12 +64,15 @@ def later(run: LaunchRun) -> Iterator[None]:
         return
     now = run.launch
     before = now.namespace, now.remaps, now.parameters
+    without = run.without_namespace
+    run.without_namespace = without or now.namespace != around.namespace
     now.namespace, now.remaps, now.parameters = around.namespace, around.remaps, around.parameters
     run.around_groups = None
     try:
         yield
     finally:
         run.around_groups = around
+        run.without_namespace = without
         now.namespace, now.remaps, now.parameters = before
 
 
