@@ -44,7 +44,9 @@ def parser() -> argparse.ArgumentParser:
     rules.add_argument("--ignore", metavar="CODES", action="append", help="do not run these rules")
     output = parser.add_argument_group("output")
     formats = ", ".join(reports.FORMATS)
-    output.add_argument("--format", metavar="F", choices=reports.FORMATS, default="text", help=f"one of {formats}")
+    output.add_argument(
+        "--format", metavar="F", choices=list(reports.FORMATS), default="text", help=f"one of {formats}"
+    )
     output.add_argument("-o", metavar="FILE", dest="file", help="write the findings to FILE")
     output.add_argument(
         "--output",
@@ -76,9 +78,10 @@ def parser() -> argparse.ArgumentParser:
     return parser
 
 
-def _output(text: str) -> tuple[str, str]:
-    format, equals, file = text.partition("=")
-    if not equals or not file or format not in reports.FORMATS:
+def _output(text: str) -> tuple[reports.FormatName, str]:
+    name, _, file = text.partition("=")
+    format = next((format for format in reports.FORMATS if format == name), None)
+    if format is None or not file:
         raise argparse.ArgumentTypeError(f"must be FORMAT=FILE with a format of {', '.join(reports.FORMATS)}")
     return format, file
 
@@ -131,15 +134,15 @@ def run(arguments: argparse.Namespace) -> int:
 def _keeper(arguments: argparse.Namespace) -> Keeper | None:
     """Who keeps what is said, where that is all that the command does, and each time the same."""
     does_more = (arguments.file, arguments.output, arguments.observed, arguments.fix, arguments.diff)
-    says_more = arguments.statistics, arguments.verbose, arguments.format not in reports.LASTING
+    says_more = arguments.statistics, arguments.verbose, not reports.FORMATS[arguments.format].lasting
     if any((*does_more, *says_more, arguments.no_cache)):
         return None
     return Keeper(arguments.words, console.terminal(), (arguments.launch or ())[:1])
 
 
 def _asks_for_fixes(arguments: argparse.Namespace) -> bool:
-    formats = {arguments.format, *(format for format, _ in arguments.output)}
-    return bool(arguments.fix or arguments.diff or formats & reports.WITH_FIXES)
+    formats = (arguments.format, *(format for format, _ in arguments.output))
+    return bool(arguments.fix or arguments.diff or any(reports.FORMATS[format].with_fixes for format in formats))
 
 
 def _show_difference(report: Report, arguments: argparse.Namespace) -> int:
@@ -170,7 +173,7 @@ def _told(report: Report, fixed: int, request: Request, arguments: argparse.Name
     notes = [*report.remarks]
     if arguments.statistics:
         notes += [statistics(report.findings), _shape(request)]
-    if arguments.format in reports.FOR_PEOPLE or arguments.file is not None:
+    if reports.FORMATS[arguments.format].for_people or arguments.file is not None:
         notes.append(summary_line(report.summary))
     if arguments.verbose:
         settings = request.settings

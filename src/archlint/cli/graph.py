@@ -92,7 +92,7 @@ def run(arguments: argparse.Namespace) -> int:
     return exits.CLEAN
 
 
-def _keeper(arguments: argparse.Namespace, format: str) -> Keeper | None:
+def _keeper(arguments: argparse.Namespace, format: render.FormatName) -> Keeper | None:
     """Who keeps what is said, where that is all that the command does, and each time the same."""
     does_more = arguments.file, arguments.observed, arguments.verbose, arguments.no_cache
     if any(does_more) or render.FORMATS[format].drawn:
@@ -107,7 +107,7 @@ def _warnings(drawn: Drawn) -> str:
     return "".join(map(console.noted, lines))
 
 
-def _format(format: str | None, file: str | None) -> str:
+def _format(format: render.FormatName | None, file: str | None) -> render.FormatName:
     """The format asked for, or that of the file's suffix, or text."""
     to_terminal = file in (None, "-")
     if format is None and not to_terminal:

@@ -7,18 +7,17 @@ from typing import TYPE_CHECKING
 from archlint.checks.launch_notices import argument_notices
 from archlint.engine.drawn import Drawn
 from archlint.observed.words import comparison_notices, comparison_words
-from archlint.render import render
+from archlint.render import FORMATS, FormatName, render
 
 if TYPE_CHECKING:
     from archlint.systems.model import System
 
 
-def drawn(system: System, format: str, color: bool) -> Drawn:
+def drawn(system: System, format: FormatName, color: bool) -> Drawn:
     """Raises :class:`archlint.render.drawing.CannotDraw`."""
     output = render(format, system, color)
     data, text = (output, "") if isinstance(output, bytes) else (b"", output)
-    says_so_itself = format == "text"
-    compared = None if says_so_itself else system.compared
+    compared = None if FORMATS[format].says_differences else system.compared
     return Drawn(
         text,
         data,

@@ -15,7 +15,7 @@ from archlint.engine.looked_at import idle_patterns, without_node
 from archlint.engine.request import NothingToDo, Request
 from archlint.engine.result_cache import Result, RunCache
 from archlint.engine.sources import Sources
-from archlint.render import FORMATS
+from archlint.render import FORMATS, FormatName
 from archlint.report.model import Judged, Report, Summary
 from archlint.syntax.cache import NullStore, Store
 from archlint.syntax.python.deep_stack import call_with_deep_stack
@@ -101,7 +101,7 @@ def graph(request: Request, everything: bool = False) -> System:
     return system
 
 
-def draw(request: Request, format: str, color: bool, everything: bool) -> Drawn:
+def draw(request: Request, format: FormatName, color: bool, everything: bool) -> Drawn:
     """The system of all nodes in one of :data:`archlint.render.FORMATS`.
 
     Raises :class:`NothingToDo`, and :class:`archlint.render.drawing.CannotDraw`.

@@ -11,11 +11,14 @@ import shutil
 import subprocess
 import sys
 from importlib.util import find_spec
+from typing import Literal
 
 from archlint.render import dot, look
 from archlint.render.errors import CannotDraw
 from archlint.render.picture import graph_of
 from archlint.systems.model import System
+
+Picture = Literal["svg", "png", "pdf"]
 
 TIME_LIMIT = 30
 """Seconds that a layout may take."""
@@ -49,7 +52,7 @@ def pdf(system: System) -> bytes:
     return draw(system, "pdf")
 
 
-def draw(system: System, format: str) -> bytes:
+def draw(system: System, format: Picture) -> bytes:
     """Raises :class:`CannotDraw`."""
     graph = graph_of(system)
     attributes = {"dpi": "144" if len(graph) <= SHARP else "96"} if format == "png" else {}
@@ -57,7 +60,7 @@ def draw(system: System, format: str) -> bytes:
     return layout(write(graph, **attributes), format)
 
 
-def layout(source: str, format: str) -> bytes:
+def layout(source: str, format: Picture) -> bytes:
     """What Graphviz makes of ``source``.  Raises :class:`CannotDraw`."""
     encoded = source.encode("utf-8", "replace")
     try:
@@ -77,7 +80,7 @@ def layout(source: str, format: str) -> bytes:
     )
 
 
-def _with_system_graphviz(source: bytes, format: str) -> bytes:
+def _with_system_graphviz(source: bytes, format: Picture) -> bytes:
     from graphviz.backend import dot_command, execute
 
     command = dot_command.command("dot", format)
@@ -85,7 +88,7 @@ def _with_system_graphviz(source: bytes, format: str) -> bytes:
     return bytes(done.stdout)
 
 
-def _with_bundled_graphviz(source: bytes, format: str) -> bytes:
+def _with_bundled_graphviz(source: bytes, format: Picture) -> bytes:
     command = [sys.executable, "-I", "-c", _BUNDLED, format, *filter(None, sys.path)]
     return subprocess.run(command, input=source, capture_output=True, timeout=TIME_LIMIT, check=True).stdout
 

@@ -3,26 +3,45 @@
 from __future__ import annotations
 
 import importlib
-from typing import TYPE_CHECKING
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Final, Literal
 
 if TYPE_CHECKING:
     from archlint.report.model import Report
 
-FORMATS = ("text", "concise", "json", "sarif", "github", "gitlab", "junit")
-"""Each is a module of this package with a function ``render``; a new format is a new row."""
-
-FOR_PEOPLE = ("text", "concise", "github")
-"""Formats that say nothing where nothing was found, so that a summary beside them is welcome."""
-
-LASTING = ("text", "concise")
-"""Formats that tell the same of the same findings: the others tell how long it took, or a service's own paths."""
-
-WITH_FIXES = frozenset({"json"})
-"""Formats that show the edits of fixes."""
+FormatName = Literal["text", "concise", "json", "sarif", "github", "gitlab", "junit"]
+"""Each is a module of this package with a function ``render``."""
 
 
-def render(format: str, report: Report, color: bool = False) -> str:
-    """The report in a format of :data:`FORMATS`; only ``text`` knows colours."""
+@dataclass(frozen=True)
+class Format:
+    """What a format shows."""
+
+    colored: bool = False
+    """Whether its function takes colours."""
+    for_people: bool = False
+    """Whether it says nothing where nothing was found, so that a summary beside it is welcome."""
+    lasting: bool = False
+    """Whether it says the same of the same findings: others say how long it took, or have a service's own paths."""
+    with_fixes: bool = False
+    """Whether it shows the edits of fixes."""
+
+
+FORMATS: Final[Mapping[FormatName, Format]] = {
+    "text": Format(colored=True, for_people=True, lasting=True),
+    "concise": Format(for_people=True, lasting=True),
+    "json": Format(with_fixes=True),
+    "sarif": Format(),
+    "github": Format(for_people=True),
+    "gitlab": Format(),
+    "junit": Format(),
+}
+"""A new format is a new row."""
+
+
+def render(format: FormatName, report: Report, color: bool = False) -> str:
+    """The report in a format of :data:`FORMATS`."""
     module = importlib.import_module(f"archlint.report.{format}")
-    text: str = module.render(report, color=color) if format == "text" else module.render(report)
+    text: str = module.render(report, color=color) if FORMATS[format].colored else module.render(report)
     return text
