@@ -15,6 +15,7 @@ from archlint.interpreter.values import (
     Holed,
     Instance,
     Known,
+    ListKind,
     ListValue,
     Unknown,
     Value,
@@ -158,7 +159,7 @@ def text_of(machine: Machine, value: Value) -> Value:
     return Unknown(reason(value))
 
 
-def _text_of_list(machine: Machine, value: ListValue, kind: str) -> Value:
+def _text_of_list(machine: Machine, value: ListValue, kind: ListKind) -> Value:
     """``str([1, 'a'])``, of constants."""
     items = value.items(machine)
     constants = constants_of(items.values)

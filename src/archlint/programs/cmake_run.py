@@ -11,6 +11,7 @@ import posixpath
 import re
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
+from typing import Final, Literal
 
 from archlint.workspace.cmake import Argument, Command, parse_cmake
 
@@ -193,8 +194,8 @@ class CMakeRun:
             scope.variables.setdefault("CMAKE_PROJECT_NAME", [texts[0]])
         elif name == "set" and texts:
             _set_command(texts, scope, self._conditions > 0)
-        elif name == "list" and len(texts) > 1 and texts[0].upper() in _LISTS:
-            scope.variables[texts[1]] = _list_command(texts[0].upper(), scope.variables.get(texts[1], []), texts[2:])
+        elif name == "list" and len(texts) > 1 and (mode := _LIST_MODES.get(texts[0].upper())) is not None:
+            scope.variables[texts[1]] = _list_command(mode, scope.variables.get(texts[1], []), texts[2:])
         elif name in _OUTPUT:
             result = self._result(step, texts)
             if result is None:
@@ -301,17 +302,28 @@ def _set_command(texts: Sequence[str], scope: _Scope, maybe: bool) -> None:
         _set(target, name, None if unknown else parts)
 
 
-_LISTS = frozenset({"APPEND", "PREPEND", "REMOVE_ITEM", "REMOVE_DUPLICATES", "SORT", "REVERSE", "FILTER"})
+_ListMode = Literal["append", "prepend", "remove items", "keep all"]
+_LIST_MODES: Final[dict[str, _ListMode]] = {
+    "APPEND": "append",
+    "PREPEND": "prepend",
+    "REMOVE_ITEM": "remove items",
+    **dict.fromkeys(("REMOVE_DUPLICATES", "SORT", "REVERSE", "FILTER"), "keep all"),
+}
 
 
-def _list_command(mode: str, old: list[str] | None, texts: Sequence[str]) -> list[str] | None:
+def _list_command(mode: _ListMode, old: list[str] | None, texts: Sequence[str]) -> list[str] | None:
     """The new value of a list; one that is filtered keeps all."""
     new = list(texts)
     if old is None or any("$" in text for text in new):
         return None
-    if mode in ("APPEND", "PREPEND"):
-        return [*old, *new] if mode == "APPEND" else [*new, *old]
-    return [text for text in old if text not in new] if mode == "REMOVE_ITEM" else old
+    match mode:
+        case "append":
+            return [*old, *new]
+        case "prepend":
+            return [*new, *old]
+        case "remove items":
+            return [text for text in old if text not in new]
+    return old
 
 
 def _component(path: str, mode: str) -> list[str] | None:
@@ -341,11 +353,11 @@ def _loop_values(words: Sequence[Argument], scope: _Scope) -> list[str] | None:
     if texts[:1] != ["IN"]:
         return texts
     items: list[str] = []
-    mode = ""
+    of_lists = False
     for text in texts[1:]:
         if text in ("LISTS", "ITEMS"):
-            mode = text
-        elif mode != "LISTS":
+            of_lists = text == "LISTS"
+        elif not of_lists:
             items.append(text)
         else:
             values = scope.variables.get(text)
