@@ -22,6 +22,7 @@ from typing import Any
 
 from archlint.launch.functions import PROCESS_END, PROCESS_OUTPUT
 from archlint.launch.moveit_configs.collected import FOLDER_ORDER
+from archlint.launch.read_files import FILE_OF_THE_MACHINE
 from benchmarks.launches.expected import MADE, Checkout, Row, Unknown, recorded
 from benchmarks.launches.inside.guard import FROM_OUTSIDE, OUTPUT
 
@@ -175,12 +176,12 @@ _VARIABLE = re.compile(r"the environment variable (\w+)")
 
 
 _COMMAND = re.compile(r"\b(?:subprocess\.(?:run|Popen|check_output|getoutput)|os\.popen)\b")
-_OF_THE_MACHINE = (FOLDER_ORDER, PROCESS_END, PROCESS_OUTPUT)
+_OF_THE_MACHINE = (FOLDER_ORDER, PROCESS_END, PROCESS_OUTPUT, FILE_OF_THE_MACHINE)
 
 
 def _is_asked(why: str, variables: frozenset[str]) -> bool:
     """Whether a reason names a variable that the run did ask for, or what only the machine can tell: what a command
-    prints, how a process ends, in which order a folder lists its files."""
+    prints, how a process ends, which files there are outside of the workspace, in which order a folder lists them."""
     found = _VARIABLE.search(why)
     machine = any(words in why for words in _OF_THE_MACHINE) or _COMMAND.search(why)
     return (found is not None and found[1] in variables) or bool(machine)

@@ -13,6 +13,28 @@ def test_values_of_the_right_type(findings):
     assert findings("PRM002", '<arg name="r"/>' + node('<param name="rate" value="$(var r)"/>')) == []
 
 
+@pytest.mark.parametrize(
+    ("given", "told"),
+    [
+        ("{'axis': 'y'}", ["set to True, of type bool: launch passes 'y' on without quotes"]),
+        ("{'axis': '1e5'}", ["set to 100000.0, of type double: launch passes '1e5' on without quotes"]),
+        ("{'axis': 'x'}", []),
+        ("{'axis': 'yes'}", []),  # launch puts quotes around this
+    ],
+)
+def test_a_text_that_launch_passes_on_without_quotes(findings, given: str, told: list[str]):
+    launch_file = (
+        "from launch import LaunchDescription\nfrom launch_ros.actions import Node\n\n\n"
+        "def generate_launch_description():\n"
+        f"    return LaunchDescription([Node(package='robot', executable='talker', parameters=[{given}])])\n"
+    )
+    talker = TALKER.replace("('rate', 1.0)", "('axis', 'x')")
+    other = {"robot/talker.py": talker, "launch/axis.launch.py": launch_file}
+    reported = findings("PRM002", "", **other)
+    assert [one.message.partition("declared as string and ")[2] for one in reported] == told
+    assert [one.help for one in reported] == ["set it in a parameter file, where quotes keep it a string"] * len(told)
+
+
 def test_dynamic_typing_takes_anything(findings):
     text = TALKER.replace("1.0)", "1.0, ParameterDescriptor(dynamic_typing=True))")
     assert findings("PRM002", node('<param name="rate" value="2"/>'), **{"robot/talker.py": text}) == []

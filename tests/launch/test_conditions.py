@@ -264,15 +264,32 @@ def test_what_is_in_both_lists_runs_always(launches):
             "if 'arm' in [path.split('/')[-1] for path in get_search_paths()]:\n    description.append({0})",
             "the environment variable AMENT_PREFIX_PATH",
         ),
+        (
+            "if has_resource('packages', 'image_view'):\n    description.append({0})",
+            "the environment variable AMENT_PREFIX_PATH",
+        ),
+        ("if os.path.exists('/dev/robot'):\n    description.append({0})", "which files the machine has"),
     ],
 )
 def test_why_nobody_knows_whether_a_node_is_started(launches, code, why):
-    imported = "from ament_index_python.packages import get_search_paths"
+    imported = (
+        "from ament_index_python.packages import get_search_paths\n"
+        "from ament_index_python.resources import has_resource\n"
+    )
     before = f"{imported}\ndescription = []\n{code.format(node('talker'))}"
     launched = launches.python("description", before)
     [started] = launched.started
     assert launched.reasons(started.branch_arms) == [why]
     assert launched.condition(started.branch_arms) == f"a condition ({why})"
+
+
+def test_a_package_of_the_workspace_is_there(launches):
+    before = (
+        "from ament_index_python import has_resource\ndescription = []\n"
+        f"if has_resource('packages', 'robot'):\n    description.append({node('talker')})"
+    )
+    [started] = launches.python("description", before).started
+    assert not started.branch_arms
 
 
 def test_why_a_condition_is_open(launches):

@@ -218,3 +218,34 @@ other = side()
         "arm": NotKnown("the environment variable SIDE"),
         "other": NotKnown("the environment variable ROBOT"),
     }
+
+
+@pytest.mark.parametrize(
+    ("written", "read"),
+    [
+        ("'y'", True),
+        ("'N'", False),
+        ("'1e5'", 100000.0),
+        ("['y', 'n']", [True, False]),
+        ("ParameterValue('y', value_type=str)", True),
+        # PyYAML quotes what it would read as another type itself.
+        ("'yes'", "yes"),
+        ("'1'", "1"),
+        ("'1.5'", "1.5"),
+        ("['x', 'z']", ["x", "z"]),
+    ],
+)
+def test_launch_writes_a_text_without_quotes_where_only_rcl_reads_something_else_in_it(launches, written, read):
+    before = "from launch_ros.parameter_descriptions import ParameterValue"
+    launched = launches.python(f"[Node(package='robot', executable='talker', parameters=[{{'a': {written}}}])]", before)
+    (setting,) = settings_of(launched.started[0], None, launches.of_workspace().files.parameters)
+    assert setting.value == read and type(setting.value) is type(read)
+
+
+def test_a_container_is_sent_the_text_itself(launches):
+    component = "ComposableNode(package='p', plugin='P', name='a', parameters=[{'a': 'y'}])"
+    launched = launches.python(
+        f"[LoadComposableNodes(composable_node_descriptions=[{component}], target_container='c')]"
+    )
+    (setting,) = settings_of(launched.started[0], None, launches.of_workspace().files.parameters)
+    assert setting.value == "y"

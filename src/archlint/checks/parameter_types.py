@@ -54,12 +54,19 @@ def parameter_type_mismatch(system: System, options: Options) -> Iterator[Findin
                 "PRM002",
                 setting.value_place or setting.place,
                 f"parameter '{setting.name}' of {called(node)} is declared as {rows[0].type} and set to "
-                f"{_shown(setting.value)}, of type {given}",
-                help=_write(setting.value, rows[0].type),
+                f"{_shown(setting.value)}, of type {given}{_for_want_of_quotes(setting.unquoted)}",
+                help=_write(setting.value, rows[0].type) if setting.unquoted is None else _IN_A_FILE,
                 related=[Related(rows[0].place, "it is declared here")],
                 node=node.name,
                 identity=(node.name or "", setting.name),
             )
+
+
+_IN_A_FILE = "set it in a parameter file, where quotes keep it a string"
+
+
+def _for_want_of_quotes(text: str | None) -> str:
+    return "" if text is None else f": launch passes '{text}' on without quotes"
 
 
 def _shown(value: object) -> str:

@@ -28,6 +28,10 @@ if TYPE_CHECKING:
     from archlint.libraries.run import Run
 
 
+PACKAGES_OF_THE_MACHINE = "the environment variable AMENT_PREFIX_PATH"
+"""Names the folders that packages are installed to."""
+
+
 def made_object(run: Run, call: ApiUse) -> LaunchObject:
     """An action, substitution, condition … with its arguments by name, where each is written, and the branches
     of the launch file's own code that it is made in."""
@@ -70,7 +74,7 @@ def _package_path(run: Run, call: ApiUse) -> Value:
 
 
 def _search_paths(run: Run, call: ApiUse) -> Value:
-    return Unknown("the environment variable AMENT_PREFIX_PATH")
+    return Unknown(PACKAGES_OF_THE_MACHINE)
 
 
 EFFECTS = {

@@ -162,11 +162,21 @@ def _run_path(run: LaunchRun, site: CallSite) -> Value:
     return containers.dict_of_names(run, variables, open_=bool(module.star_externals))
 
 
+def _has_resource(run: LaunchRun, site: CallSite) -> Value:
+    """``has_resource('packages', 'pkg')``: where the package is installed to, which a package of the workspace is."""
+    kind, name = (known_text(value) for value in (*site.args, NONE, NONE)[:2])
+    if kind == "packages" and name is not None and run.paths.has(name):
+        return package_prefix(name)
+    return Unknown(calls.PACKAGES_OF_THE_MACHINE)
+
+
 PLAIN = {
     **mathematics.PLAIN,
     **moveit_methods.PLAIN,
     **read_files.PLAIN,
     "runpy.run_path": _run_path,
+    "ament_index_python.has_resource": _has_resource,
+    "ament_index_python.resources.has_resource": _has_resource,
     "launch.utilities.perform_substitutions": _perform_all,
     "pathlib.Path": _path,
     "pathlib.PurePath": _path,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Concatenate, ParamSpec
 
-from archlint.interpreter.values import External, Instance, Known, Value
+from archlint.interpreter.values import External, Instance, Known, Unknown, Value
 from archlint.launch import calls, calls_in_launches, mathematics, read_files, tables
 from archlint.launch.objects import LaunchObject, kind_of
 from archlint.libraries.api_use import Offers
@@ -107,6 +107,8 @@ class LaunchFileLibrary(LaunchLibrary):
 
     def asked_for_file(self, path: str) -> Value:
         unknown = super().asked_for_file(path)
+        if path.startswith(("/", "~")):
+            return Unknown(read_files.FILE_OF_THE_MACHINE)
         # What is not there is LCH004's: the launch file may stop where it asks.
         return Known(True) if read_files.is_there(self._launch, path) else unknown
 

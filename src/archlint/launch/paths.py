@@ -28,6 +28,10 @@ class LaunchPaths:
         self._tree = tree
         self._owners = owners
 
+    def has(self, package: str) -> bool:
+        """Whether a package is one of the workspace."""
+        return package in self._installs
+
     def text(self, reference: FileReference) -> str | None:
         """The text of a file that a launch file names; None for one that is not here."""
         return None if reference.source is None else self._tree.text(reference.source)

@@ -112,6 +112,7 @@ def is_there(run: LaunchRun, path: str) -> bool | None:
     return None
 
 
+FILE_OF_THE_MACHINE = "which files the machine has"
 _NO_LISTING = Unknown("the files of a folder")
 _WILD = re.compile(r"[*?\[]")
 
@@ -209,4 +210,4 @@ PLAIN: dict[str, Plain] = {
     "json.dumps": _written(json.dumps, "json.dumps", _JSON_OPTIONS),
 }
 
-__all__ = ["PLAIN", "is_there", "matches", "opened", "value_of", "yaml_file"]
+__all__ = ["FILE_OF_THE_MACHINE", "PLAIN", "is_there", "matches", "opened", "value_of", "yaml_file"]

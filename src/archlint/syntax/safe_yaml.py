@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
@@ -100,9 +101,11 @@ def span_of(node: yaml.Node) -> Span:
     return (start.line + 1, start.column + 1, end.line + 1, end.column + 1)
 
 
-_INTEGER = re.compile(r"[-+]?(?:0[xX][0-9a-fA-F]+|0[oO]?[0-7]+|[0-9]+)")
+_INTEGER = re.compile(r"[-+]?(?:0[xX][0-9a-fA-F]+|0[0-7]+|0|[1-9][0-9]*)")
 _FLOAT = re.compile(r"[-+]?(?:[0-9]+\.[0-9]*|\.[0-9]+|[0-9]+)(?:[eE][-+]?[0-9]+)?")
-_SPECIAL = {".inf": "inf", "+.inf": "inf", "-.inf": "-inf", ".nan": "nan"}
+_HEXADECIMAL = re.compile(r"[-+]?0[xX](?:[0-9a-fA-F]+\.?[0-9a-fA-F]*|\.[0-9a-fA-F]+)(?:[pP][-+]?[0-9]+)?")
+_INFINITE = re.compile(r"[-+]?(?:\.(?:inf|Inf|INF)|(?i:inf|infinity))|\.(?:nan|NaN|NAN)|[-+]?(?i:nan)")
+_INTEGERS = 2**63
 _TRUE = frozenset({"y", "yes", "true", "on"})
 _FALSE = frozenset({"n", "no", "false", "off"})
 
@@ -129,26 +132,39 @@ def scalar(node: yaml.ScalarNode) -> Scalar:
 
 
 def plain_scalar(text: str) -> Scalar:
-    """What an unquoted scalar is to rcl's YAML parser: a bool, a number, or text."""
+    """What an unquoted scalar is to rcl's YAML parser: a bool, a number, or text.
+
+    Source: ``get_value`` of rcl_yaml_param_parser, which leaves numbers to C's ``strtol`` and ``strtod``.
+    """
     lower = text.lower()
     if lower in _TRUE or lower in _FALSE:
         same_case = text in (lower, lower.upper(), lower.capitalize())
         return lower in _TRUE if same_case else text
     if len(text) > 64:
         return text
-    if _INTEGER.fullmatch(text):
-        digits = text.lower().lstrip("+-")
-        base = 16 if digits.startswith("0x") else 8 if len(digits) > 1 and digits.startswith("0") else 10
-        try:
-            number = int(digits.replace("0o", "0", 1) if base == 8 else digits, base)
-        except ValueError:
-            return text
-        return -number if text.startswith("-") else number
-    if _FLOAT.fullmatch(text):
-        return float(text)
-    if lower in _SPECIAL:
-        return float(_SPECIAL[lower])
-    return text
+    number = _integer(text) if _INTEGER.fullmatch(text) else _float(text)
+    return text if number is None else number
+
+
+def _integer(text: str) -> int | float:
+    """An integer; one that does not fit is a float."""
+    digits = text.lower().lstrip("+-")
+    base = 16 if digits.startswith("0x") else 8 if digits.startswith("0") else 10
+    number = int(digits, base) * (-1 if text.startswith("-") else 1)
+    if -_INTEGERS <= number < _INTEGERS:
+        return number
+    return float(number) if base == 16 else float(text)
+
+
+def _float(text: str) -> float | None:
+    """A float; one that is too large, or too near to zero, stays a text."""
+    if _INFINITE.fullmatch(text):
+        return float(text.replace(".", ""))
+    if _HEXADECIMAL.fullmatch(text):
+        return float.fromhex(text)
+    number = float(text) if _FLOAT.fullmatch(text) else None
+    vanishes = number == 0 and re.search("[1-9]", re.split("[eE]", text)[0])
+    return None if number in (math.inf, -math.inf) or vanishes else number
 
 
 def written_and_read(text: str) -> Scalar:

@@ -15,7 +15,7 @@ from archlint.launch.parameter_sources import OpenParameters, ParameterFileUse, 
 from archlint.launch.started import Started
 from archlint.ros import names
 from archlint.syntax.parameter_files import NotKnown, ParameterFacts, ParameterSection, first_not_known
-from archlint.syntax.safe_yaml import plain_scalar
+from archlint.syntax.safe_yaml import plain_scalar, written_and_read
 from archlint.systems.rewritten import rewritten
 
 EVERY_NODE = "/**"
@@ -56,6 +56,8 @@ class Setting:
     within: tuple[tuple[str, Place], ...] = ()
     """The keys of the dicts that launch took apart to come to the name, as in ``ParameterSetting``."""
     value_place: Place | None = None
+    unquoted: str | None = None
+    """The text that the launch file sets, where launch writes it without quotes and rcl reads something else in it."""
 
 
 def overrides_of(started: Started, node: str | None, facts_of: Callable[[str], ParameterFacts]) -> dict[str, object]:
@@ -82,12 +84,29 @@ def settings_of(started: Started, node: str | None, facts_of: Callable[[str], Pa
     for name, value in command_line_parameters(words):
         yield Setting(EVERY_NODE, name, value, started.places.get("arguments", started.place))
     own = _own_key(started)
+    in_process = started.kind == StartedKind.COMPONENT  # a container is sent values, no file
     for parameter in started.parameters:
         match parameter:
-            case ParameterSetting(name=str(name), value=value, place=place, shared=shared):
-                yield Setting(EVERY_NODE if shared else own, name, value, place, shared=shared, within=parameter.within)
+            case ParameterSetting(name=str(name), value=value):
+                value, unquoted = (value, None) if in_process else as_launch_writes(value)
+                key = EVERY_NODE if parameter.shared else own
+                yield Setting(
+                    key, name, value, parameter.place, None, parameter.shared, parameter.within, None, unquoted
+                )
             case ParameterFileUse(reference=FileReference(source=str(file))):
                 yield from _set_in_file(parameter, file, _sections_for(started, facts_of(file)))
+
+
+def as_launch_writes(value: object) -> tuple[object, str | None]:
+    """What rcl reads of a value after launch has written it into a file, and the text if it then is none any more:
+    PyYAML writes ``y``, ``1e5`` and ``nan`` without quotes."""
+    match value:
+        case str() if not isinstance(read := written_and_read(value), str):
+            return read, value
+        case list():
+            rows = [as_launch_writes(item) for item in value]
+            return [row for row, _ in rows], next((text for _, text in rows if text is not None), None)
+    return value, None
 
 
 def _set_in_file(use: ParameterFileUse, file: str, sections: Sequence[ParameterSection]) -> Iterator[Setting]:

@@ -49,6 +49,11 @@ def test_a_file_that_is_not_rewritten_stays_as_it_is(launches):
     assert found["use_sim_time"] is False and found["map"] == "shared" and found["later"] == "1e5"
 
 
+def test_rewrites_that_are_an_empty_text_are_none(launches):
+    found = given(launches, f"RewrittenYaml({FILE}, root_key='', param_rewrites='', convert_types=True)")
+    assert found["use_sim_time"] is False and found["Grid.tolerance"] == 0.5
+
+
 def test_a_parameter_is_rewritten_wherever_its_key_stands(launches):
     found = given(launches, f"RewrittenYaml({FILE}, {{'use_sim_time': 'True', 'speed': '9', 'absent': '1'}})")
     assert found["use_sim_time"] is True and found["Grid.use_sim_time"] is True

@@ -72,7 +72,7 @@ _WORDS = re.compile(r"[^\n'\"\\#:{}&*!|>%@`]*")
 def _pairs(run: LaunchRun, value: Value | None) -> Pairs | None:
     """A dict of texts; None for a dict that is not known."""
     match value:
-        case None:
+        case None | Known(value=None | ""):  # an empty text has no keys either
             return ()
         case DictValue():
             entries = value.entries(run)
