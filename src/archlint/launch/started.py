@@ -64,6 +64,7 @@ class StartedProcesses:
         self._processes = processes
         self._in_handler: dict[object, bool] = {}
         """What has been started, and whether an event handler does that."""
+        self._first: dict[object, Started] = {}
         self._by_place: dict[Place, list[Started]] = {}
 
     def start(
@@ -75,7 +76,7 @@ class StartedProcesses:
             *(started.place, started.kind, started.package, started.executable, started.name, started.namespace),
             tuple(started.arguments),
         )
-        known = process in self._in_handler
+        known = process in self._in_handler and not self._drop_dormant(process, started)
         self._in_handler[process] = self._in_handler.get(process, False) or in_handler
         if known and self._in_handler[process]:
             return
@@ -89,6 +90,17 @@ class StartedProcesses:
             started.branch_arms |= {(branch, 1)}
         self._by_place[started.place].append(started)
         self._processes.append(started)
+        self._first.setdefault(process, started)
+
+    def _drop_dormant(self, process: object, started: Started) -> bool:
+        """Forget a process that its first handler does not start, where another one does."""
+        first = self._first.get(process)
+        if first is None or not first.dormant or started.dormant:
+            return False
+        del self._first[process]
+        for processes in (self._processes, self._by_place[first.place]):
+            processes[:] = [other for other in processes if other is not first]
+        return True
 
 
 def _is_same_action(process: Started, other: Started) -> bool:

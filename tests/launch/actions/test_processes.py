@@ -54,6 +54,19 @@ def test_a_process_that_is_started_again_when_it_ends_is_one(launches, order):
     assert names(launches.python(f"[{actions}]", before)) == ["driver"]
 
 
+@pytest.mark.parametrize("real", ["true", "false"])
+def test_one_of_two_handlers_starts_it(launches, real):
+    """An action that is given to two handlers starts with the one whose condition holds."""
+    before = f"spawner = {node('spawner')}\nwhen = OnProcessExit(target_action=None, on_exit=[spawner])"
+    handlers = ", ".join(
+        f"RegisterEventHandler(when, condition={condition}(LaunchConfiguration('real')))"
+        for condition in ("IfCondition", "UnlessCondition")
+    )
+    actions = f"[DeclareLaunchArgument('real', default_value='{real}'), {handlers}]"
+    launched = launches.python(actions, before)
+    assert names(launched) == ["spawner"] and len(launched.started) == 1
+
+
 def test_two_processes_of_one_place_and_name_are_two(launches):
     before = f"def start():\n    return {node('driver')}\n"
     assert names(launches.python("[start(), start()]", before)) == ["driver", "driver"]
