@@ -4,7 +4,7 @@ from __future__ import annotations
 
 
 class Monitor:
-    """What a run tells while it goes on.  This monitor listens to nothing; one that does derives from it.
+    """What a run reports while it goes on.  This monitor listens to nothing; one that does derives from it.
 
     All seconds are seconds of processor time, of whichever process did the work.
     """
@@ -19,7 +19,7 @@ class Monitor:
         """So many more programs are to be followed, or taken from an earlier run."""
 
     def followed(self, key: str, program: str, seconds: float) -> None:
-        """A program has been followed.  ``key`` tells it from the same program with other parameters."""
+        """A program has been followed.  ``key`` sets it apart from the same program with other parameters."""
 
     def known(self, key: str) -> None:
         """What became of a program was known already: from an earlier run, or from a part that was done ahead."""
@@ -45,11 +45,11 @@ class Monitor:
         """This process does one part of the work from here on."""
 
     def end_part(self) -> bytes:
-        """What has been told since the part began, for :meth:`take`."""
+        """What has been reported since the part began, for :meth:`take`."""
         return b""
 
     def take(self, report: bytes) -> None:
-        """What another process was told."""
+        """What was reported to another process."""
 
 
 __all__ = ["Monitor"]

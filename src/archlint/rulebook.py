@@ -57,12 +57,12 @@ class Rule:
 
     @property
     def page(self) -> str:
-        """The page as a reader wants it: without the marks that tell the test suite what to expect."""
+        """The page as a reader wants it: without the marks that say what the test suite expects."""
         return without_marks(self.body).strip() + "\n"
 
 
 def without_marks(text: str) -> str:
-    """A page, or a part of it, without what tells the test suite which line breaks which rule."""
+    """A page, or a part of it, without the marks that say which line breaks which rule."""
     return _EXPECTATION.sub("", text)
 
 
@@ -112,7 +112,7 @@ def parse_page(text: str, source: str) -> Rule:
 
 
 def _fields(matter: str, source: str) -> dict[str, str]:
-    """``key: value`` lines; a value may stand in quotes, and a comment may follow one that does not."""
+    """``key: value`` lines; a value may be in quotes, and a comment may follow one that does not."""
     fields: dict[str, str] = {}
     for line in matter.splitlines():
         key, colon, value = line.partition(":")

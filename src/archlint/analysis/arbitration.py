@@ -1,4 +1,4 @@
-"""Publishers of one topic that do not speak at once: somebody tells them whose turn it is, or they speak only once."""
+"""Publishers of one topic that do not speak at once: somebody decides whose turn it is, or they speak only once."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ _Word = tuple[EntityKind, str]
 
 
 def take_turns(system: System, owners: Sequence[Endpoint]) -> bool:
-    """Whether each publisher asks a word that it is told before it publishes: the same topic as the others, which one
+    """Whether each publisher asks a word that it is given before it publishes: the same topic as the others, which one
     of them may give instead of asking it, or a service of its own that turns it on and off."""
     asked = [(owner.node, _asks(system, owner)) for owner in owners]
     givers = {id(node): node for node, words in asked if not words}

@@ -157,7 +157,7 @@ def _is_named(workspace: WorkspaceIndex, installs: Installs, file: str) -> bool:
 
 @once
 def _launch_texts(workspace: WorkspaceIndex) -> list[str]:
-    """What stands in each launch file."""
+    """The text of each launch file."""
     return [workspace.tree.text(path) or "" for path in workspace.launch_files.all()]
 
 

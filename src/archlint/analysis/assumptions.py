@@ -27,7 +27,7 @@ def dotted(expression: facts.Base) -> str:
 
 
 def proven(conditions: Sequence[tuple[facts.Expr, bool]], followed: frozenset[str]) -> Known:
-    """What conditions that have come out so tell."""
+    """What conditions that have come out so say."""
     known = NOTHING
     for test, truth in conditions:
         known = within(known, test, truth, followed) or known

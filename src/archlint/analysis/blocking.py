@@ -93,7 +93,7 @@ _WITH_AN_ACTION_CLIENT = {
 }
 """What several threads that spin one executor do to a node with an action client.
 
-The client notes where it stands in the wait set, once; another thread's wait set may be shorter, and rcl then finds
+The client notes its place in the wait set, once; another thread's wait set may be shorter, and rcl then finds
 that the number "is out of bounds".
 """
 

@@ -34,8 +34,8 @@ IsExternal = Callable[[str], bool]
 def compare(
     system: System, observed: Observed, is_external: IsExternal = lambda name: False, context: Set[str] = frozenset()
 ) -> Comparison:
-    """``is_external`` tells the names that the configuration says something outside provides; of what is written in
-    ``context`` files, which were not asked for, no difference is told."""
+    """``is_external`` knows the names that the configuration says something outside provides; of what is written in
+    ``context`` files, which were not asked for, no difference is reported."""
     if observed.form == BAG:
         comparison = topics_of(system, observed, is_external)
     else:

@@ -1,6 +1,6 @@
 """The topics of a bag, held against who publishes them in the source.
 
-A bag tells of what was recorded and says nothing of the rest: a topic that is not in it is not missing.
+A bag has what was recorded and says nothing of the rest: a topic that is not in it is not missing.
 """
 
 from __future__ import annotations

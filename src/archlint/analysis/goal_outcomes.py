@@ -32,7 +32,7 @@ _LOOKS = frozenset({"str", "repr", "print", "type", "id", "isinstance", "hasattr
 @dataclass(frozen=True)
 class _Goal:
     """A goal under the names that its callback has for it, such as ``goal_handle`` and ``self.goal``; ``ended_here``
-    tells that no other code of its program ends a goal, and ``seen`` are the methods that were followed."""
+    says that no other code of its program ends a goal, and ``seen`` are the methods that were followed."""
 
     names: frozenset[str]
     ended_here: bool

@@ -1,4 +1,4 @@
-"""Topics that say that something has happened: of such, several nodes may have one to tell."""
+"""Topics that say that something has happened: of such, several nodes may have one to report."""
 
 from __future__ import annotations
 

@@ -98,7 +98,7 @@ def _names(file_facts: facts.Facts) -> Iterator[facts.Expr | None]:
 
 
 def _displayed(value: facts.Expr) -> Iterator[facts.Expr]:
-    """A value, or what stands in a display of lists, tuples and dicts, but not what a call in it is given."""
+    """A value, or what is in a display of lists, tuples and dicts, but not what a call in it is given."""
     match value:
         case facts.Sequence(elements=inner) | facts.Mapping(values=inner):
             for element in inner:

@@ -23,7 +23,7 @@ def is_behind_its_setter(code: SourceCode, wait: ApiCall, setting: Sequence[ApiC
             return
         self.ready.wait()  # on_pose() has set it together with the pose
 
-    An event that is cleared again tells nothing of that.
+    An event that is cleared again says nothing of that.
     """
     if _is_cleared(code, wait) or not setting:
         return False

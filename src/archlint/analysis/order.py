@@ -56,7 +56,7 @@ def _always_runs(code: SourceCode, place: Place) -> bool:
 
 def certainly_true(code: SourceCode, path: Sequence[Place]) -> Iterator[tuple[str, facts.Call]]:
     """The calls, each with its file, that have returned something true by the time a path is gone: ``if not
-    client.wait_for_service(1.0): return`` stands in front."""
+    client.wait_for_service(1.0): return`` precedes it."""
     for place in path:
         graph = graph_of(code.body_at(place))
         for edge in graph.outcomes(graph.evaluating(place.span)):

@@ -27,7 +27,7 @@ def spins_for_own_future(call: ApiCall) -> bool:
 
 def spins_for_a_message(system: System, call: ApiCall) -> bool:
     """Whether only a subscription completes the future of a spin, and what it brings is read afterwards.  A program may
-    well spin until a message tells it to stop; then nobody reads what the future holds."""
+    well spin until a message stops it; then nobody reads what the future holds."""
     future = argument(call, "future")
     if not isinstance(future, Object) or _completed_by(system).get(future.identity) != {Role.SUBSCRIPTION}:
         return False

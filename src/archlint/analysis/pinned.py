@@ -23,7 +23,7 @@ _NAMED = re.compile(rf"(?<![A-Za-z0-9])({'|'.join((*DISTROS, *_OTHERS))})(?![A-Z
 _OF_ROS = re.compile(
     r"(?:\bros[:-]|/opt/ros/|\bros_distro\w*[\"']?\s*[:=]\s*[\"'\[ ]*|ros-distributions?:\s*)$", re.IGNORECASE
 )
-"""What stands in front of a distribution: ``ros:jazzy``, ``ros-jazzy-desktop``, ``ROS_DISTRO=jazzy``."""
+"""What precedes a distribution: ``ros:jazzy``, ``ros-jazzy-desktop``, ``ROS_DISTRO=jazzy``."""
 
 
 def pinned_distro(workspace: WorkspaceIndex | None) -> tuple[str, str] | None:

@@ -28,7 +28,7 @@ _ENDING = _KILLING | {"SIGINT", 2, "SIGTERM", 15, "SIGHUP", 1, "SIGQUIT", 3}
 
 
 def is_signalled_to_end(code: SourceCode, call: ApiCall, stay: Stay) -> bool:
-    """Whether a process that is waited for has just been told to end: ``process.terminate(); process.wait(timeout=1)``.
+    """Whether a process that is waited for was just asked to end: ``process.terminate(); process.wait(timeout=1)``.
     Without a limit it has to be killed: only that cannot be ignored."""
     expression = code.expression(call)
     name = "" if expression is None or call.api not in _OF_PROCESS else _owner(expression)
@@ -66,7 +66,7 @@ def _is_number_of(value: facts.Expr, process: str) -> bool:
 
 def _signals(call: facts.Call, process: str, numbers: AbstractSet[str], certainly: bool) -> bool:
     """Whether a call is ``os.kill(process.pid, signal.SIGTERM)``, or the same for the process's group.  What the number
-    of a signal is, a variable does not say: with one, the process is told to end, though not for certain."""
+    of a signal is, a variable does not say: with one, the process is asked to end, though not for certain."""
     if dotted(call.func) not in ("os.kill", "os.killpg") or len(call.args) != len(("pid", "sig")):
         return False
     who, what = (argument.value for argument in call.args)

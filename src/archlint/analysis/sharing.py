@@ -49,7 +49,7 @@ _MANY = 4
 
 
 def _are_commands(connection: Connection, owners: Sequence[Endpoint]) -> bool:
-    """Whether a machine is told what to do, by the type of the messages or the last part of the topic's name."""
+    """Whether a machine is commanded, by the type of the messages or the last part of the topic's name."""
     if any(end.type in _COMMANDS for end in owners):
         return True
     return not are_words(owners) and not _TO_COMMAND.isdisjoint(_last_words(connection.name))
@@ -61,7 +61,7 @@ def are_words(owners: Sequence[Endpoint]) -> bool:
 
 
 def is_state(topic: str) -> bool:
-    """Whether a topic's name says that it tells how something is, so that the last message is what counts."""
+    """Whether a topic's name says that it reports how something is, so that the last message is what counts."""
     return not _STATES.isdisjoint(_last_words(topic))
 
 

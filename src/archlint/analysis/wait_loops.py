@@ -8,7 +8,7 @@ from archlint.syntax.flow_graph import Block, Edge, Kind, Loop, reach, without_e
 from archlint.syntax.walk import called_name, calls_in, statements_of
 
 _ASKS = frozenset({"wait_for_service", "wait_for_server", "service_is_ready", "server_is_ready"})
-"""Methods that tell whether a server is there."""
+"""Methods that say whether a server is there."""
 
 _PASTIMES = frozenset(
     {"debug", "info", "warn", "warning", "error", "fatal", "critical", "exception", "log", "print"}

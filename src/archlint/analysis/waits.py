@@ -57,7 +57,7 @@ _Signals = dict["ObjectIdentity | Place | None", "Creation"]
 class Wait:
     """A place where code stands still until an answer has come.
 
-    ``limited`` tells that a timeout ends it;
+    ``limited`` says that a timeout ends it;
     ``bounded``, that one does, or that a limit is given which is not known.
     """
 

@@ -92,7 +92,7 @@ def _first(uses: list[Use], workspace: WorkspaceIndex) -> dict[str, Place]:
 
 
 def _circles(needs: Needs, reported: set[str]) -> Iterator[list[str]]:
-    """A shortest circle for each package that is in one and in none that was ``told``."""
+    """A shortest circle for each package that is in one and in none that was ``reported``."""
     for start in needs:
         circle = [] if start in reported else _circle(start, needs)
         reported.update(circle)

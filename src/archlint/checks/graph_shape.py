@@ -1,4 +1,4 @@
-"""GRF001, GRF003 and GRF004: what the shape of the graph tells about its nodes."""
+"""GRF001, GRF003 and GRF004: what the shape of the graph says about its nodes."""
 
 from __future__ import annotations
 

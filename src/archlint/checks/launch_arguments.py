@@ -49,10 +49,10 @@ def _undeclared_uses(system: System, launched: Launched) -> Iterator[Finding]:
     for use in launched.undeclared:
         alone = use.file == launched.file
         if use.conditional or (alone and system.is_included) or use.name in reported:
-            continue  # whoever includes it may pass it: that system tells
+            continue  # whoever includes it may pass it: that system reports it
         reported.add(use.name)
         if use.unseen is not None:
-            continue  # an include in front of it is not there, which LCH004 tells: what it declares nobody knows
+            continue  # an include in front of it is not there, which LCH004 reports: what it declares nobody knows
         if use.own_default is not None:
             yield _its_own_default(use, use.own_default)
             continue

@@ -1,4 +1,4 @@
-"""What to tell of the arguments that ``--launch`` was given, and of those that it was not."""
+"""What to say of the arguments that ``--launch`` was given, and of those that it was not."""
 
 from __future__ import annotations
 

@@ -74,12 +74,13 @@ def _invalid_endpoints(system: System, node: Node) -> Iterator[Finding]:
             values.setdefault(value.place, (value, []))[1].append(endpoint)
             continue
         if endpoint.resolution == "parameter" and (creation.conditional or is_renamed(system, node)):
-            continue  # the branch may not be taken with that value, or launch files start the node: their systems tell
+            # The branch may not be taken with that value, or launch files start the node: their systems report it.
+            continue
         if _is_one_of_several(endpoint):
             continue
         relative = _relative(endpoint)
         if relative is not None and is_renamed(system, node):
-            continue  # launch files start it, perhaps in a namespace: their systems tell
+            continue  # launch files start it, perhaps in a namespace: their systems report it
         shown, word = endpoint.written or "", NAMED[endpoint.kind]
         default = f", the default of the parameter '{endpoint.parameter}'" if endpoint.resolution == "parameter" else ""
         if relative is not None and creation.name.origin_kind == "node_name":

@@ -82,7 +82,7 @@ def _misses(system: System, publisher: Endpoint, user: Endpoint) -> bool:
 def _namespace_slip(system: System, publisher: Endpoint, user: Endpoint) -> bool:
     """Whether one name has a namespace more, which its node was started in and the other end does without.
 
-    Only nodes that are seen to start together tell that, by a launch file that no other includes: that one may
+    Only nodes that are seen to start together show that, by a launch file that no other includes: that one may
     yet add the namespace.
     """
     if system.is_included:

@@ -220,7 +220,7 @@ def _of_one_process(first: Node, other: Node) -> Iterator[Finding]:
         help="remove name=, so that each node keeps the name from its code"
         if renamed and differ
         else "give each its own name in the code" + (", and remove name= here" if renamed else ""),
-        related=list(dict.fromkeys(related for node in (first, other) for related in _where_made(node))),
+        related=list(dict.fromkeys(related for node in (first, other) for related in _creation_sites(node))),
         node=first.name,
         identity=(first.name or "",),
     )
@@ -232,7 +232,7 @@ def _own_name(node: Node) -> str | None:
     return node.blueprint.name.text if node.blueprint is not None else None
 
 
-def _where_made(node: Node) -> Iterator[Related]:
+def _creation_sites(node: Node) -> Iterator[Related]:
     blueprint = node.blueprint
     if blueprint is not None:
         shown = blueprint.name.text or blueprint.class_name

@@ -43,7 +43,7 @@ def multiple_publishers(system: System, options: Options) -> Iterator[Finding]:
     for finding in findings:
         nodes = finding.identity[2:]
         gravest[nodes] = max(gravest.get(nodes, finding.severity), finding.severity)
-    for finding in findings:  # what the same nodes publish beside a command is told along with it
+    for finding in findings:  # what the same nodes publish beside a command is reported along with it
         yield replace(finding, severity=gravest[finding.identity[2:]])
 
 
@@ -69,7 +69,7 @@ _EXERCISES = 4
 
 def _are_exercises(owners: Sequence[Endpoint]) -> bool:
     """Whether nodes that nothing starts together look like ways to do the same: many of them, in folders of their own
-    in one package, or each told by a parameter of the same name where it publishes."""
+    in one package, or each with a parameter of the same name that says where it publishes."""
     folders = {(end.node.package, posixpath.dirname(end.place.file)) for end in owners}
     parameters = {end.creation.name.parameter for end in owners}
     return (
@@ -116,11 +116,11 @@ def _is_shared(connection: Connection, options: Options) -> bool:
 _TELLING = frozenset({"alert", "alerts", "console", "debug", "event", "events", "heartbeat", "heartbeats"}) | {
     *("log", "logs", "notification", "notifications", "say", "speech", "status", "statuses", "tts"),
 }
-"""Words for what many nodes have to tell on one topic."""
+"""Words for what many nodes have to say on one topic."""
 
 
 def _says_what_happens(topic: str) -> bool:
-    """Whether a topic is for what any node may have to tell: a log, events."""
+    """Whether a topic is for what any node may have to say: a log, events."""
     return not _TELLING.isdisjoint(topic.rpartition("/")[2].lower().split("_"))
 
 

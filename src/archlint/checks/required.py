@@ -145,7 +145,7 @@ def _ends(connection: Connection, kind: EntityKind) -> list[Endpoint]:
 def _around(system: System, contract: Contract, external: bool) -> Iterator[Finding]:
     """Publishers of a topic whose messages reach somebody else than the node that they must pass, or nobody.
 
-    ``external`` is True where that node is not in this workspace, and nobody can tell what it listens to.
+    ``external`` is True where that node is not in this workspace, and nobody knows what it listens to.
     """
     candidates = [link for link in links(system, contract.through) if is_named(contract, link.connection)]
     passing = {id(link.source) for link in candidates if is_meant(contract.through, link.target.node)}

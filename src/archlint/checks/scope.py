@@ -15,11 +15,11 @@ class Scope(Enum):
     """
 
     WORKSPACE = "workspace"
-    """What packages and their files say of each other, whatever nodes there are.  Asked once, and a place is told
+    """What packages and their files say of each other, whatever nodes there are.  Asked once, and a place is reported
     once."""
 
     CODE = "code"
-    """What code does wherever it runs.  Asked once, of the open system, and a place is told once."""
+    """What code does wherever it runs.  Asked once, of the open system, and a place is reported once."""
 
     SYSTEM = "system"
     """What runs together, and under which names and parameters.  Asked of the open system and of each launched one,
@@ -28,7 +28,7 @@ class Scope(Enum):
 
     AS_LAUNCHED = "as-launched"
     """A line of code or of a launch file that is wrong with some names or parameters.  Asked as ``SYSTEM`` is, and a
-    place is told once, whatever names or parameters show it."""
+    place is reported once, whatever names or parameters show it."""
 
     LAUNCH_FILE = "launch-file"
     """What a launch file itself says, whichever arguments it is given.  Asked of each launched system once; findings

@@ -294,7 +294,7 @@ def _of_loop(code: SourceCode, call: ApiCall, stay: Stay) -> str:
 
 
 def _cause(callback: Callback, only_network: bool) -> tuple[str, ...]:
-    """What findings have in common that one change mends: the callback, which has to be taken apart; or a node that
+    """What findings have in common that one change mends: the callback, which has to be split up; or a node that
     asks the network in one callback as in the next, and needs another thread for that."""
     node = callback.node
     if only_network and node is not None:

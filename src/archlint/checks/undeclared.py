@@ -62,7 +62,7 @@ def undeclared_dependency(system: System, options: Options) -> Iterator[Finding]
 
 
 def _closes_circle(use: Use, workspace: WorkspaceIndex, folder: str, used: Mapping[str, AbstractSet[str]]) -> bool:
-    """Whether to declare it would close a circle of packages, which colcon refuses: PKG003 tells the circle.  ``used``
+    """Whether to declare it would close a circle of packages, which colcon refuses: PKG003 reports that.  ``used``
     is what each package uses and does not declare: if all follow the advice, they declare it."""
     return workspace.manifests[folder].name in _reachable(use.needed, workspace, used)
 
@@ -288,7 +288,7 @@ def _help(package: Package, needed: Sequence[str]) -> str:
 
 
 def _related(by_needed: Mapping[str, Sequence[Use]]) -> Iterator[Related]:
-    """The first use of each package; that of the primary place is told by the message."""
+    """The first use of each package; that of the primary place is in the message."""
     for name, uses in sorted(by_needed.items()):
         first = f"'{name}' is imported here" if uses[0].how == "imports" else f"a node of '{name}' is started here"
         more = len(uses) - 1

@@ -35,7 +35,7 @@ def _guarded(arguments: list[str]) -> int:
         return READER_GONE
     except KeyboardInterrupt:
         return INTERRUPTED
-    except SystemExit as end:  # argparse: --help, or a usage error that it has told
+    except SystemExit as end:  # argparse: --help, or a usage error that it has reported
         match end.code:
             case int(status):
                 return status

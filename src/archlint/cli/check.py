@@ -122,7 +122,7 @@ def run(arguments: argparse.Namespace) -> int:
         report, fixed = outcome.report, outcome.count
     folder = folder_in_repository(Path.cwd(), os.environ)
     text = _written(replace(report, failing=failing, folder=folder), arguments)
-    warnings, notes = ("", "") if arguments.quiet else _told(report, fixed, request, arguments)
+    warnings, notes = ("", "") if arguments.quiet else _remarks(report, fixed, request, arguments)
     answer = Answer(text, warnings, notes, exit_status(report, failing, arguments.exit_zero))
     status = console.give(answer)
     watch.note_costs()
@@ -166,7 +166,7 @@ def _written(report: Report, arguments: argparse.Namespace) -> str:
     return text if to_terminal else ""
 
 
-def _told(report: Report, fixed: int, request: Request, arguments: argparse.Namespace) -> tuple[str, str]:
+def _remarks(report: Report, fixed: int, request: Request, arguments: argparse.Namespace) -> tuple[str, str]:
     """What is to be said beside the findings: warnings, and notes after them."""
     warnings = [f"Fixed {fixed} finding{'s' if fixed > 1 else ''}."] if fixed else []
     warnings += [f"archlint: warning: {notice}" for notice in report.notices]

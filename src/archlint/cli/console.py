@@ -22,7 +22,7 @@ def note(text: str) -> None:
 
 
 def noted(text: str) -> str:
-    """A note as it is told: each line safe to show."""
+    """A note as it is shown: each line safe to show."""
     from archlint.visible import visible
 
     return "".join(f"{visible(line)}\n" for line in text.splitlines())

@@ -49,7 +49,7 @@ def mend(request: Request, report: Report, unsafe: bool) -> Fixed:
 
 
 def _key(finding: Finding) -> object:
-    """What tells one fix from the next: the same edit at the same line is no progress."""
+    """What sets one fix apart from the next: the same edit at the same line is no progress."""
     edits = () if finding.fix is None else finding.fix.edits
     return (finding.code, finding.place.file, finding.message, *((edit.place.line, edit.text) for edit in edits))
 

@@ -43,7 +43,7 @@ class Tally(Monitor):
         """The run has ended."""
         self.seconds = self._clock() - self._began
 
-    # --------------------------------------------------------------------------------------- what is told
+    # --------------------------------------------------------------------------------------- what is reported
 
     def compiling(self, files: int) -> None:
         self.files_all += files

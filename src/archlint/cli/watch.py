@@ -1,4 +1,4 @@
-"""What is told on standard error of how a run goes: a line while it lasts, and with ``--verbose`` what took long."""
+"""What is said on standard error of how a run goes: a line while it lasts, and with ``--verbose`` what took long."""
 
 from __future__ import annotations
 

@@ -49,9 +49,9 @@ class Table(
     """A table of a configuration.  TOML has no null: what is None is not in the file."""
 
     UNKNOWN: ClassVar[str] = "unknown key"
-    """How a key is told that it does not have."""
+    """The words for a key that it does not have."""
     MISSING: ClassVar[str] = "this table has no"
-    """How a key is told that it must have."""
+    """The words for a key that it must have."""
 
     def given(self) -> dict[str, Any]:
         """What is in the file, by the keys as they are written, in the order of the fields."""

@@ -1,4 +1,4 @@
-"""A configuration file, its keys, and how a mistake in it is told: with its line."""
+"""A configuration file, its keys, and how a mistake in it is reported: with its line."""
 
 from __future__ import annotations
 
@@ -86,7 +86,7 @@ class Key:
         return Place(self.source.shown, line, column, line, end)
 
     def under_header(self, number: int) -> Key:
-        """The key as it stands in one table of a list."""
+        """The key as it is in one table of a list."""
         return Key(self.path, self.source, after=self.header(number).line)
 
     def error(self, message: str, element: str | None = None) -> ConfigurationError:

@@ -1,4 +1,4 @@
-"""Where a key or a value stands in a TOML file; the parser of the standard library does not tell."""
+"""Where a key or a value is in a TOML file; the parser of the standard library does not say."""
 
 from __future__ import annotations
 

@@ -33,9 +33,9 @@ class Alike:
     screened_out: dict[str, str]
     """What the code of files means that the screen left out and that were read nevertheless."""
     in_one: list[tuple[str, str, bool]]
-    """Whether a word stands in a file."""
+    """Whether a word occurs in a file."""
     in_all: dict[str, list[str]]
-    """The files of the workspace's code that a word stands in."""
+    """The files of the workspace's code that a word occurs in."""
 
     @classmethod
     def of(cls, key: str, answers: Answers, words: Words, files: Iterable[SourceFile], facts: FactsOfFiles) -> Alike:

@@ -193,7 +193,7 @@ def _importers(module: SourceFile, files: Sequence[SourceFile], facts: FactsOfFi
 
 
 _FEW = 3
-"""How many places that import a broken module are told."""
+"""How many places that import a broken module are reported."""
 
 
 def _wanted(findings: Iterable[Finding], settings: Settings, workspace: Workspace) -> Iterator[Finding]:

@@ -40,7 +40,7 @@ def _passes_by(check: Check, system: System, file: str) -> bool:
 def judge_alternatives(system: System, selected: Mapping[str, Options]) -> Iterator[Finding]:
     """As :func:`judge`; where arguments that nothing decides, or that have choices, make several systems of one launch
     file, each is judged, and a finding says under which arguments it holds.  Of choices, only what the defaults do not
-    show at the same place is told."""
+    show at the same place is reported."""
     if not system.alternatives:
         yield from judge(system, selected)
         return

@@ -90,7 +90,7 @@ class Keeper:
         return State(list(stamped), "\n".join(stamped.values()), self._above.placed, self._above.kinds, names)
 
     def _is_recent(self, row: str) -> bool:
-        """Whether something may have changed since the run began: by its stamp one could not tell."""
+        """Whether something may have changed since the run began: its stamp would not show it."""
         times = [] if row.startswith("-") else row.split(" ")[:2]
         return any(int(changed) + RACY_NS >= self._began for changed in times)
 

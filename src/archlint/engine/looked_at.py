@@ -1,4 +1,4 @@
-"""What a run did not look at: told beside the findings, so that a run without any means something."""
+"""What a run did not look at: reported beside the findings, so that a run without any means something."""
 
 from __future__ import annotations
 

@@ -36,4 +36,4 @@ class Request:
     monitor: Monitor = field(default_factory=Monitor, compare=False, repr=False)
     """Who is notified of the progress of the run; the result does not depend on it."""
     keeper: Keeper | None = field(default=None, compare=False, repr=False)
-    """Who keeps what is said of the result, where an equal command may be told the same."""
+    """Who keeps what is said of the result, where an equal command may get the same answer."""

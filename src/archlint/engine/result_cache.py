@@ -40,7 +40,7 @@ class _Asked:
 class RunCache(Generic[Result]):
     """The record of one request over one state of a workspace.
 
-    ``kind`` is the type of what is kept, a dataclass; ``beside`` tells apart what one request may ask for.
+    ``kind`` is the type of what is kept, a dataclass; ``beside`` distinguishes what one request may ask for.
     """
 
     def __init__(self, inputs: Inputs, kind: type[Result], *beside: object) -> None:

@@ -110,7 +110,7 @@ def _sites(file: str, comment: Suppression, idle: frozenset[str]) -> Sites | Non
 
 
 def refusal(file: str, suppression: Suppression) -> str:
-    """What to tell about a bare ignore, and about words that only look like a suppression."""
+    """What to say about a bare ignore, and about words that only look like a suppression."""
     where = f"{file}:{suppression.line}:{suppression.column}"
     if suppression.not_understood:
         return f"{where}: `{suppression.not_understood}` has no effect; write it as `archlint: ignore[{_CODE}]`"

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 def attach(findings: Iterable[Finding], around: Surroundings, faults: Faults | None = None) -> list[Finding]:
-    """The findings, each with its fix where there is one.  Of a fix that fails to be made, ``faults`` are told."""
+    """The findings, each with its fix where there is one.  A fix that fails to be made is noted in ``faults``."""
     mended = list(findings)
     faults = faults or Faults()
     names = Names((call for finding in mended if finding.sites for call in finding.sites.names), around)

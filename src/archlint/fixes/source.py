@@ -73,7 +73,7 @@ class Source:
         return self.text[slice(*self.span(place))]
 
     def indent(self, statement: Place) -> str | None:
-        """What the line of a statement starts with; None where something else stands in front of the statement."""
+        """What the line of a statement starts with; None where something else precedes the statement."""
         before = self.line(statement.line)[: statement.column - 1]
         return None if before.strip() else before
 

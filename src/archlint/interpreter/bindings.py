@@ -74,7 +74,7 @@ def _targets(s: facts.Stmt) -> Iterable[facts.Expr]:
 
 
 def _evaluated(s: facts.Stmt) -> facts.Expr | None:
-    """The expression of a statement in which a ``:=`` can stand in practice."""
+    """The expression of a statement in which a ``:=`` can occur in practice."""
     match s:
         case facts.Assign() | facts.Annotated() | facts.Augmented() | facts.Expression() | facts.Return():
             return s.value
@@ -102,7 +102,7 @@ def _of_pattern(pattern: facts.Pattern, names: set[str]) -> None:
 
 
 def _of_expression(e: facts.Expr | None, names: set[str]) -> None:
-    """Names bound by ``:=``; only where one can stand in practice."""
+    """Names bound by ``:=``; only where one can occur in practice."""
     match e:
         case facts.Assigned():
             _of_target(e.target, names)

@@ -1,4 +1,4 @@
-"""What an ``except`` is there for, as far as its text tells."""
+"""What an ``except`` is there for, as far as its text says."""
 
 from __future__ import annotations
 

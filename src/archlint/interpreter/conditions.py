@@ -39,7 +39,7 @@ def operands(machine: Machine, e: facts.Boolean) -> tuple[Value, bool | None]:
         for number, operand in enumerate(e.values):
             value, verdict = evaluate_test(machine, operand)
             if stop and asked:
-                # What stands in for a parameter that may be empty can be set by that parameter.
+                # A placeholder for a parameter that may be empty can be set by that parameter.
                 value = one_of(_chosen_by(asked, option) for option in alternatives(value))
             last = number == len(e.values) - 1
             if last or verdict is stop:

@@ -1,4 +1,4 @@
-"""What annotations tell of values that nothing here is seen to pass: the class of a node, or of what holds one."""
+"""What annotations say of values that nothing here is seen to pass: the class of a node, or of what holds one."""
 
 from __future__ import annotations
 

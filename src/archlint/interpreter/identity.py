@@ -1,4 +1,4 @@
-"""What tells one value from another: within a run, and over several runs of the same code."""
+"""What sets one value apart from another: within a run, and over several runs of the same code."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ Key = tuple[Hashable, ...]
 
 
 def argument_key(value: Value, nested: int = 0) -> Hashable:
-    """What tells one value from another: constants by value and place, objects by identity."""
+    """What sets one value apart from another: constants by value and place, objects by identity."""
     if nested > _NESTED:
         return Itself(value)
     shape = _SHAPES.get(value.__class__)
@@ -102,11 +102,11 @@ _SHAPES: dict[type[Value], Callable[..., Key]] = {
     EachValue: lambda value, nested: _keys((value.element,), nested),
     PythonValue: lambda value, _: (value.name, Itself(value.function)),
 }
-"""What tells values apart that have no identity of their own."""
+"""What distinguishes values that have no identity of their own."""
 
 
 def kind_key(store: Store, value: Value, nested: int = 0, *, closely: bool = True) -> Hashable:
-    """What tells one value from another whenever the code that makes it runs: objects that it makes anew each time
+    """What sets one value apart from another whenever the code that makes it runs: objects that it makes anew each time
     are alike.  ``closely``: functions differ in what they take along, too."""
     if nested > _NESTED:
         return ()

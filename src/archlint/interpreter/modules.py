@@ -275,7 +275,7 @@ class ModuleIndex:
             self._readers, self._importing = readers, importing
 
     def imported_by(self, module: Module) -> frozenset[str]:
-        """The shown paths of a module and of all that its imports lead to, wherever they stand in it."""
+        """The shown paths of a module and of all that its imports lead to, wherever they are in it."""
         return frozenset(imported.path for imported in self._modules_imported_by(module))
 
     def imported_by_any(self, modules: Iterable[Module]) -> frozenset[str]:

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from archlint.workspace.tree import Question
 
 Lookup = tuple[str, str, int]
-"""An import: the path of the file that it stands in, the name, and how many dots it begins with."""
+"""An import: the path of the file that it is in, the name, and how many dots it begins with."""
 
 
 @dataclass(eq=False)

@@ -2,7 +2,7 @@
 
 A function is followed a few times with the same arguments.  What it gave then is the answer to one more such call only
 where nothing that it reads or writes has changed since, and where it makes no object.  Otherwise it is followed some
-more times, and then its answer is unknown: that of another call never stands in for it.
+more times, and then its answer is unknown: that of another call is never used in its place.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ RUNS = 150
 
 
 def call_key(function: FunctionValue, args: Iterable[Value], keywords: Mapping[str, Value]) -> Key:
-    """What tells one call from another: the function, what it closes over, and the arguments."""
+    """What sets one call apart from another: the function, what it closes over, and the arguments."""
     named = tuple((name, argument_key(value)) for name, value in sorted(keywords.items()))
     return (argument_key(function), tuple(map(argument_key, args)), named)
 

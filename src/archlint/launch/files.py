@@ -43,7 +43,7 @@ class Problem(NamedTuple):
 
 @dataclass
 class ReadFiles:
-    """What was read for a launch, and what was told of it."""
+    """What was read for a launch, and the includes without end in it."""
 
     frontends: dict[str, None] = field(default_factory=dict)
     parameters: dict[str, None] = field(default_factory=dict)
@@ -155,7 +155,7 @@ class LaunchFiles:
         why = self._tree.unreadable(path)
         return () if why is None else (facts.FileProblem(1, 1, why),)
 
-    # --------------------------------------------------------------------------------------- what is told of them
+    # --------------------------------------------------------------------------------------- what is wrong with them
 
     def note_endless(self, place: Place, message: str) -> None:
         """An include leads back to its own file, and nothing ends that."""

@@ -1,4 +1,4 @@
-"""Launch among the libraries: what a run is told where code uses its API, in a launch file or anywhere else."""
+"""Launch among the libraries: what a run learns where code uses its API, in a launch file or anywhere else."""
 
 from __future__ import annotations
 

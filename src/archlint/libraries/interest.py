@@ -18,7 +18,7 @@ WORDS = (
     | frozenset(tables.NODE_ROWS)
     | {"Node", "LifecycleNode", "sleep", "wait", "result", "call"}
 ) - {"__init__", "join", "get", "path", "set", "exists", "isfile"}
-"""Names of the API tables, as they stand in source."""
+"""Names of the API tables, as they are written in source."""
 
 
 def interesting(ir: Source) -> bool:

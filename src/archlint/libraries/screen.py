@@ -23,4 +23,4 @@ _FURTHER = (
 )
 
 WORDS = tuple(word.encode() for word in (*_FURTHER, *(name for name, row in tables.NODE_ROWS.items() if row.creates)))
-"""As they stand in the bytes of a file: what creates on a node comes from the API tables."""
+"""As they are written in the bytes of a file: what creates on a node comes from the API tables."""

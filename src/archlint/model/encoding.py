@@ -1,6 +1,6 @@
 """Programs as MessagePack, and back.
 
-Nodes, create calls, callbacks and the like refer to one another, in circles, and are told apart by identity.  So all
+Nodes, create calls, callbacks and the like refer to one another, in circles, and are distinguished by identity.  So all
 programs of a workspace are written together, as two tables: the *values* (places, names, what calls are given …), each
 after those that it is made of, and the *objects* that have an identity.  A reference is a list of one number: that of a
 value's row from 0 up, that of an object's from -1 down.
@@ -227,7 +227,7 @@ class _Rows:
             item.__dict__.update(fields_of_row)
 
     def _items(self, row: Sequence[Plain]) -> list[object]:
-        """What stands in a row behind its tag."""
+        """What a row has behind its tag."""
         known = self._known
         return [
             plain if type(plain) is not list else known[plain[0]] if type(plain[0]) is int else self._item(plain)

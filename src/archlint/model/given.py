@@ -126,7 +126,7 @@ class Process:
 
 @dataclass(frozen=True, slots=True)
 class Object(Given):
-    """An object: ``key`` tells it from others of its process, ``foreign_class`` is the dotted name of a class from
+    """An object: ``key`` sets it apart from others of its process, ``foreign_class`` is the dotted name of a class from
     elsewhere."""
 
     key: int
@@ -137,7 +137,7 @@ class Object(Given):
 
     @property
     def identity(self) -> ObjectIdentity:
-        """What tells it from all others, also from those of other processes."""
+        """What sets it apart from all others, also from those of other processes."""
         return self.process, self.key
 
 

@@ -23,7 +23,7 @@ NEVER_CONSTRUCTED = "the node's constructor is not reached"
 
 @dataclass(frozen=True)
 class Group:
-    """A callback group: ``key`` tells one group object from another inside a program (None: not one object for
+    """A callback group: ``key`` sets one group object apart from another inside a program (None: not one object for
     certain)."""
 
     kind: GroupKind = GroupKind.DEFAULT
@@ -148,7 +148,7 @@ class ParameterDeclaration:
     given: tuple[object, ...] = ()
     """The value that the constructor's ``parameter_overrides`` give it, which wins over all others; empty: none."""
     uncalled: bool = False
-    """Whether it stands in a method that nothing here calls, of a base class say."""
+    """Whether it is in a method that nothing here calls, of a base class say."""
 
 
 ClassKey = tuple["Place", str]
@@ -175,7 +175,7 @@ class Blueprint:
     classes: tuple[ClassKey, ...] = ()
     """Its class and the bases of that which are of this workspace."""
     annotated: tuple[ClassKey, str] | None = None
-    """What annotations tell of a node that nothing here passes: its class, or the class of what holds it and the
+    """What annotations say of a node that nothing here passes: its class, or the class of what holds it and the
     attribute there."""
     creations: list[Creation] = field(default_factory=list)
     parameters: list[ParameterDeclaration] = field(default_factory=list)

@@ -32,7 +32,7 @@ class Overrides:
 
     @property
     def key(self) -> tuple[object, ...]:
-        """What tells two of them apart."""
+        """What distinguishes two of them."""
         rows = [(repr(node), _rows(values)) for node, values in self.of_nodes.items()]
         names = [(repr(node), repr(names)) for node, names in self.names.items()]
         return (*sorted(rows), _rows(self.others), *sorted(self.settled), *sorted(names))

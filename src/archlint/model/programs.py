@@ -47,7 +47,7 @@ class Program:
     """True where it was cut short since other programs of the workspace had run so much."""
     executable: bool = True
     process: Process = field(default_factory=Process)
-    """What tells its objects from those of other programs."""
+    """What sets its objects apart from those of other programs."""
 
     def executors_of(self, node: Blueprint) -> list[ExecutorUse]:
         """The executors that spin a node; of several those that do so longest.

@@ -269,7 +269,7 @@ class _Topic(Struct):
 
 
 class _Service(Struct):
-    """Of services ``request_type`` is told, of actions too; which type they make together, only the name says."""
+    """Services have ``request_type``, actions too; which type they make together, only the name says."""
 
     name: str
     request_type: _TypeName = field(default_factory=_TypeName)
@@ -297,7 +297,7 @@ def _may_be_message(node: Any) -> bool:
 
 
 def _of_monitor(data: _Graph, file: str, text: str, digest: str) -> Observed:
-    """What no node at all has of a kind, the monitor does not watch: as of 2025 it tells of topics only."""
+    """What no node at all has of a kind, the monitor does not watch: as of 2025 it reports topics only."""
     places = _Places(file, text)
     nodes = tuple(SeenNode(node.name, tuple(_ends_of(node)), places.of(node.name)) for node in data.nodes)
     watched = {end.kind for node in nodes for end in node.ends} - {

@@ -28,7 +28,7 @@ DIFFERENT: Final = "different"
 class SeenEnd:
     """A publisher, subscription, service, client or end of an action of a running node.
 
-    ``kind`` is as of endpoints.  ``type`` and ``qos`` are None where the file does not tell them; a policy of ``qos``
+    ``kind`` is as of endpoints.  ``type`` and ``qos`` are None where the file does not say; a policy of ``qos``
     is None where the middleware did not.
     """
 
@@ -40,7 +40,7 @@ class SeenEnd:
 
 @dataclass(frozen=True)
 class SeenParameter:
-    """A parameter that a running node has declared; ``type`` is None where it is not set, or not told."""
+    """A parameter that a running node has declared; ``type`` is None where it is not set, or not known."""
 
     name: str
     type: str | None
@@ -73,7 +73,7 @@ class Observed:
     """The content of one file.
 
     ``form`` is ``recording`` (of archlint's own recorder), ``bag`` (a rosbag2 ``metadata.yaml``: ``topics`` only) or
-    ``monitor`` (a message with the graph).  ``kinds`` are the kinds of ends that the file would tell of: what is not
+    ``monitor`` (a message with the graph).  ``kinds`` are the kinds of ends that the file would report: what is not
     among its ends of another kind may well be there.  ``settled`` is False where the discovery was still going on.
     """
 

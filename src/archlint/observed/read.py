@@ -1,4 +1,4 @@
-"""Reads a file that tells of a running system, whichever of the known forms it has."""
+"""Reads a file that describes a running system, whichever of the known forms it has."""
 
 from __future__ import annotations
 

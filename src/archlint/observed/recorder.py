@@ -30,7 +30,7 @@ LATE_S = 6.0
 """The same, where of some node nothing but its name has arrived."""
 STEP_S = 0.2
 ANSWER_S = 2.0
-"""How long a node may take to tell its parameters."""
+"""How long a node may take to list its parameters."""
 FOREVER_S = 9e9
 """From this many seconds on, a duration is one that the middleware calls infinite."""
 
@@ -172,7 +172,7 @@ def described(node: Node, full: str, count: int) -> Entity:
 
 
 def with_qos(known: list[tuple[str, str]], ask: Any, full: str) -> list[Entity]:
-    """One entry for each end of a node, with its QoS; without it where the middleware tells none."""
+    """One entry for each end of a node, with its QoS; without it where the middleware reports none."""
     entries: list[Entity] = []
     for name, type_ in known:
         infos = [info for info in ask(name) if f"{info.node_namespace.rstrip('/')}/{info.node_name}" == full]
@@ -202,7 +202,7 @@ def word(policy: Any) -> str:
 
 
 def seconds(duration: Any) -> float | None:
-    """None where nothing is set, or for ever."""
+    """None where nothing is set, or where the duration is infinite."""
     length = duration.nanoseconds / 1e9
     return length if 0 < length < FOREVER_S else None
 

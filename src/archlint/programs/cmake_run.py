@@ -45,7 +45,7 @@ class Step:
     file: str
     folder: str
     conditional: bool = False
-    """Whether it stands in an ``if``."""
+    """Whether it is inside an ``if``."""
 
     def path(self, text: str) -> str:
         """The shown path that an argument means."""
@@ -117,7 +117,7 @@ class CMakeRun:
             elif command.name in ("macro", "function"):
                 self._define(command, commands[at + 1 : end], file)
             elif command.name != "while":
-                self._command(command, file, scope, depth)
+                self._interpret(command, file, scope, depth)
             at = end + 1
 
     # ----------------------------------------------------------------------------------------------- blocks
@@ -152,7 +152,7 @@ class CMakeRun:
 
     # --------------------------------------------------------------------------------------------- commands
 
-    def _command(self, command: Command, file: str, scope: _Scope, depth: int) -> None:
+    def _interpret(self, command: Command, file: str, scope: _Scope, depth: int) -> None:
         if command.name in _NO_EFFECT:
             return
         arguments = _expanded(command, scope)

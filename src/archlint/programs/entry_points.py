@@ -49,7 +49,7 @@ class PackageFolder(Protocol):
 def read_installs(
     packages: Iterable[PackageFolder], workspace: WorkspaceFiles, faults: Faults | None = None
 ) -> dict[str, Installs]:
-    """What each package installs, by package name.  Of what fails here, ``faults`` are told."""
+    """What each package installs, by package name.  What fails here is noted in ``faults``."""
     files, tree = workspace.files, workspace.tree
     index = ModuleIndex(files, workspace.facts_of)
     setups = {file.relative: file for file in files if file.kind == "setup_py"}

@@ -120,7 +120,7 @@ class KeptResults(ABC, Generic[Result]):
 
     def first_of(self, path: str) -> str | None:
         """The module whose import led to that of another, when it was imported first by a program that was not
-        followed again.  It is told once."""
+        followed again.  It is returned once."""
         group = self._groups.get(path)
         if group is None:
             return None

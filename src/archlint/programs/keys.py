@@ -8,7 +8,7 @@ from typing import ClassVar
 
 @dataclass(frozen=True)
 class ProgramKey:
-    """Tells a program from all others of a workspace.  ``file`` is the shown path of the module that it starts in."""
+    """Identifies a program in a workspace.  ``file`` is the shown path of the module that it starts in."""
 
     verb: ClassVar[str] = ""
     """What is said in front of the program's name."""

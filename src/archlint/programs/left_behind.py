@@ -59,7 +59,7 @@ def _is_entity(value: Value) -> bool:
 
 
 def _alike(run: Run, first: Value, second: Value) -> bool:
-    """Whether no test tells two values apart; each run of a callback makes messages and lists of its own."""
+    """Whether no test distinguishes two values; each run of a callback makes messages and lists of its own."""
     if first == second or type(first) is not type(second):
         return first == second
     if isinstance(first, (Known, EntityValue, NodeValue, ExecutorValue)):

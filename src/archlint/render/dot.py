@@ -1,6 +1,6 @@
 """The graph in Graphviz' language.
 
-Every id is made up here and every text of the user's stands in a quoted string, so that no name can become
+Every id is made up here and every text of the user's is in a quoted string, so that no name can become
 markup, a port or an escape of Graphviz.
 """
 

@@ -1,7 +1,7 @@
 """The graph as one page for a browser: the drawing, with search and with what is behind each line.
 
 The page asks the network for nothing.  Its policy admits this script and this style alone, by their hashes;
-the data stand in a JSON block in which no ``<`` can end it.
+the data are in a JSON block in which no ``<`` can end it.
 """
 
 from __future__ import annotations

@@ -38,8 +38,8 @@ PALETTE = {
     "unexpected": Colours("#dcfce7", "#15803d", "#052e16"),
     "different": Colours("#cffafe", "#0e7490", "#083344"),
 }
-"""``wrong`` marks types that differ and rejected names; ``aside`` neighbours and what :func:`is_aside` tells; the last
-three what a running system has otherwise."""
+"""``wrong`` marks types that differ and rejected names; ``aside`` neighbours, and what :func:`is_aside` holds for;
+the last three what a running system has otherwise."""
 
 
 UNOWNED = "used by an unknown node"
@@ -78,7 +78,7 @@ def _started_as(node: Node) -> str:
 
 
 def vertex_label(data: dict[str, Any]) -> str:
-    """What stands in a shape: the label of a node or an interface, and how the running system differs there."""
+    """The text in a shape: the label of a node or an interface, and how the running system differs there."""
     label = node_label(data["node"]) if data["kind"] == NODE else interface_label(data)
     return _lines([*label.split("\n"), data.get("observed", "")])
 

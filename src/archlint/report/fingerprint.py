@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 def with_fingerprints(findings: Iterable[Finding]) -> Iterator[tuple[Finding, str]]:
     """Each finding with a hash of its rule, file and identity, without line numbers.
 
-    Findings that share all of these are told apart by their order.
+    Findings that share all of these are distinguished by their order.
     """
     seen: Counter[tuple[str, ...]] = Counter()
     for finding in findings:

@@ -15,10 +15,10 @@ _COMMANDS = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.INFO
 
 
 def render(report: Report) -> str:
-    return "".join(_command(finding) + "\n" for finding in findings_in_repository(report))
+    return "".join(_annotation(finding) + "\n" for finding in findings_in_repository(report))
 
 
-def _command(finding: Finding) -> str:
+def _annotation(finding: Finding) -> str:
     place = finding.place
     properties = {
         "file": place.file,

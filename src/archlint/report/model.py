@@ -1,4 +1,4 @@
-"""What a run has to tell: findings in order, counts, and a way to look at the source."""
+"""What a run has to report: findings in order, counts, and a way to look at the source."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ class Summary:
 
 @dataclass(frozen=True)
 class Report:
-    """``findings`` are in the order of ``Finding.sort_key``; ``notices`` is what to tell beside them.
+    """``findings`` are in the order of ``Finding.sort_key``; ``notices`` is what to say beside them.
 
     ``failing`` is the severity from which on a finding fails the run; ``folder`` the path of the working
     directory in its repository, for formats that a service reads (``.`` for the repository's root).
@@ -47,7 +47,7 @@ class Report:
     failing: Severity = Severity.WARNING
     folder: str = "."
     remarks: Sequence[str] = ()
-    """What to tell beside them that is no warning."""
+    """What to say beside them that is no warning."""
 
 
 @dataclass(frozen=True)

@@ -139,7 +139,7 @@ def compatible(offered: Qos, requested: Qos) -> list[Verdict]:
 
     History, depth and lifespan never do.  Warnings are given only where there is no error, and liveliness is
     passed over where neither side sets it: its default is left to the middleware in every profile.  What the
-    code does not tell (None) yields no verdict.
+    code does not say (None) yields no verdict.
     """
     verdicts = [verdict for rule in _RULES if (verdict := _policy_verdict(rule, offered, requested))]
     verdicts += [verdict for policy in _DURATIONS if (verdict := _duration_verdict(policy, offered, requested))]

@@ -25,7 +25,7 @@ class Base(msgspec.Struct, frozen=True, array_like=True, gc=False):
     """Common options of every fact, and what any fact can be asked: those that have no answer say nothing."""
 
     is_scope: ClassVar[bool] = False
-    """Whether what stands in it has variables of its own: a function, a class."""
+    """Whether what is inside it has variables of its own: a function, a class."""
 
     def children(self) -> list[Base]:
         """The facts that it is made of, in the order of the source."""

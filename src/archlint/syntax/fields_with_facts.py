@@ -12,7 +12,7 @@ import msgspec
 _PLAIN = re.compile(
     r"typing\.Literal\[.*\]|(?:str|int|float|bool|bytes|None|tuple|list|dict|frozenset|Span|Constant|Star|\w+Kind|\w+Operator|[\W\d])+"
 )
-"""Annotations of fields that no fact stands in."""
+"""Annotations of fields that hold no fact."""
 
 
 class Holding(NamedTuple):

@@ -30,7 +30,7 @@ SECTIONS: Final[dict[InterfaceKind, tuple[SectionName, ...]]] = {
     "srv": ("request", "response"),
     "action": ("goal", "result", "feedback"),
 }
-"""The sections of each kind of interface, in the order in which they stand in a file."""
+"""The sections of each kind of interface, in the order in which a file has them."""
 
 _SEPARATOR = "---"
 _PACKAGE_NAME = re.compile(r"(?!.*__)(?!.*_\Z)[a-z][a-z0-9_]*\Z")

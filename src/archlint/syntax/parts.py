@@ -70,7 +70,7 @@ def parts_of(fact: Source, kind: type[Kind]) -> Iterator[Kind]: ...
 
 
 def parts_of(fact: Source, kind: type[facts.Base] = facts.Base) -> Iterator[facts.Base]:
-    """Every fact (of a kind) inside another, that one first; what stands in functions and classes inside it is left
+    """Every fact (of a kind) inside another, that one first; what is in functions and classes inside it is left
     out."""
     return _walk(fact, kind, False)
 

@@ -46,7 +46,7 @@ class YamlReader:
             raise YamlError("too many values for a ROS file, or nested too deeply", mark.line + 1, mark.column + 1)
 
     def pairs(self, node: yaml.Node, depth: int) -> Iterator[tuple[str, yaml.Node, yaml.Node]]:
-        """Keys as text with the nodes of key and value; ``<<`` merges are taken apart."""
+        """Keys as text with the nodes of key and value; ``<<`` merges are resolved."""
         import yaml
 
         if not isinstance(node, yaml.MappingNode):

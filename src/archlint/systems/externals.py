@@ -1,4 +1,4 @@
-"""What a launch file tells of nodes whose source is not here: the names that it remaps to."""
+"""What a launch file says of nodes whose source is not here: the names that it remaps to."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def remapped_names(node: Node) -> Iterator[tuple[str, str]]:
 def connections_of_externals(system: System) -> list[tuple[Node, str]]:
     """External nodes with the full names that they are remapped to, where somebody else has the name, too.
 
-    Which end of the name they are, and of what kind, only their source could tell.
+    Which end of the name they are, and of what kind, only their source says.
     """
     links = [(node, name) for node in system.nodes if node.external for _, name in remapped_names(node)]
     links = list(dict.fromkeys(links))
@@ -50,7 +50,7 @@ _BETWEEN = re.compile(r"[^\w/~]+|:=")
 
 
 def may_use(node: Node, name: str) -> bool:
-    """Whether an external node is told a name: by a remapping, as (the end of) a text among its parameters, or on its
+    """Whether an external node is given a name: by a remapping, as (the end of) a text among its parameters, or on its
     command line, where the bridges to simulators have it (``/scan@sensor_msgs/msg/LaserScan``)."""
     if any(full == name for _, full in remapped_names(node)):
         return True

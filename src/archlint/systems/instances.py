@@ -120,7 +120,7 @@ _NO_ENDPOINT = (EntityKind.TIMER, "guard_condition")
 
 
 def _key(named: NamedCreation) -> tuple[object, ...]:
-    """What tells two endpoints of a node apart: one create call, reached on two ways with the same arguments,
+    """What distinguishes two endpoints of a node: one create call, reached on two ways with the same arguments,
     is one endpoint."""
     creation = named.creation
     callbacks = tuple(sorted((role, callback.name) for role, callback in creation.callbacks.items()))

@@ -168,7 +168,7 @@ def file_value(value: Any, use: ParameterFileUse, quoted: bool = False) -> objec
 
 
 def _list_value(values: list[Any], use: ParameterFileUse) -> object:
-    """Of what stands in a list, quotes are not kept: a text is known where it is one without them, too."""
+    """In a list, quotes are not kept: a text is known where it is one without them, too."""
     read = [file_value(value, use) for value in values]
     changed = [now for before, now in zip(values, read, strict=True) if now is not before]
     if all(isinstance(now, str) for now in changed):
@@ -177,7 +177,7 @@ def _list_value(values: list[Any], use: ParameterFileUse) -> object:
 
 
 def _not_substituted(value: object, use: ParameterFileUse) -> NotKnown:
-    """Why what stands in a file is not known: for the first substitution in it that is not."""
+    """Why what a file has is not known: for the first substitution in it that is not."""
     known = dict(use.configurations)
     for match in _SUBSTITUTION.finditer(str(value)):
         if match[1] == "env":

@@ -2,7 +2,7 @@
 
 *Hub and spoke*: most connections have one node at one end, which three others or more are tied to.
 *Many-to-many*: topics tie the nodes without such a centre.  *Request clusters*: callers and the services and
-actions they ask weigh more than topics; where they weigh the same, as commands and states do, a hub tells.
+actions they ask weigh more than topics; where they weigh the same, as commands and states do, a hub decides.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ MANY = "many-to-many"
 REQUESTS = "request clusters"
 
 SHARED = OF_MANY_PUBLISHERS | OF_EVERY_NODE
-"""Topics that everybody shares; they tell nothing about the architecture."""
+"""Topics that everybody shares; they say nothing about the architecture."""
 _CENTRAL = 0.6
 """The share of all pairs of neighbours, and of all other nodes, that a hub has at least."""
 _FEWEST = 3

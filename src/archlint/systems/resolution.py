@@ -137,7 +137,7 @@ def _rule_kind(kind: EntityKind) -> remapping.NameKind:
 
 
 def _cautious(text: Text, weakest: Text, kind: EntityKind, own: NodeName, rules: Sequence[RemapRule]) -> FinalName:
-    """As ``_exact``, where a part is not known or wrong: what cannot be told is unknown."""
+    """As ``_exact``, where a part is not known or wrong: what cannot be decided is unknown."""
     if text.text is None or weakest.resolution == "unknown":
         return FinalName(None, None, "unknown", weakest.parameter, _reason(weakest, text, own))
     if weakest.resolution == "partial":

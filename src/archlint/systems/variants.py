@@ -13,7 +13,7 @@ Arguments = Mapping[str, str]
 """``name:=value`` of a launch, by name."""
 
 MOST = 8
-"""Into how many systems one launch file is taken apart; conditions beyond that stay undecided."""
+"""Into how many systems one launch file is split; conditions beyond that stay undecided."""
 
 
 def undecided_arguments(launched: Launched) -> list[dict[str, str]]:
@@ -53,7 +53,7 @@ def other_choices(launched: Launched) -> tuple[dict[str, str], list[dict[str, st
 def condition(holding: Sequence[Arguments], every: Sequence[Arguments]) -> str | None:
     """The fewest arguments that name only systems of ``holding``; None where all systems are in it.
 
-    What holds under several such conditions is told with the first.
+    What holds under several such conditions is reported with the first.
     """
     if len(holding) == len(every):
         return None

@@ -33,7 +33,7 @@ _ENDS_SOURCES = frozenset(
 def installed_modules(text: str, package: str) -> dict[str, str]:
     """Folder or file, relative to that of the CMakeLists.txt, to the dotted name under which it is imported.
 
-    ``package`` stands in for ``${PROJECT_NAME}`` in a file that does not say ``project``.  What takes variables that
+    ``package`` replaces ``${PROJECT_NAME}`` in a file that does not say ``project``.  What takes variables that
     the file does not set to plain words is left out.
     """
     if not any(word in text for word in (_INSTALL, "PYTHON_INSTALL_DIR", "SITELIB", "SITEARCH", "-packages")):

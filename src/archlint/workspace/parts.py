@@ -15,7 +15,7 @@ from archlint.workspace.model import Package, SourceFile, Workspace
 
 
 def parts(workspace: Workspace) -> list[Workspace]:
-    """The workspace taken apart until no package name comes twice; itself where none does.
+    """The workspace split until no package name comes twice; itself where none does.
 
     What several parts share is asked for in the first and context in the others.
     """

@@ -41,7 +41,7 @@ def is_pruned_by_content(name: str, names: Set[str], siblings: Set[str]) -> bool
 def _is_build_output(name: str, names: Set[str], siblings: Set[str]) -> bool:
     """Whether ``build``, ``install`` or ``log`` is what a build left, and not a folder of that name.
 
-    Without a trace of colcon it is told by its place: beside ``src`` of a workspace, or, with the copies that
+    Without a trace of colcon it is recognised by its place: beside ``src`` of a workspace, or, with the copies that
     setuptools makes, beside a ``setup.py``.
     """
     if not names.isdisjoint(_SOURCE_TRACES):

@@ -129,7 +129,7 @@ class SourceTree:
 
     @contextmanager
     def telling(self, tell: Callable[[Question, str | None], None]) -> Iterator[None]:
-        """Tell of each question that is asked inside, with its first answer."""
+        """Report each question that is asked inside, with its first answer."""
         before, self._tell = self._tell, tell
         try:
             yield

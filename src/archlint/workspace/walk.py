@@ -25,7 +25,7 @@ class _Folder:
     path: str
     shown: str
     real: str
-    """The path without symbolic links: by it folders and files are told apart."""
+    """The path without symbolic links: by it folders and files are distinguished."""
     ignores: Ignores
     context: bool
     siblings: Set[str] | None = None

@@ -1,4 +1,4 @@
-"""The words that stand in the texts of files, and what was asked of them.
+"""The words that occur in the texts of files, and what was asked of them.
 
 Most edits of a file change nothing of that: so the questions are noted with their answers, and not that the text was
 read.
@@ -19,9 +19,9 @@ class Words:
         self._text_of = text_of
         self._words: dict[str, frozenset[str]] = {}
         self.asked_of_one: dict[tuple[str, str], bool] = {}
-        """Whether a word stands in a file, by path and word, for all that were asked for."""
+        """Whether a word occurs in a file, by path and word, for all that were asked for."""
         self.asked_of_all: dict[str, set[str]] = {}
-        """The files of the workspace's code that a word stands in, for all words that were asked for."""
+        """The files of the workspace's code that a word occurs in, for all words that were asked for."""
 
     def of(self, path: str) -> frozenset[str]:
         """The words of a file; none where it cannot be read."""
@@ -31,12 +31,12 @@ class Words:
         return words
 
     def stand_in(self, path: str, word: str) -> bool:
-        """Whether a word stands in a file."""
+        """Whether a word occurs in a file."""
         answer = self.asked_of_one[path, word] = word in self.of(path)
         return answer
 
     def note(self, word: str, files: Sequence[str]) -> Sequence[str]:
-        """These are the files of a workspace that a word stands in; several may stand side by side."""
+        """These are the files of a workspace that a word occurs in; several may stand side by side."""
         self.asked_of_all.setdefault(word, set()).update(files)
         return files
 

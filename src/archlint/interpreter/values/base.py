@@ -115,7 +115,7 @@ class Value:
         return None
 
     def as_default(self) -> Value:
-        """The same as what stands in for what somebody else may say: the default of an argument, of a setting."""
+        """The same, as a placeholder for what somebody else may say: the default of an argument, of a setting."""
         return self
 
     # ------------------------------------------------------------------------------------------ objects

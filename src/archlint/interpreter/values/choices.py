@@ -26,7 +26,7 @@ class Unknown(Value):
     reason: str
     parameter: str | None = None
     annotation: Value | None = field(default=None, compare=False)
-    """What annotations tell of it: a class of ours, or an attribute of one."""
+    """What annotations say of it: a class of ours, or an attribute of one."""
     name: str | None = field(default=None, compare=False)
     """The name of the variable it came in by."""
     missing: str | None = field(default=None, compare=False)

@@ -226,5 +226,5 @@ def depends_on(*values: Value) -> str | None:
 
 
 def as_default(value: Value) -> Value:
-    """A text that stands in for what somebody else may say: the default of an argument, an option, a setting."""
+    """A placeholder for a text that somebody else may give: the default of an argument, an option, a setting."""
     return value.as_default()

@@ -59,7 +59,7 @@ class ForeignValue(Value):
         return not self.may_be_none
 
     def identity(self, key_of: Callable[[Value], Hashable]) -> tuple[Hashable, ...] | None:
-        """What tells it from others of its class, values in it by ``key_of``; None: its ``heap_key``."""
+        """What sets it apart from others of its class, values in it by ``key_of``; None: its ``heap_key``."""
         return None
 
     def kind(self) -> Hashable | None:

@@ -37,7 +37,7 @@ def each_alternative(run: LaunchRun, entity: Value) -> Iterator[Value]:
 
 
 def _exclude_each_other(run: LaunchRun, options: Sequence[Value]) -> bool:
-    """Whether the alternatives were made in branches of the code that exclude each other: these tell them apart."""
+    """Whether the alternatives were made in branches of the code that exclude each other: these distinguish them."""
     every = [dict(arms_of(run, option)) for option in options]
     return all(
         any(first[key] != second.get(key, first[key]) for key in first) for first, second in combinations(every, 2)

@@ -30,7 +30,7 @@ VISITS = 20_000
 
 
 NESTING = 100
-"""How deep actions may stand in each other, includes and functions counted."""
+"""How deep actions may be nested in each other, includes and functions counted."""
 
 
 Act = Callable[["LaunchRun", LaunchObject], None]

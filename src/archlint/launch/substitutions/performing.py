@@ -27,9 +27,9 @@ if TYPE_CHECKING:
     from archlint.launch.run import LaunchRun
 
 DEEP_TEXT = 100
-"""How deep lists and substitutions may stand in each other: one may hold itself."""
+"""How deep lists and substitutions may be nested in each other: one may hold itself."""
 PARTS = 2_000
-"""How many lists and substitutions one text may come to: one may stand in another twice, and that in the next."""
+"""How many lists and substitutions one text may come to: one may be in another twice, and that in the next."""
 
 
 def _own_text(run: LaunchRun, value: Instance) -> Value:

@@ -121,7 +121,7 @@ def _receiver(value: Value) -> int:
 
 
 def creation_key(run: Run, base: Key, call: ApiUse) -> Key:
-    """What tells a creation from others of the same place and name (``base``): the functions that are called, for
+    """What sets a creation apart from others of the same place and name (``base``): the functions that are called, for
     timers with all that they take along.  Where callbacks run once more, the first one there is meant."""
     given = [call.get(parameter) for parameter, _ in call.api.callbacks]
     closely = call.api.effect == "timer"

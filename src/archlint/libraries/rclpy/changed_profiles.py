@@ -28,7 +28,7 @@ def change_preset(run: Run, target: External, name: str, value: Value) -> None:
     """``qos_profile_sensor_data.reliability = …``: from now on the preset means something else.
 
     What a module does while it is imported holds in programs that import it and not in others, which the
-    store does not tell apart: then the policy is unknown.
+    store does not distinguish: then the policy is unknown.
     """
     tail = preset_key(rclpy_names.canonical(target.path))
     if tail is not None and name in (*POLICIES, *DURATIONS, "depth"):

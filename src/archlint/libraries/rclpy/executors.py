@@ -31,7 +31,7 @@ def make_executor(run: Run, call: ApiUse) -> Value:
 
 
 def adopt_executor(run: Run, api: Api, receiver: Instance, site: CallSite) -> Value:
-    """An executor class of ours: ``super().__init__()`` tells which kind it is."""
+    """An executor class of ours: ``super().__init__()`` says which kind it is."""
     threads = site.keywords.get("num_threads", site.args[0] if site.args else None)
     run.store.set(receiver.key, EXECUTOR, _new_use(run, api.executor, threads, None))
     return Known(None)

@@ -94,7 +94,7 @@ def _is_given(run: Run, activation: Activation, keys: set[int]) -> bool:
 
 
 def delivered_by(run: Run, message: MessageValue) -> model.Creation | None:
-    """What calls with a message, if nothing stands in front of this use of it that may have asked for its type."""
+    """What calls with a message, if nothing precedes this use of it that may have asked for its type."""
     creation = run.messages.delivered.get(message.key)
     return None if creation is None or run.branch_arms or guard_of(run) else creation
 

@@ -1,4 +1,4 @@
-"""How long an expression strings things together, told without parsing it and in linear time."""
+"""How long an expression strings things together, measured without parsing it and in linear time."""
 
 from __future__ import annotations
 

@@ -41,7 +41,7 @@ def find_suppressions(text: str, positions: CommentPositions, lines: LineTable) 
 
 
 def _covered(line: int, units: list[tuple[int, int]]) -> tuple[int, int]:
-    """The logical line that a comment stands in or, on a line of its own, the next one."""
+    """The logical line that a comment is in or, on a line of its own, the next one."""
     index = bisect_left([last for _, last in units], line)
     return units[index] if index < len(units) else (line, line)
 

@@ -50,7 +50,7 @@ def with_even_indentation(text: str) -> EvenText | None:
 
 
 def _lines_inside_strings(text: str) -> set[int]:
-    """The numbers of the lines whose first character stands in a string."""
+    """The numbers of the lines whose first character is in a string."""
     inside: set[int] = set()
     opened: list[int] = []
     for token in tokenize.generate_tokens(io.StringIO(text).readline):

@@ -12,7 +12,7 @@ from archlint.syntax.python.string_literals import format_text, split_prefix, st
 
 
 class TextLowering:
-    """Lowers texts; what stands in the fields of f-strings is lowered by ``lower``."""
+    """Lowers texts; what is in the fields of f-strings is lowered by ``lower``."""
 
     def __init__(self, lower: Callable[[cst.CSTNode], Expr], span: Callable[[cst.CSTNode], Span]) -> None:
         self.lower = lower

@@ -1,4 +1,4 @@
-"""Where every node of a libcst tree stands in its file.
+"""Where every node of a libcst tree is in its file.
 
 libcst's trees carry no positions, and its own providers cost more than twice the parse.  A code generation
 pass that only counts characters costs a third of it: offsets are recorded for each node without its

@@ -24,7 +24,7 @@ def explain_syntax_error(text: str, message: str) -> FileProblem:
 
 
 def python_refusal(text: str) -> FileProblem | None:
-    """What this Python's own parser has against a text; None where it accepts it, or cannot tell."""
+    """What this Python's own parser has against a text; None where it accepts it, or does not know."""
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
