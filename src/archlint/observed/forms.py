@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 from typing import Any, Final, TypeVar
 
 import msgspec
@@ -64,6 +65,15 @@ class Malformed(Exception):
     """The file says what it is, and is not; ``str()`` says where."""
 
 
+@dataclass(frozen=True)
+class ObservedFile:
+    """A file that describes a running system: its shown path, its text, and a hash of that."""
+
+    file: str
+    text: str
+    digest: str
+
+
 class _Duration(Struct):
     sec: int = 0
     nanosec: int = 0
@@ -110,24 +120,24 @@ def _policy(given: str | int | None, words: Sequence[_Word]) -> _Word | None:
     return next((word for word in words if word == given and word not in _UNSPECIFIED), None)
 
 
-def observed(data: Any, file: str, text: str, digest: str) -> Observed:
+def observed(data: Any, source: ObservedFile) -> Observed:
     """Raises :class:`NotOfThisForm` or :class:`Malformed`."""
     match data:
         case {"archlint_observed": _}:
-            return _of_recording(_converted(data, _Recording), file, text, digest)
+            return _of_recording(_converted(data, _Recording), source)
         case {"rosbag2_bagfile_information": _}:
-            return _of_bag(_converted(data, _BagFile).rosbag2_bagfile_information, file, text, digest)
+            return _of_bag(_converted(data, _BagFile).rosbag2_bagfile_information, source)
         case {"msg": dict() as message}:
-            return _of_message(message, file, text, digest)
-    return _of_message(data, file, text, digest)
+            return _of_message(message, source)
+    return _of_message(data, source)
 
 
-def _of_message(data: Any, file: str, text: str, digest: str) -> Observed:
+def _of_message(data: Any, source: ObservedFile) -> Observed:
     match data:
         case {"nodes": list() as nodes} if "..." in nodes:
             raise Malformed("the message is truncated: use `ros2 topic echo --full-length`")
         case {"nodes": list() as nodes} if "version" not in data and all(_may_be_message(node) for node in nodes):
-            return _of_monitor(_converted(data, _Graph), file, text, digest)
+            return _of_monitor(_converted(data, _Graph), source)
     raise NotOfThisForm
 
 
@@ -180,14 +190,14 @@ _ALL_KINDS = (
 )
 
 
-def _of_recording(data: _Recording, file: str, text: str, digest: str) -> Observed:
+def _of_recording(data: _Recording, source: ObservedFile) -> Observed:
     if data.archlint_observed > VERSION:
         raise Malformed("it was recorded by a newer archlint: update archlint, or record again")
-    places = _Places(file, text)
+    places = _Places(source.file, source.text)
     return Observed(
-        file,
+        source.file,
         RECORDING,
-        digest,
+        source.digest,
         nodes=tuple(_recorded_node(node, places) for node in data.nodes),
         kinds=frozenset(_ALL_KINDS),
         settled=data.settled,
@@ -234,13 +244,15 @@ class _BagFile(Struct):
     rosbag2_bagfile_information: _Bag
 
 
-def _of_bag(data: _Bag, file: str, text: str, digest: str) -> Observed:
-    places = _Places(file, text)
+def _of_bag(data: _Bag, source: ObservedFile) -> Observed:
+    places = _Places(source.file, source.text)
     topics = [
         SeenTopic(topic.name, topic.type, tuple(qos.profile() for qos in _offered(topic)), places.of(topic.name))
         for topic in (entry.topic_metadata for entry in data.topics_with_message_count)
     ]
-    return Observed(file, BAG, digest, topics=tuple(topics), kinds=frozenset([program.EntityKind.PUBLISHER]))
+    return Observed(
+        source.file, BAG, source.digest, topics=tuple(topics), kinds=frozenset([program.EntityKind.PUBLISHER])
+    )
 
 
 def _offered(topic: _TopicMetadata) -> list[_Qos]:
@@ -296,18 +308,18 @@ def _may_be_message(node: Any) -> bool:
     return False
 
 
-def _of_monitor(data: _Graph, file: str, text: str, digest: str) -> Observed:
+def _of_monitor(data: _Graph, source: ObservedFile) -> Observed:
     """What no node at all has of a kind, the monitor does not watch: as of 2025 it reports topics only."""
-    places = _Places(file, text)
+    places = _Places(source.file, source.text)
     nodes = tuple(SeenNode(node.name, tuple(_ends_of(node)), places.of(node.name)) for node in data.nodes)
     watched = {end.kind for node in nodes for end in node.ends} - {
         program.EntityKind.PUBLISHER,
         program.EntityKind.SUBSCRIBER,
     }
     return Observed(
-        file,
+        source.file,
         MONITOR,
-        digest,
+        source.digest,
         nodes=nodes,
         kinds=frozenset({program.EntityKind.PUBLISHER, program.EntityKind.SUBSCRIBER, *watched}),
     )

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from archlint.observed import forms
-from archlint.observed.forms import NotOfThisForm
+from archlint.observed.forms import NotOfThisForm, ObservedFile
 from archlint.observed.model import Observed
 from archlint.syntax.safe_yaml import YamlError, YamlReader
 
@@ -37,7 +37,7 @@ def read(path: str) -> Observed:
     data = _data(shown, text)
     digest = hashlib.sha256(content).hexdigest()
     try:
-        return forms.observed(data, shown, text, digest)
+        return forms.observed(data, ObservedFile(shown, text, digest))
     except NotOfThisForm:
         raise CannotRead(f"{shown} cannot be compared: {_KNOWN}") from None
     except forms.Malformed as error:

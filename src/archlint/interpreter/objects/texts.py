@@ -27,14 +27,26 @@ from archlint.interpreter.values import (
     via,
 )
 from archlint.origins import OriginKind
+from archlint.records import dataclass
 
 if TYPE_CHECKING:
     from archlint.interpreter.call_site import CallSite
     from archlint.interpreter.machine import Machine
     from archlint.syntax import facts
 
-Method = Callable[["Machine", Known, str, "CallSite"], "Value | None"]
-"""A method under its name; None where a call with these arguments is not followed."""
+
+@dataclass(frozen=True)
+class TextCall:
+    """``target.name(…)`` of a text whose content is known."""
+
+    machine: Machine
+    target: Known
+    name: str
+    site: CallSite
+
+
+Method = Callable[[TextCall], "Value | None"]
+"""None where a call with these arguments is not followed."""
 
 _PLAIN = frozenset(
     {"lower", "upper", "title", "capitalize", "casefold", "swapcase", "strip", "lstrip", "rstrip", "replace"}
@@ -48,7 +60,7 @@ _PLAIN = frozenset(
 def call(machine: Machine, target: Known, name: str, site: CallSite) -> Value | None:
     """``target.name(…)``; None where that is not followed."""
     method = _plain_method if name in _PLAIN else _METHODS.get(name)
-    return None if method is None else method(machine, target, name, site)
+    return None if method is None else method(TextCall(machine, target, name, site))
 
 
 def call_holed(target: Holed, name: str, site: CallSite) -> Value:
@@ -66,10 +78,12 @@ def call_holed(target: Holed, name: str, site: CallSite) -> Value:
     return Unknown(target.reason)
 
 
-def _plain_method(machine: Machine, target: Known, name: str, site: CallSite) -> Value:
-    if site.keywords:
-        return Unknown(f"str.{name}() of arguments by name is not followed")
-    return one_of(_plain_result(target, str(target.value), name, row) for row in _combinations(site.args))
+def _plain_method(call: TextCall) -> Value:
+    if call.site.keywords:
+        return Unknown(f"str.{call.name}() of arguments by name is not followed")
+    return one_of(
+        _plain_result(call.target, str(call.target.value), call.name, row) for row in _combinations(call.site.args)
+    )
 
 
 def _plain_result(target: Known, text: str, name: str, row: Sequence[Value]) -> Value:
@@ -101,110 +115,110 @@ def _combinations(args: Sequence[Value]) -> list[list[Value]]:
     return rows
 
 
-def _split(machine: Machine, target: Known, name: str, site: CallSite) -> Value:
-    constants, named = constants_of(site.args), constants_of(site.keywords.values())
+def _split(call: TextCall) -> Value:
+    constants, named = constants_of(call.site.args), constants_of(call.site.keywords.values())
     if constants is None or named is None:
-        return Unknown(reason(*site.args))
+        return Unknown(reason(*call.site.args))
     try:
-        pieces = getattr(target.value, name)(*constants, **dict(zip(site.keywords, named, strict=True)))
+        pieces = getattr(call.target.value, call.name)(*constants, **dict(zip(call.site.keywords, named, strict=True)))
     except (TypeError, ValueError, OverflowError):
         return Unknown("an operation that fails")
-    values = [Known(piece, target.via) for piece in pieces]
-    return new_list(machine, values, "tuple" if name.endswith("partition") else "list")
+    values = [Known(piece, call.target.via) for piece in pieces]
+    return new_list(call.machine, values, "tuple" if call.name.endswith("partition") else "list")
 
 
-def _join(machine: Machine, target: Known, name: str, site: CallSite) -> Value | None:
-    if not site.args:
+def _join(call: TextCall) -> Value | None:
+    if not call.site.args:
         return None
-    items = site.args[0].items(machine)
+    items = call.site.args[0].items(call.machine)
     if items is None or items.open:
-        return Unknown(reason(site.args[0]))
+        return Unknown(reason(call.site.args[0]))
     parts: list[Value] = []
     for number, item in enumerate(items.values):
-        parts.extend([target, item] if number else [item])
-    return combine(machine, parts, _span(site)) if parts else Known("")
+        parts.extend([call.target, item] if number else [item])
+    return combine(call.machine, parts, _span(call.site)) if parts else Known("")
 
 
 def _span(site: CallSite) -> facts.Span | None:
     return None if site.expression is None else site.expression.span
 
 
-def _as_text(machine: Machine, target: Known, name: str, site: CallSite) -> Value | None:
-    return None if site.args else constant(str(target.value), target.via)
+def _as_text(call: TextCall) -> Value | None:
+    return None if call.site.args else constant(str(call.target.value), call.target.via)
 
 
-def _same_path(machine: Machine, target: Known, name: str, site: CallSite) -> Value:
-    kind: OriginKind = "other" if name == "as_posix" else "path"
-    return constant(str(target.value), target.via, kind, file_origin(target, *site.args))
+def _same_path(call: TextCall) -> Value:
+    kind: OriginKind = "other" if call.name == "as_posix" else "path"
+    return constant(str(call.target.value), call.target.via, kind, file_origin(call.target, *call.site.args))
 
 
-def _join_path(machine: Machine, target: Known, name: str, site: CallSite) -> Value:
-    constants = constants_of(site.args)
+def _join_path(call: TextCall) -> Value:
+    constants = constants_of(call.site.args)
     if constants is None:
-        return Unknown(reason(*site.args))
-    joined = "/".join([str(target.value), *map(str, constants)])
-    return constant(joined, target.via, "path", file_origin(target, *site.args))
+        return Unknown(reason(*call.site.args))
+    joined = "/".join([str(call.target.value), *map(str, constants)])
+    return constant(joined, call.target.via, "path", file_origin(call.target, *call.site.args))
 
 
-def _with_other_name(machine: Machine, target: Known, name: str, site: CallSite) -> Value | None:
+def _with_other_name(call: TextCall) -> Value | None:
     """``path.with_name('other.py')`` and ``path.with_suffix('.yaml')`` of a pathlib.Path."""
-    given = constants_of(site.args)
-    if target.kind != "path" or given is None or len(given) != 1:
+    given = constants_of(call.site.args)
+    if call.target.kind != "path" or given is None or len(given) != 1:
         return None
-    folder, last = posixpath.split(str(target.value))
-    other = str(given[0]) if name == "with_name" else posixpath.splitext(last)[0] + str(given[0])
-    return constant(posixpath.join(folder, other), target.via, "path", file_origin(target, *site.args))
+    folder, last = posixpath.split(str(call.target.value))
+    other = str(given[0]) if call.name == "with_name" else posixpath.splitext(last)[0] + str(given[0])
+    return constant(posixpath.join(folder, other), call.target.via, "path", file_origin(call.target, *call.site.args))
 
 
-def _exists(machine: Machine, target: Known, name: str, site: CallSite) -> Value | None:
-    if target.kind != "path":
+def _exists(call: TextCall) -> Value | None:
+    if call.target.kind != "path":
         return None
-    return machine.library.asked_for_file(str(target.value))
+    return call.machine.library.asked_for_file(str(call.target.value))
 
 
-def _listed(machine: Machine, target: Known, name: str, site: CallSite) -> Value | None:
+def _listed(call: TextCall) -> Value | None:
     """``folder.glob('*.yaml')`` and ``folder.iterdir()`` of a pathlib.Path."""
-    pattern = "*" if name == "iterdir" else site.args[0].text if len(site.args) == 1 else None
-    if target.kind != "path" or pattern is None:
+    pattern = "*" if call.name == "iterdir" else call.site.args[0].text if len(call.site.args) == 1 else None
+    if call.target.kind != "path" or pattern is None:
         return None
-    paths = machine.library.matches(str(target.value), pattern)
+    paths = call.machine.library.matches(str(call.target.value), pattern)
     if paths is None:
         return Unknown("the files of a folder")
-    return new_list(machine, [Known(path, target.via, kind="path") for path in paths])
+    return new_list(call.machine, [Known(path, call.target.via, kind="path") for path in paths])
 
 
-def _is_absolute(machine: Machine, target: Known, name: str, site: CallSite) -> Value | None:
+def _is_absolute(call: TextCall) -> Value | None:
     """A path that starts with ``$(`` is that of an installed file, which is absolute when a program asks."""
-    return Known(str(target.value).startswith(("/", "$("))) if target.kind == "path" else None
+    return Known(str(call.target.value).startswith(("/", "$("))) if call.target.kind == "path" else None
 
 
-def _open(machine: Machine, target: Known, name: str, site: CallSite) -> Value | None:
-    return machine.library.opened(target) if target.kind == "path" else None
+def _open(call: TextCall) -> Value | None:
+    return call.machine.library.opened(call.target) if call.target.kind == "path" else None
 
 
 # --------------------------------------------------------------------------------------------------- format
 
 
-def _format(machine: Machine, target: Known, name: str, site: CallSite) -> Value:
+def _format(call: TextCall) -> Value:
     parts: list[Value] = []
     automatic = 0
     try:
-        rows = list(string.Formatter().parse(str(target.value)))
+        rows = list(string.Formatter().parse(str(call.target.value)))
     except ValueError:
         return Unknown("a format that fails")
     for literal, field, spec, conversion in rows:
         if literal:
-            parts.append(Known(literal, target.via))
+            parts.append(Known(literal, call.target.via))
         if field is None:
             continue
         first, *steps = field.replace("[", ".[").split(".")
         if first == "":
             first, automatic = str(automatic), automatic + 1
-        value = _followed(machine, _argument(site, first), steps)
+        value = _followed(call.machine, _argument(call.site, first), steps)
         if spec or conversion in ("r", "a"):
             value = one_of(format_one(option, conversion, spec) for option in alternatives(value))
         parts.append(value)
-    return combine(machine, parts, _span(site))
+    return combine(call.machine, parts, _span(call.site))
 
 
 def _argument(site: CallSite, name: str) -> Value:
