@@ -53,6 +53,10 @@ def _is_meant(system: System, connection: Connection, owners: list[Endpoint]) ->
         return True
     if are_events(system, owners) or are_requests(connection) or ask_with_true(system, connection):
         return True
+    if are_words(owners) and _says_what_happens(connection.name) and not is_state(connection.name):
+        return True
+    if sum(switch_of(system, end) is None for end in owners) < 2:
+        return True  # as started here, one of them says something
     if not some_coexist(system, owners) and (
         has_launch_files(system)
         or _says_what_happens(connection.name)
@@ -90,8 +94,7 @@ def _of_topic(system: System, connection: Connection, owners: list[Endpoint]) ->
         "give each its own topic and let one node arbitrate, or list the topic under shared-topics if it is meant "
         "to be shared",
     )
-    silent = len(owners) - len(switches) < 2
-    return finding if _is_obeyed(connection, owners) and not silent else replace(finding, severity=Severity.INFO)
+    return finding if _is_obeyed(connection, owners) else replace(finding, severity=Severity.INFO)
 
 
 def _if_set(switches: Mapping[str | None, str]) -> str:
