@@ -112,3 +112,13 @@ def test_a_program_in_a_folder_below_is_not_found_by_launch(findings):
     assert found.help == "install the content of the folder, with a trailing slash: install(DIRECTORY …/ …)"
     files["CMakeLists.txt"] = cmake.replace("scripts", "scripts/")
     assert findings("LCH001", node(exec="drive.py"), **files) == []
+
+
+def test_an_executable_that_several_actions_start_is_one_finding(findings):
+    twice = f"{node(exec='camera', name='left')}\n{node(exec='camera', name='right')}\n{node(exec='lidar')}"
+    camera, lidar = findings("LCH001", twice, **{"launch/more.launch.xml": f"<launch>{node(exec='camera')}</launch>"})
+    assert [(row.place.file, row.place.line) for row in camera.related] == [
+        ("launch/it.launch.xml", 2),
+        ("launch/more.launch.xml", 1),
+    ]
+    assert lidar.related == ()

@@ -340,3 +340,16 @@ def test_what_declares_parameters_on_a_node_that_is_not_known_may_do_so_on_this_
         plain = text.replace("    speed = Field(1.0)\n", "").replace("import Field", "import rclpy")
         (found,) = findings("PRM004", given, **{"robot/talker.py": plain, "robot/fields.py": fields})
         assert "'speed'" in found.message
+
+
+@pytest.mark.parametrize(
+    ("uses", "severity"), [("self.gain", "error"), ("print('no gain')", "info")], ids=["a property", "nobody reads it"]
+)
+def test_an_undeclared_parameter_in_a_property(findings, uses: str, severity: str):
+    prop = "    @property\n    def gain(self):\n        return self.get_parameter('gain').value\n\n"
+    tick = f"    def tick(self):\n        {uses}\n\n"
+    text = TALKER.replace(
+        "        self.create_publisher", "        self.create_timer(1.0, self.tick)\n        self.create_publisher"
+    )
+    (found,) = findings("PRM003", **{"robot/talker.py": text.replace("def main", f"{prop}{tick}def main")})
+    assert found.severity.label == severity

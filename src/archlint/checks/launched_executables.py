@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
+from archlint.checks.folding import folds, with_places
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding
@@ -40,7 +41,14 @@ def unknown_executable(system: System, options: Options) -> Iterator[Finding]:
             f"package '{installs.package}' installs no executable '{name}'{hint}",
             help=help,
             identity=(installs.package, name),
+            group=(installs.package, name),
         )
+
+
+@folds("LCH001", across_systems=True)
+def _of_one_executable(several: Sequence[Finding]) -> Finding:
+    """One finding for an executable that is not there, however many launch actions start it."""
+    return with_places(several, "it is started here, too")
 
 
 def _instead(installs: Installs, name: str, workspace: WorkspaceIndex) -> tuple[str, str]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.completeness import declares_all
@@ -10,7 +11,8 @@ from archlint.analysis.declared_parameters import always_declared, declared_by, 
 from archlint.analysis.parameter_uses import is_passed_on, names_listed
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
-from archlint.finding import Finding, Place, Related
+from archlint.finding import Finding, Place, Related, Severity
+from archlint.model import Role
 from archlint.model.given import Constant
 from archlint.suggestions import did_you_mean
 
@@ -35,7 +37,9 @@ def undeclared_parameter(system: System, options: Options) -> Iterator[Finding]:
             for name, place in _reads(system, call):
                 if always_declared(name) or name in declared or name in guarded or call.in_try:
                     continue
-                yield _undeclared(node, call, name, place, declared)
+                diagnostic = _undeclared(node, call, name, place, declared)
+                used = call.context.role != Role.METHOD  # what nothing calls raises nothing
+                yield diagnostic if used else replace(diagnostic, severity=Severity.INFO)
 
 
 def _reads(system: System, call: ApiCall) -> Iterator[tuple[str, Place]]:

@@ -23,6 +23,18 @@ def test_timers_handlers_and_processes(launches):
     ]
 
 
+def test_an_installed_program_that_python_is_told_to_run_is_a_node(launches):
+    path = "get_package_prefix('robot') + '/lib/robot/talker'"
+    launched = launches.python(
+        f"[ExecuteProcess(cmd=['python3', {path}, 'x']), ExecuteProcess(cmd=['python3', 'tool.py'])]",
+        before="from ament_index_python.packages import get_package_prefix",
+    )
+    assert [(s.kind, s.executable.text, s.arguments) for s in launched.started] == [
+        ("node", "talker", ["x"]),
+        ("process", "python3", ["tool.py"]),
+    ]
+
+
 def test_components(launches):
     launched = launches.python(
         "[PushRosNamespace('r'), ComposableNodeContainer(name='box', namespace='', package='rclcpp_components', "

@@ -188,6 +188,8 @@ def process(run: LaunchRun, entity: LaunchObject) -> None:
     words, all_known = _words(run, entity.argument("cmd"))
     if len(words) == 1 and words[0] and " " in words[0]:
         words = [*_split(words[0])]
+    if len(words) > 1 and words[0] in _PYTHON and words[1] and _INSTALLED.match(words[1]):
+        words = words[1:]
     installed = _INSTALLED.match(words[0]) if words and words[0] else None
     if installed:
         words = ["ros2", "run", installed[1], installed[2], *words[1:]]
@@ -223,4 +225,5 @@ def process(run: LaunchRun, entity: LaunchObject) -> None:
     run.start(started)
 
 
+_PYTHON = frozenset({"python", "python3"})
 _INSTALLED = re.compile(r"^\$\(find-pkg-prefix ([\w.-]+)\)/lib/[\w.-]+/([^/]+)$")
