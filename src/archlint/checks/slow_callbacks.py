@@ -41,7 +41,7 @@ if TYPE_CHECKING:
 MOMENT = 0.1
 """Seconds of a sleep that are not worth a word, unless a loop adds them up."""
 PAUSE = 1.0
-"""Seconds from which the next message is late, where a node only takes in these messages."""
+"""Seconds that the next message may be late, where a node only takes in these messages."""
 DISCOVERY = 1.0
 """Seconds that a callback may look for a server."""
 
@@ -97,12 +97,20 @@ def _is_left_alone(system: System, program: Program, call: ApiCall, stay: Stay) 
     """Whether nothing at all waits but the callback's own next turn, and nothing is lost if that is late."""
     code, role = source_code(system), call.context.role
     if role == Role.SUBSCRIPTION:
-        minor = stay.kind == "sleep" and in_loops(code, call, stay, with_callers=True) < PAUSE
+        minor = _is_brief(code, call, stay)
     else:
         period = _period(system, call)
         in_time = period is None or (stay.seconds or 0.0) <= period
         minor = role in _LOSES_NOTHING and (in_time or leaves_its_state(code, call))
     return minor and _waiting(code, call, program) == _NOBODY
+
+
+def _is_brief(code: SourceCode, call: ApiCall, stay: Stay) -> bool:
+    """Whether a node that only takes in these messages may be late with the next: it needs the server for that one,
+    too, or it sleeps for a moment, or for as long as it is told, once."""
+    if stay.kind == "sleep":
+        return (stay.seconds is None and not call.looped) or in_loops(code, call, stay, with_callers=True) <= PAUSE
+    return stay.kind == "discovery" and not made_here(call)
 
 
 _LOSES_NOTHING = frozenset({Role.TIMER, Role.EXECUTE, Role.SERVICE})
