@@ -1,4 +1,4 @@
-"""The one ROS distribution that a workspace is built and tested for, as far as its own files say so."""
+"""The ROS distributions that a workspace is built and tested for, as far as its own files say so."""
 
 from __future__ import annotations
 
@@ -26,27 +26,26 @@ _OF_ROS = re.compile(
 """What precedes a distribution: ``ros:jazzy``, ``ros-jazzy-desktop``, ``ROS_DISTRO=jazzy``."""
 
 
-def pinned_distro(workspace: WorkspaceIndex | None) -> tuple[str, str] | None:
-    """The distribution, and the file that names it, where the files of CI and containers at the top of a workspace name
-    just one; a README is no evidence, for nothing runs it."""
-    return None if workspace is None else _pinned(workspace)
+def named_distros(workspace: WorkspaceIndex | None) -> frozenset[str]:
+    """The distributions that the files of CI and containers at the top of a workspace name, none where they say nothing
+    certain; a README is no evidence, for nothing runs it."""
+    return frozenset() if workspace is None else _named(workspace)
 
 
 @once
-def _pinned(workspace: WorkspaceIndex) -> tuple[str, str] | None:
-    named: dict[str, str] = {}
+def _named(workspace: WorkspaceIndex) -> frozenset[str]:
+    named: set[str] = set()
     certain = False
-    for path, text in _texts(workspace.tree):
+    for text in _texts(workspace.tree):
         for match in _NAMED.finditer(text):
-            named.setdefault(match[1].lower(), path)
+            named.add(match[1].lower())
             certain = certain or _OF_ROS.search(text[max(0, match.start() - 60) : match.start()]) is not None
-    [distro, *others] = sorted(named) or [""]
-    return (distro, named[distro]) if certain and not others and distro in DISTROS else None
+    return frozenset(named) if certain else frozenset()
 
 
-def _texts(tree: Tree) -> Iterator[tuple[str, str]]:
+def _texts(tree: Tree) -> Iterator[str]:
     below = [path for folder in _FOLDERS for path in tree.files_below(folder) if _READ.search(path)]
     for path in (*below, *_FILES):
         text = tree.text(path)
         if text is not None:
-            yield path, text
+            yield text

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.blocking import in_distros
-from archlint.analysis.pinned import pinned_distro
+from archlint.analysis.pinned import named_distros
 from archlint.analysis.reach import node_name, one_for_each_place
 from archlint.analysis.signatures import Signature, annotations_are_texts, signature_of
 from archlint.checks.registry import Options, finding, rule
@@ -101,7 +101,10 @@ def _wrong(system: System, callback: Callback, distros: Sequence[str]) -> _Wrong
     if signature is None:
         return None
     wrong = tuple(distro for distro in distros if not _fits(system, signature, callback, distro))
-    return _Wrong(callback, _takes(signature), wrong, signature.open_count) if wrong else None
+    # What fails in some fails there at once, so the code is for the others, unless CI or a container says otherwise.
+    if not wrong or (wrong != tuple(distros) and named_distros(system.workspace).isdisjoint(wrong)):
+        return None
+    return _Wrong(callback, _takes(signature), wrong, signature.open_count)
 
 
 def _finding(system: System, wrongs: Sequence[_Wrong], distros: Sequence[str]) -> Finding:
@@ -145,21 +148,7 @@ def _misfit(system: System, first: _Wrong, others: Sequence[_Wrong], distros: Se
         node=node_name(system, callback.node),
         identity=(callback.role, callback.name),
     )
-    return _settled(system, diagnostic, first.distros) if some else diagnostic
-
-
-def _settled(system: System, diagnostic: Finding, wrong_in: Sequence[str]) -> Finding:
-    """What is wrong in some distributions is a warning; information where the workspace is evidently for another."""
-    pinned = pinned_distro(system.workspace)
-    if pinned is None or pinned[0] in wrong_in:
-        return replace(diagnostic, severity=Severity.WARNING)
-    distro, file = pinned
-    return replace(
-        diagnostic,
-        message=f"{diagnostic.message}; {file} names {distro} alone",
-        help=f'set the distribution in the configuration, if the code is for {distro} only: distro = "{distro}"',
-        severity=Severity.INFO,
-    )
+    return replace(diagnostic, severity=Severity.WARNING) if some else diagnostic
 
 
 def _further(first: _Wrong, other: _Wrong) -> Related:
