@@ -357,9 +357,7 @@ def test_a_script_that_nobody_installs_and_whose_import_fails(tmp_path, monkeypa
     found = [
         one for one in check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings if one.code == "EXE008"
     ]
-    assert [one.severity for one in found] == [Severity.INFO]
-    module = import_.split()[1]
-    assert (f"its import of '{module}' fails" in found[0].message) == fails
+    assert [one.severity for one in found] == ([] if fails else [Severity.INFO])
 
 
 SLEEPS = NODE.replace(

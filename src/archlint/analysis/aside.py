@@ -11,6 +11,8 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
 from archlint.syntax import facts
+from archlint.syntax.parts import everything_in
+from archlint.syntax.walk import called_name
 from archlint.workspace.test_code import FileRoles
 
 if TYPE_CHECKING:
@@ -95,6 +97,18 @@ def import_that_fails(workspace: WorkspaceIndex | None, file: str) -> str | None
     return None
 
 
+def starts_ros(workspace: WorkspaceIndex, file: str) -> bool:
+    """Whether a program, or anything here that it imports, calls something named ``init``, as ``rclpy.init()``."""
+    return any(_calls_init(workspace, path) for path in sorted({file, *workspace.code.reached_from([file])}))
+
+
+def _calls_init(workspace: WorkspaceIndex, file: str) -> bool:
+    file_facts = workspace.facts_at(file) if workspace.code.mentions(file, "init") else None
+    return file_facts is not None and any(
+        called_name(call) == "init" for call in everything_in(file_facts.body, facts.Call)
+    )
+
+
 _OF_ROS_1 = frozenset({"actionlib", "dynamic_reconfigure", "roslib", "rospy"})
 """Modules that ROS 2 does not have; the file was not ported to the end."""
 _GENERATED = frozenset({"msg", "srv", "action"})
@@ -173,4 +187,4 @@ def _reached(workspace: WorkspaceIndex) -> frozenset[str]:
     return workspace.code.in_use()
 
 
-__all__ = ["import_that_fails", "is_aside", "is_disused", "is_not_installed"]
+__all__ = ["import_that_fails", "is_aside", "is_disused", "is_not_installed", "starts_ros"]

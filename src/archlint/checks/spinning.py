@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.analysis.aside import import_that_fails, is_not_installed
+from archlint.analysis.aside import import_that_fails, is_not_installed, starts_ros
 from archlint.analysis.called_by_hand import left_to_executor
 from archlint.analysis.idle_nodes import SERVED, Idle, _all_is_seen, idle_of, started_nodes
 from archlint.analysis.object_uses import read_off
@@ -14,7 +14,7 @@ from archlint.analysis.reach import node_name, one_for_each_place
 from archlint.analysis.source_code import source_code
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
-from archlint.finding import Finding, Related, Severity
+from archlint.finding import Finding, Related
 from archlint.model import ExecutorKind
 
 if TYPE_CHECKING:
@@ -30,8 +30,21 @@ def node_never_spun(system: System, options: Options) -> Iterator[Finding]:
     yield from one_for_each_place(
         _never_spun(system, node, idle)
         for program, node, idle in judged
-        if idle is not None and (node.made_at or node.place) not in spun and _all_is_seen(program, node)
+        if idle is not None
+        and (node.made_at or node.place) not in spun
+        and _all_is_seen(program, node)
+        and not _never_gets_there(system, program, (node.made_at or node.place).file)
     )
+
+
+def _never_gets_there(system: System, program: Program, file: str) -> bool:
+    """Whether a node is never made: its program does not call ``rclpy.init()``, so that rclpy raises, or it is a script
+    that no package installs and that stops at its first imports."""
+    workspace = system.workspace
+    if workspace is None:
+        return False
+    stops = is_not_installed(workspace, file) and import_that_fails(workspace, file) is not None
+    return stops or not starts_ros(workspace, program.file)
 
 
 def _idle(system: System, program: Program, node: Blueprint) -> Idle | None:
@@ -77,7 +90,7 @@ def _never_spun(system: System, node: Blueprint, idle: Idle) -> Finding:
     if attributes:
         names = " and ".join(f"'{name}'" for name in attributes)
         help_ = f"do not create a node for this: move {names} out of the class"
-    diagnostic = finding(
+    return finding(
         "EXE008",
         node.made_at or node.place,
         message,
@@ -86,8 +99,3 @@ def _never_spun(system: System, node: Blueprint, idle: Idle) -> Finding:
         node=node_name(system, node),
         identity=(node.class_name,),
     )
-    file = diagnostic.place.file
-    fails = import_that_fails(system.workspace, file) if is_not_installed(system.workspace, file) else None
-    if fails is None:
-        return diagnostic
-    return replace(diagnostic, message=f"{message}; its import of '{fails}' fails", severity=Severity.INFO)
