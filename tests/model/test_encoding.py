@@ -38,6 +38,7 @@ from archlint.model import (
     messages,
     nodes,
     programs,
+    refused,
     texts,
 )
 from archlint.model.encoding import NotEncodable, NotPrograms, decode, encode
@@ -151,7 +152,7 @@ def test_a_payload_of_other_fields_is_refused(monkeypatch: pytest.MonkeyPatch):
 
 
 MODULES = (
-    *(calls, executors, given, kinds, messages, nodes, programs, texts),
+    *(calls, executors, given, kinds, messages, nodes, programs, refused, texts),
     *(branches, finding, interfaces, origins, place, qos, reasons),
 )
 """Where the classes of programs and what their fields are annotated with are defined."""

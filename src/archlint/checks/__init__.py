@@ -58,6 +58,7 @@ MODULES: tuple[str, ...] = (
     "published",
     "qos",
     "qos_contradictions",
+    "refused_calls",
     "required",
     "run_time",
     "unmatched",

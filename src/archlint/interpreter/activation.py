@@ -38,6 +38,8 @@ class Activation:
     """How many ``try`` blocks of the function are around what runs now."""
     forgiving: int = 0
     """How many of them may be there for an attribute that is missing."""
+    expecting_refusals: int = 0
+    """How many of them are there for a call that Python rejects."""
     returns: list[tuple[Value, Layer | None]] = field(default_factory=list)
     yields: list[Value] = field(default_factory=list)
     scopes: list[int] = field(default_factory=list)

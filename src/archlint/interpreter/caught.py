@@ -9,6 +9,7 @@ from archlint.syntax import facts
 _IMPORT_ERRORS = {"ImportError", "ModuleNotFoundError"}
 _OTHER_ERROR = re.compile(r"(?!Attribute)\w+(Error|Exception|Warning|Interrupt|Timeout)$")
 """A class whose name says what else went wrong."""
+_REFUSALS = frozenset({"AttributeError", "TypeError"})
 _FOR_ALL = frozenset({"Exception", "BaseException"})
 _LOGS = frozenset({"debug", "info", "warn", "warning", "error", "fatal", "critical", "exception"}) | {
     "print",
@@ -27,6 +28,12 @@ def may_expect_missing_attribute(handler: facts.Handler) -> bool:
     """Whether a handler may be there for an attribute that is missing: not one for all errors that does no more than
     say so."""
     return _names_attribute_error(handler.type) and not (_is_for_all(handler.type) and _only_logs(handler))
+
+
+def expects_refusal(handler: facts.Handler) -> bool:
+    """Whether a handler is there for a call that Python rejects: it names ``TypeError`` or ``AttributeError``."""
+    classes = [] if handler.type is None else handler.type.unpacked
+    return any(cls.last_name in _REFUSALS for cls in classes)
 
 
 def only_goes_on(handler: facts.Handler) -> bool:

@@ -106,15 +106,18 @@ def _entered(machine: Machine, value: Value) -> Value:
 def _try(machine: Machine, s: facts.Try) -> Status:
     activation = machine.activation
     forgiving = any(caught.may_expect_missing_attribute(handler) for handler in s.handlers)
+    expecting = any(map(caught.expects_refusal, s.handlers))
     before = activation.ended_arms
     activation.tries += 1
     activation.forgiving += forgiving
+    activation.expecting_refusals += expecting
     unknown = machine.unknown_results
     try:
         status = machine.execute(s.body)
     finally:
         activation.tries -= 1
         activation.forgiving -= forgiving
+        activation.expecting_refusals -= expecting
     goes_well = machine.unknown_results == unknown and status != "raise" and _only_reads(machine, s.body)
     if status is None and s.orelse:
         status = machine.execute(s.orelse)

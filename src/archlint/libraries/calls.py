@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from archlint import model
 from archlint.interpreter.values import ApiMethod, External, Instance, Known, OneOf, Unknown, Value, one_of
+from archlint.libraries import refused_calls
 from archlint.libraries.api_use import ApiUse, Offers, argument_places, bind_api
 from archlint.libraries.givens import given_by
 from archlint.libraries.python import clocks
@@ -105,6 +106,7 @@ def use(run: Run, offers: Offers, api: Api, receiver: Value | None, site: CallSi
             return one_of(use(run, offers, api, o, site) for o in options)
         receiver = options[0] if options else receiver
     bound, rest = bind_api(api, site.args, site.keywords)
+    refused_calls.note(run, api, receiver, site, bound)
     call = ApiUse(api, receiver, bound, site.expression, site.open, rest, site.keywords)
     if api.watched and site.expression is not None:
         record(run, api, receiver, bound, site.expression)

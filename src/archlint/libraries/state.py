@@ -78,6 +78,8 @@ class Calls:
     """Which callbacks the first of the creations at one place, with one name, was given."""
     watched: dict[tuple[Any, ...], model.ApiCall] = field(default_factory=dict)
     """The calls that rules want to see."""
+    refused: dict[tuple[Place, str], model.RefusedCall | None] = field(default_factory=dict)
+    """The calls of libraries that are refused, by where they are and what they call; None of one that is not always."""
 
 
 @dataclass(slots=True, eq=False)

@@ -30,6 +30,7 @@ from archlint.model.nodes import (
 )
 from archlint.model.overrides import Overrides, node_key
 from archlint.model.programs import Program
+from archlint.model.refused import Misuse, RefusedCall
 from archlint.model.texts import Resolution, Text
 
 __all__ = [
@@ -51,10 +52,12 @@ __all__ = [
     "Group",
     "GroupKind",
     "GuardKind",
+    "Misuse",
     "Overrides",
     "ParameterDeclaration",
     "Passed",
     "Program",
+    "RefusedCall",
     "Resolution",
     "Role",
     "Spell",

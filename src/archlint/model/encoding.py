@@ -26,6 +26,7 @@ from archlint.model.kinds import EntityKind, ExecutorKind, GroupKind, Role
 from archlint.model.messages import FieldUse, Passed, UnknownInterface
 from archlint.model.nodes import Blueprint, Callback, Creation, Frame, FunctionRef, Group, ParameterDeclaration
 from archlint.model.programs import Program
+from archlint.model.refused import Misuse, RefusedCall
 from archlint.model.texts import Text
 from archlint.reasons import NotPassed, Uninformative
 from archlint.ros.qos import Qos
@@ -74,12 +75,12 @@ class Language:
 
 PROGRAMS: Final = Language(
     (
-        *(EntityKind, ExecutorKind, GroupKind, Role, SpinDuration),
+        *(EntityKind, ExecutorKind, GroupKind, Misuse, Role, SpinDuration),
         *(NotPassed, Uninformative),
     ),
     (
         *(ApiCall, Blueprint, Callback, Creation, ExecutorUse, FieldUse, Frame, FunctionRef, Group),
-        *(ParameterDeclaration, Passed, Place, Program, Qos, Spell, Text, UnknownInterface),
+        *(ParameterDeclaration, Passed, Place, Program, Qos, RefusedCall, Spell, Text, UnknownInterface),
         *(given.Given, given.Constant, given.OneOf, given.Entity, given.Future, given.Node, given.Executor),
         *(given.Message, given.Process, given.Object, given.GoalHandle, given.Duration),
         *(given.ForeignClass, given.Collection),

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from archlint.model.calls import ApiCall
     from archlint.model.messages import FieldUse, UnknownInterface
     from archlint.model.nodes import Blueprint, Callback
+    from archlint.model.refused import RefusedCall
 
 
 @dataclass(eq=False)
@@ -34,6 +35,7 @@ class Program:
     callers: dict[Place, set[Place | None]] = field(default_factory=dict)
     """Where the functions that use fields of their parameters are called; None for code that is not here."""
     unknown_interfaces: list[UnknownInterface] = field(default_factory=list)
+    refused_calls: list[RefusedCall] = field(default_factory=list)
     refused: set[Place] = field(default_factory=set)
     """The calls that Python refuses: the arguments do not fit."""
     reads_command_line: bool = False

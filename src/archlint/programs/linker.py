@@ -118,7 +118,7 @@ class Linker:
         self.helpers = helpers_in(programs)
         self._settled = True
         self.progress.budget = Budget()  # for what launch files run again
-        return [p for p in programs if p.nodes or p.calls or p.callbacks or p.unknown_interfaces or p.field_uses]
+        return [program for program in programs if _says_something(program)]
 
     def ahead(self, parts: Callable[[], Sequence[Callable[[], object]]]) -> None:
         """Do parts of the work that follow programs in processes of their own, where that is worth it."""
@@ -306,6 +306,11 @@ class Linker:
             _run_block(run, module, guard)
             _make_escaped_class(run)
         return root.result()
+
+
+def _says_something(program: model.Program) -> bool:
+    noted = (program.calls, program.callbacks, program.unknown_interfaces, program.field_uses, program.refused_calls)
+    return bool(program.nodes) or any(noted)
 
 
 def _words(key: ProgramKey, program: model.Program) -> str:

@@ -28,11 +28,11 @@ def is_module(path: str) -> bool:
 def refuses(method: ApiMethod, given: int, keywords: Collection[str]) -> bool:
     """Whether a method of a node refuses so many positional arguments and these keywords."""
     owner, _, name = method.path.rpartition(".")
-    of_node = owner in names.NODE_CLASSES and _is_node(method.self_value)
+    of_node = owner in names.NODE_CLASSES and is_node(method.self_value)
     return of_node and signatures.refuses(name, given, keywords)
 
 
-def _is_node(value: Value) -> bool:
+def is_node(value: Value) -> bool:
     """Whether a value is a node for certain, whose methods are rclpy's own where the workspace defines none."""
     if isinstance(value, NodeValue):
         return not value.blueprint.caller_unknown
@@ -40,4 +40,4 @@ def _is_node(value: Value) -> bool:
     return cls is not None and node_classes.has_only(cls)
 
 
-__all__ = ["is_module", "refuses"]
+__all__ = ["is_module", "is_node", "refuses"]

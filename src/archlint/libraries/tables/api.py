@@ -82,8 +82,7 @@ class Api:
     path: str
     """Where it is defined: ``rclpy.node.Node.create_timer``."""
     signature: str = ""
-    """Its parameters, separated by spaces; ``*`` starts those that go by keyword alone, and a ``?`` ends one that may
-    be left out where the row is ``strict``."""
+    """Its parameters in any distribution, separated by spaces; ``*`` starts those that go by keyword alone."""
     effect: EffectName = "none"
     kind: EntityKind | None = None
     """What it creates."""
@@ -112,8 +111,6 @@ class Api:
     """True where checks want to see each call."""
     waits_for_io: bool = False
     """True of what waits for the network, a process or a file: nothing of ROS."""
-    strict: bool = False
-    """True where all supported distributions take these positional arguments: Python refuses any other call."""
 
     @property
     def creates(self) -> bool:
@@ -122,16 +119,11 @@ class Api:
 
     @cached_property
     def params(self) -> tuple[str, ...]:
-        return tuple(word.rstrip("?") for word in self.signature.split())
+        return tuple(self.signature.split())
 
     @cached_property
     def positional(self) -> tuple[str, ...]:
         return self.params[: self.params.index("*")] if "*" in self.params else self.params
-
-    @cached_property
-    def optional(self) -> frozenset[str]:
-        """Positional parameters that may be left out; only a strict row says which."""
-        return frozenset(word.rstrip("?") for word in self.signature.split() if word.endswith("?"))
 
 
 __all__ = ["Api", "DefaultQos", "EffectName"]

@@ -12,7 +12,6 @@ ROWS = (
     Api(
         "rclpy.node.Node.create_publisher",
         "msg_type topic qos_profile * callback_group event_callbacks qos_overriding_options publisher_class",
-        strict=True,
         effect="endpoint",
         kind=model.EntityKind.PUBLISHER,
         type="msg_type",
@@ -24,7 +23,6 @@ ROWS = (
     Api(
         "rclpy.lifecycle.node.LifecycleNode.create_lifecycle_publisher",
         "msg_type topic qos_profile * callback_group event_callbacks qos_overriding_options publisher_class",
-        strict=True,
         effect="endpoint",
         kind=model.EntityKind.PUBLISHER,
         type="msg_type",
@@ -37,7 +35,6 @@ ROWS = (
         "rclpy.node.Node.create_subscription",
         "msg_type topic callback qos_profile * callback_group event_callbacks qos_overriding_options raw "
         "content_filter_options acceptable_buffer_backends",
-        strict=True,
         effect="endpoint",
         kind=model.EntityKind.SUBSCRIBER,
         type="msg_type",
@@ -50,7 +47,6 @@ ROWS = (
     Api(
         "rclpy.node.Node.create_client",
         "srv_type srv_name * qos_profile callback_group",
-        strict=True,
         effect="endpoint",
         kind=model.EntityKind.CLIENT,
         type="srv_type",
@@ -63,7 +59,6 @@ ROWS = (
     Api(
         "rclpy.node.Node.create_service",
         "srv_type srv_name callback * qos_profile callback_group",
-        strict=True,
         effect="endpoint",
         kind=model.EntityKind.SERVICE,
         type="srv_type",
@@ -111,15 +106,14 @@ ROWS = (
     ),
     Api(
         "rclpy.node.Node.create_timer",
-        "timer_period_sec callback callback_group? clock? autostart?",
-        strict=True,
+        "timer_period_sec callback callback_group clock autostart",
         effect="timer",
         kind=model.EntityKind.TIMER,
         group="callback_group",
         callbacks=(("callback", Role.TIMER),),
         returns="rclpy.timer.Timer",
     ),
-    Api("rclpy.node.Node.create_rate", "frequency clock?", strict=True, effect="rate", returns="rclpy.timer.Rate"),
+    Api("rclpy.node.Node.create_rate", "frequency clock", effect="rate", returns="rclpy.timer.Rate"),
     Api(
         "rclpy.node.Node.create_guard_condition",
         "callback callback_group",

@@ -32,9 +32,9 @@ ROWS = (
     # ---- what makes a node of C++ in the same process (moveit_py, moveit/planning.py)
     Api("moveit.planning.MoveItPy", "node_name", watched=True),
     # ---- names of nodes
-    Api("rclpy.node.Node.get_name", strict=True, effect="get_name"),
-    Api("rclpy.node.Node.get_namespace", strict=True, effect="get_namespace"),
-    Api("rclpy.node.Node.get_fully_qualified_name", strict=True, effect="get_fully_qualified_name"),
+    Api("rclpy.node.Node.get_name", effect="get_name"),
+    Api("rclpy.node.Node.get_namespace", effect="get_namespace"),
+    Api("rclpy.node.Node.get_fully_qualified_name", effect="get_fully_qualified_name"),
     Api("rclpy.node.Node.resolve_topic_name", "topic * only_expand", effect="resolve_name"),
     Api("rclpy.node.Node.resolve_service_name", "service * only_expand", effect="resolve_name"),
     # ---- destroying

@@ -1,0 +1,93 @@
+"""API001: calls that rclpy refuses."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
+
+from archlint.checks.folding import folds, with_others
+from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
+from archlint.finding import Finding
+from archlint.model import Misuse, RefusedCall
+from archlint.ros.distros import DISTROS
+
+if TYPE_CHECKING:
+    from archlint.systems.model import System
+
+_AS_NEWEST = "kilted"
+"""The distribution whose signatures stand for those of newer ones."""
+_NEWER = frozenset(DISTROS[DISTROS.index(_AS_NEWEST) + 1 :])
+
+
+@rule("API001", scope=Scope.CODE)
+def refused_call(system: System, options: Options) -> Iterator[Finding]:
+    """Calls that rclpy, message_filters or tf2_ros refuse."""
+    is_test = system.roles.is_test
+    calls = {
+        (call.place, call.api): call
+        for program in system.programs
+        for call in program.refused_calls
+        if not is_test(call.place.file) and not is_test(program.file)
+    }
+    for key in sorted(calls):
+        if _is_refused(calls[key], options.distros):
+            yield _finding(calls[key])
+
+
+def _is_refused(call: RefusedCall, distros: tuple[str, ...]) -> bool:
+    """Whether all of the distributions to judge for refuse a call: one that works in some of them may be meant for
+    those."""
+    return all(distro in call.distros or (distro in _NEWER and _AS_NEWEST in call.distros) for distro in distros)
+
+
+def _finding(call: RefusedCall) -> Finding:
+    name = _name(call.api)
+    return finding(
+        "API001",
+        call.place,
+        f"{name}() fails: {_what_is_wrong(call)}",
+        help=_cure(name, call),
+        identity=(call.api, str(call.misuse), *call.parameters),
+        group=(call.place.file, call.api, str(call.misuse), *call.parameters),
+    )
+
+
+@folds("API001")
+def of_one_file(findings: Sequence[Finding]) -> Finding:
+    """The first call of a file for all that are wrong in the same way."""
+    return with_others(findings, "another call in this file fails", "more calls in this file fail", "in the same way")
+
+
+def _name(api: str) -> str:
+    """How code calls it: ``create_timer``, ``QoSProfile``."""
+    owner, _, name = api.rpartition(".")
+    return owner.rpartition(".")[2] if name == "__init__" else name
+
+
+def _what_is_wrong(call: RefusedCall) -> str:
+    names = _quoted(call.parameters)
+    match call.misuse:
+        case Misuse.MISSING:
+            return f"{names} {'is' if len(call.parameters) == 1 else 'are'} missing"
+        case Misuse.TOO_MANY:
+            return f"it takes at most {call.takes} {'argument' if call.takes == 1 else 'arguments'} by position"
+        case Misuse.UNKNOWN_KEYWORD:
+            return f"it has no parameter {names}"
+        case Misuse.TWICE:
+            return f"{names} is given by position and by name"
+        case Misuse.SWAPPED:
+            return f"{names} are swapped"
+        case Misuse.KIND:
+            return f"{names} takes {call.wanted}, not {call.given}"
+
+
+def _cure(name: str, call: RefusedCall) -> str:
+    if call.misuse is Misuse.KIND:
+        called = call.given.startswith("what ")
+        return "pass the function itself, without parentheses" if called else f"pass {call.wanted}"
+    return f"write {name}({', '.join(call.signature)})"
+
+
+def _quoted(names: tuple[str, ...]) -> str:
+    return " and ".join(filter(None, (", ".join(map(repr, names[:-1])), *map(repr, names[-1:]))))

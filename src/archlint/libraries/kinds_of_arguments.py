@@ -1,0 +1,210 @@
+"""What the parameters of a call take, and what values certainly are not that."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from enum import Enum
+from functools import cache
+
+from archlint.interpreter.values import (
+    BoundMethod,
+    ClassValue,
+    External,
+    FunctionValue,
+    Known,
+    Value,
+)
+from archlint.libraries.rclpy import names, node_classes
+from archlint.libraries.tables import Api
+from archlint.libraries.values import EntityValue, MessageValue, NodeValue
+from archlint.model import EntityKind, Role
+from archlint.syntax import facts
+
+
+class Kind(Enum):
+    """What a parameter takes, in the words of a message."""
+
+    MESSAGE = "a message class"
+    SERVICE = "a service class"
+    ACTION = "an action class"
+    NAME = "a text"
+    PROFILE = "a QoSProfile or a queue depth"
+    CALLBACK = "a function"
+    NODE = "a node"
+    SECONDS = "a number of seconds"
+    HERTZ = "a number of hertz"
+    EXECUTOR = "an executor"
+
+
+_INTERFACES = {
+    EntityKind.PUBLISHER: Kind.MESSAGE,
+    EntityKind.SUBSCRIBER: Kind.MESSAGE,
+    EntityKind.SERVICE: Kind.SERVICE,
+    EntityKind.CLIENT: Kind.SERVICE,
+    EntityKind.ACTION_SERVER: Kind.ACTION,
+    EntityKind.ACTION_CLIENT: Kind.ACTION,
+}
+_SECTIONS = {Kind.MESSAGE: "msg", Kind.SERVICE: "srv", Kind.ACTION: "action"}
+_BY_NAME = {
+    "timer_period_sec": Kind.SECONDS,
+    "frequency": Kind.HERTZ,
+    "executor": Kind.EXECUTOR,
+}
+_JUDGED = ("rclpy.", "message_filters.", "tf2_ros.")
+_SPINNING = frozenset({"rclpy.spin", "rclpy.spin_once", "rclpy.spin_until_future_complete"})
+
+
+@cache
+def kinds_of(api: Api) -> Mapping[str, Kind]:
+    """What the parameters of an API take, as far as archlint judges it."""
+    if not api.path.startswith(_JUDGED):
+        return {}
+    kinds = {name: kind for name, kind in _BY_NAME.items() if name in api.params}
+    if api.type is not None and api.kind is not None and not api.type_as_text:
+        kinds[api.type] = _INTERFACES[api.kind]
+    if api.name is not None:
+        kinds[api.name] = Kind.NAME
+    if api.qos in ("qos_profile", "qos") and api.kind in (EntityKind.PUBLISHER, EntityKind.SUBSCRIBER):
+        kinds[api.qos] = Kind.PROFILE
+    if api.node is not None or (api.path in _SPINNING):
+        kinds[api.node or "node"] = Kind.NODE
+    kinds |= {name: Kind.CALLBACK for name, role in api.callbacks if role != Role.TASK}
+    return kinds
+
+
+def is_other(api: Api, kind: Kind, value: Value, written: facts.Expr | None) -> bool:
+    """Whether a value is certainly not what a parameter of this kind takes; ``written`` is the argument as it stands
+    in the code."""
+    if value.via:
+        return False  # a parameter may have another value where the node runs
+    if kind in _SECTIONS:
+        return _is_no_interface(value, _SECTIONS[kind])
+    if kind is Kind.NODE and isinstance(value, ClassValue):
+        return api.path in _SPINNING and node_classes.has_only(value)
+    return _IS_OTHER[kind](value, written)
+
+
+def _is_no_interface(value: Value, section: str) -> bool:
+    match value:
+        case Known(value=constant):
+            return constant is not None
+        case ClassValue():
+            return node_classes.has_only(value)
+        case External(path=path):
+            interface, part = names.interface_and_section(names.canonical(path))
+            if interface is None:
+                return names.canonical(path) in names.NODE_CLASSES
+            return bool(part) or interface.split("/")[1] != section
+    return _is_function(value) or isinstance(value, NodeValue)
+
+
+def _is_no_text(value: Value, written: facts.Expr | None) -> bool:
+    match value:
+        case Known(value=constant):
+            return constant is not None and not isinstance(constant, str)
+    return _is_class(value) or _is_function(value) or isinstance(value, (MessageValue, NodeValue))
+
+
+def _is_no_profile(value: Value, written: facts.Expr | None) -> bool:
+    match value:
+        case Known(value=int(depth)):
+            return depth < 0
+        case Known(value=None):
+            return isinstance(written, facts.Literal)
+        case Known():
+            return True
+    return _is_class(value) or _is_function(value)
+
+
+def _is_no_callback(value: Value, written: facts.Expr | None) -> bool:
+    match value:
+        case Known(value=None):
+            return isinstance(written, facts.Call)  # called, where it should be passed
+        case Known():
+            return True
+    return isinstance(value, (MessageValue, EntityValue, NodeValue))
+
+
+def _is_no_node(value: Value, written: facts.Expr | None) -> bool:
+    return _is_constant(value) or _is_interface(value) or _is_function(value) or isinstance(value, MessageValue)
+
+
+def _is_no_number(value: Value, written: facts.Expr | None) -> bool:
+    match value:
+        case Known(value=str(text)):
+            return not _is_number(text)
+    return _is_class(value) or _is_function(value) or isinstance(value, MessageValue)
+
+
+_IS_OTHER: Mapping[Kind, Callable[[Value, facts.Expr | None], bool]] = {
+    Kind.NAME: _is_no_text,
+    Kind.PROFILE: _is_no_profile,
+    Kind.CALLBACK: _is_no_callback,
+    Kind.NODE: _is_no_node,
+    Kind.SECONDS: _is_no_number,
+    Kind.HERTZ: _is_no_number,
+    Kind.EXECUTOR: _is_no_node,
+}
+
+
+def _is_constant(value: Value) -> bool:
+    return isinstance(value, Known) and value.value is not None
+
+
+def _is_interface(value: Value) -> bool:
+    return isinstance(value, External) and names.interface_and_section(names.canonical(value.path))[0] is not None
+
+
+def _is_class(value: Value) -> bool:
+    return _is_interface(value) or (isinstance(value, ClassValue) and node_classes.has_only(value))
+
+
+def _is_function(value: Value) -> bool:
+    match value:
+        case FunctionValue() | BoundMethod(function=FunctionValue()):
+            return True
+    return False
+
+
+def _is_number(text: str) -> bool:
+    try:
+        float(text)
+    except ValueError:
+        return False
+    return True
+
+
+def described(value: Value, written: facts.Expr | None) -> str:
+    """A value in the words of a message."""
+    match value:
+        case Known(value=str(text)):
+            return f"the text '{text if len(text) <= 40 else text[:39] + '…'}'"
+        case Known(value=None) if isinstance(written, facts.Call) and written.func.last_name:
+            return f"what {written.func.last_name}() returns: None"
+        case Known(value=bool() | None as constant):
+            return str(constant)
+        case Known(value=int() | float() as number):
+            return f"the number {number}"
+        case External(path=path):
+            interface, part = names.interface_and_section(names.canonical(path))
+            name = (interface or path.replace(".", "/")).rpartition("/")[2]
+            return f"the class {name}.{part}" if part else f"the class {name}"
+        case ClassValue(qualified=name):
+            return f"the class {name}"
+        case BoundMethod(function=FunctionValue(qualified=name)):
+            return f"the method {name.rpartition('.')[2]}"
+        case FunctionValue(ir=facts.Lambda()):
+            return "a lambda"
+        case FunctionValue(qualified=name):
+            return f"the function {name.rpartition('.')[2]}"
+        case MessageValue(type=type_, section_name=part):
+            name = type_.rpartition("/")[2]
+            return f"a message of class {name}.{part}" if part else f"a message of class {name}"
+        case EntityValue(path=path):
+            return f"a {path.rpartition('.')[2].lower()}"
+        case NodeValue():
+            return "a node"
+    return "something else"
+
+
+__all__ = ["Kind", "described", "is_other", "kinds_of"]

@@ -1,0 +1,113 @@
+"""Calls of rclpy, message_filters and tf2_ros that end in an exception: the arguments do not fit, or one is of another
+kind than its parameter takes."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+from archlint import model
+from archlint.interpreter.values import Value, alternatives
+from archlint.libraries.api_signatures import distros, needed, refusing_distros
+from archlint.libraries.kinds_of_arguments import described, is_other, kinds_of
+from archlint.libraries.rclpy import names, refusals
+from archlint.libraries.values import EntityValue, ExecutorValue, FutureValue
+from archlint.syntax import facts
+
+if TYPE_CHECKING:
+    from archlint.finding import Place
+    from archlint.interpreter.call_site import CallSite
+    from archlint.libraries.run import Run
+    from archlint.libraries.tables import Api
+
+
+def note(run: Run, api: Api, receiver: Value | None, site: CallSite, bound: Mapping[str, Value]) -> None:
+    """Note a call that is refused each time that it is reached."""
+    if site.expression is None or not run.activations or not _is_known(api, receiver):
+        return
+    if any(activation.expecting_refusals for activation in run.activations):
+        return
+    place = run.place(site.expression.span)
+    noted, key = run.noted.refused, (place, api.path)
+    if key in noted and noted[key] is None:
+        return
+    refused = _misfit(api, site, place) or _other_kind(api, site, bound, place)
+    before = noted.setdefault(key, refused)
+    if before != refused:
+        noted[key] = None
+    if refused is not None or before is not None:
+        run.program.refused_calls[:] = [call for call in noted.values() if call is not None]
+
+
+def _is_known(api: Api, receiver: Value | None) -> bool:
+    """Whether it is certainly this method that is called, or a function or class."""
+    if receiver is None:
+        return not api.path.startswith(f"{names.NODE}.")
+    return isinstance(receiver, (EntityValue, ExecutorValue, FutureValue)) or refusals.is_node(receiver)
+
+
+def _misfit(api: Api, site: CallSite, place: Place) -> model.RefusedCall | None:
+    """A call whose arguments are too few, too many, or go by a name that is none."""
+    refusing = refusing_distros(api.path, len(site.args), tuple(sorted(site.keywords)), not site.open, api.params)
+    if not refusing:
+        return None
+    mismatch = refusing[-1][1]
+    return model.RefusedCall(
+        place,
+        api.path,
+        mismatch.misuse,
+        mismatch.parameters,
+        takes=mismatch.takes,
+        signature=needed(api.path),
+        distros=tuple(distro for distro, _ in refusing),
+    )
+
+
+def _other_kind(api: Api, site: CallSite, bound: Mapping[str, Value], place: Place) -> model.RefusedCall | None:
+    """A call that gives one parameter what it does not take, or two parameters what the other takes."""
+    kinds = kinds_of(api)
+    written = _written(api, site)
+    other = [name for name in kinds if name in bound and _is_other(api, name, bound[name], written.get(name))]
+    if not other:
+        return None
+    first = min(other, key=api.params.index)
+    swapped = next((name for name in other if name != first and _are_swapped(api, first, name, bound, written)), None)
+    value = alternatives(bound[first])[0]
+    return model.RefusedCall(
+        place,
+        api.path,
+        model.Misuse.KIND if swapped is None else model.Misuse.SWAPPED,
+        (first,) if swapped is None else (first, swapped),
+        given=described(value, written.get(first)),
+        wanted=kinds[first].value,
+        signature=needed(api.path) or api.params,
+        distros=distros(),
+    )
+
+
+def _is_other(api: Api, parameter: str, value: Value, written: facts.Expr | None) -> bool:
+    kind = kinds_of(api)[parameter]
+    return all(is_other(api, kind, option, written) for option in alternatives(value))
+
+
+def _are_swapped(
+    api: Api, first: str, second: str, bound: Mapping[str, Value], written: Mapping[str, facts.Expr]
+) -> bool:
+    return not (
+        _is_other(api, first, bound[second], written.get(second))
+        or _is_other(api, second, bound[first], written.get(first))
+    )
+
+
+def _written(api: Api, site: CallSite) -> dict[str, facts.Expr]:
+    """The arguments as they stand in the code, by their parameters; nothing where some are in ``*args``."""
+    given = [] if site.expression is None else site.expression.args
+    if any(argument.star for argument in given):
+        return {}
+    by_position = [argument.value for argument in given if argument.keyword is None]
+    own = by_position[max(0, len(by_position) - len(site.args)) :]
+    by_name = {argument.keyword: argument.value for argument in given if argument.keyword is not None}
+    return dict(zip(api.positional, own, strict=False)) | by_name
+
+
+__all__ = ["note"]

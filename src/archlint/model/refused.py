@@ -1,0 +1,50 @@
+"""Calls of a library that it refuses."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from archlint.string_enum import StringEnum
+
+if TYPE_CHECKING:
+    from archlint.finding import Place
+
+
+class Misuse(StringEnum):
+    """What is wrong with the arguments of a call."""
+
+    MISSING = "missing"
+    TOO_MANY = "too many"
+    UNKNOWN_KEYWORD = "unknown keyword"
+    TWICE = "twice"
+    """One parameter is given by position and by keyword."""
+    KIND = "kind"
+    """One parameter is given something else than it takes."""
+    SWAPPED = "swapped"
+    """Two parameters are given what the other takes."""
+
+
+@dataclass(frozen=True)
+class RefusedCall:
+    """A call of a library that ends in an exception, whatever the values are that archlint does not know."""
+
+    place: Place
+    api: str
+    """Canonical name: ``rclpy.node.Node.create_timer``."""
+    misuse: Misuse
+    parameters: tuple[str, ...]
+    """Those that it is about; where arguments are too many, those that go by keyword alone."""
+    takes: int = 0
+    """How many arguments it takes by position, where they are too many."""
+    given: str = ""
+    """What is given, in words, where its kind is wrong."""
+    wanted: str = ""
+    """What the parameter takes, in words, where the kind is wrong."""
+    signature: tuple[str, ...] = ()
+    """The parameters that may not be left out."""
+    distros: tuple[str, ...] = ()
+    """The distributions in which it is refused, of those whose signatures are known, oldest first."""
+
+
+__all__ = ["Misuse", "RefusedCall"]

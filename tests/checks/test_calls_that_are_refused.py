@@ -1,0 +1,182 @@
+"""API001: calls that rclpy refuses, and calls that look like them and work."""
+
+from __future__ import annotations
+
+import csv
+from pathlib import Path
+
+import pytest
+
+from checks.judging import Judge
+
+RAISED = Path(__file__).parents[2] / "tests_ros" / "wrong_calls.tsv"
+
+NODE = """
+import rclpy
+from action_msgs.srv import CancelGoal
+from example_interfaces.action import Fibonacci
+from rclpy.action import ActionClient, ActionServer
+from rclpy.node import Node
+from rclpy.qos import QoSProfile, qos_profile_sensor_data
+from std_msgs.msg import String
+from std_srvs.srv import Trigger
+
+
+class Robot(Node):
+    def __init__(self):
+        super().__init__('robot')
+        {call}
+
+    def tick(self):
+        pass
+
+    def listen(self, message):
+        pass
+
+
+def main():
+    rclpy.init()
+    rclpy.spin(Robot())
+"""
+
+
+@pytest.mark.parametrize(
+    ("call", "wrong"),
+    [
+        ("self.create_publisher(String, 'a')", "'qos_profile' is missing"),
+        ("self.create_publisher('a', String, 10)", "'msg_type' and 'topic' are swapped"),
+        ("self.create_publisher('std_msgs/msg/String', 'a', 10)", "not the text 'std_msgs/msg/String'"),
+        ("self.create_publisher(Robot, 'a', 10)", "'msg_type' takes a message class, not the class Robot"),
+        ("self.create_publisher(Trigger, 'a', 10)", "'msg_type' takes a message class, not the class Trigger"),
+        ("self.create_publisher(String, 'a', None)", "'qos_profile' takes a QoSProfile or a queue depth, not None"),
+        ("self.create_publisher(String, 'a', -1)", "not the number -1"),
+        ("self.create_publisher(String, 'a', 10, latch=True)", "it has no parameter 'latch'"),
+        ("self.create_subscription(String, 'a', 10)", "'qos_profile' is missing"),
+        ("self.create_subscription(String, 'a', 10, self.listen)", "'callback' and 'qos_profile' are swapped"),
+        ("self.create_subscription(String, 'a', self.listen(1), 10)", "not what listen() returns: None"),
+        ("self.create_timer(self.tick, 1.0)", "'timer_period_sec' and 'callback' are swapped"),
+        ("self.create_timer(1.0, self.tick())", "not what tick() returns: None"),
+        ("self.create_service(String, 'a', self.listen)", "'srv_type' takes a service class, not the class String"),
+        ("self.create_client('a', Trigger)", "'srv_type' and 'srv_name' are swapped"),
+        ("self.create_client(Trigger, 'a').call_async()", "'request' is missing"),
+        ("ActionClient(Fibonacci, 'a')", "'action_name' is missing"),
+        ("ActionClient(self, 'a', Fibonacci)", "'action_type' and 'action_name' are swapped"),
+        ("ActionServer(self, Fibonacci, 'a')", "'execute_callback' is missing"),
+        ("QoSProfile(depth=1, reliable=True)", "it has no parameter 'reliable'"),
+        ("rclpy.spin(Robot)", "'node' takes a node, not the class Robot"),
+        ("rclpy.spin_until_future_complete(rclpy.task.Future(), timeout_sec=1.0)", "'future' is missing"),
+        ("self.declare_parameter()", "'name' is missing"),
+        ("self.get_parameter('a', 1)", "it takes at most 1 argument by position"),
+    ],
+)
+def test_a_call_that_is_refused(judge: Judge, call: str, wrong: str):
+    [finding] = judge("API001", NODE.format(call=f"{call}  # here"))
+    assert wrong in finding.message
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        "self.create_publisher(String, 'a', 10)",
+        "self.create_publisher(msg_type=String, topic='a', qos_profile=10)",
+        "self.create_publisher(String, 'a', qos_profile_sensor_data, callback_group=None)",
+        "self.create_subscription(String, 'a', self.listen, 10, raw=True)",
+        "self.create_subscription(String, 'a', lambda message: None, 10)",
+        "self.create_timer('1.0', self.tick)",
+        "self.create_timer(1, self.tick, None)",
+        "self.create_service(Trigger, 'a', lambda request, response: response)",
+        "self.create_client(Trigger, 'a').call_async(Trigger.Request())",
+        "ActionClient(self, Fibonacci, 'a')",
+        "ActionServer(self, Fibonacci, 'a', execute_callback=self.listen)",
+        "QoSProfile(depth=1)",
+        "rclpy.spin_once(self, timeout_sec=0.1)",
+        "options = {}; options['callback_group'] = None; self.create_timer(1.0, self.tick, **options)",
+        "arguments = [String, 'a', 10]; self.create_publisher(*arguments)",
+        "self.create_publisher(self.declare_parameter('type', 'a').value, 'a', 10)",
+        "self.get_logger(); self.create_rate(1.0)",
+        "rclpy.get_global_executor().create_task(self.listen, 1)",
+    ],
+)
+def test_a_call_that_works(judge: Judge, call: str):
+    judge("API001", NODE.format(call=call))
+
+
+def test_a_call_that_supports_several_distributions(judge: Judge):
+    judge(
+        "API001",
+        NODE.format(
+            call="""try:
+            self.create_timer(1.0, self.tick, autostart=False, of_the_next=True)
+        except TypeError:
+            self.create_timer(1.0, self.tick)
+"""
+        ),
+    )
+
+
+def test_what_is_true_of_one_value_of_several_is_no_finding(judge: Judge):
+    judge("API001", NODE.format(call="self.create_publisher(String, 'a', 10 if rclpy.ok() else '10')"))
+
+
+def test_a_class_with_a_create_method_of_its_own(judge: Judge):
+    judge(
+        "API001",
+        """
+        from rclpy.node import Node
+
+
+        class Robot(Node):
+            def __init__(self):
+                super().__init__('robot')
+                self.create_timer(1.0)
+
+            def create_timer(self, period):
+                return super().create_timer(period, lambda: None)
+        """,
+    )
+
+
+def test_a_base_of_another_package_may_have_its_own(judge: Judge):
+    judge(
+        "API001",
+        """
+        from somewhere import RobotNode
+
+
+        class Robot(RobotNode):
+            def __init__(self):
+                super().__init__('robot')
+                self.create_timer(1.0)
+        """,
+    )
+
+
+def test_what_one_distribution_refuses_is_said_where_that_is_the_one(judge: Judge):
+    call = "self.create_timer(1.0, self.tick, autostart=False)"
+    judge("API001", NODE.format(call=call))
+    judge("API001", NODE.format(call=call), config='distro = "jazzy"')
+    [finding] = judge("API001", NODE.format(call=f"{call}  # here"), config='distro = "humble"')
+    assert finding.message == "create_timer() fails: it has no parameter 'autostart'"
+
+
+def test_each_call_that_the_real_rclpy_was_seen_to_refuse():
+    """What the table of tests_ros has: the words of the page are those of the real rclpy."""
+    with RAISED.open(encoding="utf-8", newline="") as file:
+        raised = {row["what is wrong"]: (row["jazzy"], row["kilted"]) for row in csv.DictReader(file, delimiter="\t")}
+    assert raised["publisher without QoS"] == ("TypeError", "TypeError")
+    assert raised["publisher, type and name swapped"] == ("TypeError", "TypeError")
+    assert raised["publisher, service as type"] == ("RuntimeError", "RuntimeError")
+    assert raised["subscription, callback called"] == ("RuntimeError", "RuntimeError")
+    assert raised["timer, arguments swapped"] == ("TypeError", "TypeError")
+    assert raised["action client without node"] == ("TypeError", "TypeError")
+    assert raised["profile, unknown keyword"] == ("AssertionError", "TypeError")
+
+
+def test_calls_of_a_file_that_are_wrong_in_the_same_way_are_one_finding(judge: Judge):
+    calls = "self.create_publisher(String, 'a')  # here\n        self.create_publisher(String, 'b')"
+    [finding] = judge("API001", NODE.format(call=calls))
+    assert finding.message == (
+        "create_publisher() fails: 'qos_profile' is missing; another call in this file fails in the same way"
+    )
+    assert finding.help == "write create_publisher(msg_type, topic, qos_profile)"
+    assert [related.place.line for related in finding.related] == [15]
