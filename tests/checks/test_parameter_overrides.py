@@ -280,6 +280,17 @@ def test_a_dict_from_a_file_is_for_all_programs_of_the_package(findings, tmp_pat
     assert found.identity[1:] == ("nobody",)
 
 
+def test_a_whole_configuration_of_which_a_node_declares_nothing(findings, tmp_path: Path):
+    """A library that the node uses takes it, or nobody: ``config.to_dict()`` is no choice of names."""
+    for folder in ("launch", "config"):
+        (tmp_path / folder).mkdir()
+    (tmp_path / "launch/all.launch.py").write_text(FROM_FILE)
+    (tmp_path / "config/all.yaml").write_text("every: {planner: 2.0, pipeline: 3.0, nobody: 1.0}")
+    assert findings("{'gain': 2.0}") == []
+    (tmp_path / "launch/all.launch.py").write_text(FROM_FILE.replace("[every]", "[{'planner': 2.0, 'nobody': 1.0}]"))
+    assert len(findings("{'gain': 2.0}")) == 1
+
+
 CHOSEN = """\
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument, OpaqueFunction

@@ -56,7 +56,11 @@ def unknown_parameter_override(system: System, options: Options) -> Iterator[Fin
                 names_of_all = every[section]
                 if names_of_all is None or setting.name in names_of_all:
                     continue
-            elif shared.is_for_another(setting, settings) or _is_for_another_choice(system, node, setting.name):
+            elif (
+                _is_whole_configuration(setting, settings, declared)
+                or shared.is_for_another(setting, settings)
+                or _is_for_another_choice(system, node, setting.name)
+            ):
                 continue
             line = node.blueprint.place, setting.place, setting.name
             if line in said:
@@ -170,6 +174,15 @@ def _is_bundled(setting: Setting, settings: Sequence[Setting]) -> bool:
     their own."""
     names = {sibling.name for sibling in settings if sibling.place == setting.place}
     return setting.written is None and len(names) > 1
+
+
+def _is_whole_configuration(
+    setting: Setting, settings: Sequence[Setting], declared: Mapping[str, Sequence[ParameterDeclaration]]
+) -> bool:
+    """Whether a node declares nothing at all of a dict that something else makes, ``config.to_dict()`` say: the dict is
+    for a library that the node uses, or handed to every node."""
+    bundled = _is_bundled(setting, settings)
+    return bundled and not any(sibling.name in declared for sibling in settings if sibling.place == setting.place)
 
 
 def _never_used(
