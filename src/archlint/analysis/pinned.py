@@ -15,8 +15,8 @@ if TYPE_CHECKING:
     from archlint.workspace.tree import Tree
 
 _COMPOSE = tuple(f"{name}.{end}" for name in ("docker-compose", "compose") for end in ("yml", "yaml"))
-_FILES = (".gitlab-ci.yml", "Dockerfile", "dockerfile", *_COMPOSE)
-_FOLDERS = (".github/workflows", ".devcontainer", "docker", "Docker", "DOCKER")
+PINNING_FILES = (".gitlab-ci.yml", "Dockerfile", "dockerfile", *_COMPOSE)
+PINNING_FOLDERS = (".github/workflows", ".devcontainer", "docker", "Docker", "DOCKER")
 _READ = re.compile(r"(?:^|/)(?:[^/]*\.ya?ml|[^/]*[Dd]ockerfile[^/]*|devcontainer\.json)$")
 _OTHERS = ("dashing", "eloquent", "foxy", "galactic", "iron", "noetic", "melodic")
 _NAMED = re.compile(rf"(?<![A-Za-z0-9])({'|'.join((*DISTROS, *_OTHERS))})(?![A-Za-z0-9])", re.IGNORECASE)
@@ -44,8 +44,8 @@ def _named(workspace: WorkspaceIndex) -> frozenset[str]:
 
 
 def _texts(tree: Tree) -> Iterator[str]:
-    below = [path for folder in _FOLDERS for path in tree.files_below(folder) if _READ.search(path)]
-    for path in (*below, *_FILES):
+    below = [path for folder in PINNING_FOLDERS for path in tree.files_below(folder) if _READ.search(path)]
+    for path in (*below, *PINNING_FILES):
         text = tree.text(path)
         if text is not None:
             yield text

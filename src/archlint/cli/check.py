@@ -14,12 +14,14 @@ from archlint.cli.exits import UsageError
 from archlint.cli.options import (
     Parser,
     add_configuration,
+    add_facts,
     add_launch,
     add_observed,
     add_paths,
     add_running,
     add_talking,
     launch_of,
+    linked_of,
     observed_of,
     paths_of,
     settings_of,
@@ -72,6 +74,7 @@ def parser() -> argparse.ArgumentParser:
     levels.add_argument("--exit-zero", action="store_true", help="findings do not fail the run")
     add_launch(parser)
     add_observed(parser)
+    add_facts(parser)
     add_configuration(parser)
     add_running(parser)
     add_talking(parser)
@@ -89,20 +92,24 @@ def _output(text: str) -> tuple[reports.FormatName, str]:
 def run(arguments: argparse.Namespace) -> int:
     if arguments.unsafe_fixes and not (arguments.fix or arguments.diff):
         raise UsageError("--unsafe-fixes needs --fix or --diff")
+    if arguments.facts and (arguments.fix or arguments.diff):
+        raise UsageError("--fix and --diff need the sources: check them without --facts")
     keeper = _keeper(arguments)
     launch, launch_arguments = launch_of(arguments)
+    linked = linked_of(arguments)
     paths = paths_of(arguments)
     settings = settings_of(arguments, paths[0])
     request = Request(
-        paths,
+        paths if linked is None else tuple(arguments.facts),
         settings,
-        cached=not arguments.no_cache,
+        cached=not arguments.no_cache and linked is None,
         jobs=arguments.jobs,
         launch=launch,
         launch_arguments=launch_arguments,
         observed=observed_of(arguments),
         fixes=_asks_for_fixes(arguments),
         keeper=keeper,
+        linked=linked,
     )
     watch = Watch(sys.stderr, arguments.quiet, arguments.verbose)
     try:
@@ -133,7 +140,7 @@ def run(arguments: argparse.Namespace) -> int:
 
 def _keeper(arguments: argparse.Namespace) -> Keeper | None:
     """Who keeps what is said, where that is all that the command does, and each time the same."""
-    does_more = (arguments.file, arguments.output, arguments.observed, arguments.fix, arguments.diff)
+    does_more = (arguments.file, arguments.output, arguments.observed, arguments.facts, arguments.fix, arguments.diff)
     says_more = arguments.statistics, arguments.verbose, not reports.FORMATS[arguments.format].lasting
     if any((*does_more, *says_more, arguments.no_cache)):
         return None
@@ -177,7 +184,7 @@ def _remarks(report: Report, fixed: int, request: Request, arguments: argparse.N
         notes.append(summary_line(report.summary))
     if arguments.verbose:
         settings = request.settings
-        cache = "none" if arguments.no_cache else settings.cache_folder
+        cache = settings.cache_folder if request.cached else "none"
         notes.append(f"configuration: {settings.file or 'none'}; cache: {cache}")
         notes.append(f"took {report.summary.elapsed_s:.2f} s")
     return "".join(map(console.noted, warnings)), "".join(map(console.noted, notes))

@@ -12,12 +12,14 @@ from archlint.cli.exits import UsageError
 from archlint.cli.options import (
     Parser,
     add_configuration,
+    add_facts,
     add_launch,
     add_observed,
     add_paths,
     add_running,
     add_talking,
     launch_of,
+    linked_of,
     observed_of,
     paths_of,
     settings_of,
@@ -44,6 +46,7 @@ def parser() -> argparse.ArgumentParser:
     output.add_argument("--all", action="store_true", help="include what rclpy creates for every node, such as /rosout")
     add_launch(parser)
     add_observed(parser)
+    add_facts(parser)
     add_configuration(parser)
     add_running(parser)
     add_talking(parser)
@@ -54,17 +57,19 @@ def run(arguments: argparse.Namespace) -> int:
     format = _format(arguments.format, arguments.file)
     keeper = _keeper(arguments, format)
     launch, launch_arguments = launch_of(arguments)
+    linked = linked_of(arguments)
     paths = paths_of(arguments)
     settings = settings_of(arguments, paths[0])
     request = Request(
-        paths,
+        paths if linked is None else tuple(arguments.facts),
         settings,
-        cached=not arguments.no_cache,
+        cached=not arguments.no_cache and linked is None,
         jobs=arguments.jobs,
         launch=launch,
         launch_arguments=launch_arguments,
         observed=observed_of(arguments),
         keeper=keeper,
+        linked=linked,
     )
     to_terminal = arguments.file in (None, "-")
     color = to_terminal and console.wants_color(arguments.color, sys.stdout)
@@ -94,7 +99,7 @@ def run(arguments: argparse.Namespace) -> int:
 
 def _keeper(arguments: argparse.Namespace, format: render.FormatName) -> Keeper | None:
     """Who keeps what is said, where that is all that the command does, and each time the same."""
-    does_more = arguments.file, arguments.observed, arguments.verbose, arguments.no_cache
+    does_more = arguments.file, arguments.observed, arguments.facts, arguments.verbose, arguments.no_cache
     if any(does_more) or render.FORMATS[format].drawn:
         return None
     return Keeper(arguments.words, console.terminal(), (arguments.launch or ())[:1])

@@ -15,6 +15,7 @@ from archlint.suggestions import did_you_mean, meant, nearest
 
 if TYPE_CHECKING:
     from archlint.config.settings import Settings
+    from archlint.engine.linked_facts import LinkedFacts
     from archlint.observed.model import Observed
 
 
@@ -61,6 +62,30 @@ def add_launch(parser: argparse.ArgumentParser) -> None:
     )
 
 
+def add_facts(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--facts",
+        metavar="DIR",
+        nargs="+",
+        help="link what `archlint facts` has written in these folders, and read no sources",
+    )
+
+
+def linked_of(arguments: argparse.Namespace) -> LinkedFacts | None:
+    """The facts in the folders of ``--facts``.  Raises :class:`UsageError` where they cannot be used."""
+    if arguments.facts is None:
+        return None
+    if arguments.paths:
+        raise UsageError("--facts: no PATH can be given with it: what is checked is what the facts are about")
+    from archlint.engine.facts_folder import FactsError  # most runs have none
+    from archlint.engine.linked_facts import LinkedFacts
+
+    try:
+        return LinkedFacts.of_folders(arguments.facts)
+    except FactsError as error:
+        raise UsageError(f"--facts: {error}") from None
+
+
 def add_observed(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--observed",
@@ -90,7 +115,7 @@ def launch_of(arguments: argparse.Namespace) -> tuple[str | None, tuple[tuple[st
     if not arguments.launch:
         return None, ()
     file, *words = arguments.launch
-    if not Path(file).is_file():
+    if not (getattr(arguments, "facts", None) or Path(file).is_file()):
         raise UsageError(f"--launch: no such file: {file}")
     given = [word for word in words if ":=" in word]
     arguments.paths = [*arguments.paths, *(word for word in words if ":=" not in word)]

@@ -11,6 +11,7 @@ commands:
   check [PATH ...]    find what is wrong between nodes and inside their callbacks
                       (`archlint PATH` and `archlint` alone mean this)
   graph [PATH ...]    the communication graph: text, json, dot, svg, png, pdf, mermaid ...
+  facts -o DIR        compile this workspace into DIR; `check --facts DIR ...` links it elsewhere
   observe             a script that records a running system; `check --observed FILE` and
                       `graph --observed FILE` compare it with the source
   explain CODE        a rule's page: what it finds, why it matters, what to write instead

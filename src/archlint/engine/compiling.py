@@ -15,7 +15,11 @@ if TYPE_CHECKING:
 
 def compiled(request: Request, workspace: Workspace, store: Store | NullStore) -> FactsOfFiles:
     """The facts of the Python files."""
-    facts = FactsOfFiles(store, _screen_words, request.jobs, request.monitor)
+    linked = request.linked
+    if linked is None:
+        facts = FactsOfFiles(store, _screen_words, request.jobs, request.monitor)
+    else:
+        facts = FactsOfFiles(linked.cache, _screen_words, request.jobs, request.monitor, linked.read)
     facts.prepare(python_files(workspace), {package.name for package in workspace.packages if package.catkin_code})
     return facts
 

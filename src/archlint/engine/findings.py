@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from archlint.syntax.files import FactsOfFiles
     from archlint.systems.model import System
     from archlint.workspace.model import SourceFile, Workspace
+    from archlint.workspace.tree import SourceTree
 
 
 def judged_in_parts(inputs: Inputs, facts: FactsOfFiles) -> Judged:
@@ -74,7 +75,7 @@ def _judged(inputs: Inputs, facts: FactsOfFiles) -> Judged:
     faults, launch_files = index.faults, index.launch_files
     imported = [f for f in python_files(workspace) if f not in known and facts.was_read(f) and not facts.is_ros1(f)]
     candidates = [*_problems(workspace, [*known, *imported], facts), *merged(_rules(request, systems))]
-    candidates.extend(_of_interfaces(workspace, systems, faults))
+    candidates.extend(_of_interfaces(workspace, systems, inputs.tree, faults))
     by_file = {file.relative: read.suppressions for file in known if (read := facts.facts_of(file)) is not None}
     candidates.extend(unreadable(*problem) for problem in launch_files.problems())
     by_file.update(launch_files.suppressions())
@@ -166,7 +167,9 @@ def _problems(workspace: Workspace, files: Sequence[SourceFile], facts: FactsOfF
             yield replace(finding, related=tuple(Related(place, "it is imported here") for place in importers))
 
 
-def _of_interfaces(workspace: Workspace, systems: Sequence[System], faults: Faults) -> Iterator[Finding]:
+def _of_interfaces(
+    workspace: Workspace, systems: Sequence[System], tree: SourceTree, faults: Faults
+) -> Iterator[Finding]:
     """One LNT002 for an interface file that rosidl would refuse."""
     table = systems[0].workspace.interfaces if systems[0].workspace is not None else None
     old = {package.name for package in workspace.packages if package.ros1}
@@ -174,7 +177,7 @@ def _of_interfaces(workspace: Workspace, systems: Sequence[System], faults: Faul
     for file in workspace.files:
         if file.kind == "interface" and not file.context and file.package not in old:
             with faults.contained("reading this interface", Place(file.relative, 1, 1, 1, 1)):
-                problems = interface_problems(file.path)
+                problems = interface_problems(file.path, tree.given(file.relative))
                 if problems:
                     built = table is None or table.is_built(file)
                     unbuilt = _BY_PYTHON if file.package in python else _NOT_LISTED

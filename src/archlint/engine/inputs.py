@@ -11,12 +11,12 @@ from archlint.engine.request import NothingToDo, Request
 from archlint.workspace.discovery import find
 from archlint.workspace.model import CODE_KINDS, LAUNCH_TEXT_KINDS, PYTHON_KINDS, SourceKind
 from archlint.workspace.parts import parts
+from archlint.workspace.tree import SourceTree
 
 if TYPE_CHECKING:
     from archlint.syntax.cache import NullStore, Store
     from archlint.syntax.files import FactsOfFiles
     from archlint.workspace.model import SourceFile, Workspace
-    from archlint.workspace.tree import SourceTree
 
 
 @dataclass(frozen=True)
@@ -37,11 +37,16 @@ _FOR_ROS: tuple[SourceKind, ...] = (*_OF_PACKAGES, "launch_python", *LAUNCH_TEXT
 def find_files(request: Request) -> Workspace:
     """The files of a request and what lies around them.  Raises :class:`NothingToDo` where there are none."""
     exclude = [pattern for glob in request.settings.exclude for pattern in glob.patterns()]
-    workspace = find(request.paths, exclude=exclude)
+    workspace = find(request.paths, exclude=exclude) if request.linked is None else request.linked.workspace(exclude)
     if not workspace.problems and not any(is_input(file) or is_of_package(file) for file in workspace.files):
         where = ", ".join(request.paths)
         raise NothingToDo(f"nothing to check: no package.xml, no Python file and no launch file in {where}")
     return workspace
+
+
+def tree_of(request: Request, workspace: Workspace) -> SourceTree:
+    """What is read beside the Python code."""
+    return SourceTree(Path.cwd(), Path(workspace.root)) if request.linked is None else request.linked.tree
 
 
 def is_input(file: SourceFile) -> bool:

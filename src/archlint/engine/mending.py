@@ -11,24 +11,24 @@ from archlint.faults import Faults
 from archlint.fixes import Surroundings, attach
 
 if TYPE_CHECKING:
-    from archlint.engine.request import Request
+    from archlint.engine.inputs import Inputs
     from archlint.finding import Finding
     from archlint.report.model import Judged
-    from archlint.workspace.model import Workspace
 
 
-def mended(judged: Judged, request: Request, workspace: Workspace) -> Judged:
+def mended(judged: Judged, inputs: Inputs) -> Judged:
     """The findings with their fixes; one more for each fix that cannot be made by a fault of ours."""
+    workspace, given = inputs.workspace, inputs.tree.given
     faults = Faults()
     findings: list[Finding] = []
     left = list(judged.findings)
-    for part in parts_of(request, workspace):
+    for part in parts_of(inputs.request, workspace):
         files = {file.relative for file in part.files}
         mine = [finding for finding in left if finding.place.file in files]
         left = [finding for finding in left if finding.place.file not in files]
-        findings += attach(mine, Surroundings([file.path for file in python_files(part)]), faults)
+        findings += attach(mine, Surroundings([file.path for file in python_files(part)], given), faults)
     # A launch file that git ignores is read where another one includes it.
-    everywhere = Surroundings([file.path for file in python_files(workspace)])
+    everywhere = Surroundings([file.path for file in python_files(workspace)], given)
     findings += attach(left, everywhere, faults)
     failures = [failure(fault) for fault in faults.by_place()]
     ordered = sorted((*findings, *failures), key=lambda finding: finding.sort_key)

@@ -5,12 +5,11 @@ from __future__ import annotations
 import time
 from collections.abc import Iterator
 from dataclasses import replace
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from archlint import __version__
 from archlint.engine.drawn import Drawn
-from archlint.engine.inputs import Inputs, find_files, is_subset, parts_of, refuse_nothing
+from archlint.engine.inputs import Inputs, find_files, is_subset, parts_of, refuse_nothing, tree_of
 from archlint.engine.looked_at import idle_patterns, without_node
 from archlint.engine.request import NothingToDo, Request
 from archlint.engine.result_cache import Result, RunCache
@@ -20,7 +19,6 @@ from archlint.report.model import Judged, Report, Summary
 from archlint.syntax.cache import NullStore, Store
 from archlint.syntax.python.deep_stack import call_with_deep_stack
 from archlint.syntax.secret import user_key
-from archlint.workspace.tree import SourceTree
 
 if TYPE_CHECKING:
     from archlint.syntax.files import FactsOfFiles
@@ -51,13 +49,14 @@ def check(request: Request) -> Report:
             if facts.lasting and not any(finding.code == "LNT003" for finding in judged.findings):
                 kept.save(judged, facts)
     if request.fixes and not judged.mended and any(finding.sites is not None for finding in judged.findings):
-        judged = _mended(judged, request, workspace, kept)
+        judged = _mended(judged, inputs, kept)
+    _refuse_gaps(request)
     _tell_keeper(inputs, kept)
     inputs.store.close()
     elapsed = time.perf_counter() - started
     summary = replace(judged.summary, elapsed_s=elapsed, cpp_packages=len(workspace.cpp_packages))
     notices = [*judged.notices, *_not_looked_at(request, workspace, summary)]
-    return Report(judged.findings, summary, Sources().line, notices, remarks=judged.remarks)
+    return Report(judged.findings, summary, Sources(inputs.tree.given).line, notices, remarks=judged.remarks)
 
 
 def _alike(kept: RunCache[Judged], facts: FactsOfFiles) -> Judged | None:
@@ -71,10 +70,10 @@ def _alike(kept: RunCache[Judged], facts: FactsOfFiles) -> Judged | None:
     return judged
 
 
-def _mended(judged: Judged, request: Request, workspace: Workspace, kept: RunCache[Judged]) -> Judged:
+def _mended(judged: Judged, inputs: Inputs, kept: RunCache[Judged]) -> Judged:
     from archlint.engine.mending import mended  # most checks ask for no fixes, or know them
 
-    result = mended(judged, request, workspace)
+    result = mended(judged, inputs)
     if not any(finding.code == "LNT003" for finding in result.findings):
         kept.save_again(result)
     return result
@@ -123,9 +122,19 @@ def draw(request: Request, format: FormatName, color: bool, everything: bool) ->
             result = drawn(_graph(inputs, facts, everything), format, color)
             if lasts and facts.lasting and not result.faults:
                 kept.save(result, facts)
+    _refuse_gaps(request)
     _tell_keeper(inputs, kept)
     inputs.store.close()
     return result
+
+
+def _refuse_gaps(request: Request) -> None:
+    """Raises :class:`NothingToDo` where facts that were given lack what was asked for: no result is better than a wrong
+    one."""
+    missed = [] if request.linked is None else sorted(request.linked.tree.missed)
+    if missed:
+        more = f" and {len(missed) - 1} more" if len(missed) > 1 else ""
+        raise NothingToDo(f"the facts do not hold the content of {missed[0]}{more}, which is needed: check the sources")
 
 
 def _tell_keeper(inputs: Inputs, kept: RunCache[Result]) -> None:
@@ -151,7 +160,7 @@ def _graph(inputs: Inputs, facts: FactsOfFiles, everything: bool) -> System:
 
 
 def _inputs(request: Request, workspace: Workspace) -> Inputs:
-    return Inputs(request, workspace, SourceTree(Path.cwd(), Path(workspace.root)), store_of(request))
+    return Inputs(request, workspace, tree_of(request, workspace), store_of(request))
 
 
 def store_of(request: Request) -> Store | NullStore:

@@ -10,6 +10,7 @@ from archlint.monitor import Monitor
 if TYPE_CHECKING:
     from archlint.config.settings import Settings
     from archlint.engine.keeper import Keeper
+    from archlint.engine.linked_facts import LinkedFacts
     from archlint.observed.model import Observed
 
 
@@ -37,3 +38,5 @@ class Request:
     """Who is notified of the progress of the run; the result does not depend on it."""
     keeper: Keeper | None = field(default=None, compare=False, repr=False)
     """Who keeps what is said of the result, where an equal command may get the same answer."""
+    linked: LinkedFacts | None = field(default=None, compare=False, repr=False)
+    """The facts of all files, where what lies on the disk is not to be read."""

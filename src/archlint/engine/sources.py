@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import re
 import stat
+from collections.abc import Callable
 from pathlib import Path
 
 MAX_BYTES = 1_000_000
@@ -14,16 +15,19 @@ _COOKIE = re.compile(rb"^[ \t\f]*#.*?coding[:=][ \t]*([-\w.]+)")
 
 
 class Sources:
-    """Reads files by the paths that findings show, each once."""
+    """Reads files by the paths that findings show, each once; ``given`` has the bytes of those that are not on the
+    disk."""
 
-    def __init__(self) -> None:
+    def __init__(self, given: Callable[[str], bytes | None] = lambda file: None) -> None:
+        self._given = given
         self._lines: dict[str, list[str]] = {}
 
     def line(self, file: str, number: int) -> str | None:
         """A line of a file, from 1; None where there is none."""
         lines = self._lines.get(file)
         if lines is None:
-            lines = self._lines[file] = _read(Path(file))
+            given = self._given(file)
+            lines = self._lines[file] = _read(Path(file)) if given is None else _lines_of(_decode(given))
         return lines[number - 1] if 0 < number <= len(lines) else None
 
 
@@ -36,6 +40,10 @@ def _read(path: Path) -> list[str]:
         text = _decode(path.read_bytes())
     except OSError:
         return []
+    return _lines_of(text)
+
+
+def _lines_of(text: str) -> list[str]:
     return [line.removesuffix("\n") for line in io.StringIO(text, newline=None)]
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import cache, cached_property
 from pathlib import Path
 
@@ -14,32 +14,39 @@ _MOST_FILES = 1_000
 
 
 class Surroundings:
-    """The texts of files; ``files`` are the Python files of the workspace."""
+    """The texts of files; ``files`` are the Python files of the workspace.  ``given`` has the bytes of those that are
+    not on the disk."""
 
-    def __init__(self, files: Sequence[str] = ()) -> None:
+    def __init__(self, files: Sequence[str] = (), given: Callable[[str], bytes | None] = lambda file: None) -> None:
         self._files = files
+        self._given = given
         self._sources: dict[str, Source | None] = {}
         self._texts: dict[str, dict[str, str]] = {}
 
     def source(self, file: str) -> Source | None:
         if file not in self._sources:
-            self._sources[file] = read(file)
+            self._sources[file] = read(file, self._given(file))
         return self._sources[file]
 
     def elsewhere(self, source: Source) -> list[str]:
         """The texts of the other Python files of a file's package, and the names that fixes bring into them."""
         file = Path(source.file).resolve()
-        root = next((folder for folder in file.parents if (folder / "package.xml").is_file()), file.parent)
+        root = next((folder for folder in file.parents if self._is_package(folder)), file.parent)
         texts = self._texts_below(os.path.join(root, ""))
         others = (other for other in self._sources.values() if other is not None and other is not source)
         taken = (name for other in others for name in other.taken)
         return [*(text for path, text in texts.items() if path != str(file)), *sorted(taken)]
 
+    def _is_package(self, folder: Path) -> bool:
+        manifest = folder / "package.xml"
+        given = self._given(str(manifest))
+        return manifest.is_file() if given is None else bool(given)
+
     def _texts_below(self, root: str) -> dict[str, str]:
         """The texts of the Python files below a folder by their paths."""
         if root not in self._texts:
             inside = [path for path in self._real_paths if path.startswith(root)][:_MOST_FILES]
-            sources = ((path, read(path)) for path in inside)
+            sources = ((path, read(path, self._given(path))) for path in inside)
             self._texts[root] = {path: source.text for path, source in sources if source is not None}
         return self._texts[root]
 

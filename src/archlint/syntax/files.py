@@ -38,11 +38,19 @@ class Cache(Protocol):
     def put(self, digest: str, payload: bytes) -> None: ...
 
 
+Reader = Callable[["SourceFile"], "bytes | gate.Refusal"]
+"""Gives the bytes of a file, or says why they cannot be had."""
+
+
+def _from_disk(file: SourceFile) -> bytes | gate.Refusal:
+    return gate.read_bytes(file.path)
+
+
 class FactsOfFiles:
     """Facts by file: :meth:`prepare` compiles what is new in one go, the linker asks for more one by one.
 
     ``words`` gives the words of the screen: a file that has none of them is compiled only where another leads to it.
-    It is called when a file has to be read.
+    It is called when a file has to be read.  ``read`` gives the bytes of files that are not on the disk.
     """
 
     def __init__(
@@ -51,8 +59,10 @@ class FactsOfFiles:
         words: Callable[[], Sequence[bytes]],
         jobs: int | None = None,
         monitor: Monitor | None = None,
+        read: Reader | None = None,
     ) -> None:
         self._cache = cache
+        self._bytes_of = read or _from_disk
         self._words = words
         self._jobs = jobs
         self._monitor = monitor or Monitor()
@@ -60,6 +70,8 @@ class FactsOfFiles:
         self._payloads: dict[str, bytes] = {}
         self._facts: dict[str, Facts | None] = {}
         self._outlines: dict[str, str] = {}
+        self._screened: dict[str, bytes] = {}
+        """The entries of the files that the screen left out, also of those that were taken back."""
         self.compiled = 0
         """How many files had to be parsed in this run."""
         self._fresh_imports: set[str] = set()
@@ -74,6 +86,7 @@ class FactsOfFiles:
         old = [file for file in files if file.package in ros1]
         self._payloads.update((file.path, _ROS1) for file in old)
         self._prepare(file for file in files if file.package not in ros1)
+        self._screened = {file.path: self._payloads[file.path] for file in files if not self.relevant(file)}
         self._widen(files)
         self._look_ahead(files)
 
@@ -197,6 +210,12 @@ class FactsOfFiles:
         self._facts[file.path] = self._compiled_anew(file) if payload is not None and facts is None else facts
         return self._facts[file.path]
 
+    def encoded(self, files: Sequence[SourceFile]) -> list[tuple[bytes, bytes]]:
+        """For each file the entry of the screen, empty for one that it kept, and the encoded facts."""
+        left = (file for file in files if not self.relevant(file) and file.path not in self._ahead)
+        self._ahead.update(self._on_demand(left))
+        return [(self._screened.get(file.path, b""), self._payload_of(file) or b"") for file in files]
+
     def _payload_of(self, file: SourceFile) -> bytes | None:
         payload = self._payloads.get(file.path)
         if payload is not None and not payload.startswith(_IRRELEVANT):
@@ -207,7 +226,7 @@ class FactsOfFiles:
 
     def _compiled_anew(self, file: SourceFile) -> Facts | None:
         """The facts of a file whose entry in the cache says nothing."""
-        data = gate.read_bytes(file.path)
+        data = self._bytes_of(file)
         if isinstance(data, gate.Refusal):
             return None
         [result] = self._compile_all([file], [data])
@@ -234,7 +253,7 @@ class FactsOfFiles:
 
     def _read(self, file: SourceFile) -> tuple[str, bytes] | None:
         """``(digest, bytes)`` of a file that must be compiled; what needs no compiling is settled here."""
-        data = gate.read_bytes(file.path)
+        data = self._bytes_of(file)
         if isinstance(data, gate.Refusal):
             self._refuse(file, data)
             return None
@@ -284,7 +303,7 @@ class FactsOfFiles:
             if payload is not None:
                 payloads[file.path] = payload
                 continue
-            data = gate.read_bytes(file.path)
+            data = self._bytes_of(file)
             if not isinstance(data, gate.Refusal):
                 waiting.append((file, key, data))
         if not waiting:

@@ -123,9 +123,9 @@ def parse_interface(text: str, kind: InterfaceKind) -> Interface:
     return Interface(kind, sections, problems)
 
 
-def interface_problems(path: str) -> list[tuple[int, int, str]]:
-    """Line, column and words of all that ``rosidl`` would refuse in an interface file."""
-    data = gate.read_bytes(path)
+def interface_problems(path: str, given: bytes | None = None) -> list[tuple[int, int, str]]:
+    """Line, column and words of all that ``rosidl`` would refuse in an interface file, whose bytes may be ``given``."""
+    data = gate.read_bytes(path) if given is None else given
     if isinstance(data, gate.Refusal):
         return [(data.line, data.column, data.message)]
     kind = KIND_OF_SUFFIX[path.rpartition(".")[2]]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Collection, Iterable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import replace
 
@@ -16,6 +16,9 @@ from archlint.workspace.module_names import ModuleNames
 MAX_BYTES = 1_000_000
 """Nobody writes a package.xml or a CMakeLists.txt of this size."""
 
+Read = Callable[[SourceFile], bytes]
+"""Gives the bytes of a file; raises ``OSError``."""
+
 
 def place(
     root: str,
@@ -23,22 +26,26 @@ def place(
     problems: Iterable[Problem],
     complete_folders: Iterable[str] = (),
     cpp_folders: Iterable[str] = (),
+    read: Read | None = None,
 ) -> Workspace:
     """The workspace that files make up: reads the manifests, gives each file its package and its module.
 
-    ``complete_folders`` are the folders of which all files are there, ``cpp_folders`` those with C++ sources.
+    ``complete_folders`` are the folders of which all files are there, ``cpp_folders`` those with C++ sources.  ``read``
+    gives the bytes of files that are not on the disk.
     """
+    read = read or _read
     files = sorted(files, key=lambda file: file.relative)
     problems = list(problems)
     packages: dict[str, Package | None] = {}
     for file in _manifests(files):
-        package = package_of(file)
+        package = package_of(file, read)
         packages[os.path.dirname(file.path)] = None if isinstance(package, Problem) else package
         if isinstance(package, Problem) and not file.context:
             problems.append(package)
-    texts = _build_files(packages, files, "cmake")
+    texts = _build_files(packages, files, "cmake", read)
     packages = {root: _as_built(package, texts.get(root)) for root, package in packages.items()}
-    names, beside = _names_by_root(packages, files, texts)
+    setups = _build_files(packages, files, "setup_py", read)
+    names, beside = _names_by_root(packages, files, texts, setups)
     homes: dict[str, str | None] = {}
     placed = []
     for file in files:
@@ -105,17 +112,17 @@ def _innermost(roots: Collection[str], folder: str) -> str | None:
     return folder
 
 
-def package_of(file: SourceFile) -> Package | Problem:
+def package_of(file: SourceFile, read: Read | None = None) -> Package | Problem:
     """What a manifest says, or why it cannot be read."""
     try:
-        data = _read(file)
+        data = (read or _read)(file)
     except OSError as error:
         return Problem(file.relative, 1, 1, f"cannot read this file: {error.strerror}")
     return read_manifest(file, data, os.path.dirname(file.path), os.path.dirname(file.relative) or ".")
 
 
 def _build_files(
-    packages: Mapping[str, Package | None], files: Iterable[SourceFile], kind: SourceKind
+    packages: Mapping[str, Package | None], files: Iterable[SourceFile], kind: SourceKind, read: Read
 ) -> dict[str, str]:
     """The text of each package's own CMakeLists.txt, or setup.py, by its folder."""
     texts: dict[str, str] = {}
@@ -123,7 +130,7 @@ def _build_files(
         folder = os.path.dirname(file.path)
         if file.kind == kind and packages.get(folder) is not None:
             with suppress(OSError):
-                texts[folder] = _read(file).decode("utf-8", "replace")
+                texts[folder] = read(file).decode("utf-8", "replace")
     return texts
 
 
@@ -143,14 +150,16 @@ def _as_built(package: Package | None, text: str | None) -> Package | None:
 
 
 def _names_by_root(
-    packages: Mapping[str, Package | None], files: Collection[SourceFile], texts: Mapping[str, str]
+    packages: Mapping[str, Package | None],
+    files: Collection[SourceFile],
+    texts: Mapping[str, str],
+    setups: Mapping[str, str],
 ) -> tuple[dict[str | None, ModuleNames], dict[str | None, ModuleNames]]:
     """The names of each package's modules, and those that they have where they lie, for packages that install some
-    under others.  ``texts`` are those of the CMakeLists.txt."""
+    under others.  ``texts`` are those of the CMakeLists.txt, ``setups`` those of the setup.py."""
     inits = {os.path.dirname(file.path) for file in files if os.path.basename(file.path) == "__init__.py"}
     names: dict[str | None, ModuleNames] = {None: ModuleNames(None, None, inits)}
     beside: dict[str | None, ModuleNames] = {}
-    setups = _build_files(packages, files, "setup_py")
     for root, package in packages.items():
         installed = {} if package is None else _installed(root, package, texts.get(root, ""), setups.get(root, ""))
         names[root] = ModuleNames(root, package.name if package else None, inits, installed)

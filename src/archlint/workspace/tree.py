@@ -115,12 +115,15 @@ class SourceTree:
         return self._kind(path) == "folder"
 
     def _kind(self, path: str) -> str | None:
-        real = self._real(path)
-        kind = None
-        if real is not None:
-            kind = "file" if real.is_file() else "folder" if real.is_dir() else None
+        kind = self._kind_now(path)
         self._note(("kind", path), kind)
         return kind
+
+    def _kind_now(self, path: str) -> str | None:
+        real = self._real(path)
+        if real is None:
+            return None
+        return "file" if real.is_file() else "folder" if real.is_dir() else None
 
     def _note(self, question: Question, answer: str | None) -> None:
         answer = self.asked.setdefault(question, answer)
@@ -149,7 +152,7 @@ class SourceTree:
     def _text(self, path: str, question: str) -> str | None:
         try:
             data = self._content(path, question)
-            return None if data is None else _decoded(data)
+            return None if data is None else decoded(data)
         except (OSError, UnicodeDecodeError):
             return None
 
@@ -158,7 +161,7 @@ class SourceTree:
         try:
             data = self._content(path)
             if data is not None:
-                _decoded(data)
+                decoded(data)
         except OSError as error:
             if error.errno == errno.EFBIG:
                 return f"the file is too large to analyse: the limit is {TEXT_LIMIT // 1000} kB"
@@ -169,14 +172,21 @@ class SourceTree:
 
     def _content(self, path: str, question: str = "content") -> bytes | None:
         """The bytes of a regular file; None where there is none.  Raises ``OSError``."""
-        real = self._real(path)
         try:
-            data = None if real is None or not real.is_file() else read_regular(real, TEXT_LIMIT)
+            data = self._content_now(path)
         except OSError as error:
             self._note((question, path), f"error {error.errno}")
             raise
         self._note((question, path), None if data is None else hashlib.sha256(data).hexdigest())
         return data
+
+    def _content_now(self, path: str) -> bytes | None:
+        real = self._real(path)
+        return None if real is None or not real.is_file() else read_regular(real, TEXT_LIMIT)
+
+    def given(self, path: str) -> bytes | None:
+        """The bytes of a file of a tree that is not on the disk; None for one that is."""
+        return None
 
     def answer(self, question: str, path: str) -> str | None:
         """What :attr:`asked` would hold if the question were asked now, for the first time."""
@@ -237,6 +247,7 @@ _XML_ENCODING = re.compile(
 )
 
 
-def _decoded(data: bytes) -> str:
+def decoded(data: bytes) -> str:
+    """Raises ``UnicodeDecodeError``."""
     named = _XML_ENCODING.match(data)
     return data.decode("utf-8-sig" if named is None else named[1].decode("ascii"))
