@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import subprocess
 import sys
 import tempfile
 from pathlib import Path
@@ -27,7 +28,7 @@ def built(environment: Environment, checkout: Path, skipped: list[str]) -> list[
     for manifest in sorted(checkout.rglob("package.xml")):
         try:
             prefixes += environment.interfaces(manifest.parent)
-        except (RuntimeError, OSError) as error:
+        except (RuntimeError, OSError, subprocess.TimeoutExpired) as error:
             skipped.append(f"{manifest.parent.relative_to(checkout)}: {str(error).splitlines()[-1][:200]}")
     return prefixes
 

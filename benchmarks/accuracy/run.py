@@ -26,6 +26,7 @@ def main() -> None:
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--real", metavar="DISTRO", help="under rclpy itself, of .venv-ros-DISTRO")
     parser.add_argument("--plain", action="store_true", help="programs and classes once, nothing forced")
+    parser.add_argument("--unbuilt", action="store_true", help="with --real: build no interfaces of the checkout")
     options = parser.parse_args()
     options.output.mkdir(parents=True, exist_ok=True)
     folders = (
@@ -35,7 +36,7 @@ def main() -> None:
         if options.names and folder.name not in options.names:
             continue
         started = time.monotonic()
-        processes = Pool(_python(options.real, folder))
+        processes = Pool(_python(options.real, folder, not options.unbuilt))
         result = Oracle(folder, options.jobs, processes).run(plain=options.plain)
         processes.close()
         target = options.output / f"{folder.resolve().name}.json"
@@ -49,12 +50,12 @@ def main() -> None:
         )
 
 
-def _python(distro: str | None, checkout: Path) -> Python:
+def _python(distro: str | None, checkout: Path, build: bool) -> Python:
     """What to run a checkout with: under the stand-in, or a distribution's rclpy with the checkout's own interfaces."""
     if distro is None:
         return Python()
     environment, not_built = environment_of(distro), list[str]()
-    prefixes = [*environment.interfaces(EXAMPLES), *built(environment, checkout, not_built)]
+    prefixes = [*environment.interfaces(EXAMPLES), *(built(environment, checkout, not_built) if build else ())]
     for reason in not_built:
         print(f"not built: {reason}", flush=True)
     return real_python(environment, prefixes)
