@@ -18,7 +18,7 @@ from archlint.interpreter.values import (
     one_of,
     reason,
 )
-from archlint.launch import calls, mathematics, read_files, robot_poses
+from archlint.launch import calls, expressions, mathematics, read_files, robot_poses
 from archlint.launch.kinds import FileKind
 from archlint.launch.mistakes import NotAPath
 from archlint.launch.moveit_configs import methods as moveit_methods
@@ -116,6 +116,7 @@ def _evaluate(run: LaunchRun, receiver: Value, site: CallSite) -> Value:
 METHODS = {
     **moveit_methods.METHODS,
     **robot_poses.METHODS,
+    **expressions.METHODS,
     "launch.LaunchContext.perform_substitution": _perform_argument,
     **{f"launch.{name}.perform": perform_method for name in SUBSTITUTIONS},
     **{f"launch.{name}.evaluate": _evaluate for name in CONDITIONS},
@@ -174,6 +175,7 @@ PLAIN = {
     **mathematics.PLAIN,
     **moveit_methods.PLAIN,
     **read_files.PLAIN,
+    **expressions.PLAIN,
     "runpy.run_path": _run_path,
     "ament_index_python.has_resource": _has_resource,
     "ament_index_python.resources.has_resource": _has_resource,

@@ -93,3 +93,23 @@ def after(event, context):
     launched = launches.python(f"[{handler}]", before)
     (started,) = launched.started
     assert {launched.why_open[branch] for branch, _ in started.branch_arms} == {"how a process ends"}
+
+
+@pytest.mark.parametrize(
+    ("ready", "why"),
+    [
+        ("re.search('ready', event.text.decode())", "what a process prints"),
+        ("re.compile('ready').match(event.text.decode())", "what a process prints"),
+        ("re.search('ready', 'ready')", "what a regular expression finds"),
+    ],
+)
+def test_what_starts_when_a_process_has_printed_a_line(launches, ready, why):
+    before = f"""
+import re
+from launch.event_handlers import OnProcessIO
+def printed(event):
+    return [{node("handled")}] if {ready} else []
+"""
+    launched = launches.python("[RegisterEventHandler(OnProcessIO(target_action=None, on_stdout=printed))]", before)
+    (started,) = launched.started
+    assert {launched.why_open[branch] for branch, _ in started.branch_arms} == {why}
