@@ -126,6 +126,11 @@ class TestWaysToWait:
         )
 
 
+def unmarked(source: str) -> str:
+    """The same program, in which nothing is to be found."""
+    return source.replace("  # here", "")
+
+
 class TestExecutorsAndGroups:
     def test_several_threads_and_a_group_apart_only_block(self, judge: Judge):
         [found] = judge("SRV003", gripper(CALL, THREADS, client=", callback_group=self.apart"))
@@ -221,22 +226,17 @@ class TestCarefulCode:
         created = SERVICE.format(group=service)
         return text.replace(created, f"{created}\n            {more}", 1)
 
-    def test_it_is_information(self, judge: Judge):
+    def test_nothing_is_said(self, judge: Judge):
         for body in (self.BOUNDED, self.POLLED, self.SIGNALLED):
-            [found] = judge("SRV003", self.careful(body))
+            judge("SRV003", unmarked(self.careful(body)))
 
-            assert found.severity is Severity.INFO
+    def test_a_limit_that_is_not_known_is_one(self, judge: Judge):
+        body = tuple(line.replace("wait(2.0)", "wait(load_limit())") for line in self.SIGNALLED)
+        judge("SRV003", unmarked(self.careful(body)))
 
-    @pytest.mark.parametrize(
-        ("limit", "severity"),
-        [("load_limit()", Severity.INFO), ("None", Severity.WARNING)],
-        ids=["not known", "None"],
-    )
-    def test_a_limit_that_is_not_known_is_one(self, judge: Judge, limit: str, severity: Severity):
-        body = tuple(line.replace("wait(2.0)", f"wait({limit})") for line in self.SIGNALLED)
+        body = tuple(line.replace("wait(2.0)", "wait(None)") for line in self.SIGNALLED)
         [found] = judge("SRV003", self.careful(body))
-
-        assert found.severity is severity
+        assert found.severity is Severity.WARNING
 
     OPEN = """
         def open(self, request, response):
@@ -248,9 +248,7 @@ class TestCarefulCode:
 
     def test_handlers_that_wait_at_the_same_line_are_kept_apart(self, judge: Judge):
         opens = "self.create_service(Trigger, 'open', self.open)"
-        [found] = judge("SRV003", self.careful(self.BOUNDED, more=opens, extra=self.OPEN))
-
-        assert found.severity is Severity.INFO
+        judge("SRV003", unmarked(self.careful(self.BOUNDED, more=opens, extra=self.OPEN)))
 
         stops = f"{opens}\n            self.create_service(Trigger, 'stop', self.stop)"
         [found] = judge("SRV003", self.careful(self.BOUNDED, more=stops, extra=self.OPEN))
@@ -291,9 +289,7 @@ class TestCarefulCode:
 
     def test_what_is_in_other_groups_waits_for_nothing(self, judge: Judge):
         more = "self.create_service(Trigger, 'stop', self.stop, callback_group=MutuallyExclusiveCallbackGroup())"
-        [found] = judge("SRV003", self.careful(self.BOUNDED, more=more, extra=self.STOP))
-
-        assert found.severity is Severity.INFO
+        judge("SRV003", unmarked(self.careful(self.BOUNDED, more=more, extra=self.STOP)))
 
     MOTOR = """
     import rclpy
@@ -326,18 +322,15 @@ class TestCarefulCode:
     """
 
     def test_a_handler_behind_it_that_waits_itself_is_named(self, judge: Judge):
-        waits = self.MOTOR.format(body="response.success = self.power.call(request, timeout_sec=3.0).success  # here")
-        outer, inner = judge("SRV003", self.careful(self.BOUNDED), waits)
+        waits = self.MOTOR.format(body="response.success = self.power.call(request, timeout_sec=3.0).success")
+        [outer] = judge("SRV003", self.careful(self.BOUNDED), waits)
 
         assert outer.severity is Severity.WARNING
         assert "(the handler of /enable_motor itself waits for /power)" in outer.message
         assert outer.help == "make the timeout here longer than the total time that /enable_motor may wait"
-        assert inner.severity is Severity.INFO
 
     def test_a_handler_behind_it_that_answers_at_once(self, judge: Judge):
-        [found] = judge("SRV003", self.careful(self.BOUNDED), self.MOTOR.format(body="self.power.call_async(request)"))
-
-        assert found.severity is Severity.INFO
+        judge("SRV003", unmarked(self.careful(self.BOUNDED)), self.MOTOR.format(body="self.power.call_async(request)"))
 
 
 class TestOneFindingAHandler:
@@ -409,14 +402,11 @@ class TestOneFindingAHandler:
         answer = ["answer = self.motor.call(SetBool.Request())  # here", "response.success = answer.success"]
         [needs] = judge("SRV003", gripper([*answer, "return response"]))
         [sends] = judge("SRV003", gripper(["self.motor.call(SetBool.Request())  # here", "return response"]))
-        waits = ["answer = self.motor.call(SetBool.Request(), timeout_sec=1.0)  # here", *answer[1:]]
-        [bounded] = judge("SRV003", gripper([*waits, "return response"], THREADS, client=apart))
+        waits = ["answer = self.motor.call(SetBool.Request(), timeout_sec=1.0)", *answer[1:]]
+        judge("SRV003", gripper([*waits, "return response"], THREADS, client=apart))
 
         assert "and await call_async(…)" in needs.help
         assert sends.help.startswith("send the request with call_async(), return, and publish")
-        assert bounded.help.startswith(
-            "keep the timeout, and give the callers of the service 'close_gripper' a longer one"
-        )
 
     def test_what_hangs_hangs_at_the_first_wait(self, judge: Judge):
         [found] = judge("SRV003", gripper(list(self.STEPS)))

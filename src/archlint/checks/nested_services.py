@@ -72,7 +72,23 @@ def nested_service_call(system: System, options: Options) -> Iterator[Finding]:
         handler = wait.call.context
         row = (wait, verdict, [other for other, _ in others])
         handlers.setdefault((handler.place, handler.name), []).append(row)
-    yield from one_for_each_place(_nested(system, rows) for rows in handlers.values())
+    yield from one_for_each_place(
+        _nested(system, rows) for rows in handlers.values() if not all(_is_done_right(system, row) for row in rows)
+    )
+
+
+def _is_done_right(system: System, row: _Row) -> bool:
+    """Whether a wait has an end and its answer is used, and neither a callback nor a further service is behind it."""
+    wait, verdict, _ = row
+    careful = verdict.safe and wait.kind != AWAIT and _careful(system, wait)
+    return careful and not _held_up(system, wait) and not waits_behind(system, wait)
+
+
+def _held_up(system: System, wait: Wait) -> list[Callback]:
+    """The callbacks that cannot run meanwhile, without those that wait at the same line."""
+    handler = wait.call.context
+    rivals = {rival.call.context.place for rival in waits(system) if rival.call.place == wait.call.place}
+    return [callback for callback in _blocked_callbacks(wait) if callback.place not in rivals - {handler.place}]
 
 
 def _worst_first(row: tuple[Wait, Verdict]) -> tuple[object, ...]:
@@ -87,14 +103,16 @@ def _nested(system: System, rows: list[_Row]) -> Finding:
     further = [row[0] for row in rows if row[0] is not wait]
     service = endpoint_words(handler.creation)
     awaited = _all_words([wait, *further]) if verdict.safe else endpoint_words(wait.client)
-    rivals = {rival.call.context.place for rival in waits(system) if rival.call.place == call.place} - {handler.place}
-    blocked = [callback for callback in _blocked_callbacks(wait) if callback.place not in rivals]
+    blocked = _held_up(system, wait)
+    has_rivals = any(
+        rival.call.place == call.place and rival.call.context.place != handler.place for rival in waits(system)
+    )
     behind = waits_behind(system, wait) if verdict.safe else []
     diagnostic = finding(
         "SRV003",
         call.place,
         f"the handler of {service} {_waits_for(wait, verdict, awaited)}{_outcome(wait, verdict, blocked, behind)}",
-        help=_help(system, wait, verdict, blocked, behind, bool(rivals)),
+        help=_help(system, wait, verdict, blocked, behind, has_rivals),
         related=[
             Related(handler.place, f"{handler.name} handles {service}"),
             *related_chain(call),
