@@ -105,6 +105,7 @@ def test_a_word_that_only_holds_the_letters_of_one(named, path: str):
     "path",
     [
         "robot/archive/talker.py",
+        "robot/_archive/talker.py",
         "robot/old_arm/talker.py",
         "robot/talker_old.py",
         "robot/talker_unused.py",

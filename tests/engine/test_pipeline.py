@@ -222,36 +222,55 @@ MESSAGES = "cmake_minimum_required(VERSION 3.8)\nproject(msgs)\nfind_package(ros
 
 
 @pytest.mark.parametrize(
-    ("listed", "severity"),
+    ("listed", "built"),
     [
-        ('rosidl_generate_interfaces(msgs "srv/Bad.srv")\n', Severity.WARNING),
-        ('rosidl_generate_interfaces(msgs "srv/Good.srv")\n', Severity.INFO),
-        ("file(GLOB all srv/*.srv)\nrosidl_generate_interfaces(msgs ${all})\n", Severity.WARNING),
-        ("include(messages.cmake)\n", Severity.WARNING),
-        ("", Severity.INFO),
+        ('rosidl_generate_interfaces(msgs "srv/Bad.srv")\n', True),
+        ('rosidl_generate_interfaces(msgs "srv/Good.srv")\n', False),
+        ("file(GLOB all srv/*.srv)\nrosidl_generate_interfaces(msgs ${all})\n", True),
+        ("include(messages.cmake)\n", True),
+        ("", False),
     ],
 )
-def test_a_broken_interface_is_one_finding_and_information_where_nothing_builds_it(listed, severity):
+def test_a_broken_interface_is_one_finding_if_anything_builds_it(listed: str, built: bool):
     cmake = "<export><build_type>ament_cmake</build_type></export></package>"
     write("msgs/package.xml", PACKAGE.format(name="msgs").replace("</package>", cmake))
     write("msgs/CMakeLists.txt", MESSAGES + listed + "ament_package()\n")
     write("msgs/srv/Bad.srv", BROKEN_SRV)
     write("msgs/srv/Good.srv", "---\nbool ok\n")
-    [found] = run().findings
-    assert (found.code, found.place.line, found.severity) == ("LNT002", 1, severity)
-    assert [one.place.line for one in found.related] == [4]
-    assert ("so it is not built" in found.message) == (severity == Severity.INFO)
+    found = run().findings
+    assert [(one.code, one.place.line, one.severity) for one in found] == [("LNT002", 1, Severity.WARNING)] * built
+    assert [[one.place.line for one in finding.related] for finding in found] == [[4]] * built
 
 
-def test_a_broken_interface_of_a_python_package_is_listed_nowhere():
+def test_a_python_package_builds_no_interface():
     python = "<export><build_type>ament_python</build_type></export></package>"
     write("msgs/package.xml", PACKAGE.format(name="msgs").replace("</package>", python))
     write("msgs/setup.py", "from setuptools import setup\nsetup(name='msgs', packages=['msgs'])\n")
     write("msgs/srv/Bad.srv", BROKEN_SRV)
-    [found] = run().findings
-    assert (found.code, found.severity) == ("LNT002", Severity.INFO)
-    assert "ament_python, which generates no interfaces, so it is not built" in found.message
-    assert "CMakeLists" not in found.message
+    assert run().findings == []
+
+
+ROS_1 = '<launch><node pkg="robot" type="talker.py" name="a"/>'
+ROS_2 = '<launch><node pkg="robot" exec="talker.py" name="a"/>'
+
+
+@pytest.mark.parametrize(
+    ("path", "text", "codes"),
+    [
+        ("robot/launch/up.launch", ROS_2, ["LNT002"]),
+        ("robot/launch/up.launch", "<launch>", ["LNT002"]),
+        ("robot/launch/up.launch", ROS_1, []),
+        ("robot/launch/up.launch", '<launch><arg name="a" default="$(find robot)/a.yaml"/>', []),
+        ("robot/launch/up.launch", '<launch><arg name="a" default="$(find robot)/a.yaml"/><let name="b"/>', ["LNT002"]),
+        ("robot/launch/up.launch", ROS_1 + ROS_2, ["LNT002"]),
+        ("robot/_archive/launch/up.launch", ROS_2, []),
+        ("robot/templates/launch/up.launch", ROS_2, []),
+    ],
+)
+def test_a_malformed_launch_file_that_nobody_means_to_launch(path: str, text: str, codes: list[str]):
+    write("robot/package.xml", PACKAGE.format(name="robot"))
+    write(path, text)
+    assert [one.code for one in run().findings] == codes
 
 
 def test_a_rule_that_raises_is_a_finding_and_the_others_run(add: Add):

@@ -214,13 +214,8 @@ def unreadable(
     return finding("LNT003", place, what, help=_REPORT, identity=(f"internal error: {message}",))
 
 
-def unreadable_interface(file: str, problems: Sequence[tuple[int, int, str]], unbuilt: str) -> Finding:
-    """The LNT002 finding for all lines of an interface file; information where no build reads the file, and ``unbuilt``
-    says why."""
+def unreadable_interface(file: str, problems: Sequence[tuple[int, int, str]]) -> Finding:
+    """The LNT002 finding for all lines of an interface file."""
     first, *others = problems
     related = tuple(Related(Place(file, line, column, line, column), message) for line, column, message in others)
-    diagnostic = replace(unreadable(file, *first), related=related)
-    if not unbuilt:
-        return diagnostic
-    message = f"{diagnostic.message}; {unbuilt}, so it is not built"
-    return replace(diagnostic, message=message, severity=Severity.INFO)
+    return replace(unreadable(file, *first), related=related)

@@ -170,22 +170,15 @@ def _problems(workspace: Workspace, files: Sequence[SourceFile], facts: FactsOfF
 def _of_interfaces(
     workspace: Workspace, systems: Sequence[System], tree: SourceTree, faults: Faults
 ) -> Iterator[Finding]:
-    """One LNT002 for an interface file that rosidl would refuse."""
+    """One LNT002 for an interface file that rosidl refuses, if the build of its package gives it to rosidl."""
     table = systems[0].workspace.interfaces if systems[0].workspace is not None else None
     old = {package.name for package in workspace.packages if package.ros1}
-    python = {package.name for package in workspace.packages if package.build_type == "ament_python"}
     for file in workspace.files:
         if file.kind == "interface" and not file.context and file.package not in old:
             with faults.contained("reading this interface", Place(file.relative, 1, 1, 1, 1)):
                 problems = interface_problems(file.path, tree.given(file.relative))
-                if problems:
-                    built = table is None or table.is_built(file)
-                    unbuilt = _BY_PYTHON if file.package in python else _NOT_LISTED
-                    yield unreadable_interface(file.relative, problems, "" if built else unbuilt)
-
-
-_NOT_LISTED = "the CMakeLists.txt of its package does not list this file"
-_BY_PYTHON = "its package has the build type ament_python, which generates no interfaces"
+                if problems and (table is None or table.is_built(file)):
+                    yield unreadable_interface(file.relative, problems)
 
 
 def _importers(module: SourceFile, files: Sequence[SourceFile], facts: FactsOfFiles) -> list[Place]:

@@ -13,7 +13,7 @@ from archlint.finding import Place
 from archlint.syntax import facts
 from archlint.syntax.launch_elements import LaunchFacts
 from archlint.syntax.launch_templates import has_placeholders
-from archlint.syntax.launch_xml import read_launch_xml
+from archlint.syntax.launch_xml import read_launch_xml, sounds_like_ros1
 from archlint.syntax.launch_yaml import read_launch_yaml
 from archlint.syntax.parameter_files import ParameterFacts, read_parameters
 from archlint.syntax.workspace_files import NO_WORKSPACE, WorkspaceFiles
@@ -128,7 +128,7 @@ class LaunchFiles:
             if text is not None:
                 with self._faults.contained("reading this launch file", Place(path, 1, 1, 1, 1)):
                     launch_facts = _read(path, text)
-            if launch_facts.root is not None and has_placeholders(launch_facts.root):
+            if self._is_for_others(path, text or "", launch_facts):
                 launch_facts = LaunchFacts()
             package = (
                 self._owners.package_of(path) if launch_facts.root is not None and not launch_facts.decided else None
@@ -137,6 +137,14 @@ class LaunchFiles:
                 launch_facts = replace(launch_facts, ros1=package in self._ros1_packages)
             self._frontend_facts[path] = launch_facts
         return self._frontend_facts[path]
+
+    def _is_for_others(self, path: str, text: str, launch_facts: LaunchFacts) -> bool:
+        """Whether ``ros2 launch`` is never meant to read a file: a template; what is malformed and put aside or written
+        for ROS 1."""
+        if launch_facts.root is not None:
+            return has_placeholders(launch_facts.root)
+        aside = "templates" in path.split("/")[:-1] or self._roles.is_put_aside(path)
+        return bool(launch_facts.problems) and (aside or sounds_like_ros1(text))
 
     def parameters(self, path: str) -> ParameterFacts:
         """What a parameter file sets."""

@@ -142,6 +142,16 @@ _ROS1_TEXT = re.compile(r"\$\((?:find|arg|optenv) ")
 _ROS2_TEXT = re.compile(r"\$\((?:find-pkg-share|find-pkg-prefix|var|exec-in-pkg|command) ?")
 
 
+def sounds_like_ros1(text: str) -> bool:
+    """Whether a file that is not well-formed has words of ROS 1, and none that only ROS 2 has."""
+    ros1 = _ROS1_TEXT.search(text) or _ROS1_NODE.search(text)
+    return ros1 is not None and _ROS2_TEXT.search(text) is None and _ROS2_NODE.search(text) is None
+
+
+_ROS1_NODE = re.compile(r"<node\b[^<>]*\btype\s*=|<(?:rosparam|nodelet|machine)\b")
+_ROS2_NODE = re.compile(r"<node\b[^<>]*\bexec(?:utable)?\s*=|<(?:push[-_]ros[-_]namespace|let|executable)\b")
+
+
 def is_ros1(root: Element) -> tuple[bool, bool]:
     """Whether a launch file is one of ROS 1, and whether that is decided: what both have says nothing, and what is
     said in both ways is ROS 2."""

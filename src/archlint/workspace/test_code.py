@@ -51,7 +51,7 @@ class FileRoles:
     def is_put_aside(self, path: str) -> bool:
         """Whether a file is kept, and no longer worked on: by the name of a folder of the workspace, or because it is
         a copy that nothing can import, such as ``driver (copy).py`` or ``driver.sync-conflict-20260323.py``."""
-        *folders, name = [part.lower() for part in self._parts(path)]
+        *folders, name = [part.lower().lstrip("_.") for part in self._parts(path)]
         old = any(folder in _PUT_ASIDE or _NAMED_OLD.fullmatch(folder) for folder in folders)
         return old or _COPY.search(name) is not None
 
