@@ -744,6 +744,14 @@ def test_the_package_that_has_the_interface_is_named(judge: Judge):
     assert several.help == "import it from a package that defines it: arm, leg"
 
 
+def test_what_one_file_imports_in_vain_is_one_finding(judge: Judge):
+    lay_out(judge, interfaces("rover", "msg/Stop.msg", files=("msg/Stop.msg",)))
+    code = "import rclpy\nfrom rover.msg import Box  # here\nfrom rover.msg import Key\nrclpy.create_node('x')\n"
+    [found] = judge("MSG002", code)
+    assert found.message.startswith("rover defines no messages 'Box' and 'Key'")
+    assert [(row.place.line, row.message) for row in found.related] == [(3, "'Key' is imported here")]
+
+
 def test_a_message_that_a_package_of_the_workspace_lists_as_a_service(judge: Judge):
     files = {
         "package.xml": "<package format='3'><name>arm_interfaces</name><export><build_type>ament_cmake</build_type>"

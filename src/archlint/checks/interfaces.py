@@ -10,10 +10,10 @@ from archlint import suggestions
 from archlint.checks.folding import folds
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
+from archlint.finding import Finding, Related
 from archlint.suggestions import listed, nearest
 
 if TYPE_CHECKING:
-    from archlint.finding import Finding
     from archlint.model import UnknownInterface
     from archlint.systems.model import System
 
@@ -46,25 +46,36 @@ def _unknown_interface(interface: UnknownInterface) -> Finding:
         f"{interface.package} defines no {what} '{interface.name}'{hint}",
         help=_cure(interface, names),
         identity=(interface.package, interface.kind, interface.name),
-        group=() if interface.left_out else (place.file, str(place.line), interface.package, interface.kind),
+        group=_cause(interface),
         meant=meant,
     )
 
 
+def _cause(interface: UnknownInterface) -> tuple[str, ...]:
+    """What findings have in common that say the same: the file, or the line where the advice is for what it imports."""
+    if interface.left_out:
+        return ()
+    place = interface.place
+    line = str(place.line) if interface.elsewhere or _part(interface) is not None else ""
+    return place.file, line, interface.package, interface.kind
+
+
 @folds("MSG002")
-def of_one_import(findings: Sequence[Finding]) -> Finding:
-    """The finding for all that one line imports in vain, with what each was perhaps meant to be; the advice is that for
+def of_one_file(findings: Sequence[Finding]) -> Finding:
+    """The finding for all that one file imports in vain, with what each was perhaps meant to be; the advice is that for
     the first."""
-    first = findings[0]
+    first, *others = findings
     names = list(dict.fromkeys(diagnostic.identity[2] for diagnostic in findings))
+    lines = {other.place.line: other for other in others if other.place.line != first.place.line}
+    rows = tuple(Related(other.place, f"'{other.identity[2]}' is imported here") for other in lines.values())
     if len(names) == 1:
-        return first
+        return replace(first, related=(*first.related, *rows))
     package, kind, _ = first.identity
     listed = f"{', '.join(repr(name) for name in names[:-1])} and {names[-1]!r}"
     several = {"msg": "messages", "srv": "services", "action": "actions"}[kind]
     hints = [_instead(diagnostic.meant, diagnostic.identity[2]) for diagnostic in findings]
     message = f"{package} defines no {several} {listed}{''.join(dict.fromkeys(hints))}"
-    return replace(first, message=message, identity=(package, kind, *names))
+    return replace(first, message=message, related=(*first.related, *rows), identity=(package, kind, *names))
 
 
 def _instead(meant: str, name: str = "") -> str:
