@@ -1,10 +1,11 @@
-"""API001: calls that rclpy refuses."""
+"""API001, API002: calls that rclpy refuses, and calls of what it does not have."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
+from archlint.analysis.own_names import is_defined_somewhere
 from archlint.checks.folding import folds, with_others
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -23,6 +24,36 @@ _NEWER = frozenset(DISTROS[DISTROS.index(_AS_NEWEST) + 1 :])
 @rule("API001", scope=Scope.CODE)
 def refused_call(system: System, options: Options) -> Iterator[Finding]:
     """Calls that rclpy, message_filters or tf2_ros refuse."""
+    for call in _judged(system):
+        if call.misuse is not Misuse.ABSENT and _is_refused(call, options.distros):
+            yield _finding(call)
+
+
+@rule("API002", scope=Scope.CODE)
+def unknown_attribute(system: System, options: Options) -> Iterator[Finding]:
+    """Calls of functions and methods that rclpy does not have."""
+    for call in _judged(system):
+        [name, *_] = call.parameters or ("",)
+        if call.misuse is Misuse.ABSENT and not is_defined_somewhere(system, call.place.file, name):
+            yield finding(
+                "API002",
+                call.place,
+                f"{call.given.rpartition('.')[2]} has no {name}()",
+                help=f"use {call.wanted}" if call.wanted else "",
+                identity=(call.api,),
+                group=(call.place.file, call.api),
+                meant=call.wanted,
+            )
+
+
+@folds("API002")
+def absent_in_one_file(findings: Sequence[Finding]) -> Finding:
+    """The first call of a file for all of the same name."""
+    return with_others(findings, "another call in this file does", "more calls in this file do", "the same")
+
+
+def _judged(system: System) -> Iterator[RefusedCall]:
+    """The refused calls outside of test code, in the order of the source."""
     is_test = system.roles.is_test
     calls = {
         (call.place, call.api): call
@@ -30,9 +61,7 @@ def refused_call(system: System, options: Options) -> Iterator[Finding]:
         for call in program.refused_calls
         if not is_test(call.place.file) and not is_test(program.file)
     }
-    for key in sorted(calls):
-        if _is_refused(calls[key], options.distros):
-            yield _finding(calls[key])
+    return (calls[key] for key in sorted(calls))
 
 
 def _is_refused(call: RefusedCall, distros: tuple[str, ...]) -> bool:
@@ -76,6 +105,8 @@ def _what_is_wrong(call: RefusedCall) -> str:
             return f"it has no parameter {names}"
         case Misuse.TWICE:
             return f"{names} is given by position and by name"
+        case Misuse.ABSENT:
+            return f"there is no {names}"
         case Misuse.SWAPPED:
             return f"{names} are swapped"
         case Misuse.KIND:

@@ -20,6 +20,11 @@ _AS_IN = {"rclpy.qos.QoSProfile": "kilted"}
 other."""
 
 
+_PYTHON_S_OWN = ("typing.", "enum.", "object")
+"""Bases that bring nothing that code would ask for, but for what every object has."""
+_OF_EVERY_OBJECT = frozenset(dir(object))
+
+
 class _Class(msgspec.Struct):
     bases: list[str]
     methods: dict[str, dict[str, str]]
@@ -80,6 +85,18 @@ def signatures_of(path: str) -> Mapping[str, Signature]:
     if path in table.classes:
         return _of_method(path, "__init__")
     return _of_method(owner, name) if owner in table.classes else {}
+
+
+@cache
+def attributes_of(cls: str) -> frozenset[str] | None:
+    """The names of the attributes and methods that a class has in any distribution; None where that is not known."""
+    row = _table().classes.get(cls)
+    if row is None:
+        return _OF_EVERY_OBJECT if cls.startswith(_PYTHON_S_OWN) else None
+    inherited = [attributes_of(base) for base in row.bases]
+    if any(names is None for names in inherited) or "__getattr__" in row.attributes:
+        return None
+    return frozenset(row.methods).union(row.attributes, _OF_EVERY_OBJECT, *filter(None, inherited))
 
 
 def distros() -> tuple[str, ...]:
@@ -155,4 +172,4 @@ def _table() -> _Table:
     return msgspec.json.decode(_FILE.read_bytes(), type=_Table)
 
 
-__all__ = ["Mismatch", "Signature", "distros", "needed", "refusing_distros", "signatures_of"]
+__all__ = ["Mismatch", "Signature", "attributes_of", "distros", "needed", "refusing_distros", "signatures_of"]

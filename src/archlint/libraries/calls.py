@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from archlint import model
 from archlint.interpreter.values import ApiMethod, External, Instance, Known, OneOf, Unknown, Value, one_of
-from archlint.libraries import refused_calls
+from archlint.libraries import absent_names, refused_calls
 from archlint.libraries.api_use import ApiUse, Offers, argument_places, bind_api
 from archlint.libraries.givens import given_by
 from archlint.libraries.python import clocks
@@ -46,6 +46,7 @@ def call_external(run: Run, offers: Offers, function: External, site: CallSite) 
     plain = offers.plain.get(path)
     if plain is not None:
         return plain(run, site)
+    absent_names.note_function(run, path, site)
     if not escapes.is_own(path):
         escapes.to_call(run, site.values, path, site.expression)
     name = path.rpartition(".")[2]
@@ -81,6 +82,7 @@ def call_method(run: Run, offers: Offers, function: ApiMethod, site: CallSite) -
     method = offers.methods.get(path)
     if method is not None:
         return method(run, receiver, site)
+    absent_names.note_method(run, path, receiver, site)
     if not escapes.is_own(path) or names.is_missing_method(path):
         escapes.to_call(run, site.values, path.removeprefix("?."), site.expression)
     return Unknown(f"{path.removeprefix('?.')}() is outside of this workspace")

@@ -21,29 +21,44 @@ if TYPE_CHECKING:
     from archlint.libraries.tables import Api
 
 
+_UNSEEN = object()
+
+
 def note(run: Run, api: Api, receiver: Value | None, site: CallSite, bound: Mapping[str, Value]) -> None:
     """Note a call that is refused each time that it is reached."""
-    if site.expression is None or not run.activations or not _is_known(api, receiver):
+    place = place_of(run, site)
+    if place is None or not _is_known(api, receiver):
         return
-    if any(activation.expecting_refusals for activation in run.activations):
-        return
-    place = run.place(site.expression.span)
-    noted, key = run.noted.refused, (place, api.path)
-    if key in noted and noted[key] is None:
-        return
-    refused = _misfit(api, site, place) or _other_kind(api, site, bound, place)
-    before = noted.setdefault(key, refused)
+    if run.noted.refused.get((place, api.path), _UNSEEN) is not None:
+        keep(run, place, api.path, _misfit(api, site, place) or _other_kind(api, site, bound, place))
+
+
+def place_of(run: Run, site: CallSite) -> Place | None:
+    """Where a call stands; None where no code makes it, or is there for the case that it is refused."""
+    if site.expression is None or not run.activations:
+        return None
+    expected = any(activation.expecting_refusals for activation in run.activations)
+    return None if expected else run.place(site.expression.span)
+
+
+def keep(run: Run, place: Place, path: str, refused: model.RefusedCall | None) -> None:
+    """Note what was found of a call; one of which two things were found is not refused each time."""
+    noted = run.noted.refused
+    before = noted.setdefault((place, path), refused)
     if before != refused:
-        noted[key] = None
+        noted[place, path] = None
     if refused is not None or before is not None:
         run.program.refused_calls[:] = [call for call in noted.values() if call is not None]
 
 
+def is_of_rclpy(receiver: Value) -> bool:
+    """Whether a value is certainly a node, or what only rclpy makes: its methods are rclpy's own."""
+    return isinstance(receiver, (EntityValue, ExecutorValue, FutureValue)) or refusals.is_node(receiver)
+
+
 def _is_known(api: Api, receiver: Value | None) -> bool:
     """Whether it is certainly this method that is called, or a function or class."""
-    if receiver is None:
-        return not api.path.startswith(f"{names.NODE}.")
-    return isinstance(receiver, (EntityValue, ExecutorValue, FutureValue)) or refusals.is_node(receiver)
+    return not api.path.startswith(f"{names.NODE}.") if receiver is None else is_of_rclpy(receiver)
 
 
 def _misfit(api: Api, site: CallSite, place: Place) -> model.RefusedCall | None:
@@ -110,4 +125,4 @@ def _written(api: Api, site: CallSite) -> dict[str, facts.Expr]:
     return dict(zip(api.positional, own, strict=False)) | by_name
 
 
-__all__ = ["note"]
+__all__ = ["is_of_rclpy", "keep", "note", "place_of"]

@@ -21,6 +21,8 @@ class Misuse(StringEnum):
     """One parameter is given by position and by keyword."""
     KIND = "kind"
     """One parameter is given something else than it takes."""
+    ABSENT = "absent"
+    """There is no function or method of that name."""
     SWAPPED = "swapped"
     """Two parameters are given what the other takes."""
 
@@ -40,7 +42,8 @@ class RefusedCall:
     given: str = ""
     """What is given, in words, where its kind is wrong."""
     wanted: str = ""
-    """What the parameter takes, in words, where the kind is wrong."""
+    """What the parameter takes, in words, where the kind is wrong; what there is instead, where there is no such
+    function."""
     signature: tuple[str, ...] = ()
     """The parameters that may not be left out."""
     distros: tuple[str, ...] = ()

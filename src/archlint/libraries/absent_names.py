@@ -1,0 +1,91 @@
+"""Calls of functions and methods that rclpy does not have: those of ROS 1, and misspelt ones."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from archlint import model, suggestions
+from archlint.libraries import refused_calls
+from archlint.libraries.api_signatures import attributes_of, distros
+from archlint.libraries.rclpy import names
+
+if TYPE_CHECKING:
+    from archlint.interpreter.call_site import CallSite
+    from archlint.interpreter.values import Value
+    from archlint.libraries.run import Run
+
+_OF_ROS_1 = {
+    "rclpy.AsyncSpinner": "an executor of rclpy.executors",
+    "rclpy.Publisher": "create_publisher() of a node",
+    "rclpy.Rate": "create_rate() of a node",
+    "rclpy.Service": "create_service() of a node",
+    "rclpy.ServiceProxy": "create_client() of a node",
+    "rclpy.Subscriber": "create_subscription() of a node",
+    "rclpy.Time.now": "get_clock().now() of a node",
+    "rclpy.Timer": "create_timer() of a node",
+    "rclpy.get_param": "get_parameter() of a node",
+    "rclpy.get_time": "get_clock().now() of a node",
+    "rclpy.has_param": "has_parameter() of a node",
+    "rclpy.init_node": "create_node()",
+    "rclpy.is_shutdown": "ok()",
+    "rclpy.logdebug": "get_logger().debug() of a node",
+    "rclpy.logerr": "get_logger().error() of a node",
+    "rclpy.logfatal": "get_logger().fatal() of a node",
+    "rclpy.loginfo": "get_logger().info() of a node",
+    "rclpy.logwarn": "get_logger().warning() of a node",
+    "rclpy.on_shutdown": "get_default_context().on_shutdown()",
+    "rclpy.set_param": "set_parameters() of a node",
+    "rclpy.signal_shutdown": "shutdown()",
+    "rclpy.sleep": "time.sleep()",
+    "rclpy.wait_for_service": "wait_for_service() of a client",
+}
+"""What rospy has and rclpy has not, in any distribution, and what rclpy has instead."""
+_INSTEAD = {
+    "rclpy.client.Client.call_sync": "call()",
+    "rclpy.executors.Executor.submit": "create_task()",
+    "rclpy.node.Node.get_name_space": "get_namespace()",
+    "rclpy.node.Node.get_param": "get_parameter()",
+    "rclpy.node.Node.has_param": "has_parameter()",
+    "rclpy.node.Node.set_param": "set_parameters()",
+    "rclpy.task.Future.get_result": "result()",
+    "rclpy.task.Future.get": "result()",
+    "rclpy.task.Future.is_done": "done()",
+}
+"""Methods that people expect, and what there is."""
+
+
+_OF_NODES = frozenset().union(*filter(None, map(attributes_of, (names.NODE, names.LIFECYCLE_NODE))))
+
+
+def note_function(run: Run, path: str, site: CallSite) -> None:
+    """Note a call of a function of rospy in rclpy's name."""
+    if path in _OF_ROS_1:
+        _note(run, path, _OF_ROS_1[path], site)
+
+
+def note_method(run: Run, path: str, receiver: Value, site: CallSite) -> None:
+    """Note a call of a method that no distribution has; what else gives an object a method of that name is for the
+    rule to find."""
+    owner, _, name = path.rpartition(".")
+    known = _OF_NODES if owner in names.NODE_CLASSES else attributes_of(owner)
+    if known is None or name in known or not refused_calls.is_of_rclpy(receiver):
+        return
+    near = suggestions.nearest(name, [other for other in known if not other.startswith("_")])
+    expected = f"rclpy.executors.Executor.{name}" if owner.startswith("rclpy.executors.") else path
+    _note(run, path, _INSTEAD.get(expected) or (f"{near}()" if near else ""), site)
+
+
+def _note(run: Run, path: str, instead: str, site: CallSite) -> None:
+    place = refused_calls.place_of(run, site)
+    if place is None:
+        return
+    owner, _, name = path.rpartition(".")
+    refused_calls.keep(
+        run,
+        place,
+        path,
+        model.RefusedCall(place, path, model.Misuse.ABSENT, (name,), given=owner, wanted=instead, distros=distros()),
+    )
+
+
+__all__ = ["note_function", "note_method"]

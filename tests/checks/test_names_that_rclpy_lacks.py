@@ -1,0 +1,130 @@
+"""API002: calls of functions and methods that rclpy does not have."""
+
+from __future__ import annotations
+
+import pytest
+
+from checks.judging import Judge
+
+NODE = """
+import rclpy
+from rclpy.executors import SingleThreadedExecutor
+from rclpy.node import Node
+from std_srvs.srv import Trigger
+
+
+class Robot(Node):
+    def __init__(self):
+        super().__init__('robot')
+        self.trigger = self.create_client(Trigger, 'trigger')
+        self.timer = self.create_timer(1.0, self.tick)
+        executor = SingleThreadedExecutor()
+        {call}
+
+    def tick(self):
+        pass
+"""
+
+
+@pytest.mark.parametrize(
+    ("call", "message", "help"),
+    [
+        ("self.get_loger()", "Node has no get_loger()", "use get_logger()"),
+        ("self.get_param('rate')", "Node has no get_param()", "use get_parameter()"),
+        ("self.take_off()", "Node has no take_off()", ""),
+        ("self.trigger.call_sync(Trigger.Request())", "Client has no call_sync()", "use call()"),
+        ("self.trigger.call_async(Trigger.Request()).get_result()", "Future has no get_result()", "use result()"),
+        ("self.timer.stop()", "Timer has no stop()", ""),
+        ("executor.submit(self.tick)", "SingleThreadedExecutor has no submit()", "use create_task()"),
+        ("rclpy.loginfo('ready')", "rclpy has no loginfo()", "use get_logger().info() of a node"),
+        ("rclpy.Rate(10)", "rclpy has no Rate()", "use create_rate() of a node"),
+        ("rclpy.Time.now()", "Time has no now()", "use get_clock().now() of a node"),
+    ],
+)
+def test_a_name_that_rclpy_lacks(judge: Judge, call: str, message: str, help: str):
+    [finding] = judge("API002", NODE.format(call=f"{call}  # here"))
+    assert (finding.message, finding.help) == (message, help)
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        "self.get_logger().info('ready')",
+        "self.get_clock().now()",
+        "self.count_publishers('chatter')",
+        "self.trigger.wait_for_service(1.0)",
+        "self.trigger.call_async(Trigger.Request()).add_done_callback(print)",
+        "self.timer.cancel()",
+        "executor.add_node(self)",
+        "rclpy.ok()",
+        "setattr(self, 'beep', print); self.beep()",
+        "self.beep = print; self.beep()",
+    ],
+)
+def test_a_name_that_it_has(judge: Judge, call: str):
+    judge("API002", NODE.format(call=call))
+
+
+def test_a_subclass_in_another_file_may_define_it(judge: Judge):
+    judge(
+        "API002",
+        NODE.format(call="self.take_off()"),
+        """
+        from node import Robot
+
+
+        class Drone(Robot):
+            def take_off(self):
+                pass
+        """,
+    )
+
+
+def test_a_base_of_another_package_may_have_it(judge: Judge):
+    judge(
+        "API002",
+        """
+        import rclpy
+        from fleet.nodes import FleetNode
+
+
+        class Robot(FleetNode):
+            def __init__(self):
+                super().__init__('robot')
+                self.take_off()
+        """,
+    )
+
+
+def test_a_call_for_a_distribution_that_has_it(judge: Judge):
+    judge(
+        "API002",
+        NODE.format(
+            call="""try:
+            self.of_the_next_distribution()
+        except AttributeError:
+            pass
+"""
+        ),
+    )
+
+
+def test_the_same_name_twice_in_a_file_is_one_finding(judge: Judge):
+    [finding] = judge("API002", NODE.format(call="rclpy.loginfo('a')  # here\n        rclpy.loginfo('b')"))
+    assert finding.message == "rclpy has no loginfo(); another call in this file does the same"
+
+
+def test_a_lifecycle_node_has_what_its_mixin_has(judge: Judge):
+    judge(
+        "API002",
+        """
+        from rclpy.lifecycle import LifecycleNode
+
+
+        class Robot(LifecycleNode):
+            def __init__(self):
+                super().__init__('robot')
+                self.trigger_configure()
+                self.add_managed_entity(self.create_lifecycle_publisher(str, 'x', 1))
+        """,
+    )
