@@ -1,4 +1,4 @@
-"""API001, API002: calls that rclpy refuses, and calls of what it does not have."""
+"""API001 to API003: calls that rclpy refuses, of what it does not have, and on a node that is not initialised."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ _NEWER = frozenset(DISTROS[DISTROS.index(_AS_NEWEST) + 1 :])
 def refused_call(system: System, options: Options) -> Iterator[Finding]:
     """Calls that rclpy, message_filters or tf2_ros refuse."""
     for call in _judged(system):
-        if call.misuse is not Misuse.ABSENT and _is_refused(call, options.distros):
+        if call.misuse not in (Misuse.ABSENT, Misuse.EARLY) and _is_refused(call, options.distros):
             yield _finding(call)
 
 
@@ -50,6 +50,27 @@ def unknown_attribute(system: System, options: Options) -> Iterator[Finding]:
 def absent_in_one_file(findings: Sequence[Finding]) -> Finding:
     """The first call of a file for all of the same name."""
     return with_others(findings, "another call in this file does", "more calls in this file do", "the same")
+
+
+@rule("API003", scope=Scope.CODE)
+def node_not_initialised(system: System, options: Options) -> Iterator[Finding]:
+    """Constructors that use the node before they initialise it."""
+    for call in _judged(system):
+        if call.misuse is Misuse.EARLY:
+            yield finding(
+                "API003",
+                call.place,
+                f"{_name(call.api)}() fails: {call.given} has not called super().__init__() yet",
+                help="call super().__init__('node_name') first",
+                identity=(call.given,),
+                group=(call.place.file, call.given),
+            )
+
+
+@folds("API003")
+def of_one_class(findings: Sequence[Finding]) -> Finding:
+    """The first call of a constructor, with which it ends."""
+    return findings[0]
 
 
 def _judged(system: System) -> Iterator[RefusedCall]:
@@ -107,6 +128,8 @@ def _what_is_wrong(call: RefusedCall) -> str:
             return f"{names} is given by position and by name"
         case Misuse.ABSENT:
             return f"there is no {names}"
+        case Misuse.EARLY:
+            return "the node is not initialised"
         case Misuse.SWAPPED:
             return f"{names} are swapped"
         case Misuse.KIND:

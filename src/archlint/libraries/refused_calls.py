@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from archlint import model
-from archlint.interpreter.values import Value, alternatives
+from archlint.interpreter.values import Instance, Value, alternatives
 from archlint.libraries.api_signatures import distros, needed, refusing_distros
 from archlint.libraries.kinds_of_arguments import described, is_other, kinds_of
 from archlint.libraries.rclpy import names, refusals
@@ -30,7 +30,8 @@ def note(run: Run, api: Api, receiver: Value | None, site: CallSite, bound: Mapp
     if place is None or not _is_known(api, receiver):
         return
     if run.noted.refused.get((place, api.path), _UNSEEN) is not None:
-        keep(run, place, api.path, _misfit(api, site, place) or _other_kind(api, site, bound, place))
+        refused = _early(run, api, receiver, place) or _misfit(api, site, place)
+        keep(run, place, api.path, refused or _other_kind(api, site, bound, place))
 
 
 def place_of(run: Run, site: CallSite) -> Place | None:
@@ -59,6 +60,18 @@ def is_of_rclpy(receiver: Value) -> bool:
 def _is_known(api: Api, receiver: Value | None) -> bool:
     """Whether it is certainly this method that is called, or a function or class."""
     return not api.path.startswith(f"{names.NODE}.") if receiver is None else is_of_rclpy(receiver)
+
+
+def _early(run: Run, api: Api, receiver: Value | None, place: Place) -> model.RefusedCall | None:
+    """A method of a node that a constructor of its class calls before ``Node.__init__``, or without it."""
+    if not isinstance(receiver, Instance) or api.effect in ("node_init", "destroy_node"):
+        return None
+    node = run.nodes.by_object.get(receiver.key)
+    making = [activation for activation in run.activations if activation.self_value is receiver]
+    if (node is not None and node.constructed) or not any(a.qualified.endswith(".__init__") for a in making):
+        return None
+    cls = "" if receiver.own_class is None else receiver.own_class.ir.name
+    return model.RefusedCall(place, api.path, model.Misuse.EARLY, given=cls, distros=distros())
 
 
 def _misfit(api: Api, site: CallSite, place: Place) -> model.RefusedCall | None:

@@ -21,6 +21,8 @@ class Misuse(StringEnum):
     """One parameter is given by position and by keyword."""
     KIND = "kind"
     """One parameter is given something else than it takes."""
+    EARLY = "early"
+    """The object that it is called on is not initialised yet."""
     ABSENT = "absent"
     """There is no function or method of that name."""
     SWAPPED = "swapped"
@@ -35,7 +37,7 @@ class RefusedCall:
     api: str
     """Canonical name: ``rclpy.node.Node.create_timer``."""
     misuse: Misuse
-    parameters: tuple[str, ...]
+    parameters: tuple[str, ...] = ()
     """Those that it is about; where arguments are too many, those that go by keyword alone."""
     takes: int = 0
     """How many arguments it takes by position, where they are too many."""

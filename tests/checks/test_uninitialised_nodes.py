@@ -1,0 +1,92 @@
+"""API003: constructors that use the node before it is one."""
+
+from __future__ import annotations
+
+import pytest
+
+from checks.judging import Judge
+
+CLASS = """
+import rclpy
+from helpers import prepare
+from rclpy.node import Node
+
+
+class Mixin:
+    def __init__(self, name):
+        self.mixed = name
+
+
+class Robot({bases}):
+    def __init__(self):
+        {body}
+
+    def set_up(self):
+        self.create_timer(1.0, self.tick){mark}
+
+    def tick(self):
+        pass
+"""
+
+
+def robot(*lines: str, bases: str = "Node", mark: str = "") -> str:
+    return CLASS.format(bases=bases, body="\n        ".join(lines), mark=mark)
+
+
+@pytest.mark.parametrize(
+    "source",
+    [
+        robot("self.get_parameter('rate')  # here", "super().__init__('robot')"),
+        robot("self.create_timer(1.0, self.tick)  # here"),
+        robot("self.create_timer(1.0, self.tick)  # here", "self.create_rate(1.0)", "Node.__init__(self, 'robot')"),
+        robot("self.set_up()", "super().__init__('robot')", mark="  # here"),
+        robot("super().__init__('robot')", "self.create_rate(1.0)  # here", bases="Mixin, Node"),
+    ],
+    ids=["before", "never", "by its class", "in a method", "a mixin that does not pass it on"],
+)
+def test_a_node_that_is_used_before_it_is_initialised(judge: Judge, source: str):
+    [finding] = judge("API003", source)
+    assert finding.message.endswith("() fails: Robot has not called super().__init__() yet")
+
+
+@pytest.mark.parametrize(
+    "source",
+    [
+        robot("super().__init__('robot')", "self.create_timer(1.0, self.tick)"),
+        robot("Node.__init__(self, 'robot')", "self.set_up()"),
+        robot("self.name = 'robot'", "super().__init__(self.name)", "self.set_up()"),
+        robot("super().__init__('robot')", "self.set_up()", bases="Node, Mixin"),
+        robot("if rclpy.ok():", "    super().__init__('robot')", "self.set_up()"),
+        robot("prepare(self)", "self.set_up()", bases="prepare.Base"),
+        robot("rclpy.init()"),
+    ],
+    ids=["first", "by its class", "attributes before", "a mixin behind", "undecided", "foreign base", "no use"],
+)
+def test_a_node_that_is_initialised_first(judge: Judge, source: str):
+    judge("API003", source)
+
+
+def test_a_class_that_is_derived_from_calls_the_constructor_of_its_base(judge: Judge):
+    judge(
+        "API003",
+        """
+        from rclpy.node import Node
+
+
+        class Base(Node):
+            def __init__(self, name):
+                super().__init__(name)
+                self.set_up()
+
+            def set_up(self):
+                pass
+
+
+        class Robot(Base):
+            def __init__(self):
+                super().__init__('robot')
+
+            def set_up(self):
+                self.create_timer(1.0, print)
+        """,
+    )
