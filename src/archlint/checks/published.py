@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from archlint.analysis.reach import creations_of, is_given_a_literal
 from archlint.analysis.source_code import SourceCode, source_code
@@ -16,9 +16,10 @@ from archlint.model.given import Collection, Constant, ForeignClass, Given, Goal
 
 if TYPE_CHECKING:
     from archlint.model import ApiCall, Creation
+    from archlint.ros.interfaces import MessageClass
     from archlint.systems.model import System
 
-_SENDS = {
+_SENDS: Final[dict[str, tuple[str, MessageClass]]] = {
     "rclpy.publisher.Publisher.publish": ("msg", ""),
     "rclpy.client.Client.call": ("request", "Request"),
     "rclpy.client.Client.call_async": ("request", "Request"),
@@ -69,7 +70,7 @@ def _sender(call: ApiCall) -> Creation | None:
     return creations[0] if len(creations) == 1 else None
 
 
-def _wrong(given: Given, type_: str, section_name: str) -> str | None:
+def _wrong(given: Given, type_: str, section_name: MessageClass) -> str | None:
     """What is given, in words, if it is certainly not what is wanted."""
     match given:
         case Message():
@@ -87,7 +88,7 @@ def _wrong(given: Given, type_: str, section_name: str) -> str | None:
     return None
 
 
-def _finding(call: ApiCall, creation: Creation, argument: str, section_name: str, given: str) -> Finding:
+def _finding(call: ApiCall, creation: Creation, argument: str, section_name: MessageClass, given: str) -> Finding:
     method = call.api.rpartition(".")[2]
     wanted = _words(creation.type or "", section_name)
     return finding(
@@ -108,5 +109,5 @@ def _of_one_endpoint(findings: Sequence[Finding]) -> Finding:
     return with_others(findings, "another call is", "more calls are", "wrong in the same way on the same endpoint")
 
 
-def _words(type_: str, section_name: str) -> str:
+def _words(type_: str, section_name: MessageClass) -> str:
     return f"{type_}.{section_name}" if section_name else type_

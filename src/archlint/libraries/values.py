@@ -13,6 +13,7 @@ from archlint.syntax.parts import Itself
 if TYPE_CHECKING:
     from archlint.finding import Place
     from archlint.model import Blueprint, Creation, ExecutorUse
+    from archlint.ros.interfaces import MessageClass
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -92,7 +93,7 @@ class MessageValue(ForeignValue):
     has_content: ClassVar[bool] = True
 
     type: str
-    section_name: str = ""
+    section_name: MessageClass = ""
     key: int = 0
 
     @property

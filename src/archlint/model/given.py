@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from archlint.finding import Place
     from archlint.model.executors import ExecutorUse
     from archlint.model.nodes import Blueprint, Creation
+    from archlint.ros.interfaces import MessageClass
 
 
 @dataclass(frozen=True, slots=True)
@@ -116,7 +117,7 @@ class Message(Given):
     """A message; ``section_name`` is ``Request``, ``Goal`` … for the part of a service or an action."""
 
     type: str
-    section_name: str
+    section_name: MessageClass
 
 
 @dataclass(eq=False)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Literal
 if TYPE_CHECKING:
     from archlint.finding import Place
     from archlint.model.nodes import Blueprint, Creation
-    from archlint.ros.interfaces import InterfaceKind
+    from archlint.ros.interfaces import InterfaceKind, MessageClass
 
 
 Access = Literal["read", "write", "keyword", "constant"]
@@ -37,7 +37,7 @@ class FieldUse:
 
     place: Place
     type: str
-    section_name: str
+    section_name: MessageClass
     name: str
     access: Access
     exists: bool | None

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Mapping
 from types import MappingProxyType
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 from archlint.ros import standard_interfaces
 from archlint.syntax.interfaces import (
@@ -22,7 +22,21 @@ from archlint.syntax.interfaces import (
 if TYPE_CHECKING:
     from archlint.workspace.model import SourceFile
 
-_SECTIONS: Mapping[str, SectionName] = {
+MessageClass = Literal[
+    "",
+    "Request",
+    "Response",
+    "Event",
+    "Goal",
+    "Result",
+    "Feedback",
+    "Impl",
+    "FeedbackMessage",
+    "GetResultResponse",
+]
+"""Which class of an interface a message is of: that of a message itself is empty; an action's client gets its feedback
+and its result in the last two."""
+_SECTIONS: Mapping[MessageClass, SectionName] = {
     "": "message",
     "Request": "request",
     "Response": "response",
@@ -30,7 +44,7 @@ _SECTIONS: Mapping[str, SectionName] = {
     "Result": "result",
     "Feedback": "feedback",
 }
-_WRAPPERS = {
+_WRAPPERS: Mapping[MessageClass, Section] = {
     "FeedbackMessage": Section(
         "feedback message",
         [
@@ -44,6 +58,8 @@ _WRAPPERS = {
     ),
 }
 """What rclpy wraps the feedback and the result of every action in, on their way to the client."""
+_WRAPPED: Mapping[str, MessageClass] = {"result": "Result", "feedback": "Feedback"}
+"""The fields of these that have what is wrapped."""
 
 
 def parts_of_type(interface: str) -> tuple[str, InterfaceKind, str]:
@@ -213,7 +229,7 @@ class InterfaceTable:
         standard = standard_interfaces.table().interfaces.get(name)
         return None if standard is None else standard.text
 
-    def section(self, name: str, section_name: str) -> Section | None:
+    def section(self, name: str, section_name: MessageClass) -> Section | None:
         if section_name in _WRAPPERS:
             return _WRAPPERS[section_name]
         interface = self.get(name)
@@ -222,7 +238,7 @@ class InterfaceTable:
             return None
         return next((section for section in interface.sections if section.name == wanted), None)
 
-    def has(self, name: str, section_name: str, attribute: str) -> bool | None:
+    def has(self, name: str, section_name: MessageClass, attribute: str) -> bool | None:
         """Whether a message has a field or constant; None where its definition is not known in full."""
         if section_name in _WRAPPERS:
             return _WRAPPERS[section_name].field(attribute) is not None
@@ -231,7 +247,7 @@ class InterfaceTable:
             return None
         return section.field(attribute) is not None or any(c.name == attribute for c in section.constants)
 
-    def field_type(self, name: str, section_name: str, field: str) -> FieldType | None:
+    def field_type(self, name: str, section_name: MessageClass, field: str) -> FieldType | None:
         """The type of a field, its name in full; None where it is not known or differs between distributions."""
         section = None if section_name in _WRAPPERS else self.section(name, section_name)
         definition = None if section is None else section.field(field)
@@ -240,7 +256,7 @@ class InterfaceTable:
         kind = definition.type
         return FieldType(kind.qualified(name.partition("/")[0]), kind.array, kind.size, kind.string_bound)
 
-    def inside(self, name: str, section_name: str, attribute: str) -> str | None:
+    def inside(self, name: str, section_name: MessageClass, attribute: str) -> str | None:
         """The one field of a message whose message has a field of this name; None where there is none, or several."""
         section = self.section(name, section_name)
         inner = [
@@ -250,10 +266,10 @@ class InterfaceTable:
         having = [field for field, (kind, of) in inner if kind and self.has(kind, of, attribute)]
         return having[0] if len(having) == 1 else None
 
-    def _interface_in(self, name: str, section_name: str, field: str) -> tuple[str, str]:
+    def _interface_in(self, name: str, section_name: MessageClass, field: str) -> tuple[str, MessageClass]:
         """The interface and the section that a field has; empty where it is something else, or several."""
         if section_name in _WRAPPERS:
-            return (name, field.capitalize()) if field in ("result", "feedback") else ("", "")
+            return (name, _WRAPPED[field]) if field in _WRAPPED else ("", "")
         kind = self.field_type(name, section_name, field)
         return ("", "") if kind is None or kind.is_primitive or kind.array else (kind.name, "")
 
@@ -261,7 +277,7 @@ class InterfaceTable:
         standard = standard_interfaces.table().interfaces.get(name)
         return standard is not None and field in standard.varies
 
-    def constant(self, name: str, section_name: str, constant: str) -> str | int | float | bool | None:
+    def constant(self, name: str, section_name: MessageClass, constant: str) -> str | int | float | bool | None:
         """The value of a constant, or None.  Constants of services are on ``Srv.Request`` and ``Srv.Response``;
         those of messages on the class."""
         section = self.section(name, section_name)
@@ -273,4 +289,4 @@ class InterfaceTable:
         return None
 
 
-__all__ = ["InterfaceKind", "InterfaceTable", "parts_of_type", "type_of_file"]
+__all__ = ["InterfaceKind", "InterfaceTable", "MessageClass", "parts_of_type", "type_of_file"]

@@ -17,6 +17,7 @@ from archlint.libraries.values import EntityValue, FutureValue, MessageValue
 if TYPE_CHECKING:
     from archlint.libraries.api_use import ApiUse
     from archlint.libraries.run import Run
+    from archlint.ros.interfaces import MessageClass
 GOAL_HANDLE = External("rclpy.action.server.ServerGoalHandle")
 
 
@@ -24,7 +25,7 @@ def default_arguments(run: Run, role: model.Role, creation: model.Creation | Non
     """What rclpy calls a callback of this role with."""
     type_ = creation.type if creation is not None and not _may_be_another_type(call) else None
 
-    def message(part: str) -> Value:
+    def message(part: MessageClass) -> Value:
         if type_ is None:
             return Unknown("a message of unknown type")
         return MessageValue(type_, part, run.store.new_key())

@@ -11,6 +11,7 @@ from archlint.syntax import facts
 
 if TYPE_CHECKING:
     from archlint.libraries.run import Run
+    from archlint.ros.interfaces import MessageClass
 
 
 def note_made(run: Run, message: MessageValue, expression: facts.Call | None) -> None:
@@ -24,7 +25,7 @@ def note_made(run: Run, message: MessageValue, expression: facts.Call | None) ->
 
 
 def make(
-    run: Run, interface: str, section_name: str, keywords: dict[str, Value], expression: facts.Call | None
+    run: Run, interface: str, section_name: MessageClass, keywords: dict[str, Value], expression: facts.Call | None
 ) -> Value:
     """An object of an interface class, as its constructor is called."""
     message = MessageValue(interface, section_name, run.store.new_key())

@@ -11,7 +11,7 @@ from archlint.model import FieldUse
 
 if TYPE_CHECKING:
     from archlint.libraries.run import Run
-    from archlint.ros.interfaces import InterfaceTable
+    from archlint.ros.interfaces import InterfaceTable, MessageClass
     from archlint.syntax.facts import Span
 _CONSTANT = re.compile(r"[A-Z][A-Z0-9_]*\Z")
 
@@ -47,6 +47,6 @@ def note_constant(run: Run, path: str, name: str, span: Span) -> None:
 
 def _section_with(interfaces: InterfaceTable, interface: str, constant: str) -> str | None:
     """The class of a service or action that has a constant: ``Dock.Response``."""
-    sections = ("Request", "Response", "Goal", "Result", "Feedback")
+    sections: tuple[MessageClass, ...] = ("Request", "Response", "Goal", "Result", "Feedback")
     having = (section for section in sections if interfaces.constant(interface, section, constant) is not None)
     return next((f"{interface.rpartition('/')[2]}.{section}" for section in having), None)

@@ -4,8 +4,12 @@ from __future__ import annotations
 
 import re
 from functools import lru_cache
+from typing import TYPE_CHECKING, Final
 
 from archlint.libraries import tables
+
+if TYPE_CHECKING:
+    from archlint.ros.interfaces import MessageClass
 
 NODE = "rclpy.node.Node"
 LIFECYCLE_NODE = "rclpy.lifecycle.node.LifecycleNode"
@@ -222,7 +226,15 @@ def method(cls: str, name: str) -> str:
 
 
 _INTERFACE = re.compile(r"^([a-z][a-z0-9_]*)\.(msg|srv|action)\.(?:_\w+\.)?([A-Z]\w*)((?:\.\w+)*)$")
-_PARTS = frozenset({"Request", "Response", "Event", "Goal", "Result", "Feedback", "Impl"})
+_PARTS: Final[dict[str, MessageClass]] = {
+    "Request": "Request",
+    "Response": "Response",
+    "Event": "Event",
+    "Goal": "Goal",
+    "Result": "Result",
+    "Feedback": "Feedback",
+    "Impl": "Impl",
+}
 _PART_NAME = re.compile(r"^(\w+)_(Request|Response|Goal|Result|Feedback)$")
 
 
@@ -240,7 +252,7 @@ def is_interface(text: str) -> bool:
 
 
 @lru_cache(maxsize=4096)
-def interface_and_section(path: str) -> tuple[str | None, str]:
+def interface_and_section(path: str) -> tuple[str | None, MessageClass]:
     """``std_msgs.msg.String`` → ``("std_msgs/msg/String", "")``; with ``.Request`` and the like as part."""
     match = _INTERFACE.match(path)
     if match is None:
@@ -250,8 +262,8 @@ def interface_and_section(path: str) -> tuple[str | None, str]:
     if not parts:
         flat = _PART_NAME.match(name)
         if flat is not None and kind != "msg":
-            return f"{package}/{kind}/{flat.group(1)}", flat.group(2)
+            return f"{package}/{kind}/{flat.group(1)}", _PARTS[flat.group(2)]
         return f"{package}/{kind}/{name}", ""
     if len(parts) == 1 and parts[0] in _PARTS:
-        return f"{package}/{kind}/{name}", parts[0]
+        return f"{package}/{kind}/{name}", _PARTS[parts[0]]
     return None, ""
