@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.callback_roles import callback_words, runs_in_executor
 from archlint.analysis.reach import calls_of, creations_of, node_name, one_for_each_place
 from archlint.analysis.taken_down import is_taken_down
-from archlint.checks.folding import folds
+from archlint.checks.folding import folds, with_other_places
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
@@ -129,8 +128,4 @@ def _once(creation: Creation, function: str, varies: bool) -> str:
 @folds("EXE005")
 def _of_one_function(findings: Sequence[Finding]) -> Finding:
     """The finding for all that a function creates each time: one change mends it."""
-    first, *others = findings
-    more = (
-        Related(other.place, "another one is created here each time") for other in others if other.place != first.place
-    )
-    return replace(first, related=(*first.related, *dict.fromkeys(more)))
+    return with_other_places(findings, "another one is created here each time")

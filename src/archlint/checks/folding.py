@@ -58,6 +58,13 @@ def with_places(findings: Sequence[Finding], beside: str = "") -> Finding:
     )
 
 
+def with_other_places(findings: Sequence[Finding], beside: str) -> Finding:
+    """As :func:`with_places`, each place but that of the first once."""
+    first, *others = findings
+    places = dict.fromkeys(other.place for other in others if other.place != first.place)
+    return replace(first, related=(*first.related, *(Related(place, beside) for place in places)))
+
+
 def of_one_function(findings: Sequence[Finding], noun: str, beside: str) -> Finding:
     """The first finding of a function for all that do the same in it; ``beside`` is said at the others."""
     inside = f"in {findings[0].group[1]}()"

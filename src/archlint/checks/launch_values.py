@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.checks.folding import folds
+from archlint.checks.folding import folds, with_other_places
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
-from archlint.finding import Finding, Related
+from archlint.finding import Finding
 
 if TYPE_CHECKING:
     from archlint.launch.mistakes import NotAPath, WithoutContext
@@ -78,6 +77,4 @@ _NEW = "is called with a new LaunchContext, in which no launch argument has a va
 @folds("LCH008", across_systems=True)
 def _of_one_file(findings: Sequence[Finding]) -> Finding:
     """One finding for what a file does wrong in the same way at several places."""
-    first, *others = findings
-    more = [Related(other.place, "here, too") for other in others if other.place != first.place]
-    return replace(first, related=(*first.related, *dict.fromkeys(more)))
+    return with_other_places(findings, "here, too")
