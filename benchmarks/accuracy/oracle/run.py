@@ -223,7 +223,7 @@ class Oracle:
 
 
 def _merged(workspace: Workspace, jobs: list[Job]) -> dict[str, Any]:
-    """One record for each entity; a site that a plain run reached is told by plain runs alone."""
+    """One record for each entity; a site that a plain run reached is decided by plain runs alone."""
     records: dict[str, Line] = {}
     best: dict[tuple[str, int], int] = {}
     for job in jobs:

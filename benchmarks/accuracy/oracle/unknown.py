@@ -1,4 +1,4 @@
-"""Values that a run cannot know, and how they are told apart from real ones.
+"""Values that a run cannot know, and how they are distinguished from real ones.
 
 `Unknown` stands for whatever a missing module would have given: it can be called, subclassed, unpacked,
 compared, awaited, used as a decorator or in arithmetic. Turned into text it carries private-use
