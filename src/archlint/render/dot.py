@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
+from archlint.observed.model import MISSING
 from archlint.render import look, overview
 from archlint.render.picture import graph_of
 from archlint.systems.graph import NODE, Key
@@ -178,7 +179,7 @@ def _interface(data: dict[str, Any]) -> dict[str, str]:
 
 def _observed_line(bundle: look.Bundle) -> dict[str, str]:
     colour = look.PALETTE[bundle.observed].line
-    drawn = {"color": colour, "penwidth": "1.8", "style": "dashed" if bundle.observed == "missing" else "solid"}
+    drawn = {"color": colour, "penwidth": "1.8", "style": "dashed" if bundle.observed == MISSING else "solid"}
     return drawn | ({"label": bundle.remark, "fontsize": "9", "fontcolor": colour} if bundle.remark else {})
 
 

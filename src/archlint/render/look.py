@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 from archlint.model import EntityKind
 from archlint.ros.qos import Qos
@@ -16,6 +16,8 @@ if TYPE_CHECKING:
     from collections.abc import Iterable
 
     import networkx
+
+    from archlint.observed.model import Status
 
 FONT = "Helvetica,Arial,sans-serif"
 
@@ -216,7 +218,7 @@ class Bundle:
     conditional: bool
     broken: str
     details: str
-    observed: str = ""
+    observed: Status | Literal[""] = ""
     """How the running system differs there, and ``remark`` the same in words; empty where it does not."""
     remark: str = ""
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
+from archlint.observed.model import MISSING
 from archlint.render import look
 from archlint.render.picture import graph_of
 from archlint.systems.graph import NODE, Key
@@ -71,7 +72,7 @@ def _edges(graph: networkx.MultiDiGraph, ids: dict[Key, str]) -> Iterator[str]:
         if bundle.broken:
             arrow = f'--x|"{escape(bundle.broken)}"|'
         if bundle.observed:
-            line = "-.->" if bundle.observed == "missing" else "-->"
+            line = "-.->" if bundle.observed == MISSING else "-->"
             arrow = f'{line}|"{escape(bundle.remark)}"|' if bundle.remark else line
         yield f"  {ids[bundle.tail]} {arrow} {ids[bundle.head]}"
     for node, interface in graph.graph["remapped"]:
@@ -82,8 +83,8 @@ def _coloured_lines(graph: networkx.MultiDiGraph) -> Iterator[str]:
     """Mermaid styles a line by its number."""
     numbers: dict[str, list[str]] = {}
     for number, bundle in enumerate(look.bundles(graph)):
-        style = bundle.observed or ("wrong" if bundle.broken else "")
-        numbers.setdefault(style, []).append(str(number))
+        mark = bundle.observed or ("wrong" if bundle.broken else "")
+        numbers.setdefault(mark, []).append(str(number))
     for style, colours in look.PALETTE.items():
         if style in numbers:
             yield f"  linkStyle {','.join(numbers[style])} stroke:{colours.line},color:{colours.line}"
