@@ -46,7 +46,8 @@ def test_a_command_is_one_that_archlint_understands(words: list[str]):
 
 @pytest.mark.parametrize("option", sorted(set(re.findall(r"`(--[a-z-]+)", README))))
 def test_an_option_is_in_the_help(option: str, capsys: pytest.CaptureFixture[str]):
-    main(["check", "--help"])
+    for command in COMMANDS:
+        main([command, "--help"])
     assert option in capsys.readouterr().out
 
 
