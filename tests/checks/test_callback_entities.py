@@ -318,7 +318,7 @@ class TestSpinning:
         eye = (
             "class Eye(Node):\n    def __init__(self):\n        super().__init__('eye')\n        self.model = load()\n"
             "        self.names = load()\n        self.create_timer(1.0, self.look)\n\n    def look(self):\n"
-            "        pass\n\n\n"
+            "        pass\n\n    def ask(self, model):\n        pass\n\n\n"
         )
         text = source(f"self.eye = Eye()\n{TIMER}", f"def tick(self):\n    {uses}\n")
         [found] = run(text.replace("class Robot", eye + "class Robot", 1))
