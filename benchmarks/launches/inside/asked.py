@@ -8,6 +8,8 @@ from contextlib import contextmanager
 from typing import Any
 
 TRUTH = {"true": "false", "false": "true", "True": "False", "False": "True", "1": "0", "0": "1"}
+MODULES = ("math",)
+"""What an expression imports unless it says otherwise: no value of an argument."""
 MOST = 10
 """How many other values one launch file is run with."""
 
@@ -82,7 +84,7 @@ def follow(launch: Any) -> None:
 
     def text(self: Any, context: Any, kept: Any = TextSubstitution.perform) -> str:
         found = str(kept(self, context))
-        if re.fullmatch(r"[\w.-]+", found):
+        if re.fullmatch(r"[\w.-]+", found) and found not in MODULES:
             note_text(found)
         return found
 

@@ -62,6 +62,7 @@ def _runs(settings: dict[str, Any], path: str) -> list[dict[str, Any]]:
     os.environ.clear()
     os.environ.update(settings["environment"])
     given: dict[str, str] = {}
+    invented: list[str] = []
     for _ in range(20):
         first = apart(_launch, settings, path, given)
         missing = MISSING.search(first["error"] or "")
@@ -75,6 +76,7 @@ def _runs(settings: dict[str, Any], path: str) -> list[dict[str, Any]]:
             given = {**given, missing[1]: GIVEN}
         elif variable is not None and (name := variable[1] or variable[2]) not in os.environ:
             os.environ[name] = "of_the_environment"
+            invented.append(name)
         else:
             break
     others = first.pop("others", [])
@@ -83,6 +85,8 @@ def _runs(settings: dict[str, Any], path: str) -> list[dict[str, Any]]:
         run = apart(_launch, settings, path, arguments)
         run.pop("others", None)
         found.append({**run, "arguments": arguments})
+    for run in found:
+        run["environment"] = sorted({*run.get("environment", ()), *invented})
     return found
 
 
