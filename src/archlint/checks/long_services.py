@@ -46,7 +46,6 @@ RETRYING = 10.0
 """Seconds of pauses between some attempts, of which the first is to work."""
 
 _AN_ACTION = "make it an action: clients then get feedback and a result, and can cancel"
-_IF_TOO_LONG = "if that is too long for the caller, make it an action, with feedback, a result and cancelling"
 _THAT_ACTION = "let clients send a goal to {} of this node instead"
 _Sleep = tuple["ApiCall", Stay]
 
@@ -95,7 +94,7 @@ def _seconds(code: SourceCode, call: ApiCall, stay: Stay) -> float:
 
 
 def _long_service(system: System, program: Program, sleeps: Sequence[_Sleep]) -> Finding | None:
-    """The finding for a handler; None where it is mild, and who minds can send a goal instead."""
+    """The finding for a handler; None where it soon ends, or is mild and who minds can send a goal instead."""
     (call, _), *others = sleeps
     callback = call.context
     further = {other.place: Related(other.place, f"then it {words.words}") for other, words in others}
@@ -105,7 +104,8 @@ def _long_service(system: System, program: Program, sleeps: Sequence[_Sleep]) ->
         total <= SOON and any(limit is not None for sleep_call, _ in sleeps for limit in sleep_call.limits)
     )
     action = _action_beside(callback)
-    if action is not None and (asked or soon):
+    known = all(math.isfinite(in_loops(source_code(system), *sleep)) for sleep in sleeps)
+    if (soon and known) or ((soon or asked) and action is not None):
         return None
     diagnostic = finding_in_callback(
         "SRV008",
@@ -113,7 +113,7 @@ def _long_service(system: System, program: Program, sleeps: Sequence[_Sleep]) ->
         program,
         call,
         f"the handler of {endpoint_words(callback.creation)} {_how_long(source_code(system), sleeps, total, asked)}",
-        help=_IF_TOO_LONG if soon else _AN_ACTION if action is None else _THAT_ACTION.format(endpoint_words(action)),
+        help=_AN_ACTION if action is None else _THAT_ACTION.format(endpoint_words(action)),
         further=further.values(),
         identity=(call.api,),
     )
