@@ -137,6 +137,10 @@ class TestExecutorsAndGroups:
 
         assert found.severity is Severity.WARNING
         assert "since the client is in another callback group" in found.message
+        assert found.help.startswith("send the request with call_async(), return, and publish")
+        ignored = ["self.motor.call(SetBool.Request())  # here", "return response"]
+        [found] = judge("SRV003", gripper(ignored, THREADS, client=", callback_group=self.apart"))
+        assert found.help == "make the handler async, and await call_async(…): no thread is blocked then"
 
     def test_several_threads_and_the_default_group_deadlock(self, judge: Judge):
         [found] = judge("SRV003", gripper(CALL, THREADS))

@@ -43,6 +43,7 @@ _NAMES_SHOWN = 3
 
 _GO_ON = "send the request with call_async(), return, and publish the outcome from the done callback"
 _AWAIT = "make the handler async, give the client its own callback group, and await {}"
+_ONLY_AWAIT = "make the handler async, and await {}: no thread is blocked then"
 _OWN_GROUP = "give {} its own callback group, so that the other callbacks keep running"
 _NOT_WITH_IT = "give {} a different callback group from the handlers that wait here"
 _LONGER = "make the timeout here longer than the total time that {} may wait"
@@ -202,7 +203,8 @@ def _help(
         if verdict.safe and not blocked:
             return _BOUND
         return _IF_IT_CAN if verdict.safe else _GROUP
-    if wait.kind == CALL and _thrown_away(system, wait):
+    resumes = _resumes(wait, verdict)
+    if wait.kind == CALL and _thrown_away(system, wait) and (wait.bounded or not resumes):
         return _GO_ON
     service = endpoint_words(wait.call.context.creation)
     if verdict.safe and wait.bounded and wait.kind != SPIN:
@@ -215,7 +217,14 @@ def _help(
         return _advice_for_another_node(wait, verdict, service)
     if verdict.safe and wait.limited:
         return _IF_IT_CAN
-    return _AWAIT.format("send_goal_async(…)" if wait.client.kind == EntityKind.ACTION_CLIENT else "call_async(…)")
+    advice = _ONLY_AWAIT if resumes else _AWAIT
+    return advice.format("send_goal_async(…)" if wait.client.kind == EntityKind.ACTION_CLIENT else "call_async(…)")
+
+
+def _resumes(wait: Wait, verdict: Verdict) -> bool:
+    """Whether an ``await`` in the handler goes on when the response is there, without any other change: the groups
+    allow it, and the same executor runs both."""
+    return verdict.safe and wait.client.node is wait.call.context.node
 
 
 def _is_spun_here(wait: Wait) -> bool:
