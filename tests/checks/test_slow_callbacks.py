@@ -470,9 +470,9 @@ def test_a_service_that_sleeps_should_be_an_action(run: Run):
         pytest.param("for _ in range(3):\n        time.sleep(0.2)", [], id="a few moments in a loop"),
         pytest.param("for _ in range(30):\n        time.sleep(0.2)", ["SRV008"], id="many moments in a loop"),
         pytest.param("while self.moves():\n        time.sleep(0.05)", ["SRV008"], id="until something has happened"),
-        pytest.param("for _ in self.bytes():\n        time.sleep(0.001)", [], id="a pause between bytes"),
-        pytest.param("for block in self.blocks():\n        time.sleep(0.1)", [], id="a pause between blocks"),
-        pytest.param("for block in self.blocks():\n        time.sleep(1.5)", ["SRV008"], id="a long one"),
+        pytest.param("for _ in port_bytes():\n        time.sleep(0.001)", [], id="a pause between bytes"),
+        pytest.param("for block in port_blocks():\n        time.sleep(0.1)", [], id="a pause between blocks"),
+        pytest.param("for block in port_blocks():\n        time.sleep(1.5)", ["SRV008"], id="a long one"),
         pytest.param("while self.port.in_waiting > 0:\n        time.sleep(0.05)", [], id="until a port is read empty"),
         pytest.param(
             "for attempt in range(3):\n        try:\n            read()\n            break\n        except OSError:\n"
