@@ -257,6 +257,48 @@ self.create_subscription(Empty, 'goal', self.on_goal, 10)
     assert codes(run(source(setup + TIMER, method, ON_ONE_THREAD))) == expected
 
 
+CAMERAS = """
+class File:
+    threaded = False
+
+    def __init__(self, node):
+        self.there = None
+
+    def frame(self, fresh=False):
+        return read()
+
+
+class Topic(File):
+    def __init__(self, node):
+        self.there = threading.Event()
+        node.create_subscription(Empty, 'frames', self.on_frame, 10)
+
+    def on_frame(self, message):
+        self.there.set()
+
+    def frame(self, fresh=False):
+        if fresh:
+            self.there.wait(0.1)
+        return read()
+
+
+"""
+
+
+@pytest.mark.parametrize(
+    ("camera", "expected"),
+    [
+        ("Topic(self) if read() else File(self)", []),
+        ("open_camera(self)", []),
+        ("Topic(self)", ["EXE002"]),
+    ],
+)
+def test_an_event_in_one_of_several_objects(run: Run, camera: str, expected: list[str]):
+    method = "def tick(self):\n    self.camera.frame(fresh=getattr(self.camera, 'kind', read()))\n"
+    text = source(f"self.camera = {camera}\n{TIMER}", method).replace("class Robot", CAMERAS + "class Robot", 1)
+    assert [one for one in codes(run(text)) if one == "EXE002"] == expected
+
+
 def test_an_event_that_a_done_callback_sets_is_the_answer(run: Run):
     method = """
     def tick(self):

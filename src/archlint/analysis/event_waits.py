@@ -12,6 +12,7 @@ from archlint.analysis.kept import once
 from archlint.analysis.opened_guards import is_behind_its_setter
 from archlint.analysis.reach import has_limit, judged_calls
 from archlint.analysis.source_code import source_code
+from archlint.branches import ChoiceOfCallee
 from archlint.model import Role
 from archlint.model.given import Object
 
@@ -57,6 +58,8 @@ def waits_for_events(system: System) -> list[tuple[Program, ApiCall, list[Callba
     for program, call in judged_calls(system):
         if call.api != _WAIT or not isinstance(call.receiver, Object) or not runs_in_executor(call.context):
             continue
+        if any(isinstance(branch, ChoiceOfCallee) for branch, _ in call.branch_arms):
+            continue  # one of several objects waits, and code that has several asks what it has before it calls
         setting = setters.get(call.receiver.identity, [])
         if setting and not is_behind_its_setter(source_code(system), call, setting):
             waits.append((program, call, [setter.context for setter in setting]))
