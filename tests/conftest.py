@@ -42,7 +42,7 @@ def compiled_once() -> Iterator[None]:
     """
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(workers, "can_fork", lambda waiting=0: False)
-        patch.setattr(compiler, "_encoded", lru_cache(maxsize=20_000)(compiler._encoded))
+        patch.setattr(compiler, "encoded", lru_cache(maxsize=20_000)(compiler.encoded))
         yield
 
 

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import io
 import json
+import os
+import subprocess
+import sys
 from contextlib import redirect_stderr
 from pathlib import Path
 
@@ -366,3 +369,46 @@ def test_processes_say_what_each_file_took(workspace: Path, capsys: pytest.Captu
     )
     for number in range(4):
         assert any(line.endswith(f"  node_{number} (node_{number}.py)") for line in lines)
+
+
+# ------------------------------------------------------------------------------------------ a real terminal
+
+
+def on_a_terminal(cwd: Path, *words: str, **more: str) -> str:
+    """What a run whose standard error is a terminal writes there.  It is long enough to say something."""
+    pty = pytest.importorskip("pty")
+    ours, theirs = pty.openpty()
+    code = (
+        "from archlint.cli import main, progress_line; progress_line.DELAY = progress_line.INTERVAL = 0.0; "
+        "main()"  # ends the process as the command does
+    )
+    environment = {**os.environ, "PYTHONPATH": str(Path(progress_line.__file__).parents[2]), "TERM": "xterm", **more}
+    command = [sys.executable, "-c", code, *words, "--no-cache", "--isolated"]
+    with subprocess.Popen(command, cwd=cwd, stdout=subprocess.DEVNULL, stderr=theirs, env=environment):
+        os.close(theirs)
+        written = b""
+        while piece := _read(ours):
+            written += piece
+    os.close(ours)
+    return written.decode()
+
+
+def _read(terminal: int) -> bytes:
+    try:
+        return os.read(terminal, 4096)
+    except OSError:  # nobody writes to it any more
+        return b""
+
+
+def test_a_real_terminal_shows_the_line_and_then_what_follows_it(workspace: Path):
+    *shown, rest = on_a_terminal(workspace, "check").split("\r\n")[0].split("\r")
+    assert any(line.startswith("archlint: ") and "2/2 files read" in line for line in shown)
+    assert shown[-1].isspace()
+    assert rest and not rest.startswith("archlint: ")
+
+
+@pytest.mark.parametrize(("words", "more"), [((), {"CI": "true"}), (("--quiet",), {}), ((), {"TERM": "dumb"})])
+def test_a_real_terminal_shows_none_in_ci_or_if_nobody_wants_one(
+    workspace: Path, words: tuple[str, ...], more: dict[str, str]
+):
+    assert "files read" not in on_a_terminal(workspace, "check", *words, **more)

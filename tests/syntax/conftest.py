@@ -7,10 +7,10 @@ import pytest
 from archlint.syntax import compile as compiler
 from archlint.syntax import workers
 
-CAN_FORK, ENCODED = workers.can_fork, compiler._encoded
+CAN_FORK, ENCODED = workers.can_fork, compiler.encoded
 
 
 @pytest.fixture(autouse=True)
 def compiled_anew(compiled_once: None, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(workers, "can_fork", CAN_FORK)
-    monkeypatch.setattr(compiler, "_encoded", ENCODED)
+    monkeypatch.setattr(compiler, "encoded", ENCODED)

@@ -19,11 +19,13 @@ from archlint.cli.options import (
     add_observed,
     add_paths,
     add_running,
+    add_scheduler,
     add_talking,
     launch_of,
     linked_of,
     observed_of,
     paths_of,
+    pool_of,
     settings_of,
 )
 from archlint.cli.watch import Watch
@@ -77,6 +79,7 @@ def parser() -> argparse.ArgumentParser:
     add_facts(parser)
     add_configuration(parser)
     add_running(parser)
+    add_scheduler(parser)
     add_talking(parser)
     return parser
 
@@ -113,8 +116,8 @@ def run(arguments: argparse.Namespace) -> int:
     )
     watch = Watch(sys.stderr, arguments.quiet, arguments.verbose)
     try:
-        with watch as monitor:
-            report = check(replace(request, monitor=monitor))
+        with pool_of(arguments) as pool, watch as monitor:
+            report = check(replace(request, monitor=monitor, pool=pool))
     except NothingToDo as error:
         raise UsageError(str(error)) from None
     failing = Severity.parse(arguments.severity)
@@ -140,7 +143,15 @@ def run(arguments: argparse.Namespace) -> int:
 
 def _keeper(arguments: argparse.Namespace) -> Keeper | None:
     """Who keeps what is said, where that is all that the command does, and each time the same."""
-    does_more = (arguments.file, arguments.output, arguments.observed, arguments.facts, arguments.fix, arguments.diff)
+    does_more = (
+        arguments.file,
+        arguments.output,
+        arguments.observed,
+        arguments.facts,
+        arguments.scheduler,
+        arguments.fix,
+        arguments.diff,
+    )
     says_more = arguments.statistics, arguments.verbose, not reports.FORMATS[arguments.format].lasting
     if any((*does_more, *says_more, arguments.no_cache)):
         return None

@@ -16,8 +16,10 @@ from archlint.cli.options import (
     add_configuration,
     add_paths,
     add_running,
+    add_scheduler,
     add_talking,
     paths_of,
+    pool_of,
     settings_of,
 )
 from archlint.cli.watch import Watch
@@ -42,6 +44,7 @@ def parser() -> argparse.ArgumentParser:
     )
     add_configuration(parser)
     add_running(parser)
+    add_scheduler(parser)
     add_talking(parser)
     return parser
 
@@ -59,8 +62,10 @@ def run(arguments: argparse.Namespace) -> int:
     request = Request(paths, settings, cached=not arguments.no_cache, jobs=arguments.jobs)
     watch = Watch(sys.stderr, arguments.quiet, arguments.verbose)
     try:
-        with watch as monitor:
-            written = write_facts(replace(request, monitor=monitor), Path(arguments.folder), arguments.prefix)
+        with pool_of(arguments) as pool, watch as monitor:
+            written = write_facts(
+                replace(request, monitor=monitor, pool=pool), Path(arguments.folder), arguments.prefix
+            )
     except (NothingToDo, FactsError) as error:
         raise UsageError(str(error)) from None
     if not arguments.quiet:

@@ -17,11 +17,13 @@ from archlint.cli.options import (
     add_observed,
     add_paths,
     add_running,
+    add_scheduler,
     add_talking,
     launch_of,
     linked_of,
     observed_of,
     paths_of,
+    pool_of,
     settings_of,
 )
 from archlint.cli.watch import Watch
@@ -49,6 +51,7 @@ def parser() -> argparse.ArgumentParser:
     add_facts(parser)
     add_configuration(parser)
     add_running(parser)
+    add_scheduler(parser)
     add_talking(parser)
     return parser
 
@@ -75,8 +78,8 @@ def run(arguments: argparse.Namespace) -> int:
     color = to_terminal and console.wants_color(arguments.color, sys.stdout)
     watch = Watch(sys.stderr, arguments.quiet, arguments.verbose)
     try:
-        with watch as monitor:
-            drawn = draw(replace(request, monitor=monitor), format, color, arguments.all)
+        with pool_of(arguments) as pool, watch as monitor:
+            drawn = draw(replace(request, monitor=monitor, pool=pool), format, color, arguments.all)
     except (NothingToDo, CannotDraw) as error:
         raise UsageError(str(error)) from None
     if isinstance(drawn.output, str) and to_terminal:
@@ -99,7 +102,14 @@ def run(arguments: argparse.Namespace) -> int:
 
 def _keeper(arguments: argparse.Namespace, format: render.FormatName) -> Keeper | None:
     """Who keeps what is said, where that is all that the command does, and each time the same."""
-    does_more = arguments.file, arguments.observed, arguments.facts, arguments.verbose, arguments.no_cache
+    does_more = (
+        arguments.file,
+        arguments.observed,
+        arguments.facts,
+        arguments.scheduler,
+        arguments.verbose,
+        arguments.no_cache,
+    )
     if any(does_more) or render.FORMATS[format].drawn:
         return None
     return Keeper(arguments.words, console.terminal(), (arguments.launch or ())[:1])

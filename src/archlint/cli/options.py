@@ -4,17 +4,19 @@ from __future__ import annotations
 
 import argparse
 import os
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, NoReturn
 
-from archlint.cli import COMMANDS
+from archlint.cli import COMMANDS, console
 from archlint.cli.exits import UsageError
 from archlint.suggestions import did_you_mean, meant, nearest
 
 if TYPE_CHECKING:
     from archlint.config.settings import Settings
+    from archlint.engine.executors import ExecutorPool
     from archlint.engine.linked_facts import LinkedFacts
     from archlint.observed.model import Observed
 
@@ -51,6 +53,34 @@ def add_running(parser: argparse.ArgumentParser) -> None:
     group.add_argument("--no-cache", action="store_true", help="neither read nor write the cache")
     group.add_argument("--cache-dir", metavar="DIR", help="the folder of the cache")
     group.add_argument("--jobs", metavar="N", type=_positive, help="the maximum number of processes")
+
+
+def add_scheduler(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--scheduler",
+        metavar="ADDRESS",
+        help="compile and follow programs on the Dask cluster with this scheduler, such as tcp://10.0.0.1:8786 "
+        "(needs archlint[dask])",
+    )
+
+
+@contextmanager
+def pool_of(arguments: argparse.Namespace) -> Iterator[ExecutorPool | None]:
+    """The machines of ``--scheduler``.  Raises :class:`UsageError` where they cannot be used."""
+    if arguments.scheduler is None:
+        yield None
+        return
+    from archlint.engine.dask_cluster import dask_cluster  # most runs are on one machine
+    from archlint.engine.executors import PoolError
+
+    try:
+        with dask_cluster(arguments.scheduler) as pool:
+            yield pool
+    except PoolError as error:
+        raise UsageError(f"--scheduler: {error}") from None
+    if pool.lost and not arguments.quiet:
+        tasks = "1 task" if pool.lost == 1 else f"{pool.lost} tasks"
+        console.note(f"archlint: warning: {tasks} did not come back from the cluster and ran here instead")
 
 
 def add_launch(parser: argparse.ArgumentParser) -> None:

@@ -31,16 +31,16 @@ _BULK = (".dae", ".stl", ".obj", ".ply", ".pcd", ".csv", ".svg", ".ipynb")
 
 
 def shards_of(
-    workspace: Workspace, facts: FactsOfFiles, paths: Sequence[str], base: Path, prefix: str
+    workspace: Workspace, facts: FactsOfFiles, paths: Sequence[str], base: Path, prefix: str = "", whole: bool = False
 ) -> dict[str, Shard]:
-    """The shards of what ``paths`` lead to, by the folders that they are about.
+    """The shards of what ``paths`` lead to, or of the ``whole`` workspace, by the folders that they are about.
 
     Paths become relative to ``base``, below ``prefix``.  Raises :class:`FactsError` for what does not lie there.
     """
-    asked = [file for file in workspace.files if not file.context]
+    asked = [file for file in workspace.files if whole or not file.context]
     owners = _Owners(workspace, base)
     packages = {owner for file in asked if (owner := owners.of(file.path)) != ""}
-    files = [file for file in workspace.files if not file.context or owners.of(file.path) in packages]
+    files = [file for file in workspace.files if whole or not file.context or owners.of(file.path) in packages]
     collecting = _Collecting(base, Path(workspace.root), {file.path for file in files})
     asked_folders = [os.path.abspath(path) for path in paths if os.path.isdir(path)]
     for folder in (*asked_folders, *sorted(os.path.join(base, package) for package in packages)):

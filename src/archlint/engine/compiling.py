@@ -17,9 +17,9 @@ def compiled(request: Request, workspace: Workspace, store: Store | NullStore) -
     """The facts of the Python files."""
     linked = request.linked
     if linked is None:
-        facts = FactsOfFiles(store, _screen_words, request.jobs, request.monitor)
+        facts = FactsOfFiles(store, _screen_words, request.jobs, request.monitor, pool=request.pool)
     else:
-        facts = FactsOfFiles(linked.cache, _screen_words, request.jobs, request.monitor, linked.read)
+        facts = FactsOfFiles(linked.cache, _screen_words, request.jobs, request.monitor, linked.read, request.pool)
     facts.prepare(python_files(workspace), {package.name for package in workspace.packages if package.catkin_code})
     return facts
 

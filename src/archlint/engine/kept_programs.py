@@ -34,6 +34,8 @@ class ProgramCache:
     workspace: Workspace
     facts: FactsOfFiles
     tree: SourceTree
+    code: list[tuple[str, int, int]] | None = None
+    """That of the archlint that asks (:func:`own_code`), where another process follows the programs."""
 
     def __post_init__(self) -> None:
         self._by_path = {file.path: file for file in self.workspace.files}
@@ -58,7 +60,7 @@ class ProgramCache:
             for name, package_words in sorted(words.items())
             if _MAKES_INTERFACES in package_words
         }
-        surroundings = _digest([own_code(), making, generated, self._interfaces()])
+        surroundings = _digest([self.code or own_code(), making, generated, self._interfaces()])
         payload = self.store.get_programs(self._key)
         kept = KeptPrograms(index, self._fingerprint, surroundings, import_now, payload, lasts=self.lasts)
         self._opened[self._key] = kept
@@ -78,7 +80,7 @@ class ProgramCache:
             for file in self.workspace.files
         ]
         installed = [_plain(install) for _, install in sorted(installs.items())]
-        surroundings = _digest([own_code(), files, installed, beside])
+        surroundings = _digest([self.code or own_code(), files, installed, beside])
         key = f"launches-{self._key}"
         payload = self.store.get_programs(key)
         kept = KeptLaunches(index, self._fingerprint, surroundings, import_now, payload, self.tree.ask, self.lasts)

@@ -14,6 +14,7 @@ from msgspec import structs
 from archlint.engine.facts_file import FileRow, ProblemRow, PythonRow, Shard
 from archlint.engine.facts_folder import FactsError, read
 from archlint.syntax.cache import NullStore, Stamp, digest_of
+from archlint.syntax.files import source_digest
 from archlint.syntax.python.gate import Refusal
 from archlint.workspace.discovery import Excluder
 from archlint.workspace.membership import place
@@ -24,11 +25,11 @@ _Row = TypeVar("_Row")
 
 
 class LinkedFacts:
-    """The facts of some shards, by the names that errors give them.  All files lie below the working directory, as far
-    as anybody can tell.  Raises :class:`FactsError` for shards that contradict each other."""
+    """The facts of some shards, by the names that errors give them.  All files lie below ``base`` (the working
+    directory), as far as anybody can tell.  Raises :class:`FactsError` for shards that contradict each other."""
 
-    def __init__(self, shards: Mapping[str, Shard]) -> None:
-        self._base = Path.cwd()
+    def __init__(self, shards: Mapping[str, Shard], base: str | None = None) -> None:
+        self._base = Path(base or os.getcwd())
         self._shards = list(shards.values())
         self._entries = _merged({name: shard.entries for name, shard in shards.items()})
         files = _merged(
@@ -44,7 +45,7 @@ class LinkedFacts:
         python = _merged({name: shard.python for name, shard in shards.items()})
         folders = [folder for shard in self._shards for folder in shard.folders]
         self.tree = Snapshot(self._base, self._entries, folders)
-        self.cache = FactsCache({self._path(path): row for path, row in python.items()})
+        self.cache = FactsCache({self._path(path): (self._digest(path, row), row) for path, row in python.items()})
 
     @classmethod
     def of_folders(cls, folders: Sequence[str]) -> LinkedFacts:
@@ -80,6 +81,11 @@ class LinkedFacts:
             raise OSError(number, os.strerror(number), file.relative)
         return entry.data
 
+    def _digest(self, path: str, row: PythonRow) -> str:
+        """That of the source, which is the same wherever it is compiled."""
+        data = self._entries[path].data
+        return digest_of(row.screened + b"\0" + row.facts) if data is None else source_digest(data)
+
     def _path(self, path: str) -> str:
         return os.path.normpath(self._base / path)
 
@@ -93,12 +99,12 @@ class LinkedFacts:
 class FactsCache(NullStore):
     """A cache that knows every file: what it says, and what the screen says of it."""
 
-    def __init__(self, rows: Mapping[str, PythonRow]) -> None:
+    def __init__(self, rows: Mapping[str, tuple[str, PythonRow]]) -> None:
         self._digests: dict[str, str] = {}
         self._payloads: dict[str, bytes] = {}
-        for path, row in rows.items():
+        for path, (digest, row) in rows.items():
             if row.facts:
-                digest = self._digests[path] = digest_of(row.screened + b"\0" + row.facts)
+                self._digests[path] = digest
                 self._payloads[digest] = row.screened or row.facts
                 self._payloads[f"all-{digest}"] = row.facts
 

@@ -93,8 +93,22 @@ def systems_of(inputs: Inputs, facts: FactsOfFiles) -> list[System]:
     return systems
 
 
+def follow_part(inputs: Inputs, facts: FactsOfFiles, modules: Sequence[str], code: list[tuple[str, int, int]]) -> bytes:
+    """The programs of some modules, by their paths, as they are kept by a run of the archlint that ``code`` says."""
+    workspace, faults = inputs.workspace, Faults()
+    files = WorkspaceFiles(workspace.files, facts.facts_of, facts.relevant, inputs.tree)
+    installs = read_installs(workspace.packages, files, faults)
+    linker, _ = _linker(inputs, facts, files, installs, faults, code)
+    return linker.follow_part(entry_points(installs, workspace.files), modules)
+
+
 def _linker(
-    inputs: Inputs, facts: FactsOfFiles, files: WorkspaceFiles, installs: Mapping[str, Installs], faults: Faults
+    inputs: Inputs,
+    facts: FactsOfFiles,
+    files: WorkspaceFiles,
+    installs: Mapping[str, Installs],
+    faults: Faults,
+    code: list[tuple[str, int, int]] | None = None,
 ) -> tuple[Linker, ProgramCache]:
     """What follows the programs, and what keeps them."""
     request, workspace, tree = inputs.request, inputs.workspace, inputs.tree
@@ -103,17 +117,25 @@ def _linker(
     names = Counter(package.name for package in workspace.packages)
     without = [name for name, install in installs.items() if install.generates_nothing and names[name] == 1]
     interfaces = InterfaceTable(workspace.files, lambda file: tree.text(file.relative), words, generated, without)
-    cache = ProgramCache(inputs.store, workspace, facts, tree)
+    cache = ProgramCache(inputs.store, workspace, facts, tree, code)
 
     def keep(index: ModuleIndex, import_now: Callable[[Iterable[str]], None]) -> KeptPrograms:
         parts = {name: sorted(interfaces) for name, interfaces in generated.items()}
         return cache.open(index, import_now, words, parts, without)
 
     jobs = request.jobs or os.cpu_count() or 1
-    keeps = jobs > 1 or not isinstance(inputs.store, NullStore)
+    keeps = jobs > 1 or request.pool is not None or not isinstance(inputs.store, NullStore)
     kept = keep if keeps else None
-    linker = Linker(files, interfaces, faults, kept, jobs, request.monitor)
+    linker = Linker(files, interfaces, faults, kept, jobs, request.monitor, _elsewhere(inputs, facts))
     return linker, cache
+
+
+def _elsewhere(inputs: Inputs, facts: FactsOfFiles) -> Callable[[Sequence[Sequence[str]], KeptPrograms], None] | None:
+    if inputs.request.pool is None:
+        return None
+    from archlint.engine.link_elsewhere import follow_elsewhere  # most runs are on one machine
+
+    return follow_elsewhere(inputs, facts)
 
 
 def _no_launch_file(request: Request, files: LaunchFiles) -> str:

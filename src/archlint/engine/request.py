@@ -9,6 +9,7 @@ from archlint.monitor import Monitor
 
 if TYPE_CHECKING:
     from archlint.config.settings import Settings
+    from archlint.engine.executors import ExecutorPool
     from archlint.engine.keeper import Keeper
     from archlint.engine.linked_facts import LinkedFacts
     from archlint.observed.model import Observed
@@ -40,3 +41,5 @@ class Request:
     """Who keeps what is said of the result, where an equal command may get the same answer."""
     linked: LinkedFacts | None = field(default=None, compare=False, repr=False)
     """The facts of all files, where what lies on the disk is not to be read."""
+    pool: ExecutorPool | None = field(default=None, compare=False, repr=False)
+    """Who compiles and follows programs, if not processes of this machine."""

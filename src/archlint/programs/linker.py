@@ -8,7 +8,7 @@ the arguments of its callers where there are any.
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING
@@ -74,6 +74,7 @@ class Linker:
         keep: Callable[[ModuleIndex, Callable[[Iterable[str]], None]], KeptPrograms] | None = None,
         jobs: int = 1,
         monitor: Monitor | None = None,
+        elsewhere: Callable[[Sequence[Sequence[str]], KeptPrograms], None] | None = None,
     ) -> None:
         self.index = ModuleIndex(files.files, files.facts_of)
         self.earlier = EarlierImports(
@@ -86,6 +87,8 @@ class Linker:
         self.relevant = files.relevant
         self.interfaces = interfaces
         self.jobs = jobs
+        self._elsewhere = elsewhere
+        """Follows groups of programs on other machines, each given as the paths of its modules."""
         self.monitor = monitor or Monitor()
         self.store = Store()
         self.faults = faults or Faults()
@@ -99,17 +102,11 @@ class Linker:
     # ----------------------------------------------------------------------------------------- programs
 
     def run_all(self, entry_points: list[EntryPoint]) -> list[model.Program]:
-        ordered = sorted(entry_points, key=lambda e: (e.package or "", e.executable))
-        entries = [(entry, module) for entry in ordered if (module := self.module_of(entry)) is not None]
-        modules = [m for m in (self._relevant_module(file) for file in self.files) if m is not None]
+        entries, modules = self._starts(entry_points)
         self.monitor.following(len(entries) + len(modules))
         if sum(module.file.size for module in modules) > WORTH_IT:
             every = {module.file.path: module for module in (*modules, *(module for _, module in entries))}
-            self.ahead(
-                lambda: [
-                    self._part(group, entries, modules) for group in independent_groups(every.values(), self.index)
-                ]
-            )
+            self._follow_groups(lambda: independent_groups(every.values(), self.index), entries, modules)
         self._run_in_order(entries, modules)
         programs = self.progress.programs
         prune_uncalled(programs)
@@ -119,6 +116,32 @@ class Linker:
         self._settled = True
         self.progress.budget = Budget()  # for what launch files run again
         return [program for program in programs if _says_something(program)]
+
+    def follow_part(self, entry_points: list[EntryPoint], paths: Collection[str]) -> bytes:
+        """The programs of some modules, by their paths, as they are kept: another process has the rest.  There is
+        something that keeps them."""
+        assert isinstance(self.kept, KeptPrograms)
+        self.kept.is_worker = True
+        entries, modules = self._starts(entry_points)
+        every = {module.file.path: module for module in (*modules, *(module for _, module in entries))}
+        self._part([every[path] for path in paths if path in every], entries, modules)()
+        return self.kept.take_new()
+
+    def _starts(self, entry_points: list[EntryPoint]) -> tuple[list[Entry], list[Module]]:
+        """What is started, and the modules that matter."""
+        ordered = sorted(entry_points, key=lambda e: (e.package or "", e.executable))
+        entries = [(entry, module) for entry in ordered if (module := self.module_of(entry)) is not None]
+        modules = [m for m in (self._relevant_module(file) for file in self.files) if m is not None]
+        return entries, modules
+
+    def _follow_groups(
+        self, groups: Callable[[], list[list[Module]]], entries: Sequence[Entry], modules: Sequence[Module]
+    ) -> None:
+        """Follow groups of programs ahead, on other machines or in processes."""
+        if self._elsewhere is None:
+            self.ahead(lambda: [self._part(group, entries, modules) for group in groups()])
+        elif isinstance(self.kept, KeptPrograms) and not self.kept.is_mostly_known():
+            self._elsewhere([[module.file.path for module in group] for group in groups()], self.kept)
 
     def ahead(self, parts: Callable[[], Sequence[Callable[[], object]]]) -> None:
         """Do parts of the work that follow programs in processes of their own, where that is worth it."""

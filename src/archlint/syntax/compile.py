@@ -2,23 +2,20 @@
 
 from __future__ import annotations
 
-import gc
 import os
-import time
 from collections.abc import Sequence
-from contextlib import contextmanager
 from typing import TYPE_CHECKING, NamedTuple
 
 from msgspec import structs
 
 from archlint.syntax import workers
 from archlint.syntax.facts import FACTS_VERSION, Facts, FileProblem, encode
+from archlint.syntax.pools import OneProcess, Processes, paused_collection
 from archlint.syntax.python import gate
 from archlint.syntax.python.deep_stack import DEEP_LIMIT, STOCK_LIMIT, call_with_deep_stack, recursion_limit
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
-
+    from archlint.syntax.pools import Pool
     from archlint.syntax.workers import Answer, OnDone
 
 CRASHED = "crashes the parser"
@@ -36,7 +33,7 @@ _LASTING, _PASSING = b"+", b"-"
 
 def compile_python(text: str) -> Facts:
     """The facts of one text, made in this process.  Never raises for what is in the text."""
-    with _paused_collection():
+    with paused_collection():
         return call_with_deep_stack(lambda: _compile_text(text))
 
 
@@ -52,33 +49,35 @@ def compile_sources(
     jobs: int | None = None,
     deadline: float = DEADLINE,
     on_done: OnDone = workers.ignore_done,
+    pool: Pool | None = None,
 ) -> list[Compiled]:
     """The facts of many files, in their order, the same for any number of ``jobs``.
 
     ``jobs`` is the most processes that work at the same time; None leaves the number to us.  Where the system
     allows it the work is done in other processes, even for one job: no file takes this one down.  ``on_done`` is
-    called with each source that is done.
+    called with each source that is done.  ``pool`` does the work instead, where it is given.
     """
     if not sources:
         return []
     import archlint.syntax.python.lowering  # noqa: F401  libcst once, before the processes part
 
-    if workers.can_fork():
-        try:
-            answers = workers.run_in_workers(_encoded, sources, _worker_count(sources, jobs), deadline, on_done)
-        except OSError:
-            pass  # no process to be had: this one does it all
-        else:
-            return [_compiled(answer, deadline) for answer in answers]
-    with _paused_collection():
-        return call_with_deep_stack(lambda: [_compiled_here(*row, on_done) for row in enumerate(sources)])
+    if pool is None or sum(map(len, sources)) < PARALLEL_BYTES:  # nobody elsewhere starts as fast as this takes
+        pool = Processes(_worker_count(sources, jobs)) if workers.can_fork() else OneProcess()
+    try:
+        answers = pool.map(encoded, sources, deadline, on_done)
+    except OSError:  # no process to be had: this one does it all
+        answers = OneProcess().map(encoded, sources, deadline, on_done)
+    lost = [number for number, answer in enumerate(answers) if isinstance(answer, workers.Lost)]
+    if lost:  # whoever had them is gone
+        here = compile_sources([sources[number] for number in lost], jobs, deadline)
+        return _with(here, lost, [_compiled(answer, deadline) for answer in answers])
+    return [_compiled(answer, deadline) for answer in answers]
 
 
-def _compiled_here(number: int, data: bytes, on_done: OnDone) -> Compiled:
-    began = time.process_time()
-    compiled = _marked(_encoded(data))
-    on_done(number, time.process_time() - began)
-    return compiled
+def _with(rows: Sequence[Compiled], numbers: Sequence[int], all_rows: list[Compiled]) -> list[Compiled]:
+    for number, row in zip(numbers, rows, strict=True):
+        all_rows[number] = row
+    return all_rows
 
 
 def _worker_count(sources: Sequence[bytes], jobs: int | None) -> int:
@@ -99,19 +98,7 @@ def _marked(answer: bytes) -> Compiled:
     return Compiled(answer[1:], answer[:1] == _LASTING)
 
 
-@contextmanager
-def _paused_collection() -> Iterator[None]:
-    """No garbage collection: the trees hold no cycles, and looking for some costs a tenth of the time."""
-    was_enabled = gc.isenabled()
-    gc.disable()
-    try:
-        yield
-    finally:
-        if was_enabled:
-            gc.enable()
-
-
-def _encoded(data: bytes) -> bytes:
+def encoded(data: bytes) -> bytes:
     """What a worker does with one file: a mark, and the encoded facts."""
     text = gate.decode(data)
     facts = _refused(text) if isinstance(text, gate.Refusal) else _compile_text(text)

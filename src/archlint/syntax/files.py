@@ -15,6 +15,7 @@ from archlint.syntax.python import gate
 from archlint.syntax.walk import statements_of
 
 if TYPE_CHECKING:
+    from archlint.syntax.pools import Pool
     from archlint.workspace.model import SourceFile
 
 _IRRELEVANT = b"-"
@@ -60,11 +61,13 @@ class FactsOfFiles:
         jobs: int | None = None,
         monitor: Monitor | None = None,
         read: Reader | None = None,
+        pool: Pool | None = None,
     ) -> None:
         self._cache = cache
         self._bytes_of = read or _from_disk
         self._words = words
         self._jobs = jobs
+        self._pool = pool
         self._monitor = monitor or Monitor()
         self._digests: dict[str, str] = {}
         self._payloads: dict[str, bytes] = {}
@@ -239,7 +242,7 @@ class FactsOfFiles:
             self._monitor.compiled(files[number].relative, seconds)
 
         self._monitor.compiling(len(files))
-        return compile_sources(sources, self._jobs, on_done=on_done)
+        return compile_sources(sources, self._jobs, on_done=on_done, pool=self._pool)
 
     # --------------------------------------------------------------------------------------------- inside
 
@@ -257,7 +260,7 @@ class FactsOfFiles:
         if isinstance(data, gate.Refusal):
             self._refuse(file, data)
             return None
-        digest = digest_of(data, _salt())
+        digest = source_digest(data)
         payload = self._cache.get(digest)
         if payload is not None:
             self._keep(file, digest, payload)
@@ -321,8 +324,9 @@ class FactsOfFiles:
         return decode(payload)
 
 
-def _salt() -> str:
-    return f"python {FACTS_VERSION}"
+def source_digest(data: bytes) -> str:
+    """What the facts of a source are kept under."""
+    return digest_of(data, f"python {FACTS_VERSION}")
 
 
 def _modules_of(statement: Stmt) -> list[bytes]:

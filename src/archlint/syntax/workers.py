@@ -41,7 +41,11 @@ class TimedOut:
     """The source was under way for longer than allowed."""
 
 
-Answer = bytes | Crashed | TimedOut
+class Lost:
+    """Whoever worked on the source, elsewhere, is gone; it says nothing of the source."""
+
+
+Answer = bytes | Crashed | TimedOut | Lost
 
 OnDone = Callable[[int, float], None]
 """Is called with the number of each source that is done, and the seconds of processor time that it took."""
