@@ -121,6 +121,7 @@ def test_each_entry_of_a_yaml_list_has_its_own_place(launches):
     "folder",
     [
         "os.path.dirname(os.path.abspath(__file__))",
+        "os.path.split(os.path.realpath(__file__))[0]",
         "os.path.dirname(os.path.dirname(os.path.realpath(__file__))) + '/launch'",
         "str(Path(__file__).resolve().parent)",
     ],

@@ -156,6 +156,9 @@ PLAIN: dict[str, Plain] = {
     "itertools.chain": lambda run, site: _chain(run, site.args),
     "os.path.basename": lambda run, site: _path_part(site.args, 1),
     "os.path.dirname": lambda run, site: _path_part(site.args, 0),
+    "os.path.split": lambda run, site: containers.new_list(
+        run, [_path_part(site.args, 0), _path_part(site.args, 1)], "tuple"
+    ),
 }
 
 
