@@ -126,7 +126,9 @@ def test_a_result_read_straight_after_the_request_is_none(run: Run):
         pytest.param("await asked\nanswer = future.result()", [], id="something else is awaited: time passes"),
         pytest.param("answer = (await future, future.result())", [], id="awaited in the same statement"),
         pytest.param("answer = future.result()\nawait future", ["EXE002"], id="awaited too late"),
-        pytest.param("answer = await self.keep(future.result())", ["EXE002"], id="what it has read is awaited"),
+        pytest.param(
+            "answer = await self.answered.keep(future.result())", ["EXE002"], id="what it has read is awaited"
+        ),
         pytest.param("if self.is_patient:\n    await future\nanswer = future.result()", [], id="perhaps awaited"),
     ],
 )
@@ -141,7 +143,7 @@ def test_a_future_that_was_awaited_has_its_result(run: Run, then: str, expected:
     [
         pytest.param("if self.is_patient:\n    answer = future.result()", ["EXE002"], id="in a branch"),
         pytest.param("if self.is_patient:\n    print()\nanswer = future.result()", ["EXE002"], id="after a branch"),
-        pytest.param("if self.waits_for(future):\n    answer = future.result()", [], id="a function may wait"),
+        pytest.param("if self.answered.waits_for(future):\n    answer = future.result()", [], id="a function may wait"),
         pytest.param("if future in self.answered:\n    answer = future.result()", [], id="a test of the future"),
         pytest.param("while self.is_patient:\n    pass\nanswer = future.result()", [], id="a loop may wait"),
         pytest.param("future = self.answered\nanswer = future.result()", [], id="another future"),

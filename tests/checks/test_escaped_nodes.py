@@ -160,8 +160,8 @@ def test_many_names_that_a_node_lacks_are_a_node_that_was_not_understood(tmp_pat
     ("inner", "talker", "codes"),
     [
         (remaps(1) + values(2), EMPTY, ["LCH002", "PRM004"]),
-        (remaps(3) + values(3), FULL, ["LCH002"] * 3 + ["PRM004"]),
-        (remaps(6) + "<remap from='ask' to='please'/>", FULL, ["LCH002"] * 6),
+        (remaps(3) + values(3), FULL, ["LCH002", "PRM004"]),
+        (remaps(6) + "<remap from='ask' to='please'/>", FULL, ["LCH002"]),
     ],
     ids=["few of a node without any", "few of a node with others", "one meets"],
 )
