@@ -98,6 +98,22 @@ def test_values_keep_their_types():
     assert type(after.nodes[0].namespace.reason) is NotPassed
 
 
+def test_what_is_empty_is_of_its_kind():
+    before = program()
+    before.calls[0].arguments["callback"] = given.Constant([(), frozenset(), [], {}, set(), ((),), ""])
+    [after] = decode(encode([before]))
+    value = after.calls[0].arguments["callback"].value
+    assert repr(value) == repr([(), frozenset(), [], {}, set(), ((),), ""])
+
+
+def test_what_can_be_added_to_is_nobody_elses():
+    first, second = program(), program()
+    one, other = decode(encode([first, second]))
+    one.calls[0].arguments["new"] = given.UNKNOWN
+    one.refused.add(Place("other.py", 1, 1, 1, 1))
+    assert "new" not in other.calls[0].arguments and len(other.refused) == 1
+
+
 def test_programs_may_share_what_they_refer_to():
     first, second = program(), program()
     second.nodes.append(first.nodes[0])
@@ -133,7 +149,8 @@ def test_what_is_no_plain_data_is_refused():
         b"\xc1",
         msgspec.msgpack.encode([{}, [], [], []]),
         encode([program()])[:-1],
-        encode([program()]).replace(b"EntityKind", b"EntityKine"),
+        msgspec.msgpack.encode([encoding.PROGRAMS.layout, [[len(encoding.PROGRAMS.records), "no kind"]], [], []]),
+        msgspec.msgpack.encode([encoding.PROGRAMS.layout, [[1000, "no class"]], [], []]),
         msgspec.msgpack.encode([encoding.PROGRAMS.layout, [[0]], [], []]),
         msgspec.msgpack.encode([encoding.PROGRAMS.layout, [], [], [[5]]]),
         msgspec.msgpack.encode([encoding.PROGRAMS.layout, [], [[1000]], []]),
@@ -196,7 +213,7 @@ def odd_words(payload: bytes) -> list[tuple[str, str, object]]:
     return [
         (kind.__name__, name, word)
         for number, *row in (*written.values, *written.objects)
-        for kind in [encoding.PROGRAMS.records[number]]
+        for kind in encoding.PROGRAMS.records[number : number + 1]  # none for a word of an enumeration
         for name, word in zip(encoding.PROGRAMS.fields[kind], row, strict=True)
         if (number, name) in WORDS and word is not None and word not in WORDS[number, name]
     ]

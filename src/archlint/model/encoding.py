@@ -3,13 +3,13 @@
 Nodes, create calls, callbacks and the like refer to one another, in circles, and are distinguished by identity.  So all
 programs of a workspace are written together, as two tables: the *values* (places, names, what calls are given …), each
 after those that it is made of, and the *objects* that have an identity.  A reference is a list of one number: that of a
-value's row from 0 up, that of an object's from -1 down.
+value's row from 0 up, behind those of what is empty, that of an object's from -1 down.
 """
 
 from __future__ import annotations
 
 import zlib
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from enum import Enum
 from functools import cached_property
@@ -34,11 +34,15 @@ from archlint.ros.qos import Qos
 Plain = Any
 """None, a truth value, a number, a text, bytes, or a list of such that begins with one of these tags."""
 
-_WORD: Final = "word"
 _HUGE: Final = "huge"
 _DICT: Final = "dict"
 
+_Setter = Callable[[object, object], None]
+
 _CONTAINERS: Mapping[str, type] = {"list": list, "tuple": tuple, "set": set, "frozenset": frozenset}
+_EMPTY_KINDS: Final = (tuple, frozenset)
+_EMPTY: Final[Sequence[object]] = ((), frozenset())
+"""What the first references mean: most tuples of a program are empty."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,13 +53,9 @@ class Language:
     records: tuple[type, ...]
 
     @cached_property
-    def words_by_name(self) -> Mapping[str, type]:
-        return {kind.__name__: kind for kind in self.words}
-
-    @cached_property
     def numbers(self) -> Mapping[type, int]:
-        """The classes of records by their numbers, with which rows begin."""
-        return {kind: number for number, kind in enumerate(self.records)}
+        """The classes of records and words by their numbers, with which rows begin."""
+        return {kind: number for number, kind in enumerate((*self.records, *self.words))}
 
     @cached_property
     def fields(self) -> Mapping[type, tuple[str, ...]]:
@@ -63,14 +63,18 @@ class Language:
         return {kind: tuple(row.name for row in fields(kind)) for kind in self.records}
 
     @cached_property
-    def with_slots(self) -> frozenset[type]:
-        """The classes of records that have no ``__dict__``."""
-        return frozenset(kind for kind in self.records if hasattr(kind, "__slots__"))
+    def setting(self) -> Sequence[tuple[tuple[str, ...], Sequence[_Setter] | None]]:
+        """By the number of a class: its fields, and what sets each where objects of it have no ``__dict__``."""
+        return [
+            (names, [getattr(kind, name).__set__ for name in names] if hasattr(kind, "__slots__") else None)
+            for kind, names in self.fields.items()
+        ]
 
     @cached_property
     def layout(self) -> int:
         """Another number where a class has other fields."""
-        return zlib.crc32(repr([(kind.__name__, names) for kind, names in self.fields.items()]).encode())
+        words = [kind.__name__ for kind in self.words]
+        return zlib.crc32(repr([(kind.__name__, names) for kind, names in self.fields.items()] + words).encode())
 
 
 PROGRAMS: Final = Language(
@@ -148,7 +152,7 @@ class _Tables:
     """What has a number among the objects, in that order; it is kept alive, and with it its ``id``."""
     _kept: list[object] = field(default_factory=list)
     _equal: dict[object, Plain] = field(default_factory=dict)
-    """References to places and frames, of which most are met again and again."""
+    """References to words, places and frames, of which most are met again and again."""
 
     def fill(self) -> None:
         """Write the rows of all objects, and of those that they refer to."""
@@ -163,8 +167,10 @@ class _Tables:
             return item if item in _SMALL else [_HUGE, str(item)]
         if kind in self.language.fields:
             return self._reference(item)
-        if kind.__name__ in self.language.words_by_name:
-            return [_WORD, kind.__name__, item.value if isinstance(item, Enum) else str(item)]
+        if kind in self.language.numbers:
+            return self._word(item, kind)
+        if not item and kind in _EMPTY_KINDS:
+            return [_EMPTY_KINDS.index(kind)]
         match item:
             case list() | tuple():
                 return [kind.__name__, *map(self.plain, item)]
@@ -187,9 +193,16 @@ class _Tables:
             self._numbers[id(item)] = known
         return known
 
+    def _word(self, item: Any, kind: type) -> Plain:
+        row = [self.language.numbers[kind], item.value if isinstance(item, Enum) else str(item)]
+        if (known := self._equal.get(tuple(row))) is None:
+            known = self._equal[tuple(row)] = [len(_EMPTY) + len(self.values)]
+            self.values.append(row)
+        return known
+
     def _added(self, item: object) -> Plain:
         row = self._row(item)
-        reference = [len(self.values)]
+        reference = [len(_EMPTY) + len(self.values)]
         self.values.append(row)
         if type(item) in _MET_AGAIN:
             self._equal[item] = reference
@@ -205,44 +218,50 @@ class _Rows:
         self._language = language
         self._payload = payload
         objects: list[object] = [object.__new__(language.records[row[0]]) for row in payload.objects]
-        self._known: list[object] = [*([None] * len(payload.values)), *reversed(objects)]
-        """What references mean: the values so far, and from the end all objects."""
+        self._known: list[object] = [*_EMPTY, *([None] * len(payload.values)), *reversed(objects)]
+        """What references mean: what is empty, the values so far, and from the end all objects."""
 
     def items(self) -> list[object]:
-        for number, row in enumerate(self._payload.values):
-            item: object = object.__new__(self._language.records[row[0]])
-            self._fill(item, row)
-            self._known[number] = item
+        known, fill, new = self._known, self._fill, object.__new__
+        records, words = self._language.records, self._language.words
+        for number, row in enumerate(self._payload.values, len(_EMPTY)):
+            if row[0] >= len(records):
+                known[number] = words[row[0] - len(records)](row[1])
+                continue
+            item: object = new(records[row[0]])
+            fill(item, row)
+            known[number] = item
         for number, row in enumerate(self._payload.objects):
-            self._fill(self._known[-1 - number], row)
-        return self._items([None, *self._payload.items])
+            fill(known[-1 - number], row)
+        return self._items(self._payload.items)
 
-    def _fill(self, item: object, row: Sequence[Plain]) -> None:
-        kind = type(item)
-        fields_of_row = zip(self._language.fields[kind], self._items(row), strict=True)
+    def _fill(self, item: object, row: list[Plain]) -> None:
+        """Set the fields of an object to what stands in its row behind the number of its class."""
+        names, setters = self._language.setting[row[0]]
+        values = self._items(row[1:]) if list in map(type, row) else row[1:]
+        if len(values) != len(names):
+            raise ValueError(f"{len(values)} values for {len(names)} fields")
         # Not with setattr(), which frozen dataclasses refuse.
-        if kind in self._language.with_slots:
-            for name, value in fields_of_row:
-                object.__setattr__(item, name, value)
-        else:
-            item.__dict__.update(fields_of_row)
+        if setters is None:
+            item.__dict__.update(zip(names, values, strict=True))
+            return
+        for put, value in zip(setters, values, strict=True):
+            put(item, value)
 
     def _items(self, row: Sequence[Plain]) -> list[object]:
-        """What a row has behind its tag."""
+        """What stands in a row."""
         known = self._known
         return [
             plain if type(plain) is not list else known[plain[0]] if type(plain[0]) is int else self._item(plain)
-            for plain in row[1:]
+            for plain in row
         ]
 
     def _item(self, plain: list[Plain]) -> object:
         """What is no reference."""
         tag = plain[0]
-        if tag == _WORD:
-            return self._language.words_by_name[plain[1]](plain[2])
         if tag == _HUGE:
             return int(plain[1])
-        items = self._items(plain)
+        items = self._items(plain[1:])
         return dict(zip(items[::2], items[1::2], strict=True)) if tag == _DICT else _CONTAINERS[tag](items)
 
 
