@@ -12,6 +12,7 @@ from archlint.cli import main
 from archlint.engine.pipeline import NothingToDo, Request
 from archlint.finding import Finding, Place, Severity
 from archlint.report.model import Report, summarise
+from archlint.systems.model import System
 
 
 def finding(severity: Severity, code: str = "OWN001", name: str = "multiple-publishers") -> Finding:
@@ -34,7 +35,7 @@ class Run:
         self.raises: BaseException | None = None
         self.request: Request | None = None
 
-    def __call__(self, request: Request) -> Report:
+    def __call__(self, request: Request, shown: list[System] | None = None) -> Report:
         self.request = request
         if self.raises is not None:
             raise self.raises

@@ -5,8 +5,10 @@ from __future__ import annotations
 import argparse
 import os
 import sys
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from archlint import report as reports
 from archlint.cli import console, exits
@@ -35,6 +37,9 @@ from archlint.engine.pipeline import NothingToDo, Request, check, graph
 from archlint.finding import Severity
 from archlint.report.model import Report, statistics, summary_line
 from archlint.report.paths import folder_in_repository
+
+if TYPE_CHECKING:
+    from archlint.systems.model import System
 
 
 def parser() -> argparse.ArgumentParser:
@@ -115,9 +120,10 @@ def run(arguments: argparse.Namespace) -> int:
         linked=linked,
     )
     watch = Watch(sys.stderr, arguments.quiet, arguments.verbose)
+    shown: list[System] = []
     try:
         with pool_of(arguments) as pool, watch as monitor:
-            report = check(replace(request, monitor=monitor, pool=pool))
+            report = check(replace(request, monitor=monitor, pool=pool), shown)
     except NothingToDo as error:
         raise UsageError(str(error)) from None
     failing = Severity.parse(arguments.severity)
@@ -130,9 +136,10 @@ def run(arguments: argparse.Namespace) -> int:
         with watch as monitor:
             outcome = mend(replace(request, monitor=monitor), report, arguments.unsafe_fixes)
         report, fixed = outcome.report, outcome.count
+        shown = []  # the files are others now
     folder = folder_in_repository(Path.cwd(), os.environ)
     text = _written(replace(report, failing=failing, folder=folder), arguments)
-    warnings, notes = ("", "") if arguments.quiet else _remarks(report, fixed, request, arguments)
+    warnings, notes = ("", "") if arguments.quiet else _remarks(report, fixed, request, shown, arguments)
     answer = Answer(text, warnings, notes, exit_status(report, failing, arguments.exit_zero))
     status = console.give(answer)
     watch.note_costs()
@@ -184,13 +191,15 @@ def _written(report: Report, arguments: argparse.Namespace) -> str:
     return text if to_terminal else ""
 
 
-def _remarks(report: Report, fixed: int, request: Request, arguments: argparse.Namespace) -> tuple[str, str]:
+def _remarks(
+    report: Report, fixed: int, request: Request, shown: Sequence[System], arguments: argparse.Namespace
+) -> tuple[str, str]:
     """What is to be said beside the findings: warnings, and notes after them."""
     warnings = [f"Fixed {fixed} finding{'s' if fixed > 1 else ''}."] if fixed else []
     warnings += [f"archlint: warning: {notice}" for notice in report.notices]
     notes = [*report.remarks]
     if arguments.statistics:
-        notes += [statistics(report.findings), _shape(request)]
+        notes += [statistics(report.findings), _shape(request, shown)]
     if reports.FORMATS[arguments.format].for_people or arguments.file is not None:
         notes.append(summary_line(report.summary))
     if arguments.verbose:
@@ -201,12 +210,14 @@ def _remarks(report: Report, fixed: int, request: Request, arguments: argparse.N
     return "".join(map(console.noted, warnings)), "".join(map(console.noted, notes))
 
 
-def _shape(request: Request) -> str:
-    """The architecture pattern of what was checked, with its figures."""
+def _shape(request: Request, shown: Sequence[System]) -> str:
+    """The architecture pattern of what was checked, with its figures; ``shown`` are its systems, if the check had to
+    make them."""
+    from archlint.engine.loading import combined
     from archlint.systems import pattern  # with the systems, which a known result does without
 
     try:
-        return "\n".join(pattern.words(pattern.figures(graph(request))))
+        return "\n".join(pattern.words(pattern.figures(combined(shown) if shown else graph(request))))
     except NothingToDo:  # only manifests or interfaces, say
         return ""
 

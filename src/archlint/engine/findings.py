@@ -38,18 +38,25 @@ if TYPE_CHECKING:
     from archlint.workspace.tree import SourceTree
 
 
-def judged_in_parts(inputs: Inputs, facts: FactsOfFiles) -> Judged:
-    """What is found in each of the workspaces that stand side by side."""
+def judged_in_parts(inputs: Inputs, facts: FactsOfFiles, shown: list[System] | None = None) -> Judged:
+    """What is found in each of the workspaces that stand side by side.  ``shown`` is given the system of each, unless
+    there is nothing to do for one of them."""
     judged: list[Judged] = []
+    systems: list[System] = []
     refused: NothingToDo | None = None
     for part in parts_of(inputs.request, inputs.workspace):
         try:
-            judged.append(_judged(replace(inputs, workspace=part), facts))
+            result, system = _judged(replace(inputs, workspace=part), facts)
         except NothingToDo as error:
             refused = refused or error
+        else:
+            judged.append(result)
+            systems.append(system)
     if not judged:
         assert refused is not None
         raise refused
+    if shown is not None and refused is None:
+        shown.extend(systems)
     return judged[0] if len(judged) == 1 else _joined(judged, inputs.workspace)
 
 
@@ -67,7 +74,8 @@ def _joined(judged: Sequence[Judged], workspace: Workspace) -> Judged:
     return Judged(findings, summary, list(dict.fromkeys(notice for part in judged for notice in part.notices)))
 
 
-def _judged(inputs: Inputs, facts: FactsOfFiles) -> Judged:
+def _judged(inputs: Inputs, facts: FactsOfFiles) -> tuple[Judged, System]:
+    """What is found in a workspace, and its system as it is shown."""
     request, workspace = inputs.request, inputs.workspace
     known = known_files(request, workspace, facts)
     systems = systems_of(inputs, facts)
@@ -88,13 +96,13 @@ def _judged(inputs: Inputs, facts: FactsOfFiles) -> Judged:
     kept = [*outcome.kept, *suppressions.apply(_wanted(stale, request.settings, workspace), by_file).kept]
     explained = uninstalled.with_reason(with_reason(folded(dict.fromkeys(kept)), old), aside)
     findings = sorted(explained, key=lambda finding: finding.sort_key)
-    shown = [as_asked_for(request, systems[0], workspace)]
+    shown = as_asked_for(request, systems[0], workspace)
     summary = summarise(
         findings,
         files=sum(map(is_input, workspace.files)) or sum(map(is_of_package, workspace.files)),
-        nodes=sum(len(system.nodes) for system in shown),
+        nodes=len(shown.nodes),
         suppressed=len(outcome.suppressed),
-        unresolved=sum(len(unresolved(system)) for system in shown),
+        unresolved=len(unresolved(shown)),
         elapsed_s=0.0,
     )
     refused = [suppressions.refusal(file, suppression) for file, suppression in outcome.refused]
@@ -105,7 +113,7 @@ def _judged(inputs: Inputs, facts: FactsOfFiles) -> Judged:
     notices.extend(without_start(systems, {file.relative for file in workspace.files if file.context}))
     notices.extend(followed_in_part(index.cut_short()))
     remarks = [*comparison_words(systems[0].compared)]
-    return Judged(findings, summary, [*refused, *notices, *_idle(request.settings, systems)], remarks)
+    return Judged(findings, summary, [*refused, *notices, *_idle(request.settings, systems)], remarks), shown
 
 
 def _passed_over(inputs: Inputs, facts: FactsOfFiles, launch_files: LaunchFiles) -> Iterator[str]:

@@ -27,8 +27,9 @@ if TYPE_CHECKING:
 __all__ = ["NothingToDo", "Request", "check", "draw", "graph"]
 
 
-def check(request: Request) -> Report:
-    """Everything that the selected rules find, in order.  Raises :class:`NothingToDo`."""
+def check(request: Request, shown: list[System] | None = None) -> Report:
+    """Everything that the selected rules find, in order.  ``shown`` is given the systems that :func:`graph` would
+    combine, where the run makes them.  Raises :class:`NothingToDo`."""
     started = time.perf_counter()
     if request.keeper is not None:
         request.keeper.starts(request.paths, request.settings)
@@ -45,7 +46,7 @@ def check(request: Request) -> Report:
             refuse_nothing(request, workspace, facts)
             from archlint.engine.findings import judged_in_parts  # all the rules, and what runs the code
 
-            judged = call_with_deep_stack(lambda: judged_in_parts(inputs, facts))
+            judged = call_with_deep_stack(lambda: judged_in_parts(inputs, facts, shown))
             if facts.lasting and not any(finding.code == "LNT003" for finding in judged.findings):
                 kept.save(judged, facts)
     if request.fixes and not judged.mended and any(finding.sites is not None for finding in judged.findings):

@@ -1,9 +1,9 @@
 """Programs as MessagePack, and back.
 
-Nodes, create calls, callbacks and the like refer to one another, in circles, and are distinguished by identity.  So all
-programs of a workspace are written together, as two tables: the *values* (places, names, what calls are given …), each
-after those that it is made of, and the *objects* that have an identity.  A reference is a list of one number: that of a
-value's row from 0 up, behind those of what is empty, that of an object's from -1 down.
+Nodes, create calls, callbacks and the like refer to one another, in circles, and are distinguished by identity.  So
+all programs of a workspace are written together, as two tables: the *values* (places, names, what calls are given …),
+each after those that it is made of, and the *objects* that have an identity.  A reference is a list of one number: that
+of a value's row from 0 up, behind those of what is empty, that of an object's from -1 down.
 """
 
 from __future__ import annotations
