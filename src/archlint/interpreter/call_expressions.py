@@ -105,10 +105,13 @@ def awaited(machine: Machine, value: Value, expression: facts.Await) -> Value:
 
 
 _EXITS = frozenset({"sys.exit", "os._exit"})
+_EXIT_NAMES = frozenset({"exit", "_exit", "quit"})
 
 
 def never_returns(machine: Machine, e: facts.Call) -> bool:
     """``sys.exit()`` and the like."""
+    if e.func.last_name not in _EXIT_NAMES:
+        return False  # as of most calls
     match e.func:
         case facts.Name(id=name):
             return name in ("exit", "quit") and machine.lookup(name) is None

@@ -69,10 +69,6 @@ def _attribute(machine: Machine, e: facts.Attribute) -> Value:
     return get_attribute(machine, machine.evaluate(e.value), e.attr, e)
 
 
-def _call(machine: Machine, e: facts.Call) -> Value:
-    return evaluate_call(machine, e)
-
-
 def _opaque(machine: Machine, e: facts.Opaque) -> Value:
     return Unknown(f"{e.what} is not followed")
 
@@ -240,7 +236,7 @@ EXPRESSIONS: dict[type, Callable[[Machine, Any], Value]] = {
     facts.Literal: _literal,
     facts.Name: _name,
     facts.Attribute: _attribute,
-    facts.Call: _call,
+    facts.Call: evaluate_call,
     facts.Subscript: _subscript,
     facts.Slice: lambda machine, e: Unknown("a slice"),
     facts.Binary: _binary,

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from archlint.interpreter.modules import Scope
 from archlint.interpreter.values import AttributeOf, ClassValue, FunctionValue, ModuleValue, Unknown, Value
 from archlint.syntax import facts
+from archlint.syntax.parts import once_for
 
 if TYPE_CHECKING:
     from archlint.interpreter.machine import Machine
@@ -53,12 +54,22 @@ def annotated(machine: Machine, value: Value, annotation: facts.Expr) -> Value:
 def declared(machine: Machine, cls: ClassValue, name: str) -> Unknown | None:
     """What the attribute of an object is where its class only says ``name: Supervisor``; None where it does not."""
     for base in cls.classes:
-        for statement in base.ir.body:
-            match statement:
-                case facts.Annotated(target=facts.Name(id=declared_name)) if declared_name == name:
-                    meant = class_named(machine, base.scope, statement.annotation)
-                    return None if meant is None else Unknown(f"nothing here sets '{name}'", annotation=meant)
+        annotation = _annotations_of(base.ir).get(name)
+        if annotation is not None:
+            meant = class_named(machine, base.scope, annotation)
+            return None if meant is None else Unknown(f"nothing here sets '{name}'", annotation=meant)
     return None
+
+
+@once_for
+def _annotations_of(cls: facts.Class) -> dict[str, facts.Expr]:
+    """The annotations in the body of a class, the first of each name."""
+    annotations: dict[str, facts.Expr] = {}
+    for statement in cls.body:
+        match statement:
+            case facts.Annotated(target=facts.Name(id=name)):
+                annotations.setdefault(name, statement.annotation)
+    return annotations
 
 
 def attribute_of(machine: Machine, value: Unknown, name: str) -> Value | None:

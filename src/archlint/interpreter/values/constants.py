@@ -184,12 +184,12 @@ def join_texts(parts: Sequence[Value], origin: Place | None = None) -> Value:
     pieces = [piece for part in parts for piece in part.pieces]
     if sum(len(piece) for piece in pieces if piece is not None) > TEXT_LIMIT:
         return Unknown("a string too long to follow", next(iter(sorted(via(*parts))), None))
+    if None not in pieces:
+        kinds = {part.kind for part in parts if isinstance(part, Known)}
+        return Known("".join(piece for piece in pieces if piece is not None), via(*parts), origin, _kind_of_text(kinds))
     merged: list[str | None] = []
     for known, group in groupby((piece for piece in pieces if piece != ""), key=lambda piece: piece is not None):
         merged.append("".join(piece for piece in group if piece is not None) if known else None)
-    if None not in merged:
-        kinds = {part.kind for part in parts if isinstance(part, Known)}
-        return Known("".join(p for p in merged if p is not None), via(*parts), origin, _kind_of_text(kinds))
     why = reason(*(part for part in parts if not isinstance(part, Known)))
     return Unknown(why) if merged == [None] else Holed(tuple(merged), why, via(*parts), origin)
 
@@ -205,7 +205,8 @@ def via(*values: Value) -> frozenset[str]:
     """The parameters that a result made from these values depends on."""
     parameters = NO_PARAMETERS
     for value in values:
-        parameters |= value.via
+        if value.via:  # few values have any
+            parameters |= value.via
     return parameters
 
 
