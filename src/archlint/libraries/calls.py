@@ -136,10 +136,13 @@ def record(run: Run, api: Api, receiver: Value | None, bound: dict[str, Value], 
         if known.creation is None and len(on) == 1:
             known.creation = on[0]
         known.conditional = known.conditional and bool(run.branch_arms)
-        chain, enclosing_loops = run.chain(), run.enclosing_loops()
+        chain = run.chain()
+        is_other_way = chain != known.chain and tuple(run.branch_arms) == known.branch_arms
+        if known.enclosing_loops and not is_other_way:
+            return  # as in most rounds of a loop; finding the loops around takes long
+        enclosing_loops = run.enclosing_loops()
         known.enclosing_loops = known.enclosing_loops or enclosing_loops
-        is_new = chain != known.chain and all((chain, enclosing_loops) != other[:2] for other in known.call_chains)
-        if is_new and tuple(run.branch_arms) == known.branch_arms:
+        if is_other_way and all((chain, enclosing_loops) != other[:2] for other in known.call_chains):
             known.call_chains.append((chain, enclosing_loops, on or creations_of(bound.get("future"))))
         return
     first = on[0] if len(on) == 1 else None

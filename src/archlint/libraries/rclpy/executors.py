@@ -12,6 +12,7 @@ from archlint.libraries.rclpy.fields import EXECUTOR
 from archlint.libraries.values import ExecutorValue, FutureValue
 from archlint.syntax import facts
 from archlint.syntax.control_flow import loop_of
+from archlint.syntax.parts import once_for
 from archlint.syntax.walk import called_name, calls_in
 
 if TYPE_CHECKING:
@@ -138,6 +139,7 @@ def _lasting(run: Run, call: ApiUse, spun: Sequence[model.Blueprint]) -> model.S
     return model.SpinDuration.A_MOMENT if any(_makes(run, node) for node in spun) else model.SpinDuration.A_WHILE
 
 
+@once_for
 def _endless(loop: facts.While | facts.For) -> bool:
     """``while rclpy.ok()`` or ``while True``, with no other way out."""
     match loop:
@@ -180,9 +182,17 @@ def spin(run: Run, call: ApiUse) -> Value:
 
 def _spell(run: Run, call: ApiUse, node: model.Blueprint, lasting: model.SpinDuration) -> model.Spell:
     loop = next((activation.loops[-1] for activation in reversed(run.activations) if activation.loops), None)
-    asked = isinstance(loop, facts.While) and any(called_name(inner) == "done" for inner in calls_in(loop.test))
-    for_answer = asked or isinstance(call.get("future"), FutureValue)
+    for_answer = (loop is not None and _asks_whether_done(loop)) or isinstance(call.get("future"), FutureValue)
     return model.Spell(_place(run, call), lasting, _makes(run, node), for_answer, len(node.creations))
+
+
+@once_for
+def _asks_whether_done(loop: facts.While | facts.For) -> bool:
+    """``while not future.done()``."""
+    match loop:
+        case facts.While(test):
+            return any(called_name(inner) == "done" for inner in calls_in(test))
+    return False
 
 
 def _visit(use: model.ExecutorUse, node: model.Blueprint, spell: model.Spell) -> None:
