@@ -1,4 +1,4 @@
-"""The ends of callbacks that owe an answer: those of service handlers that give no response."""
+"""The ends of callbacks that owe an answer: service handlers that give no response, parameter callbacks no result."""
 
 from __future__ import annotations
 
@@ -61,12 +61,37 @@ def _says_nothing(statement: facts.Stmt) -> bool:
 
 def ends_without_response(system: System) -> Iterator[HandlerEnd]:
     """The ends of service handlers that give no response."""
-    for callback, function in handlers_of(system, Role.SERVICE):
+    return _ends_without_answer(system, Role.SERVICE)
+
+
+def ends_without_result(system: System) -> Iterator[HandlerEnd]:
+    """The ends of the callbacks that may refuse new values of parameters, and that do not say whether they do."""
+    code = source_code(system)
+    for end in _ends_without_answer(system, Role.PARAMETER):
+        call = None if end.callback.registered is None else code.call_at(end.callback.registered)
+        if call is None or call.func.last_name != "add_on_set_parameters_callback":
+            continue
+        if end.how != "end" or not _ends_with_the_first(code.definition(end.callback)):
+            yield end
+
+
+def _ends_with_the_first(function: facts.Function | None) -> bool:
+    """Whether a function ends with a loop over what it is given that returns in its first round: rclpy never gives it
+    an empty list."""
+    match function:
+        case facts.Function(params=[*_, param], body=[*_, facts.For(iterable=over, body=[*_, facts.Return()])]):
+            return over.variable == param.name
+    return False
+
+
+def _ends_without_answer(system: System, role: Role) -> Iterator[HandlerEnd]:
+    code = source_code(system)
+    for callback, function in handlers_of(system, role):
         if not is_stub(function.body):
-            yield from _ends_of(source_code(system), callback, function)
-    for callback in _callbacks(system, Role.SERVICE):
-        written = source_code(system).function(callback)
-        gives = _no_response(written.body) if isinstance(written, facts.Lambda) else None
+            yield from _ends_of(code, callback, function)
+    for callback in _callbacks(system, role):
+        written = code.function(callback)
+        gives = _no_answer(written.body) if isinstance(written, facts.Lambda) else None
         if gives is not None:
             yield HandlerEnd(callback, callback.place, "lambda", gives)
 
@@ -74,7 +99,7 @@ def ends_without_response(system: System) -> Iterator[HandlerEnd]:
 def _ends_of(code: SourceCode, callback: Callback, function: facts.Function) -> Iterator[HandlerEnd]:
     ends = _ends_as_created(code, callback, function)
     for end in {id(end): end for end, states in ends.returns if states}.values():
-        gives = _no_response(end.value)
+        gives = _no_answer(end.value)
         if gives is not None:
             yield HandlerEnd(callback, Place.of(callback.file, end.span), "return", gives)
     if ends.falls:
@@ -99,8 +124,8 @@ def _ends_as_created(code: SourceCode, callback: Callback, function: facts.Funct
     )
 
 
-def _no_response(value: facts.Expr | None) -> str | None:
-    """What a ``return`` gives that can be no response, in words; None where it may be one."""
+def _no_answer(value: facts.Expr | None) -> str | None:
+    """What a ``return`` gives that can be no answer, in words; None where it may be one."""
     match value:
         case None:
             return "nothing"
@@ -117,4 +142,4 @@ def _no_response(value: facts.Expr | None) -> str | None:
     return None
 
 
-__all__ = ["HandlerEnd", "ends_without_response", "handlers_of", "is_stub"]
+__all__ = ["HandlerEnd", "ends_without_response", "ends_without_result", "handlers_of", "is_stub"]

@@ -1,11 +1,11 @@
-"""SRV007: service handlers with a path that gives no response."""
+"""SRV007, API004: service handlers that give no response, and parameter callbacks that give no result."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from archlint.analysis.handler_ends import HandlerEnd, ends_without_response
+from archlint.analysis.handler_ends import HandlerEnd, ends_without_response, ends_without_result
 from archlint.analysis.reach import endpoint_words, node_name, one_for_each_place
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -40,10 +40,34 @@ def _missing(system: System, end: HandlerEnd) -> Finding:
     )
 
 
-def related_handler(end: HandlerEnd) -> list[Related]:
-    """The handler of an end, and where it is registered."""
+@rule("API004", scope=Scope.CODE)
+def parameter_callback_result(system: System, options: Options) -> Iterator[Finding]:
+    """Ends of parameter callbacks that do not say whether the new values are right."""
+    yield from one_for_each_place(_no_result(system, end) for end in ends_without_result(system))
+
+
+def _no_result(system: System, end: HandlerEnd) -> Finding:
     callback = end.callback
-    rows = [] if end.place == callback.place else [Related(callback.place, f"{callback.name} is the handler")]
+    what = {
+        "return": f"returns {end.gives} here",
+        "lambda": f"returns {end.gives}",
+        "end": "can reach its end without a result",
+    }[end.how]
+    return finding(
+        "API004",
+        end.place,
+        f"the parameter callback {what}: rclpy takes that as a refusal, and no parameter changes",
+        help="return SetParametersResult(successful=True)",
+        related=related_handler(end, "is the callback"),
+        node=node_name(system, callback.node),
+        identity=(callback.name, end.how),
+    )
+
+
+def related_handler(end: HandlerEnd, role: str = "is the handler") -> list[Related]:
+    """The callback that has an end, and where it is registered."""
+    callback = end.callback
+    rows = [] if end.place == callback.place else [Related(callback.place, f"{callback.name} {role}")]
     if callback.registered is not None:
         rows.append(Related(callback.registered, "it is registered here"))
     return rows
