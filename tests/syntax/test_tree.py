@@ -54,6 +54,14 @@ def test_a_block_goes_on_to_its_end(tree: Tree):
     assert [type(one).__name__ for one in tree.block_from(assign)] == ["Assign", "Assign", "Expression"]
 
 
+def test_what_a_call_is_given_is_known_by_where_it_stands():
+    tree = Tree(lower("outer(inner(name), *names, key=name)\n"))
+    [outer, inner] = tree.of_kind(facts.Call)
+    given = {(span, call.func.variable) for span, (call, _) in tree.given.items()}
+    assert given == {((1, 13, 1, 17), "inner"), ((1, 7, 1, 18), "outer"), ((1, 32, 1, 36), "outer")}
+    assert tree.given[inner.span] == (outer, inner)
+
+
 def test_a_call_is_known_by_where_it_stands(tree: Tree):
     call = call_of(tree, "ok")
     assert tree.calls[call.span] is call and span_of(call) == (8, 12, 8, 22)

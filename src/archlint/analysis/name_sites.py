@@ -79,13 +79,7 @@ def sites_of_name(workspace: WorkspaceIndex | None, given: Place, written: str, 
 
 def _argument_at(tree: Tree, place: Place) -> tuple[facts.Call | None, facts.Expr | None]:
     """The call that is given the expression at a place, and that."""
-    span = (place.line, place.column, place.end_line, place.end_column)
-    for call in tree.of_kind(facts.Call):
-        if call.span[0] <= place.line <= call.span[2]:
-            for given in call.args:
-                if not given.star and span_of(given.value) == span:
-                    return call, given.value
-    return None, None
+    return tree.given.get((place.line, place.column, place.end_line, place.end_column), (None, None))
 
 
 def _node_of(call: facts.Call) -> facts.Name | facts.Attribute | None:

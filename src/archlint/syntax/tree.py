@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from functools import cached_property
 from typing import TypeVar, cast
@@ -18,15 +19,21 @@ class Tree:
     def __init__(self, code: facts.Facts) -> None:
         self._root = code
         self.body = code.body
-        self._kinds: dict[type[facts.Base], list[facts.Base]] = {}
-        self._parents: dict[int, facts.Base] = {}
+        self._kinds: dict[type[facts.Base], list[facts.Base]] = defaultdict(list)
+        self._holders: list[tuple[facts.Base, list[facts.Base]]] = []
+        """The facts that others stand in, each with these."""
         stack: list[facts.Base] = [code]
         while stack:
             fact = stack.pop()
-            self._kinds.setdefault(type(fact), []).append(fact)
+            self._kinds[type(fact)].append(fact)
             inside = fact.children()
-            self._parents.update(dict.fromkeys(map(id, inside), fact))
-            stack += inside[::-1]
+            if inside:
+                self._holders.append((fact, inside))
+                stack += inside[::-1]
+
+    @cached_property
+    def _parents(self) -> dict[int, facts.Base]:
+        return {id(fact): holder for holder, inside in self._holders for fact in inside}
 
     def of_kind(self, kind: type[_Fact]) -> Sequence[_Fact]:
         """Every fact of a kind, in the order of the source."""
@@ -69,6 +76,16 @@ class Tree:
                 if item is statement:
                     return cast("Sequence[facts.Stmt]", block[at:])
         return [cast("facts.Stmt", statement)]
+
+    @cached_property
+    def given(self) -> dict[facts.Span, tuple[facts.Call, facts.Expr]]:
+        """What calls are given, by where it stands, but for what a ``*`` takes apart."""
+        return {
+            span_of(argument.value): (call, argument.value)
+            for call in reversed(self.of_kind(facts.Call))
+            for argument in reversed(call.args)
+            if not argument.star
+        }
 
     @cached_property
     def calls(self) -> dict[facts.Span, facts.Call]:
