@@ -102,6 +102,8 @@ class ModuleIndex:
         self._by_path: dict[str, SourceFile] = {}
         self._by_tail: dict[str, list[SourceFile]] = {}
         self._meant: dict[tuple[str, str, int], SourceFile | None] = {}
+        self._written_imports: dict[str, list[tuple[str, int]]] = {}
+        """What the code of a module imports, by its path: the names and their dots."""
         self._imported: dict[str, tuple[frozenset[Module], Reads]] = {}
         self._readers: list[Reads] = []
         """Who reads: a program, or a module whose import it has led to."""
@@ -292,17 +294,12 @@ class ModuleIndex:
         return modules
 
     def _imports_of(self, module: Module) -> Iterator[Module]:
-        for part in _imports(module.facts.body):
-            if isinstance(part, Import):
-                names = [".".join(part.module.split(".")[:end]) for end in range(1, part.module.count(".") + 2)]
-                level = 0
-            else:
-                names = [part.module, *(f"{part.module}.{name}".lstrip(".") for name, _ in part.names)]
-                level = part.level
-            for name in names:
-                imported = self.find(module, name, level) if name or level else None
-                if imported is not None:
-                    yield imported
+        if module.file.path not in self._written_imports:
+            self._written_imports[module.file.path] = list(_imported_names(module.facts.body))
+        for name, level in self._written_imports[module.file.path]:
+            imported = self.find(module, name, level)
+            if imported is not None:
+                yield imported
 
     def absolute_name(self, importer: Module, name: str, level: int) -> str:
         """The dotted name that a relative import stands for."""
@@ -359,6 +356,18 @@ class ModuleIndex:
 def _names_of(file: SourceFile) -> tuple[SourceFile | Link, ...]:
     """The file and the symbolic links that lead to it: each gives it a path, and perhaps a name to import it by."""
     return (file, *file.links)
+
+
+def _imported_names(body: Sequence[Stmt]) -> Iterator[tuple[str, int]]:
+    """The names that the imports of a module may mean, each with the dots before it."""
+    for part in _imports(body):
+        if isinstance(part, Import):
+            names = [".".join(part.module.split(".")[:end]) for end in range(1, part.module.count(".") + 2)]
+            level = 0
+        else:
+            names = [part.module, *(f"{part.module}.{name}".lstrip(".") for name, _ in part.names)]
+            level = part.level
+        yield from ((name, level) for name in names if name or level)
 
 
 def _imports(body: Sequence[Stmt]) -> Iterator[Import | ImportFrom]:
