@@ -136,10 +136,10 @@ class KeptResults(ABC, Generic[Result]):
         """A program, if nothing that it depends on has changed but, perhaps, what ran before it."""
         if key not in table.keys or not table.has_same_files(key, self._print_of):
             return None
+        if not table.has_same_lookups(key, self._means):
+            return None
         row = table.row(key)
         if row is None or (row.everything and table.everything != self._everything):
-            return None
-        if any(self._means(lookup) != target for lookup, target in row.lookups.items()):
             return None
         return row if all(self.ask(question) == answer for question, answer in row.answers.items()) else None
 

@@ -80,6 +80,8 @@ class Table:
         self._entries = {entry.key: entry for entry in kept.entries}
         self._changed: set[int] | None = None
         """The files that are not as they were."""
+        self._moved: set[int] | None = None
+        """The look-ups that mean other files than they did."""
 
     @property
     def everything(self) -> str:
@@ -101,28 +103,41 @@ class Table:
             self._changed = {n for n, (path, before) in enumerate(self._kept.files) if fingerprint(path) != before}
         return self._changed.isdisjoint(self._entries[key].files)
 
+    def has_same_lookups(self, key: str, means: Callable[[Lookup], str | None]) -> bool:
+        """Whether the imports that a program has looked up mean what they meant; what they mean now never changes."""
+        if self._moved is None:
+            self._moved = {
+                n
+                for n in range(len(self._kept.lookups))
+                for lookup, target in [self._lookup(n)]
+                if means(lookup) != target
+            }
+        return self._moved.isdisjoint(self._entries[key].lookups)
+
     def row(self, key: str) -> Row | None:
         """A program; raises ``LookupError`` where the table is damaged."""
         entry = self._entries.get(key)
         if entry is None:
             return None
-        paths, lookups = self._paths, {}
-        for number in entry.lookups:
-            file, name, dots, target = self._kept.lookups[number]
-            [lookup_file] = paths([file])
-            lookups[lookup_file, name, dots] = None if target < 0 else paths([target])[0]
+        paths = self._paths
         return Row(
             entry.late,
             entry.everything,
             paths(entry.files),
             paths(entry.used),
-            lookups,
+            dict(map(self._lookup, entry.lookups)),
             [paths(group) for group in entry.imports],
             paths(entry.writers),
             entry.writes,
             {(question, path): answer for question, path, answer in map(self._kept.answers.__getitem__, entry.answers)},
             entry.result,
         )
+
+    def _lookup(self, number: int) -> tuple[Lookup, str | None]:
+        """What was looked up, and the file that it meant."""
+        file, name, dots, target = self._kept.lookups[number]
+        files = self._kept.files
+        return (files[file][0], name, dots), None if target < 0 else files[target][0]
 
     def _paths(self, numbers: list[int]) -> list[str]:
         return [self._kept.files[number][0] for number in numbers]
