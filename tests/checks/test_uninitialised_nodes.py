@@ -90,3 +90,57 @@ def test_a_class_that_is_derived_from_calls_the_constructor_of_its_base(judge: J
                 self.create_timer(1.0, print)
         """,
     )
+
+
+PROGRAM = """
+import os
+import rclpy
+from rclpy.context import Context
+from rclpy.node import Node
+
+
+class Robot(Node):
+    def __init__(self, **options):
+        super().__init__('robot', **options)
+
+
+def main():
+    {body}
+
+
+if __name__ == '__main__':
+    main()
+"""
+
+
+def program(*lines: str) -> str:
+    return PROGRAM.format(body="\n    ".join(lines))
+
+
+@pytest.mark.parametrize(
+    ("source", "node"),
+    [
+        (program("robot = Robot()  # here", "rclpy.init()", "rclpy.spin(robot)"), "Robot"),
+        (program("robot = rclpy.create_node('robot')  # here", "rclpy.init(args=None)"), "create_node"),
+    ],
+    ids=["of a class", "without one"],
+)
+def test_a_node_that_is_made_before_rclpy_is_initialised(judge: Judge, source: str, node: str):
+    [finding] = judge("API003", source)
+    assert finding.message == f"{node}() fails: rclpy.init() is called after it"
+
+
+@pytest.mark.parametrize(
+    "source",
+    [
+        program("rclpy.init()", "robot = Robot()", "rclpy.spin(robot)"),
+        program("robot = Robot()", "rclpy.spin(robot)"),
+        program("robot = Robot()", "if not rclpy.ok():", "    rclpy.init()"),
+        program("if os.environ.get('SIM'):", "    robot = Robot()", "rclpy.init()"),
+        program("context = Context()", "rclpy.init(context=context)", "robot = Robot(context=context)"),
+        program("rclpy.init()", "Robot()", "rclpy.shutdown()", "rclpy.init()", "Robot()"),
+    ],
+    ids=["first", "somewhere else", "perhaps", "a node in a branch", "a context of its own", "twice"],
+)
+def test_a_node_that_is_made_after_it(judge: Judge, source: str):
+    judge("API003", source)

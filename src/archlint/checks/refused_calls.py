@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 
 _AS_NEWEST = "kilted"
 """The distribution whose signatures stand for those of newer ones."""
+_OF_OTHER_RULES = frozenset({Misuse.ABSENT, Misuse.BEFORE_INIT, Misuse.EARLY})
 _NEWER = frozenset(DISTROS[DISTROS.index(_AS_NEWEST) + 1 :])
 
 
@@ -25,7 +26,7 @@ _NEWER = frozenset(DISTROS[DISTROS.index(_AS_NEWEST) + 1 :])
 def refused_call(system: System, options: Options) -> Iterator[Finding]:
     """Calls that rclpy, message_filters or tf2_ros refuse."""
     for call in _judged(system):
-        if call.misuse not in (Misuse.ABSENT, Misuse.EARLY) and _is_refused(call, options.distros):
+        if call.misuse not in _OF_OTHER_RULES and _is_refused(call, options.distros):
             yield _finding(call)
 
 
@@ -54,8 +55,16 @@ def absent_in_one_file(findings: Sequence[Finding]) -> Finding:
 
 @rule("API003", scope=Scope.CODE)
 def node_not_initialised(system: System, options: Options) -> Iterator[Finding]:
-    """Constructors that use the node before they initialise it."""
+    """Constructors that use the node before they initialise it, and nodes that are made before rclpy is."""
     for call in _judged(system):
+        if call.misuse is Misuse.BEFORE_INIT:
+            yield finding(
+                "API003",
+                call.place,
+                f"{call.given}() fails: rclpy.init() is called after it",
+                help="call rclpy.init() first",
+                identity=(call.given, "init"),
+            )
         if call.misuse is Misuse.EARLY:
             yield finding(
                 "API003",
@@ -128,7 +137,7 @@ def _what_is_wrong(call: RefusedCall) -> str:
             return f"{names} is given by position and by name"
         case Misuse.ABSENT:
             return f"there is no {names}"
-        case Misuse.EARLY:
+        case Misuse.BEFORE_INIT | Misuse.EARLY:
             return "the node is not initialised"
         case Misuse.SWAPPED:
             return f"{names} are swapped"

@@ -5,9 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from archlint import model, suggestions
-from archlint.libraries import refused_calls
 from archlint.libraries.api_signatures import attributes_of, distros
-from archlint.libraries.rclpy import names
+from archlint.libraries.rclpy import names, refusals
 
 if TYPE_CHECKING:
     from archlint.interpreter.call_site import CallSite
@@ -68,7 +67,7 @@ def note_method(run: Run, path: str, receiver: Value, site: CallSite) -> None:
     rule to find."""
     owner, _, name = path.rpartition(".")
     known = _OF_NODES if owner in names.NODE_CLASSES else attributes_of(owner)
-    if known is None or name in known or not refused_calls.is_of_rclpy(receiver):
+    if known is None or name in known or not refusals.is_of_rclpy(receiver):
         return
     near = suggestions.nearest(name, [other for other in known if not other.startswith("_")])
     expected = f"rclpy.executors.Executor.{name}" if owner.startswith("rclpy.executors.") else path
@@ -76,11 +75,11 @@ def note_method(run: Run, path: str, receiver: Value, site: CallSite) -> None:
 
 
 def _note(run: Run, path: str, instead: str, site: CallSite) -> None:
-    place = refused_calls.place_of(run, site)
+    place = refusals.place_of(run, site)
     if place is None:
         return
     owner, _, name = path.rpartition(".")
-    refused_calls.keep(
+    refusals.keep(
         run,
         place,
         path,

@@ -11,7 +11,6 @@ from archlint.interpreter.values import Instance, Value, alternatives
 from archlint.libraries.api_signatures import distros, needed, refusing_distros
 from archlint.libraries.kinds_of_arguments import described, is_other, kinds_of
 from archlint.libraries.rclpy import names, refusals
-from archlint.libraries.values import EntityValue, ExecutorValue, FutureValue
 from archlint.syntax import facts
 
 if TYPE_CHECKING:
@@ -26,40 +25,17 @@ _UNSEEN = object()
 
 def note(run: Run, api: Api, receiver: Value | None, site: CallSite, bound: Mapping[str, Value]) -> None:
     """Note a call that is refused each time that it is reached."""
-    place = place_of(run, site)
+    place = refusals.place_of(run, site)
     if place is None or not _is_known(api, receiver):
         return
     if run.noted.refused.get((place, api.path), _UNSEEN) is not None:
         refused = _early(run, api, receiver, place) or _misfit(api, site, place)
-        keep(run, place, api.path, refused or _other_kind(api, site, bound, place))
-
-
-def place_of(run: Run, site: CallSite) -> Place | None:
-    """Where a call stands; None where no code makes it, or is there for the case that it is refused."""
-    if site.expression is None or not run.activations:
-        return None
-    expected = any(activation.expecting_refusals for activation in run.activations)
-    return None if expected else run.place(site.expression.span)
-
-
-def keep(run: Run, place: Place, path: str, refused: model.RefusedCall | None) -> None:
-    """Note what was found of a call; one of which two things were found is not refused each time."""
-    noted = run.noted.refused
-    before = noted.setdefault((place, path), refused)
-    if before != refused:
-        noted[place, path] = None
-    if refused is not None or before is not None:
-        run.program.refused_calls[:] = [call for call in noted.values() if call is not None]
-
-
-def is_of_rclpy(receiver: Value) -> bool:
-    """Whether a value is certainly a node, or what only rclpy makes: its methods are rclpy's own."""
-    return isinstance(receiver, (EntityValue, ExecutorValue, FutureValue)) or refusals.is_node(receiver)
+        refusals.keep(run, place, api.path, refused or _other_kind(api, site, bound, place))
 
 
 def _is_known(api: Api, receiver: Value | None) -> bool:
     """Whether it is certainly this method that is called, or a function or class."""
-    return not api.path.startswith(f"{names.NODE}.") if receiver is None else is_of_rclpy(receiver)
+    return not api.path.startswith(f"{names.NODE}.") if receiver is None else refusals.is_of_rclpy(receiver)
 
 
 def _early(run: Run, api: Api, receiver: Value | None, place: Place) -> model.RefusedCall | None:
@@ -138,4 +114,4 @@ def _written(api: Api, site: CallSite) -> dict[str, facts.Expr]:
     return dict(zip(api.positional, own, strict=False)) | by_name
 
 
-__all__ = ["is_of_rclpy", "keep", "note", "place_of"]
+__all__ = ["note"]

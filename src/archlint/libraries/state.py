@@ -63,6 +63,10 @@ class Nodes:
     by_key: dict[str, model.Blueprint] = field(default_factory=dict)
     by_object: dict[int, model.Blueprint] = field(default_factory=dict)
     """Those that are objects of a class of the workspace, by the key of the object."""
+    initialised: bool = False
+    """Whether the program may have called ``rclpy.init()``."""
+    too_early: list[tuple[Place, str]] = field(default_factory=list)
+    """Where nodes are made before that, and of which class."""
     short_lived: dict[Activation, list[model.Blueprint]] = field(default_factory=dict)
     """Those that nothing but the variables of a running function hold."""
     revisited: set[int] | None = None

@@ -23,6 +23,8 @@ class Misuse(StringEnum):
     """One parameter is given something else than it takes."""
     EARLY = "early"
     """The object that it is called on is not initialised yet."""
+    BEFORE_INIT = "before init"
+    """It makes a node, and ``rclpy.init()`` comes later."""
     ABSENT = "absent"
     """There is no function or method of that name."""
     SWAPPED = "swapped"

@@ -138,6 +138,7 @@ def _get_interface(run: Run, call: ApiUse) -> Value:
 EFFECTS: dict[str, Effect] = {
     "none": _none,
     "create_node": made_nodes.create_node,
+    "initialise": made_nodes.initialise,
     "node_init": made_nodes.node_init,
     "destroy_node": made_nodes.destroy_node,
     "endpoint": entities.endpoint,

@@ -13,12 +13,13 @@ from archlint.interpreter.values import (
     ListValue,
     Value,
 )
-from archlint.libraries.rclpy import short_lived
+from archlint.libraries.rclpy import refusals, short_lived
 from archlint.libraries.rclpy.blueprints import ROOT, new_blueprint
 from archlint.libraries.rclpy.fields import OVERRIDES
 from archlint.libraries.rclpy.nodes import blueprint_of_instance, known_node
 from archlint.libraries.texts import text_of_value
 from archlint.libraries.values import NodeValue
+from archlint.ros.distros import DISTROS
 
 if TYPE_CHECKING:
     from archlint.libraries.api_use import ApiUse
@@ -44,7 +45,27 @@ def create_node(run: Run, call: ApiUse) -> Value:
         if known.until is not None and known.until < len(run.nodes.by_key):
             known.until = None  # made again, beside nodes that came later
     known.destroyed_at = None
+    if "context" not in call.arguments:
+        _note_too_early(run, place, call.api.path.rpartition(".")[2])
     return NodeValue(known, run.store.new_key())
+
+
+def initialise(run: Run, call: ApiUse) -> Value:
+    """``rclpy.init()``: what made a node on the way to it has failed."""
+    if "context" not in call.arguments and not run.branch_arms:
+        for place, name in run.nodes.too_early:
+            early = model.RefusedCall(place, "rclpy.init", model.Misuse.BEFORE_INIT, given=name, distros=DISTROS)
+            refusals.keep(run, place, "rclpy.init", early)
+    run.nodes.too_early.clear()
+    run.nodes.initialised = True
+    return Known(None)
+
+
+def _note_too_early(run: Run, place: Place | None, name: str) -> None:
+    """Note that the program makes a node, if it has not called ``rclpy.init()``."""
+    settled = not run.branch_arms and run.context.role in (model.Role.MAIN, model.Role.MODULE)
+    if place is not None and settled and not run.nodes.initialised:
+        run.nodes.too_early.append((place, name))
 
 
 def node_init(run: Run, call: ApiUse) -> Value:
@@ -53,6 +74,8 @@ def node_init(run: Run, call: ApiUse) -> Value:
     if isinstance(receiver, Instance) and receiver.own_class is not None:
         blueprint = blueprint_of_instance(run, receiver)
         _set_names(run, blueprint, call)
+        if "context" not in call.arguments:
+            _note_too_early(run, receiver.place, receiver.own_class.ir.name)
     return Known(None)
 
 

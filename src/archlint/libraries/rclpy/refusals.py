@@ -1,13 +1,23 @@
-"""What Python refuses of rclpy: calls of a node's methods whose arguments do not fit, and its modules as classes."""
+"""What Python refuses of rclpy: calls of a node's methods whose arguments do not fit, and its modules as classes.
+
+Also how a call that is refused is noted.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Collection
+from typing import TYPE_CHECKING
 
+from archlint import model
 from archlint.interpreter.values import ApiMethod, Value
 from archlint.libraries import tables
 from archlint.libraries.rclpy import names, node_classes, signatures
-from archlint.libraries.values import NodeValue
+from archlint.libraries.values import EntityValue, ExecutorValue, FutureValue, NodeValue
+
+if TYPE_CHECKING:
+    from archlint.finding import Place
+    from archlint.interpreter.call_site import CallSite
+    from archlint.libraries.run import Run
 
 _MODULES = frozenset(
     ".".join(parts[:length])
@@ -40,4 +50,27 @@ def is_node(value: Value) -> bool:
     return cls is not None and node_classes.has_only(cls)
 
 
-__all__ = ["is_module", "is_node", "refuses"]
+def place_of(run: Run, site: CallSite) -> Place | None:
+    """Where a call stands; None where no code makes it, or is there for the case that it is refused."""
+    if site.expression is None or not run.activations:
+        return None
+    expected = any(activation.expecting_refusals for activation in run.activations)
+    return None if expected else run.place(site.expression.span)
+
+
+def keep(run: Run, place: Place, path: str, refused: model.RefusedCall | None) -> None:
+    """Note what was found of a call; one of which two things were found is not refused each time."""
+    noted = run.noted.refused
+    before = noted.setdefault((place, path), refused)
+    if before != refused:
+        noted[place, path] = None
+    if refused is not None or before is not None:
+        run.program.refused_calls[:] = [call for call in noted.values() if call is not None]
+
+
+def is_of_rclpy(receiver: Value) -> bool:
+    """Whether a value is certainly a node, or what only rclpy makes: its methods are rclpy's own."""
+    return isinstance(receiver, (EntityValue, ExecutorValue, FutureValue)) or is_node(receiver)
+
+
+__all__ = ["is_module", "is_node", "is_of_rclpy", "keep", "place_of", "refuses"]

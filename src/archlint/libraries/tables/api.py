@@ -11,6 +11,7 @@ from archlint.model import EntityKind, ExecutorKind, Role
 EffectName = Literal[
     "none",
     # nodes and what is created on them
+    "initialise",
     "create_node",
     "node_init",
     "destroy_node",

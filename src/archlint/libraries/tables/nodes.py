@@ -31,6 +31,8 @@ ROWS = (
     Api("rclpy.experimental.async_node.AsyncNode.__init__", f"node_name {_NODE_OPTIONS}", effect="node_init"),
     # ---- what makes a node of C++ in the same process (moveit_py, moveit/planning.py)
     Api("moveit.planning.MoveItPy", "node_name", watched=True),
+    # ---- before there is any
+    Api("rclpy.init", "* args context domain_id signal_handler_options", effect="initialise"),
     # ---- names of nodes
     Api("rclpy.node.Node.get_name", effect="get_name"),
     Api("rclpy.node.Node.get_namespace", effect="get_namespace"),
