@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from archlint.analysis.limit_sites import same_code
-from archlint.analysis.surrounding_code import as_code, is_constant, is_node, own_node, runs_once, statement_before
+from archlint.analysis.surrounding_code import as_code, is_constant, own_node, runs_once, statement_before
 from archlint.syntax import facts
 from archlint.syntax.python.lowering import lower
 from archlint.syntax.tree import Tree
@@ -78,19 +78,6 @@ def test_what_is_constant(name: str, constant: bool):
     statement = statement_before(tree, call)
     assert statement is not None
     assert is_constant(tree, call.args[0].value, statement) is constant
-
-
-@pytest.mark.parametrize(("bases", "node"), [
-    ("Node", True),
-    ("Node, ABC", True),
-    ("Node, Other", False),
-    ("Other", False),
-    ("object", False),
-])  # fmt: skip
-def test_which_class_is_certainly_a_node(bases: str, node: bool):
-    tree, call = tree_and_call(IN_CLASS.format(bases=bases, line="self.here()"))
-    assert isinstance(call.func, facts.Attribute)
-    assert is_node(tree, call.func.value, call) is node
 
 
 @pytest.mark.parametrize(("code", "own"), [

@@ -634,6 +634,7 @@ def test_a_linked_file_is_written_through(workbench: Workbench):
 
 BASE = """\
 from rclpy.node import Node
+from rclpy.node import Node as RosNode
 
 
 class Base({}):
@@ -659,8 +660,8 @@ rclpy.spin(Derived())
 """
 
 
-@pytest.mark.parametrize("bases", ["Node", "Node, Mixin"])
-def test_a_base_class_in_another_file(workbench: Workbench, bases: str):
+@pytest.mark.parametrize(("bases", "edited"), [("Node", True), ("RosNode", True), ("Node, Mixin", False)])
+def test_a_base_class_in_another_file(workbench: Workbench, bases: str, edited: bool):
     """Its parameters are left alone; a class that cannot be seen may have any."""
     package = workbench.folder / "talk"
     package.mkdir()
@@ -671,4 +672,31 @@ def test_a_base_class_in_another_file(workbench: Workbench, bases: str):
     (package / "__init__.py").touch()
     main(["check", "--fix", "--unsafe-fixes", "--select", "NME001", "--no-cache"])
     after = derived.read_text("utf-8")
-    assert after == before if bases != "Node" else "self.declare_parameter('said_topic_2', '/said')" in after
+    assert after == before if not edited else "self.declare_parameter('said_topic_2', '/said')" in after
+
+
+MANIFEST = '<package format="3"><name>{}</name><export><build_type>ament_python</build_type></export></package>\n'
+WAIT = """\
+self.asked = self.create_client(Trigger, 'asked')
+        self.asked.wait_for_service()
+        self.create_publisher(String, '/said', 10)"""
+
+
+def test_a_base_class_in_another_package(workbench: Workbench):
+    """``self`` is a node all the same, and has a logger; which parameters it has is not looked up there."""
+    derived = workbench.folder / "talk" / "talk" / "derived.py"
+    texts = {
+        "common/package.xml": MANIFEST.format("common"),
+        "common/common/__init__.py": "",
+        "common/common/base.py": BASE.format("Node"),
+        "talk/package.xml": MANIFEST.format("talk"),
+        "talk/talk/__init__.py": "",
+    }
+    code = DERIVED.replace("from base", "from std_srvs.srv import Trigger\nfrom common.base").format(WAIT)
+    for path, text in {**texts, "talk/talk/derived.py": code}.items():
+        (workbench.folder / path).parent.mkdir(parents=True, exist_ok=True)
+        (workbench.folder / path).write_text(text, encoding="utf-8")
+    main(["check", "--fix", "--unsafe-fixes", "--select", "NME001,TMO001", "--no-cache"])
+    after = derived.read_text("utf-8")
+    assert "self.get_logger()" in after and "timeout_sec" in after
+    assert "declare_parameter" not in after

@@ -67,7 +67,6 @@ def test_who_imports_whom(code: WorkspaceCode):
     assert code.is_local(talker, "robot.helper")
     assert not code.is_local(talker, "arm.joint")
     assert code.imported(talker.relative, "arm.joint") is not None
-    assert code.imported_of_package(talker.relative, "arm.joint") is None
     assert code.imported(talker.relative, "numpy") is None
 
 

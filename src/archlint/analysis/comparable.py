@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from archlint.analysis.completeness import declares_all
 from archlint.analysis.completeness import in_sight as followed
 
 if TYPE_CHECKING:
@@ -35,4 +34,4 @@ def is_complete_node(system: System, node: Node) -> bool:
         return False
     if node.program is not None and node.program.exhausted:
         return False
-    return all(followed(blueprint) and declares_all(system.workspace, blueprint) for blueprint in node.blueprints)
+    return all(followed(blueprint) and blueprint.just_rclpy for blueprint in node.blueprints)

@@ -14,69 +14,22 @@ if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
     from archlint.systems.nodes import Node
 
-_NODE_BASES = frozenset({"Node", "LifecycleNode", "object", "ABC", "Generic", "Protocol"})
 
-
-def is_complete(workspace: WorkspaceIndex | None, node: Node) -> bool:
+def is_complete(node: Node) -> bool:
     """True where nothing outside of this workspace gets the node or is its base class, and each of its
     endpoints has a known name."""
-    if workspace is None or node.blueprint is None or node.program is None or node.doubt is not None:
+    if node.blueprint is None or node.program is None or node.doubt is not None:
         return False
     if node.program.exhausted or any(b.caller_unknown or not in_sight(b) for b in node.blueprints):
         return False
     if any(endpoint.name is None or endpoint.resolution in ("partial", "unknown") for endpoint in node.endpoints):
         return False
-    return declares_all(workspace, node.blueprint)
+    return node.blueprint.just_rclpy
 
 
 def in_sight(blueprint: Blueprint) -> bool:
     """Whether all that is done with a node was followed: no code from elsewhere has it, and nothing was cut short."""
     return blueprint.complete and not blueprint.gaps and not blueprint.escapes
-
-
-def declares_all(workspace: WorkspaceIndex | None, blueprint: Blueprint) -> bool:
-    """Whether the class of a node derives from nothing but rclpy's nodes and classes of this workspace."""
-    if workspace is None or blueprint.caller_unknown:
-        return False
-    file = blueprint.place.file
-    classes = _classes(workspace, file)
-    if classes is None:
-        return False
-    local = _ours(workspace, file)
-    waiting = [blueprint.class_name.rpartition(".")[2]]
-    for name in waiting:
-        cls = classes.get(name)
-        for base in cls.bases if cls is not None else ():
-            text = base.value.last_name
-            if not text or (text not in _NODE_BASES and text not in classes and text not in local):
-                return False
-            if text in classes and text not in waiting:
-                waiting.append(text)
-    return True
-
-
-@once_for_each_file
-def _classes(file_facts: facts.Facts) -> dict[str, facts.Class]:
-    """The classes of a file by name; of several of one name the first."""
-    return {item.name: item for item in reversed(list(everything_in(file_facts.body, facts.Class)))}
-
-
-@once_for_each_file
-def _defined_and_imported(file_facts: facts.Facts) -> tuple[frozenset[str], tuple[facts.ImportFrom, ...]]:
-    classes, functions = everything_in(file_facts.body, facts.Class), everything_in(file_facts.body, facts.Function)
-    names = frozenset(item.name for items in (classes, functions) for item in items)
-    return names, tuple(everything_in(file_facts.body, facts.ImportFrom))
-
-
-def _ours(workspace: WorkspaceIndex, file: str) -> set[str]:
-    """Names of a file that mean something of this workspace."""
-    tops = workspace.code.top_modules
-    defined, imports = _defined_and_imported(workspace, file) or (frozenset(), ())
-    names = set(defined)
-    for item in imports:
-        if item.level or item.module.partition(".")[0] in tops:
-            names.update(bound for _, bound in item.names)
-    return names
 
 
 @once_for_each_file
@@ -111,7 +64,6 @@ def _every_function(file_facts: facts.Facts) -> tuple[facts.Function, ...]:
 
 __all__ = [
     "called_names",
-    "declares_all",
     "enclosing_class",
     "enclosing_function",
     "in_sight",

@@ -161,6 +161,8 @@ class _Uses:
 
 
 _PLAIN_BASES = frozenset({"Node", "object"})
+"""Bases that call no method of their own accord.  Whether a class is just an rclpy node is another question
+(:attr:`archlint.model.NodeClass.just_rclpy`): a LifecycleNode is, and calls ``on_configure`` and the like."""
 
 
 def _attributes(method: facts.Function) -> dict[str, int]:

@@ -9,7 +9,7 @@ import re
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.analysis.surrounding_code import is_imported, is_node, maker_in_function, tree_of
+from archlint.analysis.surrounding_code import is_imported, maker_in_function, node_class_around, tree_of
 from archlint.edit_sites import AnswerCheck, LimitlessCall, LogLoop, Sites
 from archlint.place import Place
 from archlint.syntax import facts
@@ -29,18 +29,23 @@ _IS_NONE, _IS_NOT_DONE = "{} is None", "not {}.done()"
 def sites_of_wait(workspace: WorkspaceIndex | None, place: Place, awaited: str) -> Sites | None:
     """For ``wait_for_service(timeout_sec=5.0)`` and the like, with something that reads the answer."""
     tree, call = _call_at(workspace, place)
-    if tree is None or call is None or called_name(call) not in _LIMITS:
+    if workspace is None or tree is None or call is None or called_name(call) not in _LIMITS:
         return None
     keyword = _LIMITS[called_name(call)]
     of_message = keyword == "time_to_wait"
     limit = _limit(place, call, keyword, None if of_message else 0)
     if limit is None:
         return None
-    looked_at = _look_at_message(tree, limit, call) if of_message else _look_at_wait(tree, limit, call, awaited)
+    if of_message:
+        looked_at = _look_at_message(tree, limit, call)
+    else:
+        looked_at = _look_at_wait(workspace, tree, limit, call, awaited)
     return None if looked_at is None else Sites(limits=(looked_at,))
 
 
-def _look_at_wait(tree: Tree, limit: LimitlessCall, call: facts.Call, awaited: str) -> LimitlessCall | None:
+def _look_at_wait(
+    workspace: WorkspaceIndex, tree: Tree, limit: LimitlessCall, call: facts.Call, awaited: str
+) -> LimitlessCall | None:
     """What keeps a limited wait from being an answer that nobody reads (TMO005) or a loop that nothing ends (TMO004);
     None where that cannot be had.
 
@@ -51,7 +56,7 @@ def _look_at_wait(tree: Tree, limit: LimitlessCall, call: facts.Call, awaited: s
     parent = tree.parent(call)
     match parent:
         case facts.Expression():
-            loop = _log_loop(tree, file, parent, call, awaited)
+            loop = _log_loop(workspace, tree, file, parent, call, awaited)
             return None if loop is None else replace(limit, loop=loop)
         case facts.Unary():
             match tree.parent(parent):
@@ -73,19 +78,23 @@ def _is_read(tree: Tree, target: facts.Expr, statement: facts.Stmt) -> bool:
     return True
 
 
-def _log_loop(tree: Tree, file: str, statement: facts.Expression, call: facts.Call, awaited: str) -> LogLoop | None:
-    node = _node_at_hand(tree, call, statement)
+def _log_loop(
+    workspace: WorkspaceIndex, tree: Tree, file: str, statement: facts.Expression, call: facts.Call, awaited: str
+) -> LogLoop | None:
+    node = _node_at_hand(workspace, tree, file, call, statement)
     if node is None or not is_imported(tree, "rclpy"):
         return None
     what = "action server" if called_name(call) == "wait_for_server" else "service"
     return LogLoop(Place.of(file, statement.span), node, f"{what} {awaited}" if _NAME.match(awaited) else what)
 
 
-def _node_at_hand(tree: Tree, call: facts.Call, statement: facts.Expression) -> str | None:
+def _node_at_hand(
+    workspace: WorkspaceIndex, tree: Tree, file: str, call: facts.Call, statement: facts.Expression
+) -> str | None:
     """The node whose logger can say it: ``self`` of a node's method, or who made the client in this function."""
     function = tree.function_around(statement)
     normal = [] if function is None else [param.name for param in function.params if param.kind == "normal"]
-    if normal[:1] == ["self"] and is_node(tree, facts.Name("self", statement.span), statement):
+    if normal[:1] == ["self"] and node_class_around(workspace, file, tree, statement) is not None:
         return "self"
     match call.func:
         case facts.Attribute(value=facts.Name(id=client)):

@@ -6,10 +6,9 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.surrounding_code import (
     as_code,
-    class_elsewhere,
     is_constant,
     is_method,
-    is_node,
+    node_class_around,
     own_node,
     runs_once,
     statement_before,
@@ -24,6 +23,7 @@ from archlint.syntax.tree import Tree, span_of
 from archlint.syntax.walk import called_name, parts_of
 
 if TYPE_CHECKING:
+    from archlint.model import NodeClass
     from archlint.systems.model import WorkspaceIndex
 
 _OWNERS = ("rclpy.node.Node", "rclpy.lifecycle.node.LifecycleNode", "rclpy.action.client", "rclpy.action.server")
@@ -48,7 +48,9 @@ def sites_of_name(workspace: WorkspaceIndex | None, given: Place, written: str, 
     same_name = as_code(name)
     if node is None or statement is None or same_name is None:
         return None
-    if not is_node(tree, node, statement, class_elsewhere(workspace.code, given.file, tree)):
+    is_self = node.dotted == "self"
+    cls = node_class_around(workspace, given.file, tree, statement) if is_self else None
+    if is_self and (cls is None or not _is_of_package(workspace, cls)):
         return None
     function = tree.function_around(statement)
     if _is_parameter(function, name):
@@ -71,10 +73,15 @@ def sites_of_name(workspace: WorkspaceIndex | None, given: Place, written: str, 
         same_as=(interface, node.dotted, same_name),
         runs_once=once,
         method=function.name if function is not None and _is_other_method(tree, function) else None,
-        shares_node=not own or not is_node(tree, node, statement),
+        shares_node=not own or (cls is not None and any(base.file != given.file for base, _ in cls.bases)),
         stays=stays,
     )
     return Sites(names=(site,))
+
+
+def _is_of_package(workspace: WorkspaceIndex, cls: NodeClass) -> bool:
+    """Whether a class and its bases are in one package, in whose files fixes look for the parameters that there are."""
+    return {workspace.package_of(place.file) for place, _ in cls.bases} <= {workspace.package_of(cls.place.file)}
 
 
 def _argument_at(tree: Tree, place: Place) -> tuple[facts.Call | None, facts.Expr | None]:

@@ -44,10 +44,10 @@ def _makes(value: facts.Expr, place: Place) -> bool:
 
 def _is_attribute(workspace: WorkspaceIndex, node: Blueprint, name: str) -> bool:
     """Whether the node's class sets an attribute of this name on itself: a method is not one."""
-    for place, qualified in node.classes:
-        file_facts = workspace.facts_at(place.file)
+    for own in node.classes:
+        file_facts = workspace.facts_at(own.place.file)
         classes = everything_in([] if file_facts is None else file_facts.body, facts.Class)
-        for cls in (candidate for candidate in classes if candidate.name == qualified.rpartition(".")[2]):
+        for cls in (candidate for candidate in classes if candidate.name == own.name.rpartition(".")[2]):
             targets = (target for assignment in everything_in(cls, facts.Assign) for target in assignment.targets)
             if any(target.dotted == f"self.{name}" for target in targets):
                 return True

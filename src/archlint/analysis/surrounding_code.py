@@ -5,24 +5,21 @@ For fixes, which must know more than a rule does: code that is moved has to mean
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from archlint.analysis.kept import once_for_each_file
+from archlint.analysis.kept import once, once_for_each_file
+from archlint.place import Place
 from archlint.syntax import facts
 from archlint.syntax.tree import Tree
 from archlint.syntax.walk import called_name
 
 if TYPE_CHECKING:
-    from archlint.systems.code import WorkspaceCode
+    from archlint.model import NodeClass
+    from archlint.systems.model import WorkspaceIndex
 
-NODE_BASES = frozenset({"Node", "LifecycleNode"})
-_HARMLESS_BASES = frozenset({"ABC", "object"})
 _MAKES_NODE = frozenset({"Node", "LifecycleNode", "create_node"})
 _DECLARES_ITSELF = "automatically_declare_parameters_from_overrides"
-
-ClassElsewhere = Callable[[str], "facts.Class | None"]
-"""The class of that name which a file imports from its own package."""
 
 
 @once_for_each_file
@@ -53,59 +50,21 @@ def statement_before(tree: Tree, call: facts.Call) -> facts.Stmt | None:
 # --------------------------------------------------------------------------------------------------------- nodes
 
 
-def is_node(tree: Tree, node: facts.Expr, at: facts.Base, elsewhere: ClassElsewhere | None = None) -> bool:
-    """Whether ``self`` is certainly a node, whose other parameters can be seen, here or ``elsewhere``; others must
-    be, to create something."""
-    if node.dotted != "self":
-        return True
+def node_class_around(workspace: WorkspaceIndex, file: str, tree: Tree, at: facts.Base) -> NodeClass | None:
+    """The class around a piece of code, if it is just an rclpy node: ``self`` is one there for certain, and what else
+    it has can be seen."""
     cls = tree.class_around(at)
-    return cls is not None and _is_plain_node(tree, cls, frozenset(), elsewhere)
+    return None if cls is None else _just_rclpy(workspace).get(Place.of(file, cls.name_span))
 
 
-def _is_plain_node(tree: Tree, cls: facts.Class, seen: frozenset[str], elsewhere: ClassElsewhere | None) -> bool:
-    """Whether a class derives from rclpy's node, and from nothing else that is not in this file or ``elsewhere``."""
-    derives = False
-    for base in bases_of(cls):
-        local = next((sibling for sibling in tree.of_kind(facts.Class) if sibling.name == base), None)
-        if base in NODE_BASES and local is None:
-            derives = True
-        elif local is not None and base not in seen:
-            local_bases = bases_of(local)
-            if local_bases and not _is_plain_node(tree, local, seen | {base}, elsewhere):
-                return False
-            derives = derives or bool(local_bases)
-        elif base not in _HARMLESS_BASES:
-            other = None if elsewhere is None or base in seen else elsewhere(base)
-            if other is None or not _derives_plainly(other):
-                return False
-            derives = True
-    return derives
-
-
-def bases_of(cls: facts.Class) -> list[str]:
-    """The last names of what a class derives from."""
-    return [base.value.last_name if not base.star else "" for base in cls.bases if base.keyword is None]
-
-
-def _derives_plainly(cls: facts.Class) -> bool:
-    """Whether a class derives from rclpy's node and nothing unseen."""
-    bases = frozenset(bases_of(cls))
-    return bool(bases & NODE_BASES) and bases <= NODE_BASES | _HARMLESS_BASES
-
-
-def class_elsewhere(code: WorkspaceCode, file: str, tree: Tree) -> ClassElsewhere:
-    """Looks up the classes that a file imports from its own package."""
-
-    def find(name: str) -> facts.Class | None:
-        for statement in tree.of_kind(facts.ImportFrom):
-            original = next((original for original, bound in statement.names if bound == name), None)
-            file_facts = None if original is None else code.imported_of_package(file, statement.module, statement.level)
-            if file_facts is not None:
-                classes = [item for item in Tree(file_facts).of_kind(facts.Class) if item.name == original]
-                return classes[0] if len(classes) == 1 else None
-        return None
-
-    return find
+@once
+def _just_rclpy(workspace: WorkspaceIndex) -> dict[Place, NodeClass]:
+    """The classes that are just rclpy nodes, by where their names are written."""
+    systems = (each for system in workspace.systems for each in (system, *(other for _, other in system.alternatives)))
+    programs = {id(program): program for system in systems for program in system.programs}
+    classes = [cls for program in programs.values() for node in program.nodes for cls in node.classes]
+    others = {cls.place for cls in classes if not cls.just_rclpy}
+    return {cls.place: cls for cls in classes if cls.place not in others}
 
 
 def own_node(tree: Tree, node: facts.Expr, statement: facts.Stmt) -> bool:

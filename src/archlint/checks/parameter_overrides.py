@@ -7,7 +7,6 @@ from dataclasses import astuple, replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.chosen_names import executable_is_chosen
-from archlint.analysis.completeness import declares_all
 from archlint.analysis.declared_parameters import always_declared, declared_by, followed
 from archlint.analysis.kept import once
 from archlint.analysis.set_parameters import called, files_of, files_of_process, others_are_not_run, set_nodes
@@ -36,12 +35,12 @@ def unknown_parameter_override(system: System, options: Options) -> Iterator[Fin
     for node, settings in set_nodes(system):
         declared = declared_by(node)
         assert node.blueprint is not None
-        if declared is None or not declares_all(system.workspace, node.blueprint) or not followed(node):
+        if declared is None or not node.blueprint.just_rclpy or not followed(node):
             continue
         siblings = [other for other in system.entries if other.started is node.started and other is not node]
         if _has_unseen_nodes(node) or _is_gone_before(node, siblings):
             continue  # what the launch file sets is for the node that the process is there for
-        others = [_declared_in_sight(system.workspace, other) for other in siblings]
+        others = [_declared_in_sight(other) for other in siblings]
         for setting in settings:
             if setting.name in declared or always_declared(setting.name) or setting.shared:
                 continue
@@ -133,9 +132,9 @@ def _is_gone_before(node: Node, siblings: Sequence[Node]) -> bool:
     return any(end is not None and number >= end for end in ends for number in later)
 
 
-def _declared_in_sight(workspace: WorkspaceIndex | None, node: Node) -> dict[str, list[ParameterDeclaration]] | None:
+def _declared_in_sight(node: Node) -> dict[str, list[ParameterDeclaration]] | None:
     """The declarations of a node by name; None where it may have others, from a base class that is not known, say."""
-    complete = all(declares_all(workspace, blueprint) for blueprint in node.blueprints) and followed(node)
+    complete = all(blueprint.just_rclpy for blueprint in node.blueprints) and followed(node)
     return declared_by(node) if complete else None
 
 

@@ -6,7 +6,6 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.analysis.completeness import declares_all
 from archlint.analysis.declared_parameters import always_declared, declared_by, followed
 from archlint.analysis.parameter_uses import is_passed_on, names_listed
 from archlint.checks.registry import Options, finding, rule
@@ -29,7 +28,7 @@ def undeclared_parameter(system: System, options: Options) -> Iterator[Finding]:
         declared = declared_by(node)
         if node.blueprint is None or declared is None or node.program is None or node.program.exhausted:
             continue
-        if not declares_all(system.workspace, node.blueprint) or not followed(node):
+        if not node.blueprint.just_rclpy or not followed(node):
             continue
         calls = [call for call in node.program.calls if call.node is node.blueprint]
         guarded = {name_asked_for(call) for call in calls if call.api.endswith(".has_parameter")}

@@ -32,7 +32,7 @@ def dead_remapping(system: System, options: Options) -> Iterator[Finding]:
     if system.launched is None:
         return
     for started, nodes in _by_started(system):
-        if all(is_complete(system.workspace, node) for node in nodes):
+        if all(is_complete(node) for node in nodes):
             for remap in started.remaps:
                 findings = [] if remap.group else list(_dead(remap, nodes, started))
                 if findings and not _live_elsewhere(system, remap):
@@ -54,9 +54,7 @@ def _live_elsewhere(system: System, remap: Remap) -> bool:
     for other, other_remap, started, nodes in rows:
         if other is system:
             continue
-        if not all(is_complete(system.workspace, node) for node in nodes) or not list(
-            _dead(other_remap, nodes, started)
-        ):
+        if not all(is_complete(node) for node in nodes) or not list(_dead(other_remap, nodes, started)):
             return True
     return False
 

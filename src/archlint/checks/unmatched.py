@@ -7,7 +7,6 @@ from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING
 
 from archlint.analysis.coexistence import certain, in_source_order, named_by_library
-from archlint.analysis.completeness import declares_all
 from archlint.analysis.completeness import in_sight as followed
 from archlint.checks.near_misses import nearly_equal
 from archlint.checks.registry import Options, finding, rule
@@ -22,7 +21,7 @@ from archlint.suggestions import meant
 from archlint.systems.implicit import implicit_names
 
 if TYPE_CHECKING:
-    from archlint.systems.model import System, WorkspaceIndex
+    from archlint.systems.model import System
     from archlint.systems.nodes import Connection, Endpoint, Node
 
 _PARTNER = {
@@ -125,7 +124,7 @@ def in_sight(system: System) -> bool:
     """Whether the source of everything that runs is here, so that nobody unseen publishes, listens or serves: no
     node and no included launch file of another workspace, no plain process (``ros2 topic pub``, a simulator), no
     node that is passed to a library, and no helper of a node that is not known."""
-    if system.unowned or any(node.external or not _seen(node, system.workspace) for node in system.nodes):
+    if system.unowned or any(node.external or not _seen(node) for node in system.nodes):
         return False
     launched = system.launched
     if launched is None:
@@ -135,14 +134,14 @@ def in_sight(system: System) -> bool:
     return not (processes or elsewhere or launched.gaps)
 
 
-def _seen(node: Node, workspace: WorkspaceIndex | None) -> bool:
+def _seen(node: Node) -> bool:
     """Whether a node's endpoints are those that its own code creates, and all of that code was followed: no base
     class from elsewhere, no library that is given the node."""
     if node.doubt is not None or (node.program is not None and node.program.exhausted):
         return False
     if not all(followed(blueprint) for blueprint in node.blueprints):
         return False
-    return workspace is None or all(declares_all(workspace, blueprint) for blueprint in node.blueprints)
+    return all(blueprint.just_rclpy for blueprint in node.blueprints)
 
 
 def _may_match(end: Endpoint, other: Endpoint) -> bool:

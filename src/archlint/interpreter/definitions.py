@@ -17,6 +17,7 @@ from archlint.interpreter.values import (
     ClassValue,
     External,
     FunctionValue,
+    Known,
     Partial,
     Unknown,
     Value,
@@ -97,16 +98,19 @@ def define_class(machine: Machine, s: facts.Class) -> Value:
     """What ``class`` binds."""
     activation = machine.activation
     activation.closed_over = True
-    bases = _bases(machine, s)
-    if bases is None:
+    written = _bases(machine, s)
+    if written is None:
         return Unknown("no class can inherit from a module")
+    bases = tuple(_single_base(machine, base) for base in written)
+    others = tuple(_other_bases(machine, written, bases))
+    metaclass = _metaclass(machine, s)
     decorators = (machine.evaluate(called(decorator)) for decorator in s.decorators)
     names = frozenset(value.dotted for value in decorators if value.dotted)
     registering = registries.decorators_of(machine, s)
     prefix = "" if activation.scope.kind == "module" else activation.scope.qualified + "."
     key = machine.store.new_key()
     scope = Scope(key, activation.scope, activation.module, "class", prefix + s.name)
-    cls = ClassValue(s, scope, prefix + s.name, tuple(bases), key, (), names)
+    cls = ClassValue(s, scope, prefix + s.name, bases, key, (), names, others, metaclass)
     object.__setattr__(cls, "mro", linearize(cls))
     machine.activations.append(Activation(prefix + s.name, activation.module, scope, s.body, machine.store.depth))
     try:
@@ -120,28 +124,54 @@ def define_class(machine: Machine, s: facts.Class) -> Value:
 
 
 def _bases(machine: Machine, s: facts.Class) -> list[Value] | None:
-    """The classes that a class derives from; None where one is to be a module."""
+    """What a class derives from, as it is written; None where that is to be a module."""
     bases: list[Value] = []
     for argument in s.bases:
-        if argument.keyword is None and not argument.star:
+        if argument.keyword is None:
             base = machine.evaluate(argument.value)
             if refusals.is_module(machine, base):
                 return None
-            bases.append(_single_base(machine, base))
-        elif argument.keyword is not None:
-            machine.evaluate(argument.value)
+            bases.extend(_unpacked(machine, base) if argument.star else (base,))
     return bases
+
+
+def _unpacked(machine: Machine, bases: Value) -> tuple[Value, ...]:
+    """What ``*bases`` gives a class to derive from."""
+    items = bases.items(machine)
+    return (Unknown("bases that are not known"),) if items is None or items.open else items.values
 
 
 def _single_base(machine: Machine, value: Value) -> Value:
     """A base that depends on a branch (``try: import …``): the first class among the alternatives."""
-    for option in alternatives(value):
-        match option:
-            case ClassValue():
-                return option
-            case External():
-                return External(machine.library.canonical(option.path))
-    return External(value.name) if isinstance(value, Builtin) else value
+    return next((_base(machine, option) for option in alternatives(value) if _is_class(option)), _base(machine, value))
+
+
+def _is_class(value: Value) -> bool:
+    return isinstance(value, (ClassValue, External))
+
+
+def _base(machine: Machine, value: Value) -> Value:
+    match value:
+        case External(path=path):
+            return External(machine.library.canonical(path))
+        case Builtin(name=name):
+            return External(name)
+    return value
+
+
+def _other_bases(machine: Machine, written: Sequence[Value], chosen: Sequence[Value]) -> Iterator[Value]:
+    """What the bases are where a branch is taken that is not followed here; no class derives from a constant, such as
+    the None that stands for a failed import."""
+    for value, first in zip(written, chosen, strict=True):
+        for option in alternatives(value):
+            base = _base(machine, option)
+            if base != first and not isinstance(base, Known):
+                yield base
+
+
+def _metaclass(machine: Machine, s: facts.Class) -> Value | None:
+    keywords = {given.keyword: machine.evaluate(given.value) for given in s.bases if given.keyword is not None}
+    return keywords.get("metaclass")
 
 
 def _own_functions(machine: Machine, cls: ClassValue) -> None:

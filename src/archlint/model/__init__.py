@@ -26,6 +26,7 @@ from archlint.model.nodes import (
     FunctionRef,
     Group,
     GuardKind,
+    NodeClass,
     ParameterDeclaration,
 )
 from archlint.model.overrides import Overrides, node_key
@@ -53,6 +54,7 @@ __all__ = [
     "GroupKind",
     "GuardKind",
     "Misuse",
+    "NodeClass",
     "Overrides",
     "ParameterDeclaration",
     "Passed",

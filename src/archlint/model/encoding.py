@@ -24,7 +24,16 @@ from archlint.model.calls import ApiCall
 from archlint.model.executors import ExecutorUse, Spell, SpinDuration
 from archlint.model.kinds import EntityKind, ExecutorKind, GroupKind, Role
 from archlint.model.messages import FieldUse, Passed, UnknownInterface
-from archlint.model.nodes import Blueprint, Callback, Creation, Frame, FunctionRef, Group, ParameterDeclaration
+from archlint.model.nodes import (
+    Blueprint,
+    Callback,
+    Creation,
+    Frame,
+    FunctionRef,
+    Group,
+    NodeClass,
+    ParameterDeclaration,
+)
 from archlint.model.programs import Program
 from archlint.model.refused import Misuse, RefusedCall
 from archlint.model.texts import Text
@@ -84,7 +93,7 @@ PROGRAMS: Final = Language(
     ),
     (
         *(ApiCall, Blueprint, Callback, Creation, ExecutorUse, FieldUse, Frame, FunctionRef, Group),
-        *(ParameterDeclaration, Passed, Place, Program, Qos, RefusedCall, Spell, Text, UnknownInterface),
+        *(NodeClass, ParameterDeclaration, Passed, Place, Program, Qos, RefusedCall, Spell, Text, UnknownInterface),
         *(given.Given, given.Constant, given.OneOf, given.Entity, given.Future, given.Node, given.Executor),
         *(given.Message, given.Process, given.Object, given.GoalHandle, given.Duration),
         *(given.ForeignClass, given.Collection),
@@ -92,7 +101,7 @@ PROGRAMS: Final = Language(
     ),
 )
 """What programs are made of."""
-_MET_AGAIN = frozenset({Place, Frame})
+_MET_AGAIN = frozenset({Place, Frame, NodeClass})
 _SMALL = range(-(2**63), 2**63)
 """What MessagePack has a number for."""
 
@@ -152,7 +161,7 @@ class _Tables:
     """What has a number among the objects, in that order; it is kept alive, and with it its ``id``."""
     _kept: list[object] = field(default_factory=list)
     _equal: dict[object, Plain] = field(default_factory=dict)
-    """References to words, places and frames, of which most are met again and again."""
+    """References to words, places, frames and classes, of which most are met again and again."""
 
     def fill(self) -> None:
         """Write the rows of all objects, and of those that they refer to."""

@@ -155,6 +155,25 @@ ClassKey = tuple["Place", str]
 """Where a class is written, and its qualified name."""
 
 
+@dataclass(frozen=True)
+class NodeClass:
+    """A class of this workspace that a node is an object of."""
+
+    place: Place
+    """Where its name is written."""
+    name: str
+    """Its qualified name."""
+    bases: tuple[ClassKey, ...] = ()
+    """What it derives from, near and far, of this workspace."""
+    just_rclpy: bool = False
+    """Whether it is just an rclpy node: it derives from rclpy's Node, and from nothing else that is not in this
+    workspace and may create or declare something."""
+
+    @property
+    def key(self) -> ClassKey:
+        return self.place, self.name
+
+
 @dataclass(eq=False)
 class Blueprint:
     """A node as one program makes it, before a launch file renames or remaps anything.
@@ -172,7 +191,7 @@ class Blueprint:
     package: str | None
     lifecycle: bool = False
     caller_unknown: bool = False
-    classes: tuple[ClassKey, ...] = ()
+    classes: tuple[NodeClass, ...] = ()
     """Its class and the bases of that which are of this workspace."""
     annotated: tuple[ClassKey, str] | None = None
     """What annotations say of a node that nothing here passes: its class, or the class of what holds it and the
@@ -226,6 +245,12 @@ class Blueprint:
     use_global_arguments: bool = True
     """False where the command line of the process (names, remappings, parameters) does not reach the node."""
     cli_arguments: tuple[str, ...] = ()
+
+    @property
+    def just_rclpy(self) -> bool:
+        """Whether it is just an rclpy node (:attr:`NodeClass.just_rclpy`); what ``Node(…)`` and ``create_node(…)`` make
+        is."""
+        return not self.caller_unknown and (not self.classes or self.classes[0].just_rclpy)
 
     @property
     def made_again(self) -> bool:

@@ -98,7 +98,8 @@ def _meant(helper: model.Blueprint, every: Sequence[model.Blueprint], holders: H
     if helper.annotated is None:
         return []
     cls, attribute = helper.annotated
-    candidates = holders.get(helper.annotated, []) if attribute else [node for node in every if cls in node.classes]
+    of_class = (node for node in every if any(own.key == cls for own in node.classes))
+    candidates = holders.get(helper.annotated, []) if attribute else list(of_class)
     candidates = [node for node in candidates if not node.caller_unknown and node.test <= helper.test]
     is_single = len({(node.place, node.class_name, node.name.text) for node in candidates}) == 1
     return list({id(node): node for node in candidates}.values()) if is_single else []

@@ -112,12 +112,6 @@ class WorkspaceCode:
         module = self._imported(path, name, level)
         return None if module is None else module.facts
 
-    def imported_of_package(self, path: str, name: str, level: int = 0) -> Facts | None:
-        """As :meth:`imported`; None for files of other packages, too."""
-        file, module = self._by_path.get(path), self._imported(path, name, level)
-        same = file is not None and module is not None and module.file.package == file.package
-        return module.facts if same and module is not None else None
-
     def _imported(self, path: str, name: str, level: int) -> Module | None:
         file = self._by_path.get(path)
         importer = None if file is None else self._index.module(file)

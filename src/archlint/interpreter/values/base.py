@@ -194,6 +194,9 @@ class ClassValue(Value):
     mro: tuple[Value, ...] = ()
     """This class first; foreign bases as :class:`External`, unresolved ones as :class:`Unknown`."""
     decorators: frozenset[str] = frozenset()
+    other_bases: tuple[Value, ...] = ()
+    """What its bases are where another branch is taken than the one that is followed: ``try: import …``."""
+    metaclass: Value | None = None
 
     @property
     def heap_key(self) -> int:

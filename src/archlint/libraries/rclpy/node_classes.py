@@ -5,7 +5,7 @@ from __future__ import annotations
 from archlint import model
 from archlint.finding import Place
 from archlint.interpreter.python_classes import PLAIN_BASES
-from archlint.interpreter.values import ClassValue, External, Unknown
+from archlint.interpreter.values import ClassValue, External, Unknown, Value
 from archlint.libraries.rclpy import names
 
 
@@ -33,18 +33,42 @@ def may_inherit(cls: ClassValue) -> bool:
 
 def has_only(cls: ClassValue) -> bool:
     """Whether a class has nothing but what the workspace and, where it is a node, rclpy's Node give it: no base is
-    unknown or of another package."""
-    known = names.NODE_CLASSES | PLAIN_BASES
-    return all(isinstance(base, ClassValue) or (isinstance(base, External) and base.path in known) for base in cls.mro)
+    unknown or of another package, whichever branch is taken, and no metaclass has a say in it."""
+    return all(_adds_nothing_unseen(base) for base in cls.mro)
+
+
+def _adds_nothing_unseen(base: Value) -> bool:
+    match base:
+        case ClassValue(other_bases=others, metaclass=metaclass):
+            return all(map(_is_seen, others)) and (metaclass is None or metaclass.dotted in PLAIN_BASES)
+        case _:
+            return base.dotted in _KNOWN
+
+
+def _is_seen(other: Value) -> bool:
+    match other:
+        case ClassValue():
+            return has_only(other)
+        case _:
+            return other.dotted in _KNOWN
+
+
+_KNOWN = names.NODE_CLASSES | PLAIN_BASES
+
+
+def described(cls: ClassValue) -> tuple[model.NodeClass, ...]:
+    """A class of a node and the bases of it that are of this workspace, in Python's order of resolution."""
+    return tuple(_described(base) for base in cls.classes)
+
+
+def _described(cls: ClassValue) -> model.NodeClass:
+    (place, name), *bases = keys(cls)
+    return model.NodeClass(place, name, tuple(bases), just_rclpy=is_node(cls) and has_only(cls))
 
 
 def keys(cls: ClassValue) -> tuple[model.ClassKey, ...]:
     """What names a class, and the bases of it that are of this workspace, in all programs."""
-    return tuple(
-        (Place(base.scope.module.path, *base.ir.name_span), base.qualified)
-        for base in cls.mro
-        if isinstance(base, ClassValue)
-    )
+    return tuple((Place(base.scope.module.path, *base.ir.name_span), base.qualified) for base in cls.classes)
 
 
-__all__ = ["has_only", "is_lifecycle", "is_node", "keys", "may_be_node", "may_inherit"]
+__all__ = ["described", "has_only", "is_lifecycle", "is_node", "keys", "may_be_node", "may_inherit"]

@@ -48,7 +48,7 @@ def blueprint_of_instance(run: Run, instance: Instance) -> model.Blueprint:
     blueprint.made_at = instance.place
     blueprint.lifecycle = node_classes.is_lifecycle(cls)
     blueprint.caller_unknown = not node_classes.may_be_node(cls)
-    blueprint.classes = node_classes.keys(cls)
+    blueprint.classes = node_classes.described(cls)
     run.nodes.by_object[instance.key] = blueprint
     return blueprint
 
