@@ -37,6 +37,22 @@ from archlint.workspace.installed_modules import installed_modules, package_fold
         ("install(DIRECTORY ${generated}/ DESTINATION ${PYTHON_INSTALL_DIR}/arm)", {}),
         ("install(DIRECTORY ./ DESTINATION ${PYTHON_INSTALL_DIR}/arm)", {}),
         ("install(DIRECTORY scripts/ DESTINATION ${PYTHON_INSTALL_DIR}/${name})", {}),
+        ("set(name gripper)\nproject(${name})\nament_python_install_package(${PROJECT_NAME})", {"gripper": "gripper"}),
+        (
+            "set(parts joints tools)\nforeach(part ${parts})\n"
+            "install(DIRECTORY src/${part} DESTINATION ${PYTHON_INSTALL_DIR}/arm)\nendforeach()",
+            {"src/joints": "arm.joints", "src/tools": "arm.tools"},
+        ),
+        (
+            "set(code old)\nset(code new)\ninstall(DIRECTORY ${code}/ DESTINATION ${PYTHON_INSTALL_DIR}/arm)",
+            {"new": "arm"},
+        ),
+        (
+            "set(code old)\nif(NEW)\nset(code new)\nendif()\n"
+            "install(DIRECTORY ${code}/ DESTINATION ${PYTHON_INSTALL_DIR}/arm)",
+            {},  # one of the two
+        ),
+        ("function(put)\nament_python_install_package(robot)\nendfunction()", {}),  # nothing calls it
     ],
 )
 def test_folders_and_the_names_they_are_imported_under(text: str, expected: dict[str, str]):

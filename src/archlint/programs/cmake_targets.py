@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
-from archlint.programs.cmake_run import Step
 from archlint.workspace.cmake import Argument
+from archlint.workspace.cmake_run import Step
 
 _NAMES = ("RUNTIME_OUTPUT_NAME", "OUTPUT_NAME")
 """The first that is set decides."""

@@ -8,10 +8,10 @@ from collections.abc import Sequence
 from typing import Protocol
 
 from archlint.finding import Place
-from archlint.programs.cmake_run import CMakeRun, Step
 from archlint.programs.cmake_targets import TargetNames
 from archlint.syntax.entry_point_tables import ScriptEntry, entries_of_setup_cfg
 from archlint.workspace.cmake import Argument, Command
+from archlint.workspace.cmake_run import CMakeRun, Step
 from archlint.workspace.installed import Executable, InstalledFiles, Installs
 
 

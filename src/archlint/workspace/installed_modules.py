@@ -9,9 +9,9 @@ from __future__ import annotations
 
 import posixpath
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 
-from archlint.workspace.cmake import Command, parse_cmake
+from archlint.workspace.cmake_run import CMakeRun, without_source
 
 _INSTALL = "ament_python_install_package"
 _SITE = re.compile(
@@ -19,9 +19,7 @@ _SITE = re.compile(
     re.IGNORECASE,
 )
 """Where Python looks for what is installed: CMake has it in a variable, or it is written out."""
-_NAME = re.compile(r"[\w-]+")
-_VARIABLE = re.compile(r"\$\{(\w+)\}")
-_HERE = re.compile(r"\$\{(?:CMAKE_CURRENT_SOURCE_DIR|PROJECT_SOURCE_DIR|CMAKE_SOURCE_DIR)\}/?")
+_FILE = "CMakeLists.txt"
 _KINDS = frozenset({"DIRECTORY", "FILES", "PROGRAMS"})
 _ENDS_SOURCES = frozenset(
     {"COMPONENT", "CONFIGURATIONS", "DESTINATION", "DIRECTORY_PERMISSIONS", "EXCLUDE_FROM_ALL", "FILES_MATCHING"}
@@ -34,33 +32,27 @@ def installed_modules(text: str, package: str) -> dict[str, str]:
     """Folder or file, relative to that of the CMakeLists.txt, to the dotted name under which it is imported.
 
     ``package`` replaces ``${PROJECT_NAME}`` in a file that does not say ``project``.  What takes variables that
-    the file does not set to plain words is left out.
+    the file does not set to plain words is left out, and so is what other files install.
     """
     if not any(word in text for word in (_INSTALL, "PYTHON_INSTALL_DIR", "SITELIB", "SITEARCH", "-packages")):
         return {}
-    commands = parse_cmake(text)
-    variables = {"PROJECT_NAME": _project(commands) or package}
+    run = CMakeRun(lambda path: text if path == _FILE else None, lambda folder: ())
+    run.run(_FILE, ".", package)
     modules: dict[str, str] = {}
-    for command in commands:
-        words = [_replaced(word, variables) for word in command.texts]
-        if command.name == "set" and len(words) == 2 and "$" not in words[1]:
-            variables.setdefault(words[0], words[1])
-        elif command.name == _INSTALL and words:
+    for command in (step.command for step in run.steps):
+        words = [without_source(word) for word in command.texts]
+        if command.name == _INSTALL and words:
             modules.update(_python_package(words))
         elif command.name == "install" and "DESTINATION" in words[:-1]:
             modules.update(_copied(words))
     return modules
 
 
-def _replaced(word: str, variables: Mapping[str, str]) -> str:
-    return _VARIABLE.sub(lambda match: variables.get(match[1], match[0]), _HERE.sub("", word))
-
-
 def _python_package(words: Sequence[str]) -> Iterator[tuple[str, str]]:
     """``ament_python_install_package(name PACKAGE_DIR folder)``."""
     folder = words[words.index("PACKAGE_DIR") + 1] if "PACKAGE_DIR" in words[:-1] else words[0]
     if words[0].isidentifier() and "$" not in folder:
-        yield folder.strip("/"), words[0]
+        yield posixpath.normpath(folder.strip("/")), words[0]
 
 
 def _copied(words: Sequence[str]) -> Iterator[tuple[str, str]]:
@@ -95,12 +87,6 @@ def _own_parts(kind: str, source: str) -> list[str]:
     if suffix != ".py":
         return [name]
     return [] if stem == "__init__" else [stem]
-
-
-def _project(commands: Sequence[Command]) -> str | None:
-    """The name that the file gives its project, where it is written out."""
-    named = (command.texts[0] for command in commands if command.name == "project" and command.texts)
-    return next((name for name in named if _NAME.fullmatch(name)), None)
 
 
 # ----------------------------------------------------------------------------------------------- setup.py

@@ -6,10 +6,8 @@ from textwrap import dedent
 
 import pytest
 
-from archlint.programs.cmake_run import CMakeRun
-from archlint.programs.installs import read_cmake
 from archlint.workspace.cmake import parse_cmake
-from archlint.workspace.installed import Installs
+from archlint.workspace.cmake_run import CMakeRun
 from builds import Build
 
 
@@ -98,57 +96,3 @@ def test_what_cannot_be_read_is_open(text: str):
 )
 def test_what_does_not_end_is_cut(text: str):
     assert run(text).open
-
-
-def installs(text: str, **files: str) -> Installs:
-    found = Installs("robot", "robot")
-    texts = {"CMakeLists.txt": f"project(robot)\n{text}"}
-    texts |= {path_of(name): content for name, content in files.items()}
-    read_cmake(found, "robot/CMakeLists.txt", Build({f"robot/{name}": text for name, text in texts.items()}))
-    return found
-
-
-def test_the_block_that_every_python_package_copies_leaves_nothing_open():
-    found = installs(
-        """
-        ament_python_install_package(${PROJECT_NAME})
-        install(PROGRAMS scripts/talk.py DESTINATION lib/${PROJECT_NAME})
-        install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})
-        if(BUILD_TESTING)
-          find_package(ament_cmake_pytest REQUIRED)
-          set(_pytest_tests test/test_a.py test/test_b.py)
-          foreach(_test_path ${_pytest_tests})
-            get_filename_component(_test_name ${_test_path} NAME_WE)
-            ament_add_pytest_test(${_test_name} ${_test_path} TIMEOUT 60)
-          endforeach()
-        endif()
-        ament_package()
-        """
-    )
-    assert list(found.executables) == ["talk.py"]
-    assert not found.open_executables and not found.open_files and not found.mentioned
-
-
-def test_a_project_is_no_executable_and_what_an_unknown_command_makes_may_be_one():
-    found = installs("find_package(arm)\nadd_library(hand hand.cpp)\nmake_driver(driver)\n")
-    assert not found.executables
-    assert found.mentioned == {"driver"}
-
-
-@pytest.mark.parametrize(
-    ("text", "open_"),
-    [
-        ("ament_python_install_package(robot SCRIPTS_DESTINATION lib/robot)", False),  # setup.cfg is read anyway
-        ("ament_python_install_package(tools PACKAGE_DIR src/tools SCRIPTS_DESTINATION lib/robot)", False),
-        ("ament_python_install_package(gone PACKAGE_DIR gone/tools SCRIPTS_DESTINATION lib/robot)", True),
-        ("ament_python_install_package(robot SETUP_CFG ${X} SCRIPTS_DESTINATION lib/robot)", True),
-        ("install(PROGRAMS ${CMAKE_CURRENT_BINARY_DIR}/made.py DESTINATION lib/robot)", True),
-        ("install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/scripts/ DESTINATION lib/robot)", False),
-    ],
-)
-def test_what_leaves_the_executables_open(text: str, open_: bool):
-    scripts = "[options.entry_points]\nconsole_scripts =\n  go = tools:go\n"
-    tables = {"setup.cfg": "[metadata]\n", "src/setup.cfg": scripts}
-    found = installs(text, **tables)
-    assert found.open_executables is open_
-    assert ("go" in found.executables) is ("src/tools" in text)

@@ -49,9 +49,13 @@ class Step:
 
     def path(self, text: str) -> str:
         """The shown path that an argument means."""
-        if text.startswith(SOURCE):
-            return posixpath.normpath(text[len(SOURCE) :])
-        return posixpath.normpath(posixpath.join(self.folder, text))
+        inside = without_source(text)
+        return posixpath.normpath(inside if inside != text else posixpath.join(self.folder, text))
+
+
+def without_source(text: str) -> str:
+    """An argument as a shown path where it is one of the source tree; any other as it is."""
+    return text.removeprefix(SOURCE)
 
 
 @dataclass
@@ -83,10 +87,12 @@ class CMakeRun:
         self.texts: list[str] = []
         self.open = False
 
-    def run(self, file: str, folder: str) -> None:
-        """Run the CMakeLists.txt of a package."""
+    def run(self, file: str, folder: str, project: str | None = None) -> None:
+        """Run the CMakeLists.txt of a package; ``project`` is its name until the file gives it one."""
         here = SOURCE + folder
         scope = _Scope({"CMAKE_SOURCE_DIR": [here], "PROJECT_SOURCE_DIR": [here]}, folder)
+        if project is not None:
+            scope.variables["PROJECT_NAME"] = [project]
         self._file(file, scope, 0)
 
     def _file(self, path: str, scope: _Scope, depth: int) -> bool:
