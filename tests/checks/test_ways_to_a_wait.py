@@ -36,7 +36,7 @@ WAYS = {
     ),
     "a parameter callback": (
         "self.add_on_set_parameters_callback(self.on_set)",
-        f"def on_set(self, parameters):\n    {CALL}",
+        f"def on_set(self, parameters):\n    {CALL}\n    return self.result",
     ),
     "a property": (
         "self.create_timer(5.0, self.tick)",
