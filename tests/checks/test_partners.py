@@ -293,6 +293,34 @@ def test_a_name_is_proposed_where_a_slip_of_the_pen_explains_it():
     assert "did you mean" not in other.message
 
 
+@pytest.mark.parametrize(
+    ("user", "provider", "code"),
+    [
+        (client("/set_moter"), service("/set_motor"), "SRV001"),
+        (client("/motors/enable"), service("/motor/enable"), "SRV001"),
+        (action_client("/dock_robt"), action_server("/dock_robot"), "ACT001"),
+    ],
+)
+def test_two_ends_that_almost_meet_need_no_closed_world(user, provider, code):
+    [slip] = findings(system(node("/a", user), node("/b", provider)), code)
+    assert slip.message.endswith(f"did you mean '{provider.name.text}'?")
+    assert slip.help == "use the same name at both ends, or remap one in the launch file"
+
+
+@pytest.mark.parametrize(
+    ("user", "providers"),
+    [
+        (client("/get_speed"), [service("/set_speed")]),
+        (client("/arm_1/enable"), [service("/arm_2/enable")]),
+        (client("/set_moter"), [service("/set_motor"), client("/set_motor")]),
+        (client("/set_moter", "std_srvs/srv/Trigger"), [service("/set_motor", "std_srvs/srv/SetBool")]),
+    ],
+    ids=["another word", "another number", "it has a client", "another type"],
+)
+def test_two_ends_that_are_meant_to_differ(user, providers):
+    assert findings(system(node("/a", user), node("/b", *providers)), "SRV001") == []
+
+
 # --- the shape of what is in sight
 
 

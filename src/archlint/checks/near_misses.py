@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
 from archlint.analysis.coexistence import certain, coexist, in_source_order, known_to_coexist, named_by_library
@@ -33,53 +33,61 @@ _POSITIONS = frozenset({"to", "from", "in", "of", "by", "for", "with", "and", "o
 @rule("TOP004", scope=Scope.SYSTEM)
 def near_miss_topic_name(system: System, options: Options) -> Iterator[Finding]:
     """Pairs of publishers and subscriptions without partners, of one type, with names that are almost equal."""
+    for user, candidates in missed(system, options, system.topics):
+        yield _finding(user, candidates)
+
+
+def missed(
+    system: System, options: Options, connections: Mapping[str, Connection]
+) -> Iterator[tuple[Endpoint, list[Endpoint]]]:
+    """Users of names that nobody provides, each with those who provide almost the same name to nobody."""
     unread = [node for node in system.nodes if node.external]
     alone = [
-        topic
-        for topic in system.topics.values()
-        if not (topic.users and topic.providers)
-        and not options.is_external(topic.name)
-        and not any(may_use(node, topic.name) for node in unread)
+        connection
+        for connection in connections.values()
+        if not (connection.users and connection.providers)
+        and not options.is_external(connection.name)
+        and not any(may_use(node, connection.name) for node in unread)
     ]
-    published = _by_type(topic for topic in alone if not topic.users)
+    provided = _by_type(connection for connection in alone if not connection.users)
     said: set[tuple[Place, ...]] = set()
-    for topic in alone:
-        if topic.providers:
+    for connection in alone:
+        if connection.providers:
             continue
-        for user in in_source_order(_judged(topic)):
-            candidates = [end for end in published.get(user.type or "", []) if _misses(system, end, user)]
+        for user in in_source_order(_judged(connection)):
+            candidates = [end for end in provided.get(user.type or "", []) if _misses(system, end, user)]
             lines = user.place, *(end.place for end in candidates)
             if candidates:
-                if lines not in said:  # a line that makes one subscription in each namespace is wrong once
-                    yield _finding(user, candidates)
+                if lines not in said:  # a line that makes one user in each namespace is wrong once
+                    yield user, candidates
                 said.add(lines)
                 break
 
 
-def _by_type(topics: Iterator[Connection]) -> dict[str, list[Endpoint]]:
+def _by_type(connections: Iterator[Connection]) -> dict[str, list[Endpoint]]:
     by_type: dict[str, list[Endpoint]] = {}
-    for topic in topics:
-        for end in _judged(topic):
+    for connection in connections:
+        for end in _judged(connection):
             by_type.setdefault(end.type or "", []).append(end)
     return by_type
 
 
-def _judged(topic: Connection) -> list[Endpoint]:
-    ends = [*topic.providers, *topic.users]
+def _judged(connection: Connection) -> list[Endpoint]:
+    ends = [*connection.providers, *connection.users]
     return [end for end in ends if certain(end) and end.type is not None and not named_by_library(end)]
 
 
-def _misses(system: System, publisher: Endpoint, user: Endpoint) -> bool:
+def _misses(system: System, provider: Endpoint, user: Endpoint) -> bool:
     # One node that reads and writes two like names distinguishes them on purpose.
     return (
-        publisher.node is not user.node
-        and not is_left_over(system.workspace, publisher)
-        and (nearly_equal(publisher.name or "", user.name or "") or _namespace_slip(system, publisher, user))
-        and coexist(system, publisher, user)
+        provider.node is not user.node
+        and not is_left_over(system.workspace, provider)
+        and (nearly_equal(provider.name or "", user.name or "") or _namespace_slip(system, provider, user))
+        and coexist(system, provider, user)
     )
 
 
-def _namespace_slip(system: System, publisher: Endpoint, user: Endpoint) -> bool:
+def _namespace_slip(system: System, provider: Endpoint, user: Endpoint) -> bool:
     """Whether one name has a namespace more, which its node was started in and the other end does without.
 
     Only nodes that are seen to start together show that, by a launch file that no other includes: that one may
@@ -87,12 +95,12 @@ def _namespace_slip(system: System, publisher: Endpoint, user: Endpoint) -> bool
     """
     if system.is_included:
         return False
-    inner, outer = sorted((publisher, user), key=lambda end: len(end.name or ""), reverse=True)
+    inner, outer = sorted((provider, user), key=lambda end: len(end.name or ""), reverse=True)
     long, short = (inner.name or "").split("/"), (outer.name or "").split("/")
     namespaces = (inner.node.name or "").split("/")[1:-1]
     return any(
         long[:at] + long[at + 1 :] == short and long[1 : at + 1] == namespaces[:at] for at in range(1, len(long) - 1)
-    ) and known_to_coexist(system, publisher.node, user.node)
+    ) and known_to_coexist(system, provider.node, user.node)
 
 
 def nearly_equal(name: str, other: str) -> bool:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.coexistence import certain, in_source_order, named_by_library
 from archlint.analysis.completeness import in_sight as followed
-from archlint.checks.near_misses import nearly_equal
+from archlint.checks.near_misses import missed, nearly_equal
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
@@ -63,8 +63,8 @@ def topic_without_publisher(system: System, options: Options) -> Iterator[Findin
 
 @rule("SRV001", scope=Scope.SYSTEM)
 def client_without_server(system: System, options: Options) -> Iterator[Finding]:
-    """Clients of a closed system whose service nobody offers."""
-    for end in _lonely(system, options, system.services, EntityKind.CLIENT):
+    """Clients whose service nobody offers: of a closed system, or where a server has almost the same name."""
+    for end in _without_server(system, options, system.services, EntityKind.CLIENT):
         yield _finding(
             "SRV001",
             system,
@@ -76,8 +76,8 @@ def client_without_server(system: System, options: Options) -> Iterator[Finding]
 
 @rule("ACT001", scope=Scope.SYSTEM)
 def action_client_without_server(system: System, options: Options) -> Iterator[Finding]:
-    """Action clients of a closed system whose action nobody offers."""
-    for end in _lonely(system, options, system.actions, EntityKind.ACTION_CLIENT):
+    """Action clients whose action nobody offers: of a closed system, or where a server has almost the same name."""
+    for end in _without_server(system, options, system.actions, EntityKind.ACTION_CLIENT):
         yield _finding(
             "ACT001",
             system,
@@ -86,6 +86,15 @@ def action_client_without_server(system: System, options: Options) -> Iterator[F
             "accepted or rejected",
             "start the node that serves it, or list the name under `external`",
         )
+
+
+def _without_server(
+    system: System, options: Options, connections: Mapping[str, Connection], kind: EntityKind
+) -> Iterator[Endpoint]:
+    if is_complete(system):
+        yield from _lonely(system, options, connections, kind)
+    else:
+        yield from (user for user, _ in missed(system, options, connections))
 
 
 def _lonely(
@@ -156,7 +165,7 @@ def _finding(code: str, system: System, end: Endpoint, message: str, help: str) 
         code,
         end.place,
         message + meant(f"'{other.name}'" if other is not None else ""),
-        help=help,
+        help=help if other is None else "use the same name at both ends, or remap one in the launch file",
         related=[Related(other.place, f"{other.node.name} has this one")] if other is not None else (),
         node=end.node.name,
         identity=(end.kind, end.name or ""),
