@@ -31,6 +31,7 @@ MODULES: tuple[str, ...] = (
     "parameter_overrides",
     "parameters",
     "parameter_sections",
+    "parameter_structure",
     "parameter_types",
     "polling",
     "remappings",

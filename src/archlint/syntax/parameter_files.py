@@ -8,12 +8,11 @@ from typing import TYPE_CHECKING, Any, Union
 
 from archlint.syntax.facts import FileProblem, Span, Suppression
 from archlint.syntax.launch_yaml import suppressions_of_lines
+from archlint.syntax.parameter_structure import ROOT, Misplaced, first_misplaced
 from archlint.syntax.safe_yaml import YamlError, YamlReader, span_of
 
 if TYPE_CHECKING:
     import yaml
-
-ROOT = "ros__parameters"
 
 
 @dataclass(frozen=True)
@@ -70,23 +69,28 @@ class ParameterFacts:
     suppressions: tuple[Suppression, ...] = ()
     plain: tuple[ParameterEntry, ...] = ()
     """What a file without any ``ros__parameters`` gives to a component: launch_ros takes all of it for parameters."""
+    misplaced: Misplaced | None = None
+    """The first key that is not where rcl wants it."""
 
 
 def read_parameters(text: str) -> ParameterFacts:
     """The sections of a parameter file; a YAML file of another kind has none.  Never raises."""
     sections: list[ParameterSection] = []
     plain: list[ParameterEntry] = []
+    misplaced: Misplaced | None = None
     try:
         reader = YamlReader(text, several=True, rcl=True)  # rcl reads on where another document starts
         for root in reader.roots:
             _sections(reader, root, [], None, sections, 0)
         if len(reader.roots) == 1 and not sections:
             _entries(reader, reader.roots[0], (), plain, 0)
+        misplaced = first_misplaced(reader.roots[0]) if reader.roots else None
     except YamlError as error:
         return ParameterFacts(problems=(FileProblem(error.line, error.column, error.message),))
     except RecursionError:
         return ParameterFacts(problems=(FileProblem(1, 1, "nested too deeply"),))
-    return ParameterFacts(tuple(sections), suppressions=tuple(suppressions_of_lines(text)), plain=tuple(plain))
+    suppressions = tuple(suppressions_of_lines(text))
+    return ParameterFacts(tuple(sections), suppressions=suppressions, plain=tuple(plain), misplaced=misplaced)
 
 
 def _sections(
@@ -119,6 +123,8 @@ def _entries(
 
     for key, key_node, value in reader.pairs(node, depth):
         path = (*above, key)
+        if key == ROOT:
+            continue  # misplaced: nobody means a parameter of this name
         if isinstance(value, yaml.MappingNode):
             _entries(reader, value, path, entries, depth + 1)
         else:

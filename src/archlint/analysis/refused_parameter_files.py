@@ -1,0 +1,56 @@
+"""The parameter files that a launch file gives to nodes, and in which ``ros__parameters`` is not where it has to be."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from archlint.finding import Place
+from archlint.launch.kinds import StartedKind
+from archlint.launch.parameter_sources import ParameterFileUse, files_among
+from archlint.syntax.parameter_structure import ROOT, Misplaced, Misplacement
+
+if TYPE_CHECKING:
+    from archlint.launch.started import Started
+    from archlint.systems.model import System
+
+
+@dataclass(frozen=True)
+class MisplacedIn:
+    """What is wrong with a file at a place; ``user`` is the name of a node that it is given to, ``given`` where."""
+
+    file: str
+    wrong: Misplaced
+    user: str | None
+    given: Place
+
+    @property
+    def place(self) -> Place:
+        return Place(self.file, *self.wrong.span)
+
+
+def misplaced_in_files(system: System) -> Iterator[MisplacedIn]:
+    """The first such key of each file, which is given to a process as it is: for a component launch_ros reads it, and
+    takes one without any ``ros__parameters``."""
+    if system.launched is None:
+        return
+    by_file: dict[str, MisplacedIn] = {}
+    for started in system.launched.started:
+        for use in files_among(started.parameters) if started.kind != StartedKind.COMPONENT else ():
+            key = _misplaced(system, started, use)
+            if key is not None:
+                by_file.setdefault(key.file, key)
+    yield from by_file.values()
+
+
+def _misplaced(system: System, started: Started, use: ParameterFileUse) -> MisplacedIn | None:
+    file = use.reference.source
+    if file is None or use.changes or system.workspace is None:
+        return None
+    wrong = system.workspace.parameters_of(file).misplaced
+    user = started.name or started.executable
+    return None if wrong is None else MisplacedIn(file, wrong, user.text, use.place)
+
+
+__all__ = ["ROOT", "Misplaced", "MisplacedIn", "Misplacement", "misplaced_in_files"]

@@ -1,0 +1,90 @@
+"""PRM009: parameter files that rcl refuses, since ``ros__parameters`` is not where it has to be."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from archlint.analysis.refused_parameter_files import (
+    ROOT,
+    Misplaced,
+    MisplacedIn,
+    Misplacement,
+    misplaced_in_files,
+)
+from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
+from archlint.finding import Finding, Related
+
+if TYPE_CHECKING:
+    from archlint.systems.model import System
+
+
+@rule("PRM009", scope=Scope.LAUNCH_FILE)
+def parameter_file_structure(system: System, options: Options) -> Iterator[Finding]:
+    """Keys of parameter files without ``ros__parameters`` above them, or with it in the wrong place."""
+    for key in misplaced_in_files(system):
+        yield finding(
+            "PRM009",
+            key.place,
+            f"{_said(key.wrong)}: {_effect(key)}",
+            help=_help(system, key),
+            related=(Related(key.given, "this file is given to it here"),),
+            identity=(key.file, key.wrong.kind, key.wrong.key),
+        )
+
+
+def _effect(key: MisplacedIn) -> str:
+    whom = f"'{key.user}'" if key.user else "a node"
+    return f"{whom} stops when it reads this file" if key.wrong.is_refused else f"{whom} never gets them"
+
+
+def _said(wrong: Misplaced) -> str:
+    match wrong.kind:
+        case Misplacement.MISSPELT:
+            return f"'{wrong.key}' is not '{ROOT}'"
+        case Misplacement.NO_NODE:
+            return f"there is no node name above '{ROOT}'"
+        case Misplacement.NOTHING_BELOW:
+            return f"no parameter stands below '{ROOT}'"
+        case Misplacement.BESIDE:
+            return f"'{wrong.key}' stands beside '{ROOT}', not below it"
+        case Misplacement.TWICE:
+            return f"there is another '{ROOT}' above this one, so the parameters below it are '{ROOT}.{wrong.other}' …"
+    return f"there is no '{ROOT}' above '{wrong.key}'"
+
+
+def _help(system: System, key: MisplacedIn) -> str:
+    wrong = key.wrong
+    match wrong.kind:
+        case Misplacement.MISSPELT:
+            return f"write '{ROOT}', with two underscores"
+        case Misplacement.NO_NODE if wrong.other:
+            return f"indent '{ROOT}' so that it stands below '{wrong.other}'"
+        case Misplacement.NO_NODE:
+            return f"write '/**:' above it, or the name of the node, and indent '{ROOT}' and what follows"
+        case Misplacement.NOTHING_BELOW if wrong.other:
+            return f"indent '{wrong.other}' and what follows so that it stands below '{ROOT}'"
+        case Misplacement.NOTHING_BELOW:
+            return f"write '{ROOT}: {{}}' for a node without parameters"
+        case Misplacement.BESIDE:
+            return f"indent '{wrong.key}' so that it stands below '{ROOT}'"
+        case Misplacement.TWICE:
+            return "move this section out, so that the name of its node starts in the first column"
+    return _missing(system, key.file, wrong)
+
+
+def _missing(system: System, file: str, wrong: Misplaced) -> str:
+    if not wrong.above:
+        return f"write '/**:' above the parameters, '{ROOT}:' below that, and indent them below both"
+    first = wrong.above[0]
+    has_sections = system.workspace is not None and bool(system.workspace.parameters_of(file).sections)
+    if has_sections and not _is_node(system, first):
+        return f"indent '{first}' so that it stands below the '{ROOT}' of a node"
+    return f"write '{ROOT}:' below the name of the node, and indent the parameters below it"
+
+
+def _is_node(system: System, key: str) -> bool:
+    """Whether a key is the name of a node, or the namespace of one, or stands for any."""
+    words = {word for node in system.nodes if node.name is not None for word in node.name.split("/")}
+    return "*" in key or any(part in words for part in key.split("/") if part)

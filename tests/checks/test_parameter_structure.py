@@ -1,0 +1,145 @@
+"""PRM009: which parameter files stop the nodes that they are given to.
+
+What rcl says of each file was tried with rclpy of Jazzy.
+"""
+
+from __future__ import annotations
+
+from textwrap import dedent
+
+import pytest
+
+from robot_package import node
+
+LOAD_IT = node('<param from="$(find-pkg-share robot)/config/p.yaml"/>', name="talker")
+
+BAD = {
+    "talker:\n  rate: 1.0": (
+        2,
+        "there is no 'ros__parameters' above 'rate'",
+        "write 'ros__parameters:' below the name",
+    ),
+    "rate: 1.0": (1, "there is no 'ros__parameters' above 'rate'", "write '/**:' above the parameters"),
+    "talker:\n  ros_parameters:\n    rate: 1.0": (2, "'ros_parameters' is not 'ros__parameters'", "two underscores"),
+    "talker:\n  ros__parameter:\n    a:\n      b: 1": (2, "'ros__parameter' is not 'ros__parameters'", "write"),
+    "talker:\n  parameters:\n    rate: 1.0": (2, "'parameters' is not 'ros__parameters'", "write"),
+    "ros__parameters:\n  rate: 1.0": (1, "there is no node name above 'ros__parameters'", "write '/**:' above it"),
+    "talker:\nros__parameters:\n  rate: 1.0": (2, "there is no node name above", "so that it stands below 'talker'"),
+    "talker:\n  ros__parameters:\n  rate: 1.0": (2, "no parameter stands below", "indent 'rate' and what follows"),
+    "talker:\n  ros__parameters:\n  pid:\n    p: 1.0": (2, "no parameter stands below", "indent 'pid'"),
+    "talker:\n  ros__parameters:": (2, "no parameter stands below", "write 'ros__parameters: {}'"),
+    "talker:\n  ros__parameters:\n    - rate: 1.0": (2, "no parameter stands below", "write"),
+    "talker:\n  ros__parameters:\n    rate: 1.0\n  gain: 2.0": (4, "'gain' stands beside", "indent 'gain'"),
+    "talker:\n  gain: 2.0\n  ros__parameters:\n    rate: 1.0": (2, "'gain' stands beside", "indent 'gain'"),
+    "/**:\n  ros__parameters:\n    rate: 1.0\ntalker:\n  gain: 2.0": (5, "above 'gain'", "below the name of the node"),
+    "/**:\n  ros__parameters:\n    rate: 1.0\npid:\n  p: 2.0": (5, "above 'p'", "indent 'pid'"),
+    "talker:\n  ros__parameters:\n    rate: 1.0\n    other:\n      ros__parameters:\n        gain: 2.0": (
+        5,
+        "so the parameters below it are 'ros__parameters.gain' …: 'talker' never gets them",
+        "move this section out",
+    ),
+}
+
+
+@pytest.mark.parametrize("text", BAD)
+def test_ros__parameters_is_missing_misspelt_or_in_the_wrong_place(findings, text):
+    line, message, help = BAD[text]
+    (told,) = findings("PRM009", LOAD_IT, **{"config/p.yaml": text})
+    assert (told.place.file, told.place.line) == ("config/p.yaml", line)
+    assert message in told.message
+    assert help in told.help
+    assert [related.place.file for related in told.related] == ["launch/it.launch.xml"]
+
+
+GOOD = [
+    "",
+    "# nothing yet\n",
+    "talker:\n  ros__parameters:\n    rate: 1.0",
+    "/**:\n  ros__parameters: {rate: 1.0}",
+    "left:\n  talker:\n    ros__parameters:\n      rate: 1.0",
+    "/left/talker:\n  ros__parameters:\n    pid:\n      p: 1.0\n      parameters:\n        i: 2",
+    "talker:\n  ros__parameters: {}\nother: {}",
+    "talker:\n  ros__parameters:\n    param: 3\n    ros_parameters: 2",
+]
+
+
+@pytest.mark.parametrize("text", GOOD)
+def test_a_file_that_rcl_reads(findings, text):
+    assert findings("PRM009", LOAD_IT, **{"config/p.yaml": text}) == []
+
+
+def test_a_file_that_no_node_is_given(findings):
+    """What a launch file reads itself, and what a node gets as the value of a parameter or as an argument."""
+    launch = """\
+        import yaml
+        from ament_index_python.packages import get_package_share_directory
+        from launch import LaunchDescription
+        from launch_ros.actions import Node
+
+        def generate_launch_description():
+            path = get_package_share_directory('robot') + '/config/p.yaml'
+            with open(path) as file:
+                content = yaml.safe_load(file)
+            return LaunchDescription([
+                Node(package='robot', executable='talker', parameters=[content, {'file': path}]),
+                Node(package='rviz2', executable='rviz2', arguments=['-d', path]),
+                Node(package='robot', executable='talker', arguments=['--params-file', path]),
+            ])
+    """
+    files = {"config/p.yaml": "rate: 1.0", "launch/read.launch.py": dedent(launch)}
+    assert findings("PRM009", **files) == []
+
+
+def test_a_file_for_a_component(findings):
+    """launch_ros reads it for them, and takes the whole file."""
+    launch = """\
+        <node_container pkg="rclcpp_components" exec="component_container" name="box" namespace="">
+          <composable_node pkg="other" plugin="other::Talker" name="talker">
+            <param from="$(find-pkg-share robot)/config/p.yaml"/>
+          </composable_node>
+        </node_container>
+    """
+    assert findings("PRM009", launch, **{"config/p.yaml": "rate: 1.0"}) == []
+
+
+def test_a_file_that_the_launch_rewrites(findings):
+    launch = """\
+        from ament_index_python.packages import get_package_share_directory
+        from launch import LaunchDescription
+        from launch_ros.actions import Node
+        from nav2_common.launch import RewrittenYaml
+
+        def generate_launch_description():
+            path = get_package_share_directory('robot') + '/config/p.yaml'
+            made = RewrittenYaml(source_file=path, param_rewrites={}, root_key='talker', convert_types=True)
+            return LaunchDescription([Node(package='robot', executable='talker', parameters=[made])])
+    """
+    files = {"config/p.yaml": "ros__parameters:\n  rate: 1.0", "launch/read.launch.py": dedent(launch)}
+    assert findings("PRM009", **files) == []
+
+
+def test_every_way_in_which_a_node_gets_a_file(findings):
+    launch = """\
+        from ament_index_python.packages import get_package_share_directory
+        from launch import LaunchDescription
+        from launch_ros.actions import Node, SetParametersFromFile
+
+        def generate_launch_description():
+            share = get_package_share_directory('robot')
+            return LaunchDescription([
+                SetParametersFromFile(share + '/config/all.yaml'),
+                Node(package='robot', executable='talker', name='a',
+                     arguments=['--ros-args', '--params-file', share + '/config/argument.yaml']),
+            ])
+    """
+    files = {
+        "config/all.yaml": "rate: 1.0",
+        "config/argument.yaml": "rate: 1.0",
+        "launch/it.launch.py": dedent(launch),
+    }
+    assert [told.place.file for told in findings("PRM009", **files)] == ["config/all.yaml", "config/argument.yaml"]
+
+
+def test_a_section_below_another_one_is_not_an_unknown_parameter_too(findings):
+    text = "talker:\n  ros__parameters:\n    rate: 1.0\n    other:\n      ros__parameters:\n        gain: 2.0\n"
+    assert findings("PRM004", LOAD_IT, **{"config/p.yaml": text}) == []
