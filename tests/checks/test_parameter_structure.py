@@ -30,6 +30,7 @@ BAD = {
     "talker:\n  ros__parameters:": (2, "no parameter stands below", "write 'ros__parameters: {}'"),
     "talker:\n  ros__parameters:\n    - rate: 1.0": (2, "no parameter stands below", "write"),
     "talker:\n  ros__parameters:\n    rate: 1.0\n  gain: 2.0": (4, "'gain' stands beside", "indent 'gain'"),
+    "talker:\n  ros__parameters:\n    rate: 1.0\n  pid:\n    p: 2.0": (4, "'pid' stands beside", "indent 'pid'"),
     "talker:\n  gain: 2.0\n  ros__parameters:\n    rate: 1.0": (2, "'gain' stands beside", "indent 'gain'"),
     "/**:\n  ros__parameters:\n    rate: 1.0\ntalker:\n  gain: 2.0": (5, "above 'gain'", "below the name of the node"),
     "/**:\n  ros__parameters:\n    rate: 1.0\npid:\n  p: 2.0": (5, "above 'p'", "indent 'pid'"),

@@ -76,7 +76,7 @@ def _misplaced(node: yaml.Node, above: tuple[str, ...]) -> Iterator[Misplaced]:
             case _Pair(value=name, is_map=True, node=inner):
                 wrong = next(_misplaced(inner, (*above, name)), None)
                 if wrong is not None:
-                    yield key.misplaced(Misplacement.MISSPELT, above) if _is_misspelt(name, wrong) else wrong
+                    yield _of_map(key, wrong, above, is_beside=root is not None)
             case _ if root is None:
                 yield key.misplaced(Misplacement.MISSING, above)
             case _ if above:
@@ -85,9 +85,13 @@ def _misplaced(node: yaml.Node, above: tuple[str, ...]) -> Iterator[Misplaced]:
                 yield root.misplaced(Misplacement.NO_NODE, above, key.value)
 
 
-def _is_misspelt(name: str, wrong: Misplaced) -> bool:
-    """Whether a key is meant to be ``ros__parameters``, and what is ``wrong`` below it is only that it is not."""
-    return wrong.kind == Misplacement.MISSING and _MEANT.fullmatch(name) is not None
+def _of_map(key: _Pair, wrong: Misplaced, above: tuple[str, ...], is_beside: bool) -> Misplaced:
+    """What is wrong with a key of which something is ``wrong`` below it, perhaps beside a ``ros__parameters``."""
+    if wrong.kind != Misplacement.MISSING:
+        return wrong
+    if _MEANT.fullmatch(key.value):
+        return key.misplaced(Misplacement.MISSPELT, above)
+    return key.misplaced(Misplacement.BESIDE, above) if is_beside and above else wrong
 
 
 def _below(node: yaml.Node, above: tuple[str, ...]) -> Iterator[Misplaced]:

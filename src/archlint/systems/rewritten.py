@@ -12,7 +12,8 @@ from typing import Any
 
 from archlint.launch.named_files import Replacing, Rewriting
 from archlint.launch.parameters import from_yaml
-from archlint.syntax.parameter_files import ROOT, NotKnown, ParameterEntry, ParameterSection, first_not_known, node_key
+from archlint.syntax.parameter_files import NotKnown, ParameterEntry, ParameterSection, first_not_known, node_key
+from archlint.syntax.parameter_structure import ROOT
 from archlint.syntax.safe_yaml import plain_scalar, written_and_read
 
 Path = tuple[str, ...]
