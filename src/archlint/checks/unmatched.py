@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.coexistence import certain, in_source_order, named_by_library
 from archlint.analysis.completeness import in_sight as followed
+from archlint.analysis.own_types import has_no_server_here
 from archlint.checks.near_misses import missed, nearly_equal
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -64,12 +65,13 @@ def topic_without_publisher(system: System, options: Options) -> Iterator[Findin
 @rule("SRV001", scope=Scope.SYSTEM)
 def client_without_server(system: System, options: Options) -> Iterator[Finding]:
     """Clients whose service nobody offers: of a closed system, or where a server has almost the same name."""
-    for end in _without_server(system, options, system.services, EntityKind.CLIENT):
+    for end, besides in _without_server(system, options, system.services, EntityKind.CLIENT):
         yield _finding(
             "SRV001",
             system,
             end,
-            f"{end.node.name} calls the service '{end.name}', and no node offers it: the request never gets a response",
+            f"{end.node.name} calls the service '{end.name}', and no node offers it{besides}: the request never gets a "
+            "response",
             "start the node that serves it, or list the name under `external`",
         )
 
@@ -77,24 +79,32 @@ def client_without_server(system: System, options: Options) -> Iterator[Finding]
 @rule("ACT001", scope=Scope.SYSTEM)
 def action_client_without_server(system: System, options: Options) -> Iterator[Finding]:
     """Action clients whose action nobody offers: of a closed system, or where a server has almost the same name."""
-    for end in _without_server(system, options, system.actions, EntityKind.ACTION_CLIENT):
+    for end, besides in _without_server(system, options, system.actions, EntityKind.ACTION_CLIENT):
         yield _finding(
             "ACT001",
             system,
             end,
-            f"{end.node.name} sends goals to the action '{end.name}', and no node offers it: the goals are never "
-            "accepted or rejected",
+            f"{end.node.name} sends goals to the action '{end.name}', and no node offers it{besides}: the goals are "
+            "never accepted or rejected",
             "start the node that serves it, or list the name under `external`",
         )
 
 
 def _without_server(
     system: System, options: Options, connections: Mapping[str, Connection], kind: EntityKind
-) -> Iterator[Endpoint]:
+) -> Iterator[tuple[Endpoint, str]]:
+    """Clients that nobody serves, each with what the message says besides."""
     if is_complete(system):
-        yield from _lonely(system, options, connections, kind)
-    else:
-        yield from (user for user, _ in missed(system, options, connections))
+        yield from ((end, "") for end in _lonely(system, options, connections, kind))
+        return
+    slips = [user for user, _ in missed(system, options, connections)]
+    yield from ((user, "") for user in slips)
+    for connection in connections.values():
+        if connection.providers or options.is_external(connection.name):
+            continue
+        sure = [end for end in in_source_order(connection.users) if certain(end) and end not in slips]
+        if sure and has_no_server_here(system, sure[0]):
+            yield sure[0], f", nor any other of {sure[0].type}, which this workspace defines"
 
 
 def _lonely(

@@ -1,0 +1,96 @@
+"""SRV001, ACT001: nothing in the workspace serves an interface that only the workspace can know."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from archlint.config.settings import load
+from archlint.engine.pipeline import Request, check
+
+MANIFEST = """<package format="3"><name>{name}</name><version>1.0.0</version><description>x</description>
+<maintainer email="a@b.c">a</maintainer><license>MIT</license>{depends}
+<export><build_type>{build}</build_type></export></package>
+"""
+CMAKE = """project(motor_msgs)
+find_package(rosidl_default_generators REQUIRED)
+rosidl_generate_interfaces(${PROJECT_NAME} "srv/SetMotor.srv")
+"""
+SETUP = """from setuptools import setup
+setup(name='driver', packages=['driver'], entry_points={'console_scripts': ['driver = driver.node:main']})
+"""
+CLIENT = """import rclpy
+from motor_msgs.srv import SetMotor
+from rclpy.node import Node
+
+
+class Driver(Node):
+    def __init__(self):
+        super().__init__('driver')
+        self.motor = self.create_client(SetMotor, 'set_motor')
+        self.timer = self.create_timer(5.0, self.drive)
+
+    def drive(self):
+        self.motor.call_async(SetMotor.Request())
+
+
+def main():
+    rclpy.init()
+    rclpy.spin(Driver())
+"""
+SERVER = CLIENT.replace("self.create_client(SetMotor, 'set_motor')", "self.create_service(SetMotor, 'drive', print)")
+
+
+def workspace(folder: Path, files: dict[str, str]) -> Path:
+    rows = {
+        "motor_msgs/package.xml": MANIFEST.format(name="motor_msgs", depends="", build="ament_cmake"),
+        "motor_msgs/CMakeLists.txt": CMAKE,
+        "motor_msgs/srv/SetMotor.srv": "float64 speed\n---\nbool success\n",
+        "driver/package.xml": MANIFEST.format(
+            name="driver", depends="<depend>rclpy</depend><depend>motor_msgs</depend>", build="ament_python"
+        ),
+        "driver/setup.py": SETUP,
+        "driver/driver/__init__.py": "",
+        "driver/driver/node.py": CLIENT,
+    }
+    for path, text in (rows | files).items():
+        file = folder / path
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(text, encoding="utf-8")
+    (folder / "archlint.toml").write_text('select = ["SRV001"]\n', encoding="utf-8")
+    return folder
+
+
+def found(folder: Path, monkeypatch: pytest.MonkeyPatch, path: str = ".") -> list[tuple[str, int]]:
+    monkeypatch.chdir(folder)
+    report = check(Request((path,), load(folder), cached=False, jobs=1))
+    return [(finding.place.file, finding.place.line) for finding in report.findings]
+
+
+def test_a_client_of_a_type_that_nothing_serves(tmp_path, monkeypatch):
+    monkeypatch.chdir(workspace(tmp_path, {}))
+    [finding] = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+    assert (finding.place.file, finding.place.line) == ("driver/driver/node.py", 9)
+    assert finding.message == (
+        "/driver calls the service '/set_motor', and no node offers it, nor any other of motor_msgs/srv/SetMotor, "
+        "which this workspace defines: the request never gets a response"
+    )
+
+
+@pytest.mark.parametrize(
+    "files",
+    [
+        {"driver/driver/server.py": SERVER},
+        {"firmware/src/main.cpp": "#include <motor_msgs/srv/set_motor.hpp>\nusing motor_msgs::srv::SetMotor;\n"},
+        {"driver/driver/helper.py": "def serve(node, name):\n    from motor_msgs.srv import SetMotor\n"},
+        {"driver/driver/node.py": CLIENT.replace("motor_msgs", "vendor_msgs")},
+    ],
+    ids=["served under another name", "C++ names it", "other code names it", "a type from elsewhere"],
+)
+def test_somebody_may_serve_it(tmp_path, monkeypatch, files):
+    assert found(workspace(tmp_path, files), monkeypatch) == []
+
+
+def test_a_part_of_a_workspace_does_not_show_who_serves(tmp_path, monkeypatch):
+    assert found(workspace(tmp_path, {"driver/driver/server.py": SERVER}), monkeypatch, "driver/driver/node.py") == []
