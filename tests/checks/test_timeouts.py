@@ -268,7 +268,28 @@ class TestCallWithoutTimeout:
         ],
     )
     def test_without_a_limit(self, judge: Judge, line: str):
-        judge("TMO002", script(line + "  # here"))
+        judge("TMO002", script(f"{SPIN_IN_A_THREAD}\n        {line}  # here"))
+
+    @pytest.mark.parametrize("line", [f"client.call({REQUEST})", "action.send_goal(Fibonacci.Goal())"])
+    def test_nobody_spins_while_it_waits(self, judge: Judge, line: str):
+        """It is certain then, and only that is said."""
+        source = script(f"{line}  # here\n        rclpy.spin(node)")
+        [finding] = judge("EXE009", source)
+        assert "never returns: nothing spins the node of" in finding.message
+        judge("TMO002", source.replace("  # here", ""))
+
+    @pytest.mark.parametrize(
+        "lines",
+        [
+            f"{SPIN_IN_A_THREAD}\n        client.call({REQUEST})",
+            f"hand_over(node)\n        client.call({REQUEST})",
+            f"client.call({REQUEST}, timeout_sec=1.0)",
+            f"node.create_timer(1.0, lambda: client.call({REQUEST}))\n        rclpy.spin(node)",
+        ],
+        ids=["a thread spins", "other code may spin", "a timeout", "in a callback"],
+    )
+    def test_somebody_may_spin_while_it_waits(self, judge: Judge, lines: str):
+        judge("EXE009", script(lines))
 
     @pytest.mark.parametrize(
         "line",
@@ -285,33 +306,55 @@ class TestCallWithoutTimeout:
     def test_a_try_around_it_sets_no_limit(self, judge: Judge):
         judge(
             "TMO002",
-            script(f"try:\n            client.call({REQUEST})  # here\n        except Exception:\n            pass"),
+            script(
+                f"{SPIN_IN_A_THREAD}\n        try:\n            client.call({REQUEST})  # here\n"
+                "        except Exception:\n            pass"
+            ),
         )
 
     @pytest.mark.parametrize(
-        ("before", "distro", "help_"),
+        ("code", "before", "distro", "help_"),
         [
-            ("pass", "humble", "call_async() and rclpy.spin_until_future_complete(node, future, timeout_sec=2.0)"),
-            ("pass", "jazzy", "call_async() and rclpy.spin_until_future_complete(node, future, timeout_sec=2.0)"),
             (
+                "EXE009",
+                "pass",
+                "humble",
+                "call_async() and rclpy.spin_until_future_complete(node, future, timeout_sec=2.0)",
+            ),
+            (
+                "EXE009",
+                "pass",
+                "jazzy",
+                "call_async() and rclpy.spin_until_future_complete(node, future, timeout_sec=2.0)",
+            ),
+            (
+                "EXE009",
                 "executor.add_node(node)",
                 "jazzy",
                 "call_async() and executor.spin_until_future_complete(future, timeout_sec=2.0)",
             ),
-            (SPIN_IN_A_THREAD, "jazzy", "call(request, timeout_sec=2.0)"),
+            ("TMO002", SPIN_IN_A_THREAD, "jazzy", "call(request, timeout_sec=2.0)"),
             (
+                "TMO002",
                 SPIN_IN_A_THREAD,
                 "humble",
                 "another thread spins the node: call_async(), and wait with event.wait(timeout=2.0) for an Event "
                 "that a done callback sets",
             ),
-            ("hand_over(node)", "jazzy", "call_async() and continue in a done callback: future.add_done_callback(…)"),
+            (
+                "TMO002",
+                "hand_over(node)",
+                "jazzy",
+                "call_async() and continue in a done callback: future.add_done_callback(…)",
+            ),
         ],
         ids=["humble", "later", "an executor that spins later", "another thread", "and in humble", "who knows"],
     )
-    def test_what_helps_depends_on_who_spins_the_node(self, judge: Judge, before: str, distro: str, help_: str):
+    def test_what_helps_depends_on_who_spins_the_node(
+        self, judge: Judge, code: str, before: str, distro: str, help_: str
+    ):
         lines = f"{before}\n        client.call({REQUEST})  # here\n        executor.spin()"
-        [found] = judge("TMO002", script(lines), config=f'distro = "{distro}"')
+        [found] = judge(code, script(lines), config=f'distro = "{distro}"')
 
         assert found.help == help_
 

@@ -1,4 +1,4 @@
-"""TMO002: blocking calls that wait for their answer without limit, and what to write in their place."""
+"""TMO002, EXE009: blocking calls that wait for their answer without limit, and what to write in their place."""
 
 from __future__ import annotations
 
@@ -47,13 +47,52 @@ _SPINS = (_ANOTHER, _UNKNOWN)
 @rule("TMO002", scope=Scope.CODE, in_use=True)
 def call_without_timeout(system: System, options: Options) -> Iterator[Finding]:
     """Blocking calls that wait for their answer without limit."""
-    reported = spoken_of(system, options.distros) | {wait.call.place for wait in piling_up(system)}
     yield from one_for_each_place(
         _limitless_call(system, program, call, options.distros)
+        for program, call in _limitless(system, options)
+        if not _is_unanswerable(program, call)
+    )
+
+
+@rule("EXE009", scope=Scope.CODE, in_use=True)
+def unanswerable_wait(system: System, options: Options) -> Iterator[Finding]:
+    """Blocking calls that nothing can answer while they wait: nobody spins the node then."""
+    yield from one_for_each_place(
+        _unanswerable(system, program, call, options.distros)
+        for program, call in _limitless(system, options)
+        if _is_unanswerable(program, call)
+    )
+
+
+def _limitless(system: System, options: Options) -> Iterator[tuple[Program, ApiCall]]:
+    reported = spoken_of(system, options.distros) | {wait.call.place for wait in piling_up(system)}
+    return (
+        (program, call)
         for program, call in calls_of(system, (_CALL, _SEND_GOAL))
         if not _is_wait_of_daemon(system, program, call)
         and call.place not in reported
         and (call.api == _SEND_GOAL or waits_for_ever(source_code(system), call, "timeout_sec", negative=False))
+    )
+
+
+def _is_unanswerable(program: Program, call: ApiCall) -> bool:
+    """Whether a program waits at its start, on the thread that would spin the node afterwards."""
+    known = program.executable and not program.exhausted and call.creation is not None and not is_uncalled(call)
+    at_start = call.context.role in (Role.INIT, Role.MAIN, Role.MODULE)
+    return known and at_start and _spinner(call, program) in (_NOBODY, _EXECUTOR)
+
+
+def _unanswerable(system: System, program: Program, call: ApiCall, distros: tuple[str, ...]) -> Finding:
+    function = call.api.rpartition(".")[2]
+    return finding(
+        "EXE009",
+        call.place,
+        f"{function}() never returns: nothing spins the node of {endpoint_words(call.creation, kind_of(call))} while "
+        "this thread waits, so the response is never processed",
+        help=_help(source_code(system), call, _spinner(call, program), distros),
+        related=related_path(call, call.creation),
+        node=node_name(system, call.node or call.context.node),
+        identity=(call.function, name_of(call.creation), function),
     )
 
 
