@@ -41,7 +41,7 @@ def event_waits(system: System) -> list[EventWait]:
     """The waits for events that nothing but a callback kept out meanwhile sets."""
     waits = []
     for program, call, setters in waits_for_events(system):
-        reasons = [_kept_out(call.context, setter, program) for setter in setters]
+        reasons = [kept_out(call.context, setter, program) for setter in setters]
         if all(reasons):
             waits.append(EventWait(call, setters[0], program, has_limit(call, "timeout"), reasons[0] or ""))
     return waits
@@ -66,7 +66,7 @@ def waits_for_events(system: System) -> list[tuple[Program, ApiCall, list[Callba
     return waits
 
 
-def _kept_out(waiting: Callback, setter: Callback, program: Program) -> str | None:
+def kept_out(waiting: Callback, setter: Callback, program: Program) -> str | None:
     """Why a callback cannot run while the other waits; None where it may, or where nothing is known."""
     if setter.role == Role.DONE or not runs_in_executor(setter) or setter.node is not waiting.node:
         return None  # what a done callback sets is judged with the client it belongs to

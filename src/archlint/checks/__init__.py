@@ -46,6 +46,7 @@ MODULES: tuple[str, ...] = (
     "ignored_limits",
     "spin_timeouts",
     "type_mismatches",
+    "unanswerable",
     "undeclared",
     "wait_loops",
     "contracts",

@@ -1,4 +1,4 @@
-"""TMO002, EXE009: blocking calls that wait for their answer without limit, and what to write in their place."""
+"""TMO002: blocking calls that wait for their answer without limit, and what to write in their place."""
 
 from __future__ import annotations
 
@@ -54,10 +54,9 @@ def call_without_timeout(system: System, options: Options) -> Iterator[Finding]:
     )
 
 
-@rule("EXE009", scope=Scope.CODE, in_use=True)
-def unanswerable_wait(system: System, options: Options) -> Iterator[Finding]:
+def unanswerable_calls(system: System, options: Options) -> Iterator[Finding]:
     """Blocking calls that nothing can answer while they wait: nobody spins the node then."""
-    yield from one_for_each_place(
+    return (
         _unanswerable(system, program, call, options.distros)
         for program, call in _limitless(system, options)
         if _is_unanswerable(program, call)

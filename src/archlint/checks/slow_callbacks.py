@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis import blocking
 from archlint.analysis.aside import is_not_installed
+from archlint.analysis.attribute_loops import attribute_loops
 from archlint.analysis.callback_roles import callback_words, runs_in_executor
 from archlint.analysis.deadlock import threads_of
 from archlint.analysis.loop_times import around_future, in_loops
@@ -57,12 +58,15 @@ def slow_callback(system: System, options: Options) -> Iterator[Finding]:
     """Sleeps and waits for the world outside that callbacks reach: one finding for the function that holds them."""
     asked = clients_of_handlers(system, options.distros)
     reported = functions_that_ask(system, options.distros)
+    endless = {loop.loop for loop in attribute_loops(system)}
     functions: dict[tuple[str, str], dict[Place, _Row]] = {}
     for program, call, stay in _stays(system):
         if call.context.role == Role.SERVICE and stay.kind == "sleep":
             continue  # SRV008 has a bound of its own for these
         if call.context.role == Role.LIFECYCLE:
             continue  # a transition may take its time, and the node does nothing until it is over
+        if not endless.isdisjoint(call.loops):
+            continue  # EXE009 says that the loop never ends
         if call.cleaning:
             continue  # something has failed, and the callback ends with it
         if not asked.isdisjoint((call.context.place, client.place) for client in creations_of(call.receiver)):
