@@ -162,44 +162,9 @@ def test_a_substitution_that_is_performed_and_does_not_fail(findings, line):
     assert findings("LCH003", **launch) == []
 
 
-@pytest.mark.parametrize(
-    ("line", "said", "help"),
-    [
-        ("path = os.path.join(FindPackageShare('robot'), 'launch')", "a FindPackageShare", "_directory('robot')"),
-        ("path = os.path.join('/robots', kind, 'a.urdf')", "a LaunchConfiguration", "PathJoinSubstitution([…])"),
-        ("path = open(os.path.join(FindPackageShare(kind), 'a'))", "a FindPackageShare", "PathJoinSubstitution([…])"),
-    ],
-)
-def test_a_substitution_that_is_taken_for_a_path(findings, line, said, help):
-    (one,) = findings("LCH008", **{"launch/it.launch.py": PERFORMED.format(line=line)})
-    assert f"os.path.join() is called with {said}, which is not a string" in one.message and help in one.help
-    assert one.place.line == 14 and one.severity is Severity.ERROR
-
-
-@pytest.mark.parametrize(
-    "line",
-    [
-        "path = PathJoinSubstitution([FindPackageShare('robot'), 'launch'])",
-        "path = os.path.join(start.__name__, 'launch')",
-        "path = os.path.join(FindPackageShare('robot').find('robot'), 'launch')",
-        "path = os.path.join(kind, 'launch') if os.environ.get('TRY') else ''",
-        "path = os.path.join(str(kind), 'launch')",
-    ],
-)
-def test_what_is_a_path_or_may_be_one(findings, line):
-    assert findings("LCH008", **{"launch/it.launch.py": PERFORMED.format(line=line)}) == []
-
-
-@pytest.mark.parametrize("call", ["os.path.join(kind, 'a')", "kind.perform({})"])
-def test_an_error_that_is_caught_does_not_stop_the_launch(findings, call):
-    tried = f"try:\n        path = {call}\n    except TypeError:\n        path = 'a'"
+def test_an_error_that_is_caught_does_not_stop_the_launch(findings):
+    tried = "try:\n        path = kind.perform({})\n    except TypeError:\n        path = 'a'"
     assert findings("LCH008", **{"launch/it.launch.py": PERFORMED.format(line=tried)}) == []
-
-
-def test_a_join_in_an_opaque_function(findings):
-    text = PERFORMED.replace("{line}", "").replace("name=text)", "name=os.path.join(LaunchConfiguration('kind'), 'a'))")
-    (one,) = findings("LCH008", **{"launch/it.launch.py": text})
-    assert one.place.line == 10
 
 
 def test_conditions_of_one_kind_in_a_file_are_one_finding(findings):

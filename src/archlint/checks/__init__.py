@@ -42,6 +42,7 @@ MODULES: tuple[str, ...] = (
     "spinning",
     "idle_groups",
     "starvation",
+    "substitution_values",
     "timeouts",
     "ignored_limits",
     "spin_timeouts",

@@ -11,14 +11,14 @@ from archlint.checks.scope import Scope
 from archlint.finding import Finding
 
 if TYPE_CHECKING:
-    from archlint.launch.mistakes import NotAPath, WithoutContext
+    from archlint.launch.mistakes import WithoutContext
     from archlint.systems.model import System
 
 
 @rule("LCH008", scope=Scope.SYSTEM)
 def launch_description(system: System, options: Options) -> Iterator[Finding]:
     """Names that nothing defines, a ``condition=`` that has no ``evaluate`` for launch to call, and substitutions that
-    are performed where no launch context is, or are taken for paths."""
+    are performed where no launch context is."""
     for place, name in sorted(system.launched.undefined.items() if system.launched is not None else ()):
         yield finding(
             "LCH008",
@@ -39,24 +39,6 @@ def launch_description(system: System, options: Options) -> Iterator[Finding]:
         )
     for failing in system.launched.without_context if system.launched is not None else ():
         yield _without_context(failing)
-    for joined in system.launched.joined if system.launched is not None else ():
-        yield _not_a_path(joined)
-
-
-def _not_a_path(joined: NotAPath) -> Finding:
-    if joined.package is None:
-        instead = "use PathJoinSubstitution([…]) instead of os.path.join()"
-    else:
-        instead = f"use get_package_share_directory('{joined.package}'), which returns a path"
-    return finding(
-        "LCH008",
-        joined.place,
-        f"os.path.join() is called with a {joined.substitution}, which is not a string until launch performs it: "
-        "the launch stops here with a TypeError",
-        help=instead,
-        identity=("os.path.join", joined.substitution),
-        group=(joined.place.file, "os.path.join"),
-    )
 
 
 def _without_context(failing: WithoutContext) -> Finding:

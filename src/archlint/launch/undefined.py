@@ -17,7 +17,7 @@ def undefined_name(module: facts.Facts, function: str) -> facts.Name | None:
     """The first name that a module, or a ``function`` of it, surely reads and that no line of the file binds."""
     if _may_bind_anything(module.body):
         return None
-    bound = _ALWAYS.union(name for part in everything_in(module.body) for name in _bound_by(part))
+    bound = _ALWAYS.union(name for part in everything_in(module.body) for name in bound_by(part))
     functions = (
         statement.body
         for statement in module.body
@@ -35,7 +35,7 @@ def _may_bind_anything(body: Sequence[facts.Stmt]) -> bool:
     return any(stars) or any(makers) or any(True for _ in everything_in(body, facts.Opaque))
 
 
-def _bound_by(part: facts.Base) -> Sequence[str]:
+def bound_by(part: facts.Base) -> Sequence[str]:
     """The names that a part binds, in whichever scope."""
     match part:
         case facts.Function(name=name) | facts.Class(name=name) | facts.Param(name=name):
