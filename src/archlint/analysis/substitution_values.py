@@ -168,10 +168,11 @@ def _misused(code: _Code) -> Iterator[Misused]:
                 yield from _each(code, Misuse.FORMATTED, values, part.span)
             case facts.Call(func=facts.Name(id="str" | "int" | "float"), args=[argument]) if id(part) not in printed:
                 yield from _each(code, Misuse.CONVERTED, [argument.value], part.span, part.func.last_name)
+            case facts.Compare(comparators=[facts.Literal(value=None)]):
+                pass  # it asks whether there is a substitution
             case facts.Compare(ops=[op], comparators=[right]) if op in ("==", "!=", "in", "not in"):
                 sides = [part.left] if "in" in op else [part.left, right]
-                if right != facts.Literal(None, right.span):
-                    yield from _each(code, Misuse.COMPARED, sides, part.span, op)
+                yield from _each(code, Misuse.COMPARED, sides, part.span, op)
             case facts.Boolean(values=values, op=op):
                 yield from (m for v in values[:-1] for m in _each(code, Misuse.COMBINED, [v], part.span, op))
             case facts.Unary(op="not", operand=operand):

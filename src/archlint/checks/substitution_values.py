@@ -38,9 +38,11 @@ def _said(misused: Misused) -> tuple[str, str]:
     match misused.kind:
         case Misuse.ADDED:
             effect = "which is not a string until launch performs it: the launch stops here with a TypeError"
-            return f"'+' has a {what} as an operand, {effect}", _LIST
+            return f"'+' has a {what} as an operand, {effect}", _list_with(what)
         case Misuse.FORMATTED:
-            return f"this makes a string of the {what} itself, not of the value that launch gives it later", _LIST
+            return f"this makes a string of the {what} itself, not of the value that launch gives it later", _list_with(
+                what
+            )
         case Misuse.CONVERTED:
             help = "give the action the substitution itself: launch makes its value of it"
             return f"{misused.operator}() is called with a {what}, which has no value until launch performs it", help
@@ -57,7 +59,8 @@ def _said(misused: Misused) -> tuple[str, str]:
     return f"a {what} has no value yet, so that this test takes it for true", "give the action condition=IfCondition(…)"
 
 
-_LIST = "write a list, ['…', LaunchConfiguration('…')]: launch joins the values of its items"
+def _list_with(what: str) -> str:
+    return f"write a list, ['…', {what}(…)]: launch joins the values of its items"
 
 
 def _not_a_path(joined: NotAPath) -> Finding:
