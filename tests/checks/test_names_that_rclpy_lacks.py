@@ -8,6 +8,8 @@ from checks.judging import Judge
 
 NODE = """
 import rclpy
+from example_interfaces.action import Fibonacci
+from rclpy.action import ActionServer
 from rclpy.executors import SingleThreadedExecutor
 from rclpy.node import Node
 from std_srvs.srv import Trigger
@@ -18,6 +20,7 @@ class Robot(Node):
         super().__init__('robot')
         self.trigger = self.create_client(Trigger, 'trigger')
         self.timer = self.create_timer(1.0, self.tick)
+        self.goals = ActionServer(self, Fibonacci, 'count', self.tick)
         executor = SingleThreadedExecutor()
         {call}
 
@@ -34,7 +37,8 @@ class Robot(Node):
         ("self.take_off()", "Node has no take_off()", ""),
         ("self.trigger.call_sync(Trigger.Request())", "Client has no call_sync()", "use call()"),
         ("self.trigger.call_async(Trigger.Request()).get_result()", "Future has no get_result()", "use result()"),
-        ("self.timer.stop()", "Timer has no stop()", ""),
+        ("self.timer.stop()", "Timer has no stop()", "use cancel()"),
+        ("self.goals.set_succeeded()", "ActionServer has no set_succeeded()", "use succeed() of the goal handle"),
         ("executor.submit(self.tick)", "SingleThreadedExecutor has no submit()", "use create_task()"),
         ("rclpy.loginfo('ready')", "rclpy has no loginfo()", "use get_logger().info() of a node"),
         ("rclpy.Rate(10)", "rclpy has no Rate()", "use create_rate() of a node"),

@@ -40,17 +40,35 @@ _OF_ROS_1 = {
 }
 """What rospy has and rclpy has not, in any distribution, and what rclpy has instead."""
 _INSTEAD = {
+    "rclpy.action.client.ActionClient.cancel_all_goals": "cancel_goal_async() of the goal handle",
+    "rclpy.action.client.ActionClient.cancel_goal": "cancel_goal_async() of the goal handle",
+    "rclpy.action.client.ActionClient.cancel_goal_async": "cancel_goal_async() of the goal handle",
+    "rclpy.action.client.ActionClient.get_result": "get_result_async() of the goal handle",
+    "rclpy.action.client.ActionClient.get_state": "status of the goal handle",
+    "rclpy.action.client.ActionClient.wait_for_result": "get_result_async() of the goal handle",
+    "rclpy.action.server.ActionServer.is_preempt_requested": "is_cancel_requested of the goal handle",
+    "rclpy.action.server.ActionServer.publish_feedback": "publish_feedback() of the goal handle",
+    "rclpy.action.server.ActionServer.set_aborted": "abort() of the goal handle",
+    "rclpy.action.server.ActionServer.set_preempted": "canceled() of the goal handle",
+    "rclpy.action.server.ActionServer.set_succeeded": "succeed() of the goal handle",
     "rclpy.client.Client.call_sync": "call()",
     "rclpy.executors.Executor.submit": "create_task()",
     "rclpy.node.Node.get_name_space": "get_namespace()",
     "rclpy.node.Node.get_param": "get_parameter()",
+    "rclpy.node.Node.get_subscription_names_and_types_by_node": "get_subscriber_names_and_types_by_node()",
     "rclpy.node.Node.has_param": "has_parameter()",
     "rclpy.node.Node.set_param": "set_parameters()",
+    "rclpy.publisher.Publisher.get_num_connections": "get_subscription_count()",
+    "rclpy.publisher.Publisher.unregister": "destroy_publisher() of the node",
+    "rclpy.subscription.Subscription.unregister": "destroy_subscription() of the node",
     "rclpy.task.Future.get_result": "result()",
     "rclpy.task.Future.get": "result()",
     "rclpy.task.Future.is_done": "done()",
+    "rclpy.timer.Timer.cancelled": "is_canceled()",
+    "rclpy.timer.Timer.shutdown": "cancel()",
+    "rclpy.timer.Timer.stop": "cancel()",
 }
-"""Methods that people expect, and what there is."""
+"""Methods that people expect, most of them from rospy and actionlib, and what there is."""
 
 
 _OF_NODES = frozenset().union(*filter(None, map(attributes_of, (names.NODE, names.LIFECYCLE_NODE))))
