@@ -12,6 +12,7 @@ from checks.judging import Judge
 RAISED = Path(__file__).parents[2] / "tests_ros" / "wrong_calls.tsv"
 
 NODE = """
+import message_filters
 import rclpy
 from action_msgs.srv import CancelGoal
 from example_interfaces.action import Fibonacci
@@ -63,6 +64,8 @@ def main():
         ("ActionClient(self, 'a', Fibonacci)", "'action_type' and 'action_name' are swapped"),
         ("ActionServer(self, Fibonacci, 'a')", "'execute_callback' is missing"),
         ("QoSProfile(depth=1, reliable=True)", "it has no parameter 'reliable'"),
+        ("message_filters.Subscriber(self, String)", "'topic' is missing"),
+        ("message_filters.Subscriber(self, 'a', String)", "'msg_type' and 'topic' are swapped"),
         ("rclpy.spin(Robot)", "'node' takes a node, not the class Robot"),
         ("rclpy.spin_until_future_complete(rclpy.task.Future(), timeout_sec=1.0)", "'future' is missing"),
         ("self.declare_parameter()", "'name' is missing"),
@@ -89,6 +92,7 @@ def test_a_call_that_is_refused(judge: Judge, call: str, wrong: str):
         "ActionClient(self, Fibonacci, 'a')",
         "ActionServer(self, Fibonacci, 'a', execute_callback=self.listen)",
         "QoSProfile(depth=1)",
+        "message_filters.Subscriber(self, String, 'a')",
         "rclpy.spin_once(self, timeout_sec=0.1)",
         "options = {}; options['callback_group'] = None; self.create_timer(1.0, self.tick, **options)",
         "arguments = [String, 'a', 10]; self.create_publisher(*arguments)",
@@ -179,4 +183,4 @@ def test_calls_of_a_file_that_are_wrong_in_the_same_way_are_one_finding(judge: J
         "create_publisher() fails: 'qos_profile' is missing; another call in this file fails in the same way"
     )
     assert finding.help == "write create_publisher(msg_type, topic, qos_profile)"
-    assert [related.place.line for related in finding.related] == [15]
+    assert [related.place.line for related in finding.related] == [16]

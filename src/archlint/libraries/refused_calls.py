@@ -21,6 +21,8 @@ if TYPE_CHECKING:
 
 
 _UNSEEN = object()
+_NEEDED_OF_ANY = {"message_filters.Subscriber": ("node", "msg_type", "topic")}
+"""What a constructor reads of its ``*args`` (message_filters ``__init__.py``: ``args[0]``, ``args[2]``)."""
 
 
 def note(run: Run, api: Api, receiver: Value | None, site: CallSite, bound: Mapping[str, Value]) -> None:
@@ -54,7 +56,7 @@ def _misfit(api: Api, site: CallSite, place: Place) -> model.RefusedCall | None:
     """A call whose arguments are too few, too many, or go by a name that is none."""
     refusing = refusing_distros(api.path, len(site.args), tuple(sorted(site.keywords)), not site.open, api.params)
     if not refusing:
-        return None
+        return _lacking(api, site, place)
     mismatch = refusing[-1][1]
     return model.RefusedCall(
         place,
@@ -65,6 +67,15 @@ def _misfit(api: Api, site: CallSite, place: Place) -> model.RefusedCall | None:
         signature=needed(api.path),
         distros=tuple(distro for distro, _ in refusing),
     )
+
+
+def _lacking(api: Api, site: CallSite, place: Place) -> model.RefusedCall | None:
+    """A call of what takes ``*args`` and needs some of them all the same."""
+    wanted = _NEEDED_OF_ANY.get(api.path, ())
+    missing = tuple(name for name in wanted[len(site.args) :] if name not in site.keywords)
+    if not missing or site.open:
+        return None
+    return model.RefusedCall(place, api.path, model.Misuse.MISSING, missing, signature=wanted, distros=distros())
 
 
 def _other_kind(api: Api, site: CallSite, bound: Mapping[str, Value], place: Place) -> model.RefusedCall | None:
