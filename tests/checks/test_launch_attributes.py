@@ -86,3 +86,10 @@ def generate_launch_description():
     return LaunchDescription([Node(package='robot', {keyword}='talker')])
 """
     assert [one.severity for one in findings("LCH005", **{f"launch/{name}.launch.py": text})] == [severity]
+
+
+def test_an_include_takes_arguments_and_nothing_else(findings):
+    inner = "<arg name='a' value='1'/><param name='b' value='2'/>"
+    (told,) = findings("LCH005", f"<include file='$(find-pkg-share robot)/launch/other.launch.xml'>{inner}</include>")
+    assert told.message == "<include> has no element 'param'"
+    assert told.help == "launch rejects this file before anything is started"

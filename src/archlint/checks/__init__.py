@@ -13,6 +13,7 @@ MODULES: tuple[str, ...] = (
     "launched_executables",
     "limitless_calls",
     "long_services",
+    "malformed_substitutions",
     "missing_files",
     "handlers",
     "hardcoded",

@@ -37,7 +37,7 @@ def unknown_launch_attribute(system: System, options: Options) -> Iterator[Findi
             continue
         renamed = _RENAMED.get(wrong.name)
         hint = f"; it is called '{renamed}'" if renamed in wrong.known else did_you_mean(wrong.name, wrong.known)
-        kind = "attribute" if wrong.of_element else "argument"
+        kind = "element" if wrong.nested else "attribute" if wrong.of_element else "argument"
         why = "launch rejects this file" if wrong.of_element else "this call raises TypeError"
         diagnostic = finding(
             "LCH005",

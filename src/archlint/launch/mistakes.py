@@ -33,6 +33,8 @@ class UnknownAttribute:
     place: Place
     of_element: bool = False
     """Whether the action is an element of XML or YAML."""
+    nested: bool = False
+    """Whether it is an element inside of that one, instead of an attribute."""
 
 
 @dataclass(frozen=True)

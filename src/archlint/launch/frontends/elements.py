@@ -146,12 +146,20 @@ def _components(frontend: Frontend, element: Element) -> Value:
     return frontend.list(values)
 
 
+_OF_INCLUDE = ("arg", "let")
+
+
 def _include(frontend: Frontend, element: Element) -> LaunchObject:
+    for child in element.children:
+        if child.tag not in _OF_INCLUDE:
+            place = frontend.place(child.span)
+            wrong = UnknownAttribute("<include>", child.tag, _OF_INCLUDE, place, of_element=True, nested=True)
+            frontend.run.note_unknown_attribute(wrong)
     file = element.attributes.get("file")
     place = frontend.place(file.span if file is not None else element.span)
     location = frontend.text(file) if file is not None else Unknown("an include without a file")
     source = frontend.make(LaunchClass.ANY_LAUNCH_DESCRIPTION_SOURCE, place, {"launch_file_path": location})
-    rows = [_pair(frontend, child, "name", "value") for child in element.of("arg", "let")]
+    rows = [_pair(frontend, child, "name", "value") for child in element.of(*_OF_INCLUDE)]
     given = {"launch_description_source": source, "launch_arguments": frontend.list(rows)}
     return frontend.make(LaunchClass.INCLUDE_LAUNCH_DESCRIPTION, place, given, {"launch_description_source": place})
 

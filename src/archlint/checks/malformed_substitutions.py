@@ -1,0 +1,54 @@
+"""LCH007: substitutions in XML and YAML launch files that launch refuses, or does not see."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
+
+from archlint.analysis.malformed_substitutions import Malformed, MalformedText, malformed_substitutions
+from archlint.checks.folding import folds, with_places
+from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
+from archlint.finding import Finding, Place
+
+if TYPE_CHECKING:
+    from archlint.systems.model import System
+
+
+@rule("LCH007", scope=Scope.LAUNCH_FILE, in_use=True)
+def malformed_substitution(system: System, options: Options) -> Iterator[Finding]:
+    """``${var x}``, ``(find-pkg-share robot)``, and ``$(…)`` that launch cannot parse."""
+    for file, malformed in malformed_substitutions(system):
+        message, help = _said(malformed)
+        yield finding(
+            "LCH007",
+            Place(file, *malformed.span),
+            message,
+            help=help,
+            identity=(malformed.kind, malformed.written),
+            group=(file,),
+        )
+
+
+def _said(malformed: MalformedText) -> tuple[str, str]:
+    written, meant = f"'{malformed.written}'", malformed.meant
+    match malformed.kind:
+        case Malformed.BRACE | Malformed.NO_DOLLAR:
+            return f"{written} is no substitution: launch takes it as it stands", f"write '{meant}'"
+        case Malformed.NOT_CLOSED:
+            return f"{written} has no closing parenthesis: {_REFUSED}", "add the ')'"
+        case Malformed.NO_NAME:
+            return f"no name of a substitution follows '$(' in {written}: {_REFUSED}", "write '$(var name)', or '\\$('"
+        case Malformed.UNKNOWN:
+            name = malformed.written[2:].partition(" ")[0].rstrip(")")
+            return f"there is no substitution '{name}': {_REFUSED}", f"write '$({meant} …)'"
+    return f"{written} has too few words, or too many: {_REFUSED}", meant
+
+
+_REFUSED = "launch refuses this file"
+
+
+@folds("LCH007")
+def _of_one_file(findings: Sequence[Finding]) -> Finding:
+    """One finding for a file: launch stops at the first."""
+    return with_places(findings)

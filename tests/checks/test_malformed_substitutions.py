@@ -1,0 +1,104 @@
+"""LCH007: substitutions in XML and YAML launch files.
+
+What launch says of each text was tried with its own parser, of Jazzy.
+"""
+
+from __future__ import annotations
+
+from xml.sax.saxutils import quoteattr
+
+import pytest
+
+
+def _args(text: str) -> str:
+    return f'<arg name="x" default="1"/><node pkg="robot" exec="talker" args={quoteattr(text)}/>'
+
+
+BAD = {
+    "${var x}": ("is no substitution", "write '$(var x)'"),
+    "--x ${var x)": ("'${var x)' is no substitution", "write '$(var x)'"),
+    "${x}": ("is no substitution", "write '$(var x)'"),
+    "${find-pkg-share robot}/a": ("is no substitution", "write '$(find-pkg-share robot)'"),
+    "(find-pkg-share robot)/a": ("is no substitution", "write '$(find-pkg-share robot)'"),
+    "$ (var x)": ("is no substitution", "write '$(var x)'"),
+    "$(var x": ("has no closing parenthesis", "add the ')'"),
+    "$(var x)/$(find-pkg-share robot": ("'$(find-pkg-share robot' has no closing parenthesis", "add the ')'"),
+    "$( var x )": ("no name of a substitution follows", "write '$(var name)'"),
+    "$()": ("no name of a substitution follows", "write '$(var name)'"),
+    "$(find robot)/$(var x)": ("there is no substitution 'find'", "write '$(find-pkg-share …)'"),
+    "$(arg x) $(var x)": ("there is no substitution 'arg'", "write '$(var …)'"),
+    "$(find_pkg_share robot)": ("there is no substitution 'find_pkg_share'", "write '$(find-pkg-share …)'"),
+    "$(find-pkg-shar robot)": ("there is no substitution 'find-pkg-shar'", "write '$(find-pkg-share …)'"),
+    "$(Var x)": ("there is no substitution 'Var'", "write '$(var …)'"),
+    "$(find-pkg-share my robot)": ("has too few words, or too many", "takes one word"),
+    "$(find-pkg-share)": ("has too few words, or too many", "takes one word"),
+    "$(var x 5 6)": ("has too few words, or too many", "takes one word, or two"),
+    "$(dirname x)": ("has too few words, or too many", "write $(dirname)"),
+    "$(eval 1 + 2)": ("has too few words, or too many", "in quotes"),
+    "$(command xacro robot.urdf)": ("has too few words, or too many", "in quotes"),
+    "$(not $(find robot))": ("there is no substitution 'find'", "write '$(find-pkg-share …)'"),
+}
+
+
+@pytest.mark.parametrize("text", BAD)
+def test_a_text_that_launch_refuses_or_takes_as_it_stands(findings, text):
+    message, help = BAD[text]
+    (told,) = findings("LCH007", _args(text))
+    assert message in told.message and help in told.help
+    assert told.place.file == "launch/it.launch.xml"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "$(var x)",
+        "$(var 'x')",
+        "$(var x 5)",
+        "'$(var x)'",
+        "$(var x))",
+        "costs 5$ (five)",
+        "$HOME ${HOME}",
+        "\\$(var x)",
+        "$(env HOME /root)",
+        "$(eval '1 + 2')",
+        "$(eval \"'$(var x)' == 'a'\")",
+        '$(eval \'"$(var x)" == "("\')',
+        "$(command 'xacro $(find-pkg-share robot)/robot.urdf')",
+        "$(command 'xacro robot.urdf' warn)",
+        "$(if $(var x) a b)",
+        "$(equals $(var x) a)",
+        "$(launch_log_dir)",
+        "$(of-another-package x)",
+        "(see the manual)",
+    ],
+)
+def test_a_text_that_launch_parses(findings, text):
+    assert findings("LCH007", _args(text)) == []
+
+
+def test_what_is_for_a_shell_and_for_people(findings):
+    launch = """\
+        <arg name="x" default="1" description="as in ${x}, (var x) or $(var x"/>
+        <executable cmd="echo ${x}" shell="true"/>
+    """
+    assert findings("LCH007", launch) == []
+
+
+def test_a_brace_that_no_argument_is_meant_by(findings):
+    assert findings("LCH007", _args("${y}")) == []
+
+
+def test_a_launch_file_for_ros1(findings):
+    launch = '<arg name="x" default="$(find robot)/a"/><node pkg="robot" type="talker" args="$(arg x)"/>'
+    assert findings("LCH007", launch) == []
+
+
+def test_a_list_in_yaml(findings):
+    text = "launch:\n- node:\n    pkg: robot\n    exec: talker\n    param:\n    - {name: a, value: ['$(var x', b]}\n"
+    (told,) = findings("LCH007", **{"launch/it.launch.yaml": text})
+    assert (told.place.file, told.place.line) == ("launch/it.launch.yaml", 6)
+
+
+def test_a_file_is_one_finding(findings):
+    (told,) = findings("LCH007", _args("$(find robot)") + _args("$(var x"))
+    assert [row.message.partition(":")[0] for row in told.related] == ["'$(var x' has no closing parenthesis"]
