@@ -230,6 +230,54 @@ def test_an_executable_may_have_the_name_of_another_file(named, module: str, sev
     assert found.severity is severity
 
 
+@pytest.mark.parametrize(
+    ("more", "severity"),
+    [
+        ("# 'talker = robot.talker:main',", Severity.INFO),
+        ("'pen',  # 'talker = robot.talker:main',", Severity.INFO),
+        ("'pen = robot.pen:main'.replace('pen', 'talker'),", Severity.WARNING),
+        ("'pen#1', 'talker = robot.talker:main',", Severity.WARNING),
+    ],
+    ids=["a comment", "a comment after an entry", "a word of the code", "a hash that starts no comment"],
+)
+def test_an_entry_that_is_commented_out_installs_nothing(named, more: str, severity: Severity):
+    [found] = named({"robot/talker.py": NODE}, more=more)
+    assert found.severity is severity
+
+
+_CPP = "add_executable(talker src/talker.cpp)\ninstall(TARGETS talker DESTINATION lib/robot)\n"
+
+
+@pytest.mark.parametrize(
+    ("cmake", "severity"),
+    [
+        (_CPP + "install(DIRECTORY scripts DESTINATION share/robot)\n", Severity.INFO),
+        (_CPP + "# install(PROGRAMS scripts/talker.py DESTINATION lib/robot)\n", Severity.INFO),
+        (_CPP + "#[[ install(PROGRAMS scripts/talker.py\n DESTINATION lib/robot) ]]\n", Severity.INFO),
+        (_CPP + "install(PROGRAMS scripts/talker.py DESTINATION lib/robot)\n", Severity.WARNING),
+        (_CPP + "install(PROGRAMS scripts/talker.py DESTINATION lib/robot RENAME talk)\n", Severity.WARNING),
+        (_CPP + "make_program(NAME scripts/talker.py)\n", Severity.WARNING),
+        ("add_executable(driver driver.cpp)\nmake_program(talker)\n", Severity.WARNING),
+    ],
+    ids=["a target's namesake", "a comment", "a block comment", "installed", "renamed", "a command", "a word"],
+)
+def test_a_program_of_cmake_with_the_name_of_a_script(named, cmake: str, severity: Severity):
+    manifest = MANIFEST.strip().replace("ament_python", "ament_cmake")
+    files = {"package.xml": manifest, "setup.py": "", "CMakeLists.txt": "project(robot)\n" + cmake}
+    [found] = named({**files, "scripts/talker.py": NODE})
+    assert found.severity is severity
+
+
+@pytest.mark.parametrize(
+    ("command", "severity"),
+    [("python3 robot/talker.py", Severity.WARNING), ("run", Severity.INFO)],
+)
+def test_a_launch_file_names_a_script(named, command: str, severity: Severity):
+    launch = f"<launch><!-- python3 robot/talker.py --><executable cmd='{command}'/></launch>"
+    [found] = named({"robot/talker.py": NODE, "launch/a.launch.xml": launch})
+    assert found.severity is severity
+
+
 def test_what_a_script_beside_the_packages_imports(named):
     module = NODE.partition("if __name__")[0]
     script = "from {} import main\n\nif __name__ == '__main__':\n    main()\n"

@@ -122,3 +122,8 @@ def test_an_executable_that_several_actions_start_is_one_finding(findings):
         ("launch/more.launch.xml", 1),
     ]
     assert lidar.related == ()
+
+
+def test_an_absolute_path_is_started_as_it_is(findings):
+    assert findings("LCH001", node(exec="/opt/venv/bin/python", args="-m robot.talker")) == []
+    assert len(findings("LCH001", node(exec="venv/bin/python", args="-m robot.talker"))) == 1

@@ -13,6 +13,7 @@ from archlint.analysis.kept import once
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in
 from archlint.syntax.walk import called_name
+from archlint.workspace.comments import without_comments
 from archlint.workspace.test_code import FileRoles
 
 if TYPE_CHECKING:
@@ -154,25 +155,36 @@ def _is_named(workspace: WorkspaceIndex, installs: Installs, file: str) -> bool:
     """Whether the files that build the package mention a script, or a launch file does so as a file or a module."""
     stem = file.rpartition("/")[2].removesuffix(".py")
     same = installs.executables.get(stem)
-    if (
-        same is not None
-        and same.module is not None
-        and file not in workspace.code.files_named(same.package, same.module)
-    ):
-        return False  # that name means another file
-    if stem in installs.words or f"{stem}.py" in installs.words or stem in installs.executables:
-        return True
-    built = [f"{installs.folder}/{name}".removeprefix("./") for name in ("setup.py", "setup.cfg", "pyproject.toml")]
-    if any(workspace.code.mentions(path, stem) for path in built):
+    if same is not None and same.module is not None:
+        return file in workspace.code.files_named(same.package, same.module)  # or that name means another file
+    target = same is not None and same.script is None  # of C++, whose words are about a source of its own
+    if f"{stem}.py" in installs.words or (not target and _is_built(workspace, installs, stem)):
         return True
     # A launch file starts executables by their names, and this file is none: only as a file or a module can it run.
     return any(_mentions_file(text, stem) for text in _launch_texts(workspace))
 
 
+def _is_built(workspace: WorkspaceIndex, installs: Installs, stem: str) -> bool:
+    """Whether the files that build a package have a word for a script."""
+    if stem in installs.words or stem in installs.executables:
+        return True
+    built = ("setup.py", "setup.cfg", "pyproject.toml")
+    return any(_mentions(workspace, f"{installs.folder}/{name}".removeprefix("./"), stem) for name in built)
+
+
+def _mentions(workspace: WorkspaceIndex, path: str, word: str) -> bool:
+    """Whether a word stands in a file of the build, other than in a comment: an entry that is commented out installs
+    nothing."""
+    if not workspace.code.mentions(path, word):
+        return False
+    text = without_comments(workspace.tree.text(path) or "")
+    return re.search(rf"(?<!\w){re.escape(word)}(?!\w)", text) is not None
+
+
 @once
 def _launch_texts(workspace: WorkspaceIndex) -> list[str]:
-    """The text of each launch file."""
-    return [workspace.tree.text(path) or "" for path in workspace.launch_files.all()]
+    """The text of each launch file, without comments."""
+    return [without_comments(workspace.tree.text(path) or "") for path in workspace.launch_files.all()]
 
 
 def _mentions_file(text: str, stem: str) -> bool:

@@ -30,6 +30,8 @@ def unknown_executable(system: System, options: Options) -> Iterator[Finding]:
             continue
         if started.executable.resolution != "exact" or name in installs.executables:
             continue
+        if posixpath.isabs(name):
+            continue  # launch_ros starts that file, and asks the package only for its folder: a Python of its own, say
         package = system.workspace.packages.get(installs.package)
         unread = package is None or package.build_type not in ("ament_python", "ament_cmake")
         if unread or installs.open_executables or not installs.build_files or name in installs.mentioned:

@@ -75,7 +75,7 @@ def read_cmake(installs: Installs, path: str, tree: CMakeTree) -> None:
     run = CMakeRun(tree.text, tree.files_below)
     run.run(path, installs.folder)
     installs.build_files.extend(run.files)
-    installs.words |= frozenset(word for text in run.texts for word in re.findall(r"[\w.-]+", text))
+    installs.words |= run.words
     installs.open_executables |= run.open
     installs.open_files |= run.open
     targets = TargetNames(run.steps)

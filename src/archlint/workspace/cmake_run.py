@@ -26,6 +26,7 @@ _VALUES = 2_000
 """Items of a list that are kept."""
 _CHARACTERS = 20_000
 
+_WORD = re.compile(r"[\w.-]+")
 _VARIABLE = re.compile(r"\$\{([\w.+/-]+)\}")
 _BLOCKS = {"foreach": "endforeach", "while": "endwhile", "macro": "endmacro", "function": "endfunction"}
 _NO_EFFECT = frozenset({"if", "else", "elseif", "endif", "return", "break", "continue", *_BLOCKS.values()})
@@ -84,7 +85,8 @@ class CMakeRun:
         self.steps: list[Step] = []
         self.files: list[str] = []
         """The files that were read."""
-        self.texts: list[str] = []
+        self.words: set[str] = set()
+        """Every word of these files, but for their comments."""
         self.open = False
 
     def run(self, file: str, folder: str, project: str | None = None) -> None:
@@ -102,10 +104,12 @@ class CMakeRun:
             self.open = True
             return False
         self.files.append(path)
-        self.texts.append(text)
         scope.variables["CMAKE_CURRENT_SOURCE_DIR"] = [SOURCE + scope.folder]
         scope.variables["CMAKE_CURRENT_LIST_DIR"] = [SOURCE + (posixpath.dirname(path) or ".")]
-        self._block(parse_cmake(text), path, scope, depth)
+        commands = parse_cmake(text)
+        for command in commands:
+            self.words.update(word for part in (command.name, *command.texts) for word in _WORD.findall(part))
+        self._block(commands, path, scope, depth)
         return True
 
     def _block(self, commands: Sequence[Command], file: str, scope: _Scope, depth: int) -> None:

@@ -54,7 +54,7 @@ class Installs:
     open_executables: bool = False
     open_files: bool = False
     words: frozenset[str] = frozenset()
-    """Every word of the CMake files."""
+    """Every word of the CMake files, but for their comments."""
     mentioned: frozenset[str] = frozenset()
     """What CMake commands that are not known here are given: each may be the name of an executable."""
     too_deep: dict[str, str] = field(default_factory=dict)
