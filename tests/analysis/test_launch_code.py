@@ -109,7 +109,7 @@ def test_words_of_launch_files_and_actions_for_them(index: Index):
         ("robot.talker", "main", None),
         ("uvicorn.main", "run", None),  # another distribution's
         ("robot.tlker", "main", NoModule("robot.tlker", "main", ("robot.talker",))),
-        ("robot.talker", None, NoFunctionNamed("robot.talker")),
+        ("robot.talker", None, NoFunctionNamed("robot.talker", ("main",))),
         ("robot.talker", "mian.x", "mian"),
     ],
 )

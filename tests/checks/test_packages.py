@@ -6,6 +6,7 @@ import pytest
 
 from archlint.config.settings import load
 from archlint.engine.pipeline import Request, check
+from archlint.finding import Severity
 from robot_package import CMAKE, MANIFEST, SCRIPTS, SETUP, TALKER, node
 
 
@@ -136,6 +137,59 @@ def test_a_function_that_is_not_there_is_to_be_written_or_another_named(findings
     assert found.help == "write 'talker = robot.talker:main'"
     (found,) = findings("PKG002", **{"setup.py": SETUP.replace(":main", ":serve_all")})
     assert found.help == "define 'serve_all' in the module, or use a function that it has"
+
+
+LOOK = "import cv2\ncamera = cv2.VideoCapture(0)\nwhile True:\n    if cv2.waitKey(1) == 113:\n        break\n"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        LOOK,
+        "import rclpy\nrclpy.init()\nrclpy.spin(rclpy.create_node('look'))\n",
+        "try:\n    while True:\n        pass\nfinally:\n    pass\n",
+    ],
+    ids=["a loop", "a spin", "a loop inside"],
+)
+def test_a_module_that_does_its_work_when_it_is_imported_fails_at_its_end(findings, text):
+    (found,) = findings("PKG002", **{"robot/talker.py": text})
+    assert found.message == (
+        "the executable 'talker' fails when its work is done: 'robot.talker' runs when it is imported and has no "
+        "function 'main'"
+    )
+    assert found.help == "move what the module runs into a function 'main'"
+    assert found.severity is Severity.WARNING
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "def look():\n    while True:\n        pass\n",
+        "if __name__ == '__main__':\n    while True:\n        pass\n",
+        "import logging\nlogging.basicConfig()\n",
+    ],
+    ids=["in a function", "as a script only", "a call that ends"],
+)
+def test_a_module_that_does_nothing_when_it_is_imported_cannot_start(findings, text):
+    (found,) = findings("PKG002", **{"robot/talker.py": text})
+    assert found.message == "the executable 'talker' cannot start: 'robot.talker' has no function 'main'"
+    assert found.severity is Severity.ERROR
+
+
+@pytest.mark.parametrize(
+    ("text", "help"),
+    [
+        ("RED = 1\nBLUE = 2\n", "remove the entry: 'robot.talker' defines no function"),
+        ("def serve(): pass\n", "write 'talker = robot.talker:serve'"),
+        ("def help(): pass\ndef main(): pass\n", "write 'talker = robot.talker:main'"),
+        ("def open(): pass\ndef close(): pass\n", "write 'talker = robot.talker:function'"),
+        ("from robot.driver import main\n", "write 'talker = robot.talker:main'"),
+        ("from robot.driver import serve\n", "write 'talker = robot.talker:function'"),
+    ],
+)
+def test_an_entry_without_a_function_gets_the_one_that_is_there(findings, text, help):
+    (found,) = findings("PKG002", **{"setup.py": SETUP.replace(":main", ""), "robot/talker.py": text})
+    assert found.help == help
 
 
 def test_entries_whose_modules_lack_one_function_are_one_finding(findings):

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from archlint.suggestions import nearest
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in
+from archlint.syntax.walk import called_name, calls_in, main_guard, statements_of
 
 if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
@@ -27,18 +28,22 @@ class NoModule:
 
 @dataclass(frozen=True)
 class NoFunctionNamed:
-    """A module is named and no function of it, and importing it does nothing."""
+    """A module is named and no function of it, and importing it does nothing.  ``functions`` are those that it has,
+    None where it may have more."""
 
     module: str
+    functions: tuple[str, ...] | None = ()
 
 
 @dataclass(frozen=True)
 class NoFunction:
-    """The module has no such function among the names that it has."""
+    """The module has no such function among the names that it has.  One that ``runs_first`` does its work when it is
+    imported, so that nobody notices before the end of it."""
 
     module: str
     function: str
     known: frozenset[str]
+    runs_first: bool = False
 
 
 def broken_target(workspace: WorkspaceIndex, executable: Executable) -> NoModule | NoFunctionNamed | NoFunction | None:
@@ -59,12 +64,32 @@ def broken_target(workspace: WorkspaceIndex, executable: Executable) -> NoModule
     if file_facts is None or file_facts.problems:
         return None
     if function is None:
-        return None if any(map(_does_something, file_facts.body)) else NoFunctionNamed(module)
+        return None if any(map(_does_something, file_facts.body)) else NoFunctionNamed(module, _functions(file_facts))
     head = function.partition(".")[0]
     if any(map(partial(_defines, head), file_facts.body)):
         return None  # as nearly always
     names = _bound_names(file_facts.body)
-    return None if head in names or _binds_more(file_facts.body) else NoFunction(module, head, names)
+    if head in names or _binds_more(file_facts.body):
+        return None
+    return NoFunction(module, head, names, _runs_for_long(file_facts))
+
+
+def _functions(file_facts: facts.Facts) -> tuple[str, ...] | None:
+    """The functions that a module defines, or the ``main`` that it imports; None where what it imports may be one."""
+    functions = tuple(statement.name for statement in file_facts.body if isinstance(statement, facts.Function))
+    if "main" not in functions and "main" in _bound_names(file_facts.body):
+        return ("main",)
+    imports = any(isinstance(statement, facts.ImportFrom) for statement in file_facts.body)
+    return None if imports and not functions else functions
+
+
+def _runs_for_long(file_facts: facts.Facts) -> bool:
+    """Whether importing a module runs a loop that may go on, ``while True`` say, or spins a node."""
+    guard = main_guard(file_facts)
+    body = [statement for statement in file_facts.body if statement is not guard]
+    if any(True for _ in statements_of(body, facts.While)):
+        return True
+    return any(called_name(call) == "spin" for call in calls_in(body))
 
 
 def _is_on_disk(workspace: WorkspaceIndex, package: str, module: str) -> bool:

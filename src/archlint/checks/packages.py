@@ -11,7 +11,7 @@ from archlint.analysis.entry_points import NoFunction, NoFunctionNamed, NoModule
 from archlint.checks.folding import folds
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
-from archlint.finding import Finding, Related
+from archlint.finding import Finding, Related, Severity
 from archlint.suggestions import did_you_mean, listed, meant, nearest
 
 if TYPE_CHECKING:
@@ -71,17 +71,41 @@ def _broken(workspace: WorkspaceIndex, executable: Executable) -> Iterator[Findi
             hint = "" if near is None else meant(f"'{near}'")
             help = "add the module, or remove the entry" if near is None else f"write '{executable.name} = {target}'"
             yield _entry_finding(executable, f"module '{module}' does not exist{hint}", help)
-        case NoFunctionNamed(module):
-            help = f"write '{executable.name} = {module}:function'"
+        case NoFunctionNamed(module, functions):
+            help = _with_a_function(executable.name, module, functions)
             yield _entry_finding(executable, f"'{module}' is a module, but the entry names no function in it", help)
-        case NoFunction(module, function, names):
+        case NoFunction(module, function, names, runs_first):
             near = nearest(function, names)
             group = () if near is not None else (executable.place.file, function)
             hint = did_you_mean(function, names)
             help = f"define '{function}' in the module, or use a function that it has"
             if near is not None:
                 help = f"write '{executable.name} = {module}:{near}'"
-            yield _entry_finding(executable, f"'{module}' has no function '{function}'{hint}", help, group)
+            diagnostic = _entry_finding(executable, f"'{module}' has no function '{function}'{hint}", help, group)
+            at_the_end = runs_first and near is None
+            yield _fails_at_the_end(diagnostic, executable, module, function) if at_the_end else diagnostic
+
+
+def _with_a_function(name: str, module: str, functions: Sequence[str] | None) -> str:
+    """What to write where an entry names no function: the one that is there."""
+    if functions is not None and not functions:
+        return f"remove the entry: '{module}' defines no function"
+    chosen = "main" if functions is not None and "main" in functions else None
+    if functions is not None and len(functions) == 1:
+        chosen = functions[0]
+    return f"write '{name} = {module}:{chosen or 'function'}'"
+
+
+def _fails_at_the_end(diagnostic: Finding, executable: Executable, module: str, function: str) -> Finding:
+    """What does its work when it is imported starts, and fails only afterwards."""
+    return replace(
+        diagnostic,
+        message=f"the executable '{executable.name}' fails when its work is done: '{module}' runs when it is imported "
+        f"and has no function '{function}'",
+        help=f"move what the module runs into a function '{function}'",
+        severity=Severity.WARNING,
+        group=(),
+    )
 
 
 def _in_other_entries(workspace: WorkspaceIndex, executable: Executable) -> set[str]:
