@@ -94,6 +94,25 @@ class TestTheTwoEnds:
         assert found(rule, judged) == []
 
 
+@pytest.mark.parametrize("end", [publisher, subscriber])
+def test_one_node_that_uses_several_types_is_one_finding(end):
+    other = {publisher: subscriber, subscriber: publisher}[end]
+    bridge = node("/bridge", end("x", "p/msg/One"), end("x", "p/msg/Two"), end("x", "p/msg/Three"))
+    [alone] = found(topic_type_mismatch, system(bridge))
+    assert alone.severity is Severity.WARNING and len(alone.related) == 2
+    assert "x' as p/msg/One, p/msg/Two and p/msg/Three: within one process Fast DDS" in alone.message
+
+    fitting = node("/driver", other("x", "p/msg/Two"))
+    assert found(topic_type_mismatch, system(bridge, fitting)) == [alone]
+    wrong = node("/driver", other("x", "p/msg/Four"))
+    assert {one.severity for one in found(topic_type_mismatch, system(bridge, wrong))} == {
+        Severity.WARNING,
+        Severity.ERROR,
+    }
+    same = node("/bridge", end("x", "p/msg/One"), end("x", "p/msg/One"))
+    assert found(topic_type_mismatch, system(same)) == []
+
+
 def test_lessons_that_nothing_starts_together_and_that_have_partners_of_their_own():
     talker, listener = node("/talker", publisher("x", "p/msg/One")), node("/listener", subscriber("x", "p/msg/One"))
     spheres = node("/spheres", publisher("x", "p/msg/Two"))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -59,7 +59,13 @@ def _mismatches(code: str, system: System, connections: Mapping[str, Connection]
             continue
         pairs: dict[tuple[str, str], list[tuple[Endpoint, Endpoint]]] = {}
         there = [end for end in all_endpoints(connection) if end.type not in missing]
-        for endpoint, other in conflicting_pairs(system, there, _one_type):
+        conflicts = list(conflicting_pairs(system, there, _one_type))
+        torn = _with_several_types(conflicts)
+        for ends in torn.values():
+            yield _several_types(connection, in_source_order(ends))
+        for endpoint, other in conflicts:
+            if _is_told(torn, endpoint, other):
+                continue
             if endpoint.kind == other.kind and not known_to_coexist(system, endpoint.node, other.node):
                 continue  # of two that do the same job, one runs: nothing is lost between them
             first, second = sorted((endpoint.type or "", other.type or ""))
@@ -69,6 +75,51 @@ def _mismatches(code: str, system: System, connections: Mapping[str, Connection]
             diagnostic = _mismatch(code, connection, together or pairs[types])
             unsure = not together or _are_at_home(system, connection, together)
             yield _if_both_run(diagnostic) if unsure else diagnostic
+
+
+_OwnEnds = dict[tuple[int, EntityKind], list["Endpoint"]]
+
+
+def _with_several_types(conflicts: Iterable[tuple[Endpoint, Endpoint]]) -> _OwnEnds:
+    """The ends of nodes that publish or subscribe to one topic with several types, by node and kind."""
+    torn: _OwnEnds = {}
+    for pair in conflicts:
+        if pair[0].node is pair[1].node and pair[0].kind == pair[1].kind and pair[0].kind in _OF_TOPICS:
+            ends = torn.setdefault((id(pair[0].node), pair[0].kind), [])
+            ends.extend(end for end in pair if end not in ends)
+    return torn
+
+
+_OF_TOPICS = (EntityKind.PUBLISHER, EntityKind.SUBSCRIBER)
+
+
+def _is_told(torn: _OwnEnds, endpoint: Endpoint, other: Endpoint) -> bool:
+    """Whether it is said already that a node has several types, one of which is that of the other end."""
+    for end, far in ((endpoint, other), (other, endpoint)):
+        own = torn.get((id(end.node), end.kind), [])
+        if any(_one_type(row, far) for row in own):
+            return True
+    return False
+
+
+def _several_types(connection: Connection, ends: Sequence[Endpoint]) -> Finding:
+    """One finding for a node that means to take, or say, several types on one topic."""
+    last = ends[-1]
+    types = list(dict.fromkeys(end.type or "" for end in ends))
+    diagnostic = finding(
+        "TOP001",
+        last.place,
+        f"{last.node.name} {_DOES[last.kind]} '{connection.name}' as {', '.join(types[:-1])} and {types[-1]}: within "
+        "one process Fast DDS, the default of ROS 2, refuses the second type, and the node stops there",
+        help=f"choose one type, by a parameter say, and create one {_ONE[last.kind]}",
+        related=[Related(end.place, f"{end.node.name} {_DOES[end.kind]} it as {end.type}") for end in ends[:-1]],
+        node=last.node.name,
+        identity=(connection.kind, connection.name, *sorted(types)),
+    )
+    return replace(diagnostic, severity=Severity.WARNING)
+
+
+_ONE = {EntityKind.PUBLISHER: "publisher", EntityKind.SUBSCRIBER: "subscription"}
 
 
 def _are_alternatives(system: System, connection: Connection, endpoint: Endpoint, other: Endpoint) -> bool:

@@ -8,8 +8,8 @@ _COMMENT = re.compile(r"<!--.*?-->|(?:^|(?<=\s))#[^\n]*", re.DOTALL | re.MULTILI
 
 
 def without_comments(text: str) -> str:
-    """A text of Python, TOML, INI, YAML or XML without its comments.  A ``#`` starts one at the start of a line or after
-    a space, so that a colour (``'#fff'``) is none."""
+    """A text of Python, TOML, INI, YAML or XML without its comments.  A ``#`` starts one at the start of a line or
+    after a space, so that a colour (``'#fff'``) is none."""
     return _COMMENT.sub("", text)
 
 
