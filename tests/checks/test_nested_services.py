@@ -337,6 +337,77 @@ class TestCarefulCode:
         judge("SRV003", unmarked(self.careful(self.BOUNDED)), self.MOTOR.format(body="self.power.call_async(request)"))
 
 
+class TestHelpersThatPoll:
+    """``self.wait(future, 2.0)``: the helper asks in the body of its loop, and gives up after the limit it is given."""
+
+    HANDLER = (
+        "response.success = self.wait(self.motor.call_async(SetBool.Request()), 2.0) is not None",
+        "return response",
+    )
+    HELPER = """
+        def wait(self, future, limit):
+            start = time.monotonic()
+            while rclpy.ok():
+                if {done}:
+                    return future.result()
+                if {late}:
+                    return None
+                time.sleep(0.01)
+"""
+
+    def helper(self, main: list[str], done: str = "future.done()  # here", late: str = "") -> str:
+        end = late or "time.monotonic() - start >= limit"
+        extra = self.HELPER.format(done=done, late=end).replace("  # here:", ":  # here")
+        text = gripper(list(self.HANDLER), main, ", callback_group=self.apart", extra=extra)
+        return text.replace("    import rclpy\n", "    import time\n\n    import rclpy\n", 1)
+
+    def test_on_one_thread_the_response_never_comes(self, judge: Judge):
+        [found] = judge("SRV003", self.helper(SPIN))
+
+        assert found.severity is Severity.ERROR
+        assert "times out" in found.message
+
+    def test_on_several_threads_it_is_done_right(self, judge: Judge):
+        judge("SRV003", unmarked(self.helper(THREADS)))
+
+    def test_a_loop_that_does_something_else_meanwhile_is_no_wait(self, judge: Judge):
+        judge("SRV003", self.helper(SPIN, done="future.done()", late="self.moved()"))
+
+    def test_a_loop_that_goes_on_with_the_next_future_is_no_wait(self, judge: Judge):
+        judge("SRV003", self.helper(SPIN, done="future.done() and self.idle"))
+
+
+class TestTheOnlyThread:
+    BODY = (
+        "future = self.outside.call_async(SetBool.Request())",
+        "answered = threading.Event()",
+        "future.add_done_callback(lambda _: answered.set())",
+        "answered.wait(timeout=3.0)  # here",
+        "response.success = future.done()",
+        "return response",
+    )
+    HELPER = (
+        "self.helper = rclpy.create_node('helper')",
+        "executor = SingleThreadedExecutor()",
+        "executor.add_node(self.helper)",
+        "threading.Thread(target=executor.spin, daemon=True).start()",
+        "self.outside = self.helper.create_client(SetBool, 'enable_motor')",
+        "self.create_timer(1.0, self.look, callback_group=MutuallyExclusiveCallbackGroup())",
+    )
+
+    def test_a_group_of_its_own_needs_more_threads(self, judge: Judge):
+        text = gripper(list(self.BODY), extra="\n        def look(self):\n            pass\n")
+        text = text.replace("    import rclpy\n", "    import threading\n\n    import rclpy\n", 1)
+        created = SERVICE.format(group="")
+        text = text.replace(created, "\n            ".join([created, *self.HELPER]), 1)
+        [found] = judge("SRV003", text)
+
+        assert found.severity is Severity.WARNING
+        assert found.message.endswith("the other callbacks of its node cannot run: Gripper.look")
+        assert found.help.startswith("spin the node with a MultiThreadedExecutor, and give the service")
+        judge("SRV003", unmarked(text.replace(SPIN[0], "\n        ".join(THREADS))))
+
+
 class TestOneFindingAHandler:
     STEPS = (
         "while not self.motor.wait_for_service(timeout_sec=1.0):",

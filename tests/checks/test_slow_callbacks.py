@@ -1089,3 +1089,42 @@ def test_a_sleep_behind_a_flag_that_the_handler_turns_off(run: Run, test: str, e
             return response
     """
     assert codes(run(source("self.create_service(Trigger, 'start', self.handle)\n", methods))) == expected
+
+
+POLLS = """
+def serve(self, request, response):
+    self.wait({limit})
+    time.sleep(0.4)
+    return response
+
+def wait(self, limit):
+    start = time.monotonic()
+    while rclpy.ok():
+        if {ends}:
+            break
+        time.sleep(0.01)
+"""
+
+
+@pytest.mark.parametrize(
+    ("limit", "ends", "expected"),
+    [
+        pytest.param("2.0", "time.monotonic() - start >= limit", [], id="a limit that is passed"),
+        pytest.param("2.0", "limit < time.monotonic() - start", [], id="the other way round"),
+        pytest.param("2.0", "self.arrived or time.monotonic() - start >= limit", [], id="or something else"),
+        pytest.param("60.0", "time.monotonic() - start >= limit", ["SRV008"], id="a long one"),
+        pytest.param("2.0", "self.arrived and time.monotonic() - start >= limit", ["SRV008"], id="not by itself"),
+        pytest.param("2.0); self.wait(60.0", "time.monotonic() - start >= limit", ["SRV008"], id="once for longer"),
+    ],
+)
+def test_a_loop_in_a_helper_ends_after_the_limit_it_is_given(run: Run, limit: str, ends: str, expected: list[str]):
+    create = "self.arrived = load()\nself.create_service(Trigger, 'serve', self.serve)\n"
+    assert codes(run(source(create, POLLS.format(limit=limit, ends=ends)))) == expected
+
+
+def test_the_place_is_in_the_handler_itself_if_it_sleeps_there(run: Run):
+    body = "def again(self):\n    time.sleep(1.0)\n\ndef serve(self, request, response):\n    self.again()\n"
+    body += "    time.sleep(2.0)\n    self.again()\n    return response\n"
+    text = source("self.create_service(Trigger, 'serve', self.serve)\n", body)
+    [found] = run(text)
+    assert (found.code, found.place.line) == ("SRV008", text.splitlines().index("        time.sleep(2.0)") + 1)

@@ -6,6 +6,7 @@ import math
 from typing import TYPE_CHECKING
 
 from archlint.analysis.collection_sizes import most_items
+from archlint.analysis.future_loops import ends_with_a_future
 from archlint.syntax import facts
 from archlint.syntax.control_flow import graph_of, loop_of
 from archlint.syntax.parts import names_in
@@ -110,7 +111,7 @@ def clock_tests(loop: Loop) -> list[facts.Compare]:
 
 def around_future(code: SourceCode, call: ApiCall) -> bool:
     """A loop around a future: that wait is what is wrong, not its pace."""
-    return any("done" in names_in(loop.tests) for loop in code.loops(call))
+    return any("done" in names_in(loop.tests) or ends_with_a_future(loop) for loop in code.loops(call))
 
 
 def is_retried(code: SourceCode, call: ApiCall) -> bool:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.deadlock import AWAIT, CALL, SPIN
+from archlint.analysis.future_loops import gives_up, loop_until_done
 from archlint.analysis.kept import once
 from archlint.analysis.reach import (
     argument,
@@ -19,7 +20,6 @@ from archlint.analysis.source_code import SourceCode, source_code
 from archlint.model import Role
 from archlint.model.given import Constant, Future, Object
 from archlint.syntax import facts
-from archlint.syntax.control_flow import loop_of
 from archlint.syntax.parts import names_in
 from archlint.syntax.walk import called_name, calls_in, statements_of
 
@@ -78,7 +78,7 @@ def waits(system: System) -> list[Wait]:
     for program, call in judged_calls(system):
         for kind, clients in _waits_of(code, call, signals):
             if clients:
-                limited = any(has_limit(call, name) for name in _LIMITS) or _gives_up(code, call)
+                limited = any(has_limit(call, name) for name in _LIMITS) or (call.api == DONE and gives_up(code, call))
                 bounded = limited or any(_may_end(argument(call, name)) for name in _LIMITS)
                 all_waits.append(Wait(kind, call, clients[0], program, limited, bounded))
     return all_waits
@@ -100,7 +100,7 @@ def _waits_of(code: SourceCode, call: ApiCall, signals: _Signals) -> Iterator[tu
     elif call.api.endswith(".await"):
         yield AWAIT, creations_of(call.receiver)
     elif call.api == DONE:
-        loop = _loop_until(code, call)
+        loop = loop_until_done(code, call)
         if loop is not None:
             spins = not names_in(loop).isdisjoint({"spin", "spin_once", "spin_until_future_complete"})
             yield SPIN if spins else CALL, creations_of(call.receiver)
@@ -108,31 +108,6 @@ def _waits_of(code: SourceCode, call: ApiCall, signals: _Signals) -> Iterator[tu
         client = signals.get(call.receiver.identity) or signals.get(call.receiver.place)
         if client is not None:
             yield CALL, (client,)
-
-
-def _loop_until(code: SourceCode, call: ApiCall) -> facts.While | None:
-    """The loop that repeats until a future is done: ``while not future.done()``.  What always leaves its body does
-    not wait."""
-    loop = code.loop(call)
-    if not isinstance(loop, facts.While) or not loop_of(loop).repeats:
-        return None
-    asked = code.expression(call)
-    return loop if any(same_expression(part.negated, asked) for part in loop.test.conjuncts) else None
-
-
-def _gives_up(code: SourceCode, call: ApiCall) -> bool:
-    """Whether a loop around a future also ends by itself: a clock or a counter in its test, a way out of its body."""
-    loop = _loop_until(code, call) if call.api == DONE else None
-    if loop is None:
-        return False
-    return loop_of(loop).is_left_early or any(
-        part.negated is None and not _asks_for_ros(part) for part in loop.test.conjuncts
-    )
-
-
-def _asks_for_ros(test: facts.Expr) -> bool:
-    """``rclpy.ok()``"""
-    return isinstance(test, facts.Call) and called_name(test) == "ok"
 
 
 def other_arm_only_sends(code: SourceCode, call: ApiCall) -> bool:

@@ -60,16 +60,19 @@ def long_running_service(system: System, options: Options) -> Iterator[Finding]:
         if stay is not None and stay.kind == "sleep" and not around_future(code, call):
             handlers.setdefault((program, call.context.place), []).append((call, stay))
     diagnostics = (
-        _long_service(system, program, sorted(sleeps, key=partial(_endless_first, code)))
+        _long_service(system, program, sorted(sleeps, key=partial(_worst_first, code)))
         for (program, _), sleeps in handlers.items()
         if _in_all(system, sleeps) >= LONG
     )
     yield from one_for_each_place(diagnostic for diagnostic in diagnostics if diagnostic is not None)
 
 
-def _endless_first(code: SourceCode, sleep: _Sleep) -> tuple[bool, Place]:
-    """What has no known end is what makes a handler long."""
-    return (not math.isinf(_seconds(code, *sleep)), sleep[0].place)
+def _worst_first(code: SourceCode, sleep: _Sleep) -> tuple[bool, bool, float, Place]:
+    """What has no known end is what makes a handler long; then what stands in the handler itself, in its order: it may
+    share a helper with others; then the longest."""
+    call, _ = sleep
+    seconds, in_helper = _seconds(code, *sleep), bool(call.chain)
+    return not math.isinf(seconds), in_helper, -seconds if in_helper else 0.0, call.place
 
 
 def _in_all(system: System, sleeps: Sequence[_Sleep]) -> float:

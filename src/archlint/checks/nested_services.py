@@ -7,8 +7,9 @@ from dataclasses import replace
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
+from archlint.analysis.blocking import ONE
 from archlint.analysis.callback_roles import runs_in_executor
-from archlint.analysis.deadlock import AWAIT, CALL, SPIN, Verdict, related_executor
+from archlint.analysis.deadlock import AWAIT, CALL, SPIN, Verdict, related_executor, threads_of
 from archlint.analysis.reach import (
     endpoint_words,
     node_name,
@@ -45,6 +46,7 @@ _GO_ON = "send the request with call_async(), return, and publish the outcome fr
 _AWAIT = "make the handler async, give the client its own callback group, and await {}"
 _ONLY_AWAIT = "make the handler async, and await {}: no thread is blocked then"
 _OWN_GROUP = "give {} its own callback group, so that the other callbacks keep running"
+_MORE_THREADS = "spin the node with a MultiThreadedExecutor, and give {} its own callback group"
 _NOT_WITH_IT = "give {} a different callback group from the handlers that wait here"
 _LONGER = "make the timeout here longer than the total time that {} may wait"
 _KEEP = "keep the timeout, and give the callers of {} a longer one"
@@ -152,14 +154,22 @@ def _thrown_away(system: System, wait: Wait) -> bool:
     return wait.call.api in BLOCKING_CALLS and stands_alone(source_code(system), wait.call)
 
 
+def _holds_all(wait: Wait) -> bool:
+    """Whether a wait keeps the only thread of its node, whoever processes the response."""
+    return wait.kind != AWAIT and threads_of(wait.call.context.node, wait.program) == ONE
+
+
 def _blocked_callbacks(wait: Wait) -> list[Callback]:
-    """The callbacks that cannot run meanwhile: those of the exclusive group that the handler holds to its end."""
-    handler = wait.call.context
-    if handler.node is None or handler.group is None or handler.group.kind == GroupKind.REENTRANT:
+    """The callbacks that cannot run meanwhile: those of the exclusive group that the handler holds to its end; all of
+    the node where it holds the only thread."""
+    handler, holds_all = wait.call.context, _holds_all(wait)
+    if handler.node is None:
+        return []
+    if not holds_all and (handler.group is None or handler.group.kind == GroupKind.REENTRANT):
         return []
     by_place: dict[Place, Callback] = {}
     for other in sorted(handler.node.callbacks, key=lambda callback: (callback.place, callback.name)):
-        if other.group == handler.group and other.place != handler.place and runs_in_executor(other):
+        if (holds_all or other.group == handler.group) and other.place != handler.place and runs_in_executor(other):
             by_place.setdefault(other.place, other)
     return list(by_place.values())
 
@@ -210,6 +220,8 @@ def _help(
     if verdict.safe and wait.bounded and wait.kind != SPIN:
         if behind:
             return _LONGER.format(behind[0].server.name)
+        if blocked and _holds_all(wait):
+            return _MORE_THREADS.format(service)
         if blocked and has_rivals:
             return _NOT_WITH_IT.format(_names_of(blocked))
         return _OWN_GROUP.format(service) if blocked else _KEEP.format(service)
@@ -274,7 +286,8 @@ def _cost(wait: Wait, blocked: Sequence[Callback]) -> str:
     """What a wait costs that ends well."""
     handler = wait.call.context
     if blocked:
-        return f"its own caller waits, and the other callbacks of its group cannot run: {_names_of(blocked)}"
+        of = "node" if _holds_all(wait) else "group"
+        return f"its own caller waits, and the other callbacks of its {of} cannot run: {_names_of(blocked)}"
     if wait.kind == AWAIT:
         return "the await has no timeout: if the response never comes, the handler and its caller wait forever"
     if handler.group is not None and handler.group.kind == GroupKind.REENTRANT:

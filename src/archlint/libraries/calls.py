@@ -137,6 +137,8 @@ def record(run: Run, api: Api, receiver: Value | None, bound: dict[str, Value], 
             known.creation = on[0]
         known.conditional = known.conditional and bool(run.branch_arms)
         chain = run.chain()
+        if chain != known.chain and any(limit is not None for limit in known.limits):
+            known.limits = tuple(map(_longer, known.limits, _limits_of_loops(run)))
         is_other_way = chain != known.chain and tuple(run.branch_arms) == known.branch_arms
         if known.enclosing_loops and not is_other_way:
             return  # as in most rounds of a loop; finding the loops around takes long
@@ -166,11 +168,20 @@ def record(run: Run, api: Api, receiver: Value | None, bound: dict[str, Value], 
         any(frame.tries for frame in run.activations),
         run.enclosing_loops(),
         tuple(run.branch_arms),
-        tuple(clocks.limit_of(run, loop) for loop in loops),
+        _limits_of_loops(run),
         guards.is_cleaning_up(run),
     )
     run.noted.watched[key] = call
     run.program.calls.append(call)
+
+
+def _limits_of_loops(run: Run) -> tuple[float | None, ...]:
+    return tuple(clocks.limit_of(run, loop) for loop in run.loops_of(run.activation))
+
+
+def _longer(limit: float | None, other: float | None) -> float | None:
+    """The limit of a loop that runs with either of two."""
+    return None if limit is None or other is None else max(limit, other)
 
 
 def await_future(run: Run, future: FutureValue, expression: facts.Await) -> Value:

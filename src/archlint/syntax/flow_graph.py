@@ -63,6 +63,22 @@ class Edge:
         self.test = test
         self.holds = holds
 
+    @property
+    def sufficient(self) -> list[tuple[facts.Expr, bool]]:
+        """The conditions each of which is enough that it is taken, with how they come out."""
+        return [] if self.test is None else list(_sufficient(self.test, self.holds))
+
+
+def _sufficient(test: facts.Expr, holds: bool) -> Iterator[tuple[facts.Expr, bool]]:
+    match test:
+        case facts.Unary(op="not", operand=operand):
+            yield from _sufficient(operand, not holds)
+        case facts.Boolean(op=op, values=values) if (op == "or") == holds:
+            for value in values:
+                yield from _sufficient(value, holds)
+        case _:
+            yield test, holds
+
 
 Along = Callable[[Edge], bool]
 """Which edges count."""
@@ -127,6 +143,36 @@ class Loop:
         inside = reach([edge.target for edge in after if self._stays_within(edge)], along=self._stays_within)
         after += [edge for block in inside for edge in block.edges]
         return any(edge.target is self.head for edge in after)
+
+    @property
+    def endings(self) -> list[Edge]:
+        """The edges that end it for certain when they are taken, of conditions that are asked in every round."""
+        return [
+            edge
+            for block in self.blocks
+            for edge in block.edges
+            if edge.test is not None and self._ends_it(edge) and self._is_in_every_round(block)
+        ]
+
+    @property
+    def is_left_otherwise(self) -> bool:
+        """Whether ``break``, ``return`` or ``raise`` in its body may end it where none of its ``endings`` is taken."""
+        endings = self.endings
+        blocks = reach([self.head], lambda edge: edge not in endings and self in edge.target.loops)
+        leaving = (edge for block in blocks - {self.head} for edge in block.edges if self not in edge.target.loops)
+        return any(edge not in endings and (edge.kind is not Kind.RAISE or edge.source.leaves) for edge in leaving)
+
+    def _ends_it(self, edge: Edge) -> bool:
+        inside = reach([edge.target] if self._stays_within(edge) else [], self._stays_within)
+        onward = [edge, *(later for block in inside for later in block.edges)]
+        return all(later.target is not self.head for later in onward)
+
+    def _is_in_every_round(self, block: Block) -> bool:
+        if block is self.head:
+            return True
+        begins = [edge.target for edge in self.head.edges if self._stays_within(edge)]
+        others = reach(begins, self._stays_within, avoiding=[block])
+        return all(edge.target is not self.head for other in others for edge in other.edges)
 
     def _stays_within(self, edge: Edge) -> bool:
         return edge.target is not self.head and self in edge.target.loops

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from archlint.interpreter.values import Known
 from archlint.syntax import facts
+from archlint.syntax.control_flow import loop_of
 from archlint.syntax.walk import called_name, statements_of
 
 if TYPE_CHECKING:
@@ -16,28 +17,33 @@ _CLOCKS = frozenset({"time", "monotonic", "perf_counter"})
 
 
 def limit_of(run: Run, loop: facts.While | facts.For) -> float | None:
-    """The seconds after which a loop of the function that runs now ends in any case; None where nobody knows."""
-    match loop:
-        case facts.While(facts.Boolean("and", tests)):
-            limits = [_limit(run, test) for test in tests]
-        case facts.While(test):
-            limits = [_limit(run, test)]
-        case _:
-            return None
+    """The seconds after which a loop of the function that runs now ends in any case; None where nobody knows.
+
+    Its own condition may watch the clock, or one in its body: ``if time.monotonic() - start >= limit: break``.
+    """
+    conditions = (condition for edge in loop_of(loop).endings for condition in edge.sufficient)
+    limits = [_limit(run, test, holds) for test, holds in conditions]
     return min((limit for limit in limits if limit is not None), default=None)
 
 
-def _limit(run: Run, test: facts.Expr) -> float | None:
+def _limit(run: Run, test: facts.Expr, holds: bool) -> float | None:
+    """The seconds after which a comparison with the clock comes out so for certain."""
     match test:
-        case facts.Compare(left, ["<" | "<="], [right]) | facts.Compare(right, [">" | ">="], [left]):
-            pass
+        case facts.Compare(left, ["<" | "<="], [right]) if not holds:
+            clock, end = left, right
+        case facts.Compare(left, [">" | ">="], [right]) if holds:
+            clock, end = left, right
+        case facts.Compare(left, [">" | ">="], [right]) if not holds:
+            clock, end = right, left
+        case facts.Compare(left, ["<" | "<="], [right]) if holds:
+            clock, end = right, left
         case _:
             return None
-    match left:
-        case facts.Binary("-", clock) if _is_clock(clock):
-            return _seconds(run, right)
-        case facts.Call() if _is_clock(left) and right.variable:
-            return _until(run, right.variable)
+    match clock:
+        case facts.Binary("-", now) if _is_clock(now):
+            return _seconds(run, end)
+        case facts.Call() if _is_clock(clock) and end.variable:
+            return _until(run, end.variable)
     return None
 
 
