@@ -1128,3 +1128,39 @@ def test_the_place_is_in_the_handler_itself_if_it_sleeps_there(run: Run):
     text = source("self.create_service(Trigger, 'serve', self.serve)\n", body)
     [found] = run(text)
     assert (found.code, found.place.line) == ("SRV008", text.splitlines().index("        time.sleep(2.0)") + 1)
+
+
+MORE_THREADS = """
+import rclpy
+from rclpy.executors import MultiThreadedExecutor
+from robot import Robot
+
+
+def main():
+    rclpy.init()
+    executor = MultiThreadedExecutor()
+    executor.add_node(Robot())
+    executor.spin()
+
+
+if __name__ == '__main__':
+    main()
+"""
+APART = "self.create_timer(5.0, self.tick, callback_group=MutuallyExclusiveCallbackGroup())\n"
+
+
+@pytest.mark.parametrize(
+    ("create", "elsewhere", "severity"),
+    [
+        pytest.param(APART, MORE_THREADS, Severity.INFO, id="another program has more threads for it"),
+        pytest.param(APART, "", Severity.WARNING, id="there is no other program"),
+        pytest.param(ALONE, MORE_THREADS, Severity.WARNING, id="its group holds others up there, too"),
+    ],
+)
+def test_a_class_that_another_program_spins_with_several_threads(
+    run: Run, tmp_path: Path, create: str, elsewhere: str, severity: Severity
+):
+    (tmp_path / "more_threads.py").write_text(elsewhere, encoding="utf-8")
+    beside = "self.create_subscription(Empty, 'beside', print, 10)\n"
+    [found] = [one for one in run(source(beside + create, timer("time.sleep(1.0)"))) if one.code == "EXE003"]
+    assert found.severity is severity

@@ -12,6 +12,7 @@ from archlint.analysis.aside import is_not_installed
 from archlint.analysis.attribute_loops import attribute_loops
 from archlint.analysis.callback_roles import callback_words, runs_in_executor
 from archlint.analysis.deadlock import threads_of
+from archlint.analysis.kept import once
 from archlint.analysis.loop_times import around_future, in_loops
 from archlint.analysis.own_timers import ends_its_timer_before
 from archlint.analysis.present_servers import is_there
@@ -184,6 +185,19 @@ def _harmless(callback: Callback, program: Program) -> bool:
     return not others
 
 
+@once
+def _where_harmless(system: System) -> frozenset[Place]:
+    """The calls that a program with several threads comes to where they are harmless: whoever has another program run
+    the same class on one thread knows what that costs."""
+    return frozenset(
+        call.place
+        for program, call in judged_calls(system)
+        if runs_in_executor(call.context)
+        and threads_of(call.context.node, program) == blocking.SEVERAL
+        and _harmless(call.context, program)
+    )
+
+
 def _waiting(code: SourceCode, call: ApiCall, program: Program) -> str:
     """Who waits while a callback keeps its thread: ``others`` that are known, ``nobody``, or ``unknown``."""
     callback = call.context
@@ -277,7 +291,11 @@ def _slow(system: System, rows: Sequence[_Row], only_network: bool) -> Finding:
     if others:
         end += f", as {'does another line' if len(others) == 1 else f'do {len(others)} more lines'} of {call.function}"
     waiting = {_waiting(source_code(system), row[1], row[0]) for row in rows}
-    mild = _OTHERS not in waiting or all(_answers_in_time(row[1], row[2]) or row[2].kind == "lock" for row in rows)
+    elsewhere = _where_harmless(system)
+    mild = all(row[1].place in elsewhere for row in rows)
+    mild = (
+        mild or _OTHERS not in waiting or all(_answers_in_time(row[1], row[2]) or row[2].kind == "lock" for row in rows)
+    )
     meanwhile = _meanwhile(callback, program)
     if waiting == {_NOBODY}:
         meanwhile = f"the node has no other callback, but its next {_ITS_NEXT[callback.role]} has to wait"
