@@ -1,14 +1,16 @@
-"""LCH008: what stops a launch: an undefined name, a condition that launch cannot ask, a perform() without context."""
+"""LCH008: what stops a launch: undefined names, what is no condition, list or launch description, and the like."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from archlint.analysis.launch_descriptions import Wrong, WrongDescription, wrong_descriptions
 from archlint.checks.folding import folds, with_other_places
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
-from archlint.finding import Finding
+from archlint.finding import Finding, Place, Severity
 
 if TYPE_CHECKING:
     from archlint.launch.mistakes import WithoutContext
@@ -39,6 +41,38 @@ def launch_description(system: System, options: Options) -> Iterator[Finding]:
         )
     for failing in system.launched.without_context if system.launched is not None else ():
         yield _without_context(failing)
+    for file, wrong in wrong_descriptions(system):
+        yield _of_description(file, wrong)
+
+
+def _of_description(file: str, wrong: WrongDescription) -> Finding:
+    message, help = _said(wrong)
+    diagnostic = finding(
+        "LCH008",
+        Place(file, *wrong.span),
+        message,
+        help=help,
+        identity=(wrong.kind, wrong.given, wrong.of),
+        group=(file, wrong.kind),
+    )
+    return replace(diagnostic, severity=Severity.WARNING) if wrong.kind == Wrong.NOT_ADDED else diagnostic
+
+
+def _said(wrong: WrongDescription) -> tuple[str, str]:
+    match wrong.kind:
+        case Wrong.NOTHING:
+            text = "generate_launch_description() returns nothing: launch stops with an AttributeError"
+            return text, "end it with return LaunchDescription([…])"
+        case Wrong.LIST:
+            text = f"generate_launch_description() returns {wrong.given}: launch stops with an AttributeError"
+            return text, "write return LaunchDescription([…]), with the actions in the list"
+        case Wrong.NOT_ADDED:
+            text = f"nothing adds '{wrong.given}' to the launch description, so that launch never runs this {wrong.of}"
+            return text, f"put '{wrong.given}' into the list of LaunchDescription()"
+        case Wrong.NO_LIST:
+            return f"{wrong.of} is given {wrong.given}, and launch wants {wrong.wanted}", "put it into a list: […]"
+    advice = f"write {wrong.wanted}" if wrong.wanted != "actions" else "put the actions themselves into the list"
+    return f"{wrong.given} stands in {wrong.of}, where launch wants {wrong.wanted}", advice
 
 
 def _without_context(failing: WithoutContext) -> Finding:

@@ -1,0 +1,198 @@
+"""What the code of a launch file gives launch that is no launch description, no list, or never gets there.
+
+Source: ``LaunchDescription``, ``get_launch_description_from_python_launch_file`` of launch, ``Node``,
+``normalize_parameters`` and ``normalize_remap_rule`` of launch_ros.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from archlint.analysis.kept import once_for_each_file
+from archlint.launch.files import GENERATE
+from archlint.string_enum import StringEnum
+from archlint.syntax import facts
+from archlint.syntax.parts import everything_in, parts_of
+
+if TYPE_CHECKING:
+    from archlint.systems.model import System
+
+
+class Wrong(StringEnum):
+    """What is wrong with what a launch file makes."""
+
+    NOTHING = "nothing"
+    """``generate_launch_description()`` returns nothing."""
+    LIST = "list"
+    """It returns a list, or a single action."""
+    NO_LIST = "no list"
+    """A list is wanted, and something else is given."""
+    IN_LIST = "in list"
+    """Something is in a list that does not belong there."""
+    NOT_ADDED = "not added"
+    """An action that nothing adds to the launch description."""
+
+
+@dataclass(frozen=True)
+class WrongDescription:
+    """One place: ``given`` is what is there, ``wanted`` what launch takes, ``of`` the argument or class it is for."""
+
+    kind: Wrong
+    span: facts.Span
+    given: str
+    of: str = ""
+    wanted: str = ""
+
+
+def wrong_descriptions(system: System) -> Iterator[tuple[str, WrongDescription]]:
+    """Every such place in the launch files in Python of a launched system, with its file."""
+    workspace, launched = system.workspace, system.launched
+    if launched is None or workspace is None:
+        return
+    included = (include.reference.source for include in launched.included)
+    for file in dict.fromkeys((launched.file, *included)):
+        if file is None or not file.endswith(".py"):
+            continue
+        for wrong in _of_file(workspace, file) or ():
+            if wrong.kind != Wrong.NOT_ADDED or not _is_put_aside(workspace.tree.text(file) or "", wrong.given):
+                yield file, wrong
+
+
+def _is_put_aside(text: str, name: str) -> bool:
+    """Whether a comment of a file says the name: somebody has taken the action out of the list."""
+    return re.search(rf"#.*(?<!\w){re.escape(name)}(?!\w)", text) is not None
+
+
+_ACTIONS = frozenset(
+    {"Node", "LifecycleNode", "ComposableNodeContainer", "LoadComposableNodes", "ExecuteProcess", "TimerAction"}
+    | {"IncludeLaunchDescription", "GroupAction", "OpaqueFunction", "RegisterEventHandler", "LogInfo"}
+    | {"DeclareLaunchArgument", "SetEnvironmentVariable", "SetParameter", "PushRosNamespace"}
+)
+_STARTS = _ACTIONS - {"DeclareLaunchArgument", "LogInfo", "SetEnvironmentVariable", "SetParameter", "PushRosNamespace"}
+"""The actions whose absence leaves something out."""
+_NODES = frozenset({"Node", "LifecycleNode", "ComposableNodeContainer"})
+
+
+@once_for_each_file
+def _of_file(file_facts: facts.Facts) -> list[WrongDescription]:
+    code = _Code(file_facts.body)
+    return sorted(code.wrong(), key=lambda wrong: wrong.span) if code.classes else []
+
+
+class _Code:
+    def __init__(self, body: Sequence[facts.Stmt]) -> None:
+        self.body = body
+        imports = (
+            i for i in everything_in(body, facts.ImportFrom) if i.module.split(".")[0] in ("launch", "launch_ros")
+        )
+        self.classes = {bound: name for i in imports for name, bound in i.names}
+
+    def made(self, e: facts.Expr) -> str:
+        """The class of launch that a call makes an object of."""
+        match e:
+            case facts.Call(func=facts.Name(id=name)):
+                return self.classes.get(name, "")
+        return ""
+
+    def wrong(self) -> Iterator[WrongDescription]:
+        for statement in self.body:
+            match statement:
+                case facts.Function(name=name, decorators=[]) if name == GENERATE and not statement.is_generator:
+                    yield from self._returned(statement)
+        for call in everything_in(self.body, facts.Call):
+            kind = self.made(call)
+            if kind in _NODES:
+                yield from (w for a in call.args if a.keyword for w in _argument_of_node(kind, a.keyword, a.value))
+            elif kind == "LaunchDescription" and call.args and not call.args[0].star:
+                yield from self._entities(call.args[0].value)
+        yield from self._not_added()
+
+    def _returned(self, function: facts.Function) -> Iterator[WrongDescription]:
+        """What a launch file returns that is no launch description."""
+        returns = [r for s in function.body if not s.is_scope for r in parts_of(s, facts.Return)]
+        values = [r.value for r in returns if r.value is not None and not _is_none(r.value)]
+        raises = any(parts_of(function.body, facts.Raise)) or any(parts_of(function.body, facts.Opaque))
+        if not values and not raises:
+            yield WrongDescription(Wrong.NOTHING, function.name_span, "")
+        for value in values:
+            what = _display(value) or (f"a single {self.made(value)}" if self.made(value) in _ACTIONS else "")
+            match value:
+                case facts.Sequence() | facts.Call() | facts.Mapping() if what:
+                    yield WrongDescription(Wrong.LIST, value.span, what)
+
+    def _entities(self, value: facts.Expr) -> Iterator[WrongDescription]:
+        match value:
+            case facts.Call() if self.made(value) in _ACTIONS:
+                yield WrongDescription(
+                    Wrong.NO_LIST, value.span, f"a single {self.made(value)}", "LaunchDescription()", "a list"
+                )
+            case facts.Sequence(elements=elements):
+                for element in elements:
+                    what = _display(element)
+                    match element:
+                        case facts.Sequence() | facts.Mapping() | facts.Literal() if what:
+                            of = "the list of LaunchDescription()"
+                            yield WrongDescription(Wrong.IN_LIST, element.span, what, of, "actions")
+
+    def _not_added(self) -> Iterator[WrongDescription]:
+        """The actions that a function assigns to a variable which nothing reads."""
+        names = Counter(name.id for name in everything_in(self.body, facts.Name))
+        if any(names[maker] for maker in ("locals", "globals", "vars", "eval", "exec")):
+            return
+        for function in everything_in(self.body, facts.Function):
+            rows = [a for a in parts_of(function, facts.Assign) if self.made(a.value) in _STARTS]
+            for assign in rows:
+                match assign.targets:
+                    case [facts.Name(id=name, span=span)] if names[name] == 1 and not name.startswith("_"):
+                        yield WrongDescription(Wrong.NOT_ADDED, span, name, self.made(assign.value))
+
+
+def _is_none(value: facts.Expr) -> bool:
+    match value:
+        case facts.Literal(value=None):
+            return True
+    return False
+
+
+def _display(value: facts.Expr) -> str:
+    """What a display of a list, set or dict, or a constant, is called."""
+    match value:
+        case facts.Sequence(kind=kind):
+            return f"a {kind}"
+        case facts.Mapping():
+            return "a dict"
+        case facts.Literal(value=None):
+            return "None"
+        case facts.Literal(value=str()):
+            return "a string"
+    return ""
+
+
+def _argument_of_node(kind: str, keyword: str, value: facts.Expr) -> Iterator[WrongDescription]:
+    """What a node is given as a list of parameters, remappings or arguments that is none."""
+    what, of = _display(value), f"{keyword}= of {kind}"
+    match keyword, value:
+        case "parameters", facts.Sequence(kind="list", elements=elements):
+            for element in elements:
+                match element:
+                    case facts.Sequence(kind="set"):
+                        yield WrongDescription(Wrong.IN_LIST, element.span, "a set", of, "{'name': value}")
+        case "parameters", facts.Sequence() | facts.Mapping() | facts.Literal(value=str()):
+            yield WrongDescription(Wrong.NO_LIST, value.span, what, of, "a list")
+        case "remappings", facts.Sequence(elements=elements):
+            for element in elements:
+                match element:
+                    case facts.Sequence(kind="list" | "set") | facts.Mapping() | facts.Literal(value=str()):
+                        yield WrongDescription(Wrong.IN_LIST, element.span, _display(element), of, "('from', 'to')")
+                        return
+        case "remappings", facts.Mapping() | facts.Literal(value=str()):
+            yield WrongDescription(Wrong.NO_LIST, value.span, what, of, "a list")
+        case "arguments" | "ros_arguments", facts.Literal(value=str()):
+            yield WrongDescription(Wrong.NO_LIST, value.span, what, of, "a list")
+
+
+__all__ = ["Wrong", "WrongDescription", "wrong_descriptions"]
