@@ -445,6 +445,33 @@ def test_a_node_that_is_gone_before_the_one_that_stays_gets_no_parameters(findin
     assert [one.message.partition(",")[0] for one in found] == told
 
 
+WITH_A_HELPER = """\
+import rclpy
+from rclpy.node import Node
+
+class Talker(Node):
+    def __init__(self):
+        super().__init__('talker')
+        self.declare_parameter('gain', 1.0)
+        self.helper = rclpy.create_node('talker_client')HELPER
+
+def main():
+    rclpy.init()
+    rclpy.spin(Talker())
+"""
+
+
+@pytest.mark.parametrize(
+    ("helper", "told"),
+    [("", ["speed"]), ("\n        self.helper.declare_parameter('speed', 2.0)", [])],
+    ids=["neither declares it", "the helper does"],
+)
+def test_the_nodes_of_one_process_are_told_once(findings, helper: str, told: list[str]):
+    rows = findings("{'gain': 1.0, 'speed': 2.0}", talker=WITH_A_HELPER.replace("HELPER", helper))
+    assert [row.identity[1] for row in rows] == told
+    assert all(row.help == "it declares gain" for row in rows)
+
+
 CONTROLLER = """\
 import rclpy
 from rclpy.node import Node

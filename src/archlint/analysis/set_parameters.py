@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
+from archlint.analysis.declared_parameters import declared_by
 from archlint.analysis.kept import once
 from archlint.launch.parameter_sources import ParameterFileUse
 from archlint.launch.started import Started
@@ -29,6 +30,15 @@ def set_nodes(system: System) -> Iterator[tuple[Node, list[Setting]]]:
         if node.started is not None and node.blueprint is not None:
             full = node.name if node.resolution in ("exact", "parameter") else None
             yield node, applied(node.started, full, workspace.parameters_of)
+
+
+def node_meant(system: System, node: Node, setting: Setting, others: Sequence[Node]) -> Node:
+    """The node of a process that a value is for, where it reaches several of them: the one that declares most, and not a
+    helper that asks something.  What the launch file sets reaches all, a section of a file those of one name."""
+    reached = [other for other in others if setting.written is None or other.name == node.name]
+    mine = [node, *(other for other in reached if other.blueprint is not None)]
+    order = [id(entry) for entry in system.entries]
+    return min(mine, key=lambda row: (-len(declared_by(row) or ()), order.index(id(row))))
 
 
 def others_are_not_run(workspace: WorkspaceIndex) -> bool:

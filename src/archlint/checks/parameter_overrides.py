@@ -9,7 +9,14 @@ from typing import TYPE_CHECKING
 from archlint.analysis.chosen_names import executable_is_chosen
 from archlint.analysis.declared_parameters import always_declared, declared_by, followed
 from archlint.analysis.kept import once
-from archlint.analysis.set_parameters import called, files_of, files_of_process, others_are_not_run, set_nodes
+from archlint.analysis.set_parameters import (
+    called,
+    files_of,
+    files_of_process,
+    node_meant,
+    others_are_not_run,
+    set_nodes,
+)
 from archlint.checks.folding import folds
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -47,6 +54,8 @@ def unknown_parameter_override(system: System, options: Options) -> Iterator[Fin
             if _for_another_choice(setting.name, declared, settings) or _by_default(system, node, setting.name):
                 continue
             if any(names is None or setting.name in names for names in others):
+                continue
+            if node_meant(system, node, setting, siblings) is not node:
                 continue
             if setting.written is not None:
                 section = setting.place.file, setting.key
