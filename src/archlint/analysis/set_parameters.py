@@ -33,8 +33,8 @@ def set_nodes(system: System) -> Iterator[tuple[Node, list[Setting]]]:
 
 
 def node_meant(system: System, node: Node, setting: Setting, others: Sequence[Node]) -> Node:
-    """The node of a process that a value is for, where it reaches several of them: the one that declares most, and not a
-    helper that asks something.  What the launch file sets reaches all, a section of a file those of one name."""
+    """The node of a process that a value is for, where it reaches several of them: the one that declares most, and not
+    a helper that asks something.  What the launch file sets reaches all, a section of a file those of one name."""
     reached = [other for other in others if setting.written is None or other.name == node.name]
     mine = [node, *(other for other in reached if other.blueprint is not None)]
     order = [id(entry) for entry in system.entries]

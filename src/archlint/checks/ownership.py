@@ -12,6 +12,7 @@ from archlint.analysis.aside import is_not_installed
 from archlint.analysis.coexistence import (
     has_launch_files,
 )
+from archlint.analysis.echoes import is_driven, repeats
 from archlint.analysis.happenings import are_events, are_requests
 from archlint.analysis.owners import several_owners, some_coexist
 from archlint.analysis.sharing import are_words, is_bus, is_state
@@ -54,6 +55,9 @@ def _is_meant(system: System, connection: Connection, owners: list[Endpoint]) ->
     if are_events(system, owners) or are_requests(connection) or ask_with_true(system, connection):
         return True
     if are_words(owners) and _says_what_happens(connection.name) and not is_state(connection.name):
+        return True
+    speaking = [end for end in owners if not is_driven(system, end, owners) and not repeats(system, end)]
+    if len({id(end.node) for end in speaking}) < 2:
         return True
     if sum(switch_of(system, end) is None for end in owners) < 2:
         return True  # as started here, one of them says something
