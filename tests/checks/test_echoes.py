@@ -110,7 +110,14 @@ REPEATS = """
         ("goal", "msg\n            self.last = Twist()", "self.last", "  # here"),
         ("goal", "msg\n            self.last.linear.x = 0.0", "self.last", "  # here"),
     ],
-    ids=["repeats", "hears something else", "says something else", "keeps something else", "sets another", "changes it"],
+    ids=[
+        "repeats",
+        "hears something else",
+        "says something else",
+        "keeps something else",
+        "sets another",
+        "changes it",
+    ],
 )
 def test_a_node_that_repeats_what_it_has_heard(judge: Judge, heard: str, kept: str, said: str, mark: str):
     judge("OWN001", REPEATS.format(heard=heard, kept=kept, said=said, mark=mark))

@@ -16,7 +16,17 @@ from archlint.ros.well_known import OF_MANY_PUBLISHERS
 from archlint.systems.model import System
 from checks.judging import Judge
 from rule_examples import SCAFFOLD, read_page
-from systems.builders import action_server, from_parameter, node, partial, publisher, service, subscriber, system
+from systems.builders import (
+    action_server,
+    client,
+    from_parameter,
+    node,
+    partial,
+    publisher,
+    service,
+    subscriber,
+    system,
+)
 
 NOTHING_SAID = Options()
 TWIST = "geometry_msgs/msg/Twist"
@@ -944,3 +954,19 @@ def test_what_a_good_example_of_the_page_shows_is_what_makes_it_good(
     monkeypatch.chdir(tmp_path)
     found = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
     assert [(finding.code, finding.severity) for finding in found] == [("OWN001", Severity.WARNING)]
+
+
+def test_two_drivers_that_serve_the_same_services_are_alternatives():
+    arm = [service("arm/move"), service("arm/pick"), service("arm/place")]
+    mine = node("/arm_driver", *arm, client("vision"))
+    yours = node("/other_arm", *arm, *(publisher(f"state{number}") for number in range(3)))
+    assert list(multiple_servers(system(mine, yours), NOTHING_SAID)) == []
+    launched = list(multiple_servers(system(mine, yours, name="launch/all.launch.py"), NOTHING_SAID))
+    assert len(launched) == 3
+
+
+def test_two_nodes_that_share_a_service_are_not():
+    mine, yours = node("/arm", service("home"), client("vision")), node("/base", service("home"), publisher("state"))
+    assert len(list(multiple_servers(system(mine, yours), NOTHING_SAID))) == 1
+    more = node("/base", service("home"), service("dock"), publisher("state"), publisher("power"))
+    assert len(list(multiple_servers(system(mine, more), NOTHING_SAID))) == 1

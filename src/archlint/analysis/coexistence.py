@@ -216,11 +216,12 @@ def _tries_out(node: Node) -> bool:
 
 def _variants(end: Endpoint, other: Endpoint) -> bool:
     """Whether the nodes of two endpoints look like two forms of one node, of which one runs: they share their
-    class, the very create call, or most of what they publish, serve, call and subscribe to."""
+    class, the very create call, most of what they publish, serve, call and subscribe to, or all that they serve."""
     return (
         _class_name(end.node) == _class_name(other.node)
         or end.place == other.place
         or _much_alike(end.node, other.node)
+        or _serve_the_same(end.node, other.node)
     )
 
 
@@ -228,6 +229,15 @@ def _much_alike(node: Node, other: Node) -> bool:
     mine, yours = _interface(node), _interface(other)
     shared = mine & yours
     return len(shared) > 1 and 2 * len(shared) > len(mine | yours)
+
+
+def _serve_the_same(node: Node, other: Node) -> bool:
+    """Whether two nodes offer the same services and actions, several and no others: two drivers of one device."""
+    mine, yours = (
+        {(end.kind, end.name) for end in row.of_kind(EntityKind.SERVICE, EntityKind.ACTION_SERVER)}
+        for row in (node, other)
+    )
+    return mine == yours and len(mine) > 1 and all(name is not None for _, name in mine)
 
 
 def _interface(node: Node) -> set[tuple[str, str]]:
