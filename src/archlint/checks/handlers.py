@@ -56,7 +56,7 @@ def _no_result(system: System, end: HandlerEnd) -> Finding:
     return finding(
         "API004",
         end.place,
-        f"the parameter callback {what}: rclpy takes that as a refusal, and no parameter changes",
+        f"the parameter callback {what}: rclpy takes only a SetParametersResult, so no parameter changes",
         help="return SetParametersResult(successful=True)",
         related=related_handler(end, "is the callback"),
         node=node_name(system, callback.node),
