@@ -55,6 +55,7 @@ MODULES: tuple[str, ...] = (
     "declared_owners",
     "layers",
     "conventions",
+    "field_values",
     "fields",
     "interfaces",
     "graph_shape",

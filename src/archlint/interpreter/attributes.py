@@ -221,7 +221,7 @@ def set_attribute(
 ) -> None:
     """``target.name = value``; where the target is one of several, each may now hold it."""
     if expression is not None:
-        machine.library.written(target, name, expression.span)
+        machine.library.written(target, name, expression.span, value)
     options = alternatives(target)
     if len(options) == 1:
         _set_one(machine, target, name, value)

@@ -168,8 +168,8 @@ class Library:
     def read(self, value: Value, name: str, span: facts.Span) -> None:
         """The code reads ``value.name``."""
 
-    def written(self, value: Value, name: str, span: facts.Span) -> None:
-        """The code writes ``value.name = …``."""
+    def written(self, value: Value, name: str, span: facts.Span, content: Value) -> None:
+        """The code writes ``value.name = content``."""
 
     def undecided(self, branch: Branch, test: Value) -> None:
         """Nothing decides the test of a branch."""

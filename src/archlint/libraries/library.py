@@ -16,6 +16,7 @@ from archlint.libraries.rclpy import (
     changed_profiles,
     escapes,
     executors,
+    field_values,
     interfaces,
     message_constants,
     message_uses,
@@ -167,8 +168,9 @@ class RosLibrary(Library):
         else:
             message_uses.note_use(self.run, value, name, span, "read")
 
-    def written(self, value: Value, name: str, span: facts.Span) -> None:
+    def written(self, value: Value, name: str, span: facts.Span, content: Value) -> None:
         message_uses.note_use(self.run, value, name, span, "write")
+        field_values.note_value(self.run, value, name, span, content)
 
     def undecided(self, branch: Branch, test: Value) -> None:
         self.run.note_open_test(branch, test)

@@ -5,13 +5,14 @@ from __future__ import annotations
 from archlint.libraries import tables
 from archlint.libraries.api_use import Offers
 from archlint.libraries.python import argument_parsers, command_line, effects
+from archlint.libraries.rclpy import clocks
 from archlint.libraries.rclpy.effects import EFFECTS
 from archlint.libraries.setuptools import setup_run
 
 OFFERS = Offers(
     tables.find,
     {**EFFECTS, **effects.EFFECTS},
-    argument_parsers.METHODS,
+    {**argument_parsers.METHODS, **clocks.METHODS},
     {**effects.PLAIN, **setup_run.PLAIN, **command_line.PLAIN},
     frozenset({"endpoint"}),
 )

@@ -141,6 +141,8 @@ class Messages:
     """The functions, by the id of their facts, that fields of their parameters are used in."""
     uses: set[tuple[Any, ...]] = field(default_factory=set)
     """The uses of fields that are noted."""
+    values: dict[tuple[Place, str], model.WrongValue | None] = field(default_factory=dict)
+    """What fields are given that do not take it, by where and the field; None where it is not always wrong."""
 
 
 @dataclass

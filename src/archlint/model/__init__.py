@@ -15,7 +15,7 @@ from archlint.model.kinds import (
     GroupKind,
     Role,
 )
-from archlint.model.messages import Access, FieldUse, Passed, UnknownInterface
+from archlint.model.messages import Access, FieldUse, Passed, UnknownInterface, ValueEffect, WrongValue
 from archlint.model.nodes import (
     NEVER_CONSTRUCTED,
     Blueprint,
@@ -66,5 +66,7 @@ __all__ = [
     "SpinDuration",
     "Text",
     "UnknownInterface",
+    "ValueEffect",
+    "WrongValue",
     "node_key",
 ]

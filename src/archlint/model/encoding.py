@@ -23,7 +23,7 @@ from archlint.model import given
 from archlint.model.calls import ApiCall
 from archlint.model.executors import ExecutorUse, Spell, SpinDuration
 from archlint.model.kinds import EntityKind, ExecutorKind, GroupKind, Role
-from archlint.model.messages import FieldUse, Passed, UnknownInterface
+from archlint.model.messages import FieldUse, Passed, UnknownInterface, ValueEffect, WrongValue
 from archlint.model.nodes import (
     Blueprint,
     Callback,
@@ -88,12 +88,13 @@ class Language:
 
 PROGRAMS: Final = Language(
     (
-        *(EntityKind, ExecutorKind, GroupKind, Misuse, Role, SpinDuration),
+        *(EntityKind, ExecutorKind, GroupKind, Misuse, Role, SpinDuration, ValueEffect),
         *(NotPassed, Uninformative),
     ),
     (
         *(ApiCall, Blueprint, Callback, Creation, ExecutorUse, FieldUse, Frame, FunctionRef, Group),
         *(NodeClass, ParameterDeclaration, Passed, Place, Program, Qos, RefusedCall, Spell, Text, UnknownInterface),
+        WrongValue,
         *(given.Given, given.Constant, given.OneOf, given.Entity, given.Future, given.Node, given.Executor),
         *(given.Message, given.Process, given.Object, given.GoalHandle, given.Duration),
         *(given.ForeignClass, given.Collection),

@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
+from archlint.string_enum import StringEnum
+
 if TYPE_CHECKING:
     from archlint.finding import Place
     from archlint.model.nodes import Blueprint, Creation
@@ -68,3 +70,33 @@ class UnknownInterface:
     """The packages of the workspace that define an interface of that kind and name."""
     in_function: bool = False
     """Whether a function imports it, when it runs."""
+
+
+class ValueEffect(StringEnum):
+    """What becomes of a value that a field does not take, in the distributions after humble: their messages check
+    nothing (humble's raise an AssertionError), so that it depends on how the value is kept and sent."""
+
+    SET = "raises when it is set"
+    SENT = "raises when it is sent"
+    CHANGED = "something else is sent"
+    FALSE = "False is sent"
+    CRASH = "the process dies when it is sent"
+    NONE = "none"
+
+
+@dataclass(frozen=True)
+class WrongValue:
+    """A value that a field of a message does not take; ``name`` is empty where a constructor is given it without one.
+
+    ``wanted``, ``given`` and ``cure`` are in the words of a finding.
+    """
+
+    place: Place
+    type: str
+    section_name: MessageClass
+    name: str
+    wanted: str
+    given: str
+    effect: ValueEffect
+    cure: str
+    node: Blueprint | None = None

@@ -14,7 +14,7 @@ from archlint.model.given import Process
 if TYPE_CHECKING:
     from archlint.finding import Place
     from archlint.model.calls import ApiCall
-    from archlint.model.messages import FieldUse, UnknownInterface
+    from archlint.model.messages import FieldUse, UnknownInterface, WrongValue
     from archlint.model.nodes import Blueprint, Callback
     from archlint.model.refused import RefusedCall
 
@@ -35,6 +35,7 @@ class Program:
     callers: dict[Place, set[Place | None]] = field(default_factory=dict)
     """Where the functions that use fields of their parameters are called; None for code that is not here."""
     unknown_interfaces: list[UnknownInterface] = field(default_factory=list)
+    wrong_values: list[WrongValue] = field(default_factory=list)
     refused_calls: list[RefusedCall] = field(default_factory=list)
     refused: set[Place] = field(default_factory=set)
     """The calls that Python refuses: the arguments do not fit."""

@@ -332,8 +332,8 @@ class Linker:
 
 
 def _says_something(program: model.Program) -> bool:
-    noted = (program.calls, program.callbacks, program.unknown_interfaces, program.field_uses, program.refused_calls)
-    return bool(program.nodes) or any(noted)
+    of_messages = (program.unknown_interfaces, program.field_uses, program.wrong_values)
+    return any((program.nodes, program.calls, program.callbacks, program.refused_calls, *of_messages))
 
 
 def _words(key: ProgramKey, program: model.Program) -> str:

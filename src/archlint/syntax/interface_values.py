@@ -6,14 +6,14 @@ import re
 
 Value = bool | int | float | str
 
-_INTEGER_RANGES = {
+INTEGER_RANGES = {
     "byte": (0, 255),
     "char": (0, 255),
     **{f"int{bits}": (-(2 ** (bits - 1)), 2 ** (bits - 1) - 1) for bits in (8, 16, 32, 64)},
     **{f"uint{bits}": (0, 2**bits - 1) for bits in (8, 16, 32, 64)},
 }
 _STRINGS = ("string", "wstring")
-PRIMITIVE_TYPES = frozenset({"bool", "float32", "float64", "duration", "time", *_STRINGS, *_INTEGER_RANGES})
+PRIMITIVE_TYPES = frozenset({"bool", "float32", "float64", "duration", "time", *_STRINGS, *INTEGER_RANGES})
 
 _BOOLEANS = {"true": True, "1": True, "false": False, "0": False}
 _ELEMENT = re.compile(r"""\s*(?:"((?:[^"\\]|\\.)*)"|'((?:[^'\\]|\\.)*)'|([^,]*?))\s*(?:,|\Z)""")
@@ -68,13 +68,13 @@ def parse_primitive(type_name: str, text: str, string_bound: int | None = None) 
             return float(text)
         except ValueError:
             raise InvalidValue(f"{text!r} is not a number") from None
-    if type_name not in _INTEGER_RANGES:
+    if type_name not in INTEGER_RANGES:
         raise InvalidValue(f"a {type_name} cannot be written as a value")
     return _integer(type_name, text)
 
 
 def _integer(type_name: str, text: str) -> int:
-    low, high = _INTEGER_RANGES[type_name]
+    low, high = INTEGER_RANGES[type_name]
     try:
         value = int(text) if text.lstrip("+-").isdigit() else int(text, 0)
     except ValueError:

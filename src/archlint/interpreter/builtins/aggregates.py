@@ -33,9 +33,9 @@ def length(machine: Machine, site: CallSite) -> Value:
         return Unknown("the length of a number") if value.text is None else Known(len(value.text), value.via)
     items = value.items(machine)
     if items is None or items.open or isinstance(value, OneOf):
-        return Unknown("the length of a collection that is not known")
+        return Unknown("the length of a collection that is not known", of_class="int")
     if isinstance(value, ListValue) and value.kind == "set" and constants_of(items.values) is None:
-        return Unknown("how many items of this set are equal")
+        return Unknown("how many items of this set are equal", of_class="int")
     return Known(items.size)
 
 

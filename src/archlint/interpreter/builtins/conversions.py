@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from archlint.interpreter import formatting
@@ -37,9 +38,12 @@ def text(machine: Machine, site: CallSite) -> Value:
 
 def _plain(value: Value) -> Value:
     """A constant as a text; of a path, a text like any other."""
-    if not isinstance(value, Known):
-        return value
-    return Known(str(value.value), value.via, value.origin, "other" if value.kind == "path" else value.kind)
+    match value:
+        case Unknown():
+            return replace(value, of_class="str")
+        case Known():
+            return Known(str(value.value), value.via, value.origin, "other" if value.kind == "path" else value.kind)
+    return value
 
 
 def number(convert: Callable[..., Any]) -> Handler:
@@ -57,9 +61,13 @@ def number(convert: Callable[..., Any]) -> Handler:
     return handler
 
 
+_MAKE: dict[Callable[..., Any], str] = {int: "int", float: "float"}
+"""The conversions that give an object of one class, whatever they are given."""
+
+
 def _converted(value: Value, convert: Callable[..., Any], base: list[Any], parameters: frozenset[str]) -> Value:
     if not isinstance(value, Known):
-        return because_of(value)
+        return replace(because_of(value), of_class=_MAKE.get(convert))
     try:
         return constant(convert(value.value, *base), value.via | parameters)
     except (TypeError, ValueError, OverflowError):

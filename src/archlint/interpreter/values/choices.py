@@ -35,6 +35,8 @@ class Unknown(Value):
     """The interface that it would be if its package defined one: the graph still says which type the code writes."""
     never_none: bool = False
     """Whether it is some object for certain: what ``list()`` gives, the field of a message."""
+    of_class: str | None = field(default=None, kw_only=True)
+    """The dotted name of the class that it certainly is an object of: ``float``, ``rclpy.time.Time``."""
 
     @property
     def via(self) -> frozenset[str]:
@@ -127,12 +129,19 @@ def one_of(values: Iterable[Value]) -> Value:
     if unknown > 1:
         # One unknown is enough to say so; the first reason is the one met first.
         first = next(value for value in distinct if isinstance(value, Unknown))
-        distinct = [value for value in distinct if value is first or not isinstance(value, Unknown)]
+        merged = replace(first, of_class=None)
+        distinct = [
+            merged if value is first else value for value in distinct if value is first or not _is_unknown(value)
+        ]
         if len(distinct) == 1:
             return distinct[0]
     if len(distinct) > ALTERNATIVES:
         return Unknown(TOO_MANY)
     return OneOf(tuple(distinct))
+
+
+def _is_unknown(value: Value) -> bool:
+    return isinstance(value, Unknown)
 
 
 def chosen_for(value: Value, why: str | None) -> Value:

@@ -191,7 +191,7 @@ def join_texts(parts: Sequence[Value], origin: Place | None = None) -> Value:
     for known, group in groupby((piece for piece in pieces if piece != ""), key=lambda piece: piece is not None):
         merged.append("".join(piece for piece in group if piece is not None) if known else None)
     why = reason(*(part for part in parts if not isinstance(part, Known)))
-    return Unknown(why) if merged == [None] else Holed(tuple(merged), why, via(*parts), origin)
+    return Unknown(why, of_class="str") if merged == [None] else Holed(tuple(merged), why, via(*parts), origin)
 
 
 def _kind_of_text(kinds: Iterable[OriginKind]) -> OriginKind:

@@ -139,6 +139,11 @@ def _product(run: Run, site: CallSite) -> Value:
     return containers.new_list(run, [containers.new_list(run, row, "tuple") for row in rows])
 
 
+def _seconds(name: str) -> Plain:
+    """What counts seconds: ``time.time()``."""
+    return lambda run, site: Unknown(f"time.{name}() is outside of this workspace", of_class="float")
+
+
 PLAIN: dict[str, Plain] = {
     "copy.copy": _copy,
     "copy.deepcopy": _deep_copy,
@@ -159,6 +164,7 @@ PLAIN: dict[str, Plain] = {
     "os.path.split": lambda run, site: containers.new_list(
         run, [_path_part(site.args, 0), _path_part(site.args, 1)], "tuple"
     ),
+    **{f"time.{name}": _seconds(name) for name in ("time", "monotonic", "perf_counter")},
 }
 
 

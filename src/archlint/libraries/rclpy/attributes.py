@@ -14,7 +14,7 @@ from archlint.interpreter.values import (
     Unknown,
     Value,
 )
-from archlint.libraries.rclpy import executors, messages, names
+from archlint.libraries.rclpy import clocks, executors, messages, names
 from archlint.libraries.values import EntityValue, ExecutorValue, FutureValue, MessageValue, NodeValue
 
 if TYPE_CHECKING:
@@ -43,7 +43,9 @@ def of_value(run: Run, value: ForeignValue, name: str) -> Value:
 
 
 def of_unknown(value: Value, name: str) -> Value | None:
-    """A method that only a node has: something of which nothing is known is one."""
+    """A method that only a node has: something of which nothing is known is one; and what a clock is asked."""
+    if isinstance(value, Unknown) and value.of_class == clocks.CLOCK and name == "now":
+        return ApiMethod(f"{clocks.CLOCK}.{name}", value)
     return ApiMethod(f"{names.NODE}.{name}", value) if name in names.NODE_METHODS else None
 
 

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from archlint.interpreter.values import Value
+from archlint.libraries.rclpy.field_values import note_positional, note_value
 from archlint.libraries.rclpy.message_uses import note_use
 from archlint.libraries.values import MessageValue
 from archlint.syntax import facts
@@ -14,14 +17,23 @@ if TYPE_CHECKING:
     from archlint.ros.interfaces import MessageClass
 
 
-def note_made(run: Run, message: MessageValue, expression: facts.Call | None) -> None:
-    """Note that the code makes a message here, and the fields that the constructor call names."""
+_NOTHING: Mapping[str, Value] = MappingProxyType({})
+
+
+def note_made(
+    run: Run, message: MessageValue, expression: facts.Call | None, keywords: Mapping[str, Value] = _NOTHING
+) -> None:
+    """Note that the code makes a message here, the fields that the constructor call names, and what it gives them."""
     if run.activations:
         run.messages.made_in[message.key] = run.activation
     for argument in expression.args if expression is not None else ():
         span = getattr(argument.value, "span", None)
         if argument.keyword is not None and not argument.star and span is not None:
             note_use(run, message, argument.keyword, span, "keyword")
+            if argument.keyword in keywords:
+                note_value(run, message, argument.keyword, span, keywords[argument.keyword])
+        elif not argument.star and argument.keyword is None and span is not None:
+            note_positional(run, message, span)
 
 
 def make(
@@ -29,7 +41,7 @@ def make(
 ) -> Value:
     """An object of an interface class, as its constructor is called."""
     message = MessageValue(interface, section_name, run.store.new_key())
-    note_made(run, message, expression)
+    note_made(run, message, expression, keywords)
     for name, value in keywords.items():
         run.store.set(message.key, name, value)
     return message

@@ -38,7 +38,7 @@ def note_use(run: Run, value: Value, name: str, span: Span, access: Access) -> N
     if key in run.messages.uses:
         return
     known = (
-        None if _may_be_of_another_type(run, message) else run.interfaces.has(message.type, message.section_name, name)
+        None if may_be_of_another_type(run, message) else run.interfaces.has(message.type, message.section_name, name)
     )
     run.messages.uses.add(key)
     section = run.interfaces.section(message.type, message.section_name)
@@ -99,7 +99,7 @@ def delivered_by(run: Run, message: MessageValue) -> model.Creation | None:
     return None if creation is None or run.branch_arms or guard_of(run) else creation
 
 
-def _may_be_of_another_type(run: Run, message: MessageValue) -> bool:
+def may_be_of_another_type(run: Run, message: MessageValue) -> bool:
     """Whether a helper that gets messages of several types is in a branch that may be for another type."""
     activation = run.activation
     is_passed = len(run.activations) > _CALLBACK and run.messages.made_in.get(message.key) is not activation

@@ -1,0 +1,73 @@
+"""MSG003: values that a field of a message does not take."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
+
+from archlint.analysis.pinned import named_distros
+from archlint.checks.folding import folds, with_others
+from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
+from archlint.model import ValueEffect, WrongValue
+
+if TYPE_CHECKING:
+    from archlint.finding import Finding
+    from archlint.systems.model import System
+
+_CHECKED = "humble"
+"""The one distribution whose messages check what they are given."""
+_COMES_OF_IT = {
+    ValueEffect.SET: "this line fails",
+    ValueEffect.SENT: "sending it fails",
+    ValueEffect.CHANGED: "something else is sent",
+    ValueEffect.FALSE: "False is sent",
+    ValueEffect.CRASH: "the process crashes when it is sent",
+}
+
+
+@rule("MSG003", scope=Scope.CODE)
+def field_value_type(system: System, options: Options) -> Iterator[Finding]:
+    """Values of a kind that their field does not take."""
+    is_test = system.roles.is_test
+    values = {
+        (value.place, value.name): value
+        for program in system.programs
+        for value in program.wrong_values
+        if not is_test(value.place.file) and not is_test(program.file)
+    }
+    for key in sorted(values):
+        consequence = _consequence(system, values[key], options.distros)
+        if consequence:
+            yield _finding(values[key], consequence)
+
+
+def _consequence(system: System, value: WrongValue, distros: Sequence[str]) -> str:
+    """What comes of it, in words; empty where it works in a distribution that the workspace may be meant for."""
+    checked, others = _CHECKED in distros, any(distro != _CHECKED for distro in distros)
+    if value.effect is ValueEffect.NONE:
+        works = others and _CHECKED not in named_distros(system.workspace)
+        return f"this line raises AssertionError{f' on {_CHECKED}' if others else ''}" if checked and not works else ""
+    if not others or value.effect is ValueEffect.SET:
+        return "this line fails" if others or not value.name else "this line raises AssertionError"
+    return _COMES_OF_IT[value.effect] + (f" (on {_CHECKED} this line raises AssertionError)" if checked else "")
+
+
+def _finding(value: WrongValue, consequence: str) -> Finding:
+    of = f"{value.type}.{value.section_name}" if value.section_name else value.type
+    subject = f"'{value.name}' of {of}" if value.name else of
+    return finding(
+        "MSG003",
+        value.place,
+        f"{subject} takes {value.wanted}, not {value.given}: {consequence}",
+        help=value.cure,
+        node=None if value.node is None else value.node.name.text,
+        identity=(value.type, value.section_name, value.name, value.wanted),
+        group=(value.place.file, of, value.name, value.wanted),
+    )
+
+
+@folds("MSG003")
+def of_one_field(findings: Sequence[Finding]) -> Finding:
+    """The first of a file for all that give the same field something that it does not take."""
+    return with_others(findings, "another line does", "more lines do", "the same")

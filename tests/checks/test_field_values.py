@@ -1,0 +1,183 @@
+"""MSG003: values that fields do not take, and values that look like them and fit."""
+
+from __future__ import annotations
+
+import pytest
+
+from checks.judging import Judge
+
+NODE = """
+import time
+
+import numpy as np
+import rclpy
+from builtin_interfaces.msg import Time
+from diagnostic_msgs.msg import DiagnosticStatus
+from geometry_msgs.msg import Point, Pose, PoseArray, PoseStamped, PoseWithCovariance, Twist, Vector3
+from rclpy.node import Node
+from sensor_msgs.msg import Image, JointState
+from std_msgs.msg import Bool, Float32, Float64, Float64MultiArray, Header, Int32, String, UInt8
+from std_srvs.srv import SetBool
+
+
+class Robot(Node):
+    def __init__(self):
+        super().__init__('robot')
+        self.declare_parameter('speed', 1)
+        self.declare_parameter('rate', 1.5)
+        self.speed = 0
+        self.create_subscription(Twist, 'in', self.listen, 10)
+        self.create_service(SetBool, 'set', self.set_it)
+
+    def set_it(self, request, response):
+        response.success = request.data
+        response.message = 'set to ' + str(request.data)
+        return response
+
+    def listen(self, message):
+        self.speed = message.linear.x
+        now = self.get_clock().now()
+        {line}
+
+    def name(self):
+        return 'robot'
+
+
+def main():
+    rclpy.init()
+    rclpy.spin(Robot())
+"""
+
+
+@pytest.mark.parametrize(
+    ("line", "says"),
+    [
+        (
+            "String().data = 5",
+            "'data' of std_msgs/msg/String takes a string, not the int 5: sending it fails (on humble",
+        ),
+        ("message.linear.x = '1'", "takes a float, not the string '1': something else is sent"),
+        ("message.linear.x = 1", "takes a float, not the int 1: something else is sent"),
+        ("message.linear.x = self.get_parameter('speed').value", "takes a float, not the int 1"),
+        ("message.linear.x = self.get_parameter('rate')", "takes a float, not a Parameter"),
+        ("message.linear.x = len(message.linear.x)", "takes a float, not an int"),
+        ("message.linear.x = str(message.linear.x)", "takes a float, not a string"),
+        ("Int32(data=1.5)", "takes an int, not the float 1.5: sending it fails"),
+        ("Time().sec = time.time()", "takes an int, not a float"),
+        ("UInt8(data=300)", "takes an int from 0 to 255, not the int 300: something else is sent"),
+        ("UInt8(data=-1)", "takes an int from 0 to 255, not the int -1: sending it fails"),
+        ("Bool(data='yes')", "takes a bool, not the string 'yes': False is sent"),
+        ("Bool(data=1)", "takes a bool, not the int 1: False is sent"),
+        ("SetBool.Response().success = 'yes'", "'success' of std_srvs/srv/SetBool.Response takes a bool"),
+        ("PoseWithCovariance(covariance=[0.1, 0.1, 0.1])", "takes 36 floats, not 3 values: something else is sent"),
+        ("PoseWithCovariance(covariance=0.1)", "takes 36 floats, not the float 0.1: the process crashes"),
+        ("Header(stamp=self.get_clock().now())", "takes a builtin_interfaces/msg/Time, not a Time of rclpy"),
+        ("Header(stamp=now)", "takes a builtin_interfaces/msg/Time, not a Time of rclpy: sending it fails"),
+        ("Header(stamp=time.time())", "takes a builtin_interfaces/msg/Time, not a float"),
+        ("Header(frame_id=self.name)", "takes a string, not a function"),
+        (
+            "String('ok')",
+            "std_msgs/msg/String takes its fields by name, not an argument without a name: this line fails",
+        ),
+        ("PoseStamped(pose=PoseWithCovariance())", "takes a geometry_msgs/msg/Pose, not a geometry_msgs/msg/PoseWith"),
+        ("PoseArray(poses=Pose())", "takes a list of geometry_msgs/msg/Poses, not a geometry_msgs/msg/Pose"),
+        ("Float64MultiArray(data=['1', '2'])", "takes a list of floats, not the string '1' in a list: this line fails"),
+        ("Float64MultiArray(data=1.0)", "takes a list of floats, not the float 1.0: this line fails"),
+        ("JointState(name='arm')", "takes a list of strings, not the string 'arm': something else is sent"),
+        ("JointState(name=[1])", "takes a list of strings, not the int 1 in a list: sending it fails"),
+    ],
+)
+def test_a_value_that_a_field_does_not_take(judge: Judge, line: str, says: str):
+    [finding] = judge("MSG003", NODE.format(line=f"{line}  # here"))
+    assert says in finding.message
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "String().data = '5'",
+        "String().data = f'{message}'",
+        "message.linear.x = 1.0",
+        "message.linear.x = 0",  # is sent as 0.0; only humble refuses it
+        "message.linear.x = np.float64(1)",
+        "message.linear.x = self.get_parameter('rate').value",
+        "message.linear.x = self.speed",
+        "message.linear.x = min(1, message.linear.x)",
+        "message.linear.x = 1 if message.linear.y else message.linear.z",
+        "message.linear = Point()",  # has the same fields
+        "message.linear = Vector3(x=1.0)",
+        "Int32(data=True)",
+        "UInt8(data=255)",
+        "Bool(data=message.linear.x > 0)",
+        "Bool(data=0)",
+        "PoseWithCovariance(covariance=[0.1] * 36)",
+        "PoseWithCovariance(covariance=[0] * 36)",  # converted when it is set; only humble refuses it
+        "PoseWithCovariance(covariance=np.zeros(36))",
+        "PoseWithCovariance(covariance=[message.linear.x for _ in range(36)])",
+        "Header(stamp=self.get_clock().now().to_msg())",
+        "Header(stamp=now.to_msg())",
+        "Header(stamp=message.stamp)",
+        "Header(frame_id=self.name())",
+        "PoseArray(poses=[Pose()])",
+        "PoseArray(poses=[])",
+        "Float64MultiArray(data=[1, 2])",
+        "Float64MultiArray(data=(1.0, 2.0))",
+        "JointState(name=['arm'], position=[0.5])",
+        "Image(data=b'123')",
+        "DiagnosticStatus(level=DiagnosticStatus.OK)",
+        "String(data=None)",  # may be a placeholder
+    ],
+)
+def test_a_value_that_fits(judge: Judge, line: str):
+    assert not judge("MSG003", NODE.format(line=line))
+
+
+def test_a_helper_that_is_given_right_and_wrong_values(judge: Judge):
+    source = """
+from rclpy.node import Node
+from std_msgs.msg import Float64
+
+
+class Robot(Node):
+    def __init__(self):
+        super().__init__('robot')
+        self.publisher = self.create_publisher(Float64, 'speed', 10)
+        self.send(1.5)
+        self.send(2)
+
+    def send(self, speed):
+        self.publisher.publish(Float64(data=speed))
+"""
+    assert not judge("MSG003", source)
+
+
+def test_an_exception_that_is_expected(judge: Judge):
+    source = """
+import rclpy
+from std_msgs.msg import Float64
+
+
+def main():
+    rclpy.init()
+    message = Float64()
+    try:
+        message.data = 1
+    except (AssertionError, TypeError):
+        message.data = 1.0
+"""
+    assert not judge("MSG003", source)
+
+
+@pytest.mark.parametrize("value", ["1", "0"])
+def test_humble_checks_what_is_assigned(judge: Judge, value: str):
+    source = f"""
+import rclpy
+from std_msgs.msg import Float64
+
+
+def main():
+    rclpy.init()
+    Float64().data = {value}  # here
+"""
+    [finding] = judge("MSG003", source, config='distro = "humble"')
+    assert finding.message.endswith(f"takes a float, not the int {value}: this line raises AssertionError")
