@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 MODULES: tuple[str, ...] = (
+    "callback_annotations",
     "callback_entities",
     "callback_waits",
     "nested_spins",

@@ -1,0 +1,100 @@
+"""MSG004: annotations of callbacks that name another type than they get."""
+
+from __future__ import annotations
+
+import pytest
+
+from checks.judging import Judge
+
+NODE = """
+from __future__ import annotations
+
+from typing import Any, Optional
+
+import geometry_msgs.msg
+import rclpy
+from geometry_msgs.msg import Twist, TwistStamped
+from geometry_msgs.msg import Twist as Command
+from rclpy.node import Node
+from std_srvs.srv import SetBool, Trigger
+
+try:
+    from nav_msgs.msg import Odometry as State
+except ImportError:
+    from geometry_msgs.msg import PoseStamped as State
+
+
+class Robot(Node):
+    def __init__(self):
+        super().__init__('robot')
+        self.create_subscription(TwistStamped, 'in', self.listen, 10)
+        self.create_service(Trigger, 'stop', self.stop)
+
+    def listen(self, message{message}
+        print(message.header)
+
+    def stop(self, request{request}
+        return response
+
+
+def main():
+    rclpy.init()
+    rclpy.spin(Robot())
+"""
+
+
+@pytest.mark.parametrize(
+    ("annotation", "says"),
+    [
+        (
+            "Twist",
+            "is annotated as geometry_msgs/msg/Twist, but the subscription of 'in' passes geometry_msgs",
+        ),
+        ("Command", "is annotated as geometry_msgs/msg/Twist"),
+        ("geometry_msgs.msg.Twist", "is annotated as geometry_msgs/msg/Twist"),
+    ],
+)
+def test_a_message_that_is_annotated_as_another(judge: Judge, annotation: str, says: str):
+    [finding] = judge("MSG004", NODE.format(message=f": {annotation}):  # here", request=", response):"))
+    assert says in finding.message
+
+
+def test_a_request_that_is_annotated_as_the_response(judge: Judge):
+    request = ": Trigger.Response, response: Trigger.Response):  # here"
+    [finding] = judge("MSG004", NODE.format(message="):", request=request))
+    assert "'request' is annotated as std_srvs/srv/Trigger.Response" in finding.message
+
+
+@pytest.mark.parametrize(
+    ("message", "request_"),
+    [
+        (": TwistStamped):", ": Trigger.Request, response: Trigger.Response) -> Trigger.Response:"),
+        (": geometry_msgs.msg.TwistStamped):", ": Trigger, response):"),
+        (": 'Twist'):", ": Any, response):"),
+        (": Optional[Twist]):", ", response: SetBool):  # archlint: ignore[MSG004]"),
+        (": Twist | None):", ", response):"),
+        (": Robot):", ", response):"),
+        (": State):", ", response):"),
+        (", count: Twist = None):", ", response):"),
+    ],
+)
+def test_an_annotation_that_fits_or_says_nothing_certain(judge: Judge, message: str, request_: str):
+    assert not judge("MSG004", NODE.format(message=message, request=request_))
+
+
+def test_a_callback_that_two_subscriptions_share(judge: Judge):
+    source = """
+from geometry_msgs.msg import Twist, TwistStamped
+from rclpy.node import Node
+
+
+class Robot(Node):
+    def __init__(self):
+        super().__init__('robot')
+        self.create_subscription(TwistStamped, 'a', self.listen, 10)
+        self.create_subscription(Twist, 'b', self.listen, 10)
+
+    def listen(self, message: Twist):
+        print(message)
+"""
+    assert not judge("MSG004", source)
