@@ -3,28 +3,57 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from archlint.analysis.signatures import signature_of
+from archlint.analysis.source_code import source_code
+from archlint.finding import Place
 from archlint.libraries.rclpy.names import canonical, interface_and_section
 from archlint.syntax import facts
 from archlint.syntax.walk import statements_of
 
 if TYPE_CHECKING:
+    from archlint.model import Callback
     from archlint.ros.interfaces import MessageClass
+    from archlint.systems.model import System
 
 
-def interface_of(code: facts.Facts, annotation: facts.Expr) -> tuple[str, MessageClass] | None:
-    """The interface, and which of its classes, that an annotation in a file names through the imports of that file;
-    None for anything else, and for a name that the file binds in several ways."""
-    root, _, rest = annotation.dotted.partition(".")
+@dataclass(frozen=True)
+class AnnotatedMessage:
+    """A parameter of a callback whose annotation is an interface, or one of its classes."""
+
+    position: int
+    """Which of the arguments it takes that the executor passes."""
+    name: str
+    place: Place
+    interface: str
+    section_name: MessageClass
+
+
+def annotated_messages(system: System, callback: Callback) -> Iterator[AnnotatedMessage]:
+    """The parameters of a callback, of those that nothing has bound yet, that are annotated with an interface."""
+    signature, function = signature_of(system, callback), callback.function
+    code = None if function is None else source_code(system).facts_at(function.place.file)
+    if signature is None or function is None or code is None:
+        return
+    by_name = {param.name: param for param in signature.params}
+    for position, name in enumerate(signature.names):
+        match by_name[name].annotation:
+            case facts.Name(span=span) | facts.Attribute(span=span) as annotation:
+                interface, section_name = _interface_of(code, annotation.dotted)
+                if interface is not None:
+                    place = Place(function.place.file, *span)
+                    yield AnnotatedMessage(position, name, place, interface, section_name)
+
+
+def _interface_of(code: facts.Facts, dotted: str) -> tuple[str | None, MessageClass]:
+    """The interface, and which of its classes, that a name means by the imports of its file; None for anything else,
+    and for a name that the file binds in several ways."""
+    root, _, rest = dotted.partition(".")
     paths = set(_bound_to(code.body, root)) if root else set()
-    if len(paths) != 1:
-        return None
-    [path] = paths
-    if path is None:
-        return None
-    interface, section_name = interface_and_section(canonical(f"{path}.{rest}" if rest else path))
-    return None if interface is None else (interface, section_name)
+    path = paths.pop() if len(paths) == 1 else None
+    return (None, "") if path is None else interface_and_section(canonical(f"{path}.{rest}" if rest else path))
 
 
 def _bound_to(body: Sequence[facts.Stmt], name: str) -> Iterator[str | None]:
@@ -48,4 +77,4 @@ def _bound_to(body: Sequence[facts.Stmt], name: str) -> Iterator[str | None]:
                     yield None
 
 
-__all__ = ["interface_of"]
+__all__ = ["AnnotatedMessage", "annotated_messages"]
