@@ -55,7 +55,7 @@ def _of_description(file: str, wrong: WrongDescription) -> Finding:
         identity=(wrong.kind, wrong.given, wrong.of),
         group=(file, wrong.kind),
     )
-    return replace(diagnostic, severity=Severity.WARNING) if wrong.kind == Wrong.NOT_ADDED else diagnostic
+    return replace(diagnostic, severity=Severity.INFO) if wrong.kind == Wrong.NOT_ADDED else diagnostic
 
 
 def _said(wrong: WrongDescription) -> tuple[str, str]:
