@@ -48,6 +48,21 @@ def open_beside(name):
         assert names(launches.python(f"[{node}]", before)) == ["left"]
 
 
+def test_a_path_that_is_joined_unless_it_is_absolute(launches):
+    launches.file("robot/config/team.json", '{"name": "left"}')
+    before = """
+import json
+def beside(name):
+    return name if os.path.isabs(name) else os.path.join(get_package_share_directory('robot'), 'config', name)
+with open(beside({path})) as stream:
+    name = json.load(stream)['name']
+"""
+    whole = "os.path.join(get_package_share_directory('robot'), 'config', 'team.json')"
+    for path, expected in (("'team.json'", ["left"]), (whole, ["left"]), ("'/etc/team.json'", ["?"])):
+        node = "Node(package='robot', executable='talker', name=name)"
+        assert names(launches.python(f"[{node}]", before.format(path=path))) == expected
+
+
 TALKER = "Node(package='robot', executable='talker', name=name)"
 
 

@@ -35,7 +35,9 @@ def import_from(machine: Machine, s: facts.ImportFrom) -> Status:
             _import_star(machine, module, dotted)
             continue
         value: Value | None = None
-        if module is not None and module is not importer:
+        if machine.library.speaks_for(f"{dotted}.{name}"):
+            value = machine.library.imported(f"{dotted}.{name}", s.span)
+        elif module is not None and module is not importer:
             value = machine.module_attribute(module, name)
             if value is None:
                 value = (

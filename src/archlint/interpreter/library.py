@@ -66,6 +66,10 @@ class Library:
         """Whether a dotted name is that of a foreign module rather than of something in one."""
         return False
 
+    def speaks_for(self, path: str) -> bool:
+        """Whether the library says what ``from package import name`` gives, even where the package is here."""
+        return False
+
     def imported(self, path: str, span: facts.Span) -> Value:
         """What ``from package import name`` gives, for a package that is not here."""
         return External(path)

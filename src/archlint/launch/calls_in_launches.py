@@ -140,6 +140,14 @@ def _same_path(run: LaunchRun, site: CallSite) -> Value:
     return Unknown("a path of this machine") if path is None else Known(posixpath.normpath(path))
 
 
+def _is_absolute(run: LaunchRun, site: CallSite) -> Value:
+    """``os.path.isabs(path)``: so is what launch and ament give for a folder of a package, or of the launch file."""
+    path = known_text(site.args[0]) if site.args else None
+    if path is None:
+        return Unknown(reason(*site.args))
+    return Known(path.startswith(("/", "$(")))
+
+
 def _of_home(run: LaunchRun, site: CallSite) -> Value:
     """``os.path.expanduser(path)``."""
     path = known_text(site.args[0]) if site.args else None
@@ -184,6 +192,7 @@ PLAIN = {
     "pathlib.PurePath": _path,
     "os.path.abspath": _same_path,
     "os.path.expanduser": _of_home,
+    "os.path.isabs": _is_absolute,
     "os.path.realpath": _same_path,
     "os.path.normpath": _same_path,
 }

@@ -30,6 +30,8 @@ def _row(path: str) -> Api | None:
     return _ROS.row(path) or tables.find(path)
 
 
+_DECLARES = (tables.LaunchClass.DECLARE_LAUNCH_ARGUMENT, tables.LaunchClass.DECLARE_BOOLEAN_LAUNCH_ARGUMENT)
+
 _SAID_BY_COMPONENTS = {
     "package": "package",
     "node_plugin": "plugin",
@@ -52,14 +54,21 @@ class LaunchLibrary(RosLibrary):
 
     def attribute_of_object(self, value: Instance, cls: External, name: str) -> Value:
         is_entities = name == "entities" and names.canonical(cls.path) == "launch.LaunchDescription"
-        entities = calls.entities(self.run, value) if is_entities else None
-        return super().attribute_of_object(value, cls, name) if entities is None else entities
+        said = calls.entities(self.run, value) if is_entities else None
+        if name == "name" and kind_of(value) in _DECLARES:
+            said = value.argument("name")
+        return super().attribute_of_object(value, cls, name) if said is None else said
 
     def is_subclass(self, path: str, cls: Value) -> bool | None:
         row = tables.find(cls.path) if isinstance(cls, External) else None
         if row is None:
             return None
         return True if path == row.path or (row.path == "launch.Substitution" and path in _SUBSTITUTIONS) else None
+
+    def speaks_for(self, path: str) -> bool:
+        """nav2's sources may lie in the workspace.  What its substitutions make of a file is known here, and cannot
+        be read off their code, which writes it when the launch runs."""
+        return path.startswith("nav2_common.launch.") and tables.find(path) is not None
 
     def is_ordinary_class(self, path: str) -> bool:
         return super().is_ordinary_class(path) or tables.find(path) is not None

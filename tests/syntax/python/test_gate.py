@@ -79,8 +79,10 @@ def test_a_large_file_is_told_with_its_size(tmp_path):
         (b"#!/usr/bin/python3\n# vim: set fileencoding=cp1252 :\ncost = '5 \x80'\n", None),
         (b"x = 1\r\ny = 2\r\n", "x = 1\r\ny = 2\r\n"),
         (b"", ""),
+        # Python skips comments before it decodes them, where a module is imported.
+        (b"x = 1\ny = 2\nz = '#'  # \xb2\xce\n# \xff\n", "x = 1\ny = 2\nz = '#'  # ??\n# ?\n"),
     ],
-    ids=["utf-8", "byte order mark", "cookie", "cookie on the second line", "line ends", "empty"],
+    ids=["utf-8", "byte order mark", "cookie", "cookie on the second line", "line ends", "empty", "comment"],
 )
 def test_text_is_decoded_as_python_does(data, text):
     decoded = decode(data)
@@ -96,6 +98,7 @@ def test_text_is_decoded_as_python_does(data, text):
             (2, 6),
             "byte 0xff is not valid utf-8: save the file as UTF-8 or name its encoding",
         ),
+        (b"x = 1\ny = 2\nz = '# \xff'  # \xff\n", (3, 8), "byte 0xff is not valid utf-8"),
         (b"# coding: ascii\nx = '\xff'\n", (2, 6), "byte 0xff is not valid ascii"),
         (b"# coding: klingon\n", (1, 1), "the encoding of this file is not known: unknown encoding: klingon"),
         (b"# coding: hex\n", (1, 1), "the encoding of this file cannot be used"),

@@ -41,6 +41,17 @@ def _text_of(run: LaunchRun, value: Value, missing: str) -> Text:
     """A name, which is no default where the file looks at ``sys.argv``: a word there may replace it."""
     if run.program.reads_command_line and any(isinstance(option, (Unknown, Holed)) for option in alternatives(value)):
         return Text(None, "unknown", reason="a command-line argument may replace it")
+    return _certain_text(value, missing)
+
+
+def _certain_text(value: Value | None, missing: str) -> Text:
+    """A text that nothing unknown may take the place of, but for what a user may give instead of a default."""
+    options = () if value is None else alternatives(value)
+    unknown = next((option for option in options if isinstance(option, Unknown)), None)
+    if unknown is not None and any(
+        isinstance(option, Known) and option.kind != "argument_default" for option in options
+    ):
+        return text_of_value(unknown, missing)
     return text_of_value(value, missing)
 
 
@@ -54,7 +65,7 @@ def _started(run: LaunchRun, entity: LaunchObject, kind: StartedKind) -> Started
     started = Started(
         kind,
         _package(run, entity.argument("package")),
-        text_of_value(None if executable is None else run.perform(executable), "no executable is given"),
+        _certain_text(None if executable is None else run.perform(executable), "no executable is given"),
         run.place_now,
         run.file,
         None if name is None else _text_of(run, run.perform(name), "no name"),
@@ -85,7 +96,7 @@ def _started(run: LaunchRun, entity: LaunchObject, kind: StartedKind) -> Started
 def _package(run: LaunchRun, value: Value | None) -> Text:
     if value is None:
         return Text(None, "unknown", reason="no package is given")
-    return text_of_value(run.perform(value), "no package is given")
+    return _certain_text(run.perform(value), "no package is given")
 
 
 def _remaps(run: LaunchRun, value: Value | None) -> list[Remap]:

@@ -106,6 +106,9 @@ def decode(data: bytes) -> str | Refusal:
             warnings.simplefilter("ignore")
             text = data.decode(encoding)
     except UnicodeDecodeError as error:
+        readable = _with_readable_comments(data) if encoding.startswith("utf-8") else None
+        if readable is not None:
+            return readable
         at = error.start
         hint = "save the file as UTF-8 or name its encoding on line 1"
         return _refused_byte(data, at, encoding, f"byte 0x{data[at]:02x} is not valid {encoding}: {hint}")
@@ -114,6 +117,29 @@ def decode(data: bytes) -> str | Refusal:
     if "\0" in text or _SURROGATE.search(text):
         return Refusal(1, 1, f"the file is not text in {encoding}: save it as UTF-8")
     return text
+
+
+def _with_readable_comments(data: bytes) -> str | None:
+    """UTF-8 source with ``?`` for what is no UTF-8 in its comments; None where there is more of that than in comments.
+
+    Python skips a comment before it decodes it, where it compiles bytes, as ``import`` and ``ros2 launch`` do.
+    Source: CPython, tried with 3.10 to 3.12.  ``python3 FILE`` does refuse such a file.
+    """
+    text = data.decode("utf-8-sig", "surrogateescape")
+    places = [
+        (number, found.start()) for number, line in enumerate(text.split("\n"), 1) for found in _ESCAPED.finditer(line)
+    ]
+    readable = _ESCAPED.sub("?", text)
+    try:
+        tokens = list(tokenize.generate_tokens(io.StringIO(readable).readline))
+    except (tokenize.TokenError, SyntaxError):
+        return None
+    comments = {token.start[0]: token.start[1] for token in tokens if token.type == tokenize.COMMENT}
+    return readable if all(column > comments.get(line, column) for line, column in places) else None
+
+
+_ESCAPED = re.compile("[\udc80-\udcff]")
+"""A byte that is no UTF-8, as ``surrogateescape`` decodes it."""
 
 
 def _refused_byte(data: bytes, at: int, encoding: str, message: str) -> Refusal:
