@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Concatenate, ParamSpec
 
 from archlint.interpreter.values import External, Instance, Known, Unknown, Value
 from archlint.launch import calls, calls_in_launches, mathematics, read_files, tables
-from archlint.launch.objects import LaunchObject, kind_of
+from archlint.launch.objects import LaunchObject, argument, kind_of
 from archlint.libraries.api_use import Offers
 from archlint.libraries.library import RosLibrary
 from archlint.libraries.rclpy import names
@@ -56,7 +56,7 @@ class LaunchLibrary(RosLibrary):
         is_entities = name == "entities" and names.canonical(cls.path) == "launch.LaunchDescription"
         said = calls.entities(self.run, value) if is_entities else None
         if name == "name" and kind_of(value) in _DECLARES:
-            said = value.argument("name")
+            said = argument(value, "name")
         return super().attribute_of_object(value, cls, name) if said is None else said
 
     def is_subclass(self, path: str, cls: Value) -> bool | None:
