@@ -127,7 +127,7 @@ def _with_readable_comments(data: bytes) -> str | None:
     """
     text = data.decode("utf-8-sig", "surrogateescape")
     places = [
-        (number, found.start()) for number, line in enumerate(text.split("\n"), 1) for found in _ESCAPED.finditer(line)
+        (number, byte.start()) for number, line in enumerate(text.split("\n"), 1) for byte in _ESCAPED.finditer(line)
     ]
     readable = _ESCAPED.sub("?", text)
     try:
