@@ -78,7 +78,7 @@ def test_what_a_node_is_given(findings, given, message):
 def test_an_action_that_nothing_adds(findings):
     (told,) = findings("LCH008", **_file("return LaunchDescription([])"))
     assert told.message.startswith("nothing adds 'talker' to the launch description") and told.place.line == 6
-    assert told.severity is Severity.WARNING
+    assert told.severity is Severity.INFO
 
 
 @pytest.mark.parametrize(

@@ -103,7 +103,7 @@ def _long_service(system: System, program: Program, sleeps: Sequence[_Sleep]) ->
     further = {other.place: Related(other.place, f"then it {words.words}") for other, words in others}
     further.pop(call.place, None)
     asked, total = _is_as_asked(system, sleeps), _in_all(system, sleeps)
-    soon = total <= SHORT or (
+    soon = total < SHORT or (
         total <= SOON and any(limit is not None for sleep_call, _ in sleeps for limit in sleep_call.limits)
     )
     action = _action_beside(callback)
