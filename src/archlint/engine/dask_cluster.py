@@ -50,13 +50,14 @@ def dask_cluster(address: str) -> Iterator[ExecutorPool]:
 def _client(address: str) -> Any:
     try:
         import dask
-        from distributed import Client
+        import distributed
     except ImportError:
         raise PoolError("it needs Dask, which is not installed: pip install 'archlint[dask]'") from None
     logging.getLogger("distributed").setLevel(logging.CRITICAL)  # what goes wrong is told here
     dask.config.set({"distributed.comm.timeouts.connect": f"{TIMEOUT}s"})
+    client: Any = distributed.Client  # it has no types
     try:
-        return Client(address, timeout=TIMEOUT, set_as_default=False)
+        return client(address, timeout=TIMEOUT, set_as_default=False)
     except Exception as error:  # an address may be wrong in many ways
         why = str(error) or type(error).__name__
         raise PoolError(f"no Dask scheduler answers at {address}: {why}") from None
