@@ -3,7 +3,11 @@
 from __future__ import annotations
 
 import threading
+import time
 
+import pytest
+
+from archlint.syntax.python import deep_stack
 from archlint.syntax.python.deep_stack import STACK_BYTES, call_with_deep_stack
 
 
@@ -12,3 +16,16 @@ def test_a_call_inside_a_call_leaves_the_size_of_stacks_as_it_was():
     for _ in range(200):
         assert call_with_deep_stack(lambda: call_with_deep_stack(lambda: 7)) == 7
         assert threading.stack_size() == before != STACK_BYTES
+
+
+def test_a_process_that_is_forked_at_once_finds_the_lock_free(monkeypatch: pytest.MonkeyPatch):
+    """The thread that starts another may be slow to let go of it."""
+    set_size = threading.stack_size
+
+    def slowly(size: int = 0) -> int:
+        if size != deep_stack.STACK_BYTES:
+            time.sleep(0.1)
+        return set_size(size)
+
+    monkeypatch.setattr(threading, "stack_size", slowly)
+    assert deep_stack.call_with_deep_stack(deep_stack._STARTING.locked) is False

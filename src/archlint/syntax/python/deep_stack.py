@@ -33,6 +33,8 @@ def call_with_deep_stack(function: Callable[[], Result]) -> Result:
     errors: list[BaseException] = []
 
     def run() -> None:
+        with _STARTING:
+            pass  # a process that is forked in this thread would find the lock of its starter locked for ever
         try:
             results.append(function())
         except BaseException as error:  # raised again in the thread that waits
