@@ -8,6 +8,7 @@ import signal
 import threading
 import time
 from collections.abc import Callable
+from multiprocessing import resource_tracker
 from pathlib import Path
 
 import pytest
@@ -121,12 +122,20 @@ def _runs(pid: int) -> bool:
         return False
 
 
+@pytest.fixture
+def no_tracker():
+    """Other tests of this process may have left it a process that watches over what they shared."""
+    resource_tracker._resource_tracker._stop()
+
+
+@pytest.mark.usefixtures("no_tracker")
 def test_no_process_is_left_behind():
     run_in_workers(work, [b"a", b"hang", b"die"], 3, 0.5)
     with pytest.raises(ChildProcessError):
         os.waitpid(-1, os.WNOHANG)
 
 
+@pytest.mark.usefixtures("no_tracker")
 def test_an_interrupted_run_leaves_no_process_behind():
     def interrupt(*_: object) -> None:
         raise KeyboardInterrupt
