@@ -128,6 +128,8 @@ def test_a_package_that_catkin_builds_is_passed_over_whatever_it_imports(tmp_pat
         (EITHER, f"if($ENV{{ROS_VERSION}} EQUAL 1)\n{CATKIN_BUILD}else()\n{AMENT_BUILD}endif()\n"),
         ("<depend>rclpy</depend>", f"# {CATKIN_BUILD.splitlines()[0]}\n"),
         ("<depend>rclpy</depend>", "# find_package(catkin)\nproject(robot)\n"),
+        ("<depend>rclpy</depend>", "#[[\nfind_package(catkin)\n]]\nproject(robot)\n"),
+        ("<depend>rclpy</depend>", 'message("no find_package(catkin) any more")\nproject(robot)\n'),
     ],
 )
 def test_a_package_that_was_ported_is_judged(run, manifest, build):

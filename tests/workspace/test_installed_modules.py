@@ -1,10 +1,10 @@
-"""Which files and folders are imported under a name that CMakeLists.txt or setup.py gives them."""
+"""Which files and folders are imported under a name that CMakeLists.txt gives them."""
 
 from __future__ import annotations
 
 import pytest
 
-from archlint.workspace.installed_modules import installed_modules, package_folders
+from archlint.workspace.installed_modules import installed_modules
 
 
 @pytest.mark.parametrize(
@@ -57,21 +57,3 @@ from archlint.workspace.installed_modules import installed_modules, package_fold
 )
 def test_folders_and_the_names_they_are_imported_under(text: str, expected: dict[str, str]):
     assert installed_modules(f"cmake_minimum_required(VERSION 3.8)\n{text}\n", "arm") == expected
-
-
-@pytest.mark.parametrize(
-    ("text", "expected"),
-    [
-        ("setup(package_dir={'arm': 'scripts'})", {"scripts": "arm"}),
-        (
-            'name = "arm"\nsetup(name=name, package_dir={name: "src/python", "arm.tools": "tools"})',
-            {"src/python": "arm", "tools": "arm.tools"},
-        ),
-        ("setup(package_dir={'': 'src'})", {}),
-        ("setup(package_dir={\n    # 'arm': 'old',\n    'arm': 'new',\n})", {"new": "arm"}),
-        ("setup(package_dir={arm(): 'scripts'})", {}),
-        ("setup(package_dir=folders)", {}),
-    ],
-)
-def test_folders_that_a_setup_py_names(text: str, expected: dict[str, str]):
-    assert package_folders(f"from setuptools import setup\n{text}\n") == expected

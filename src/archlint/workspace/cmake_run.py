@@ -11,12 +11,14 @@ import posixpath
 import re
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
-from typing import Final, Literal
 
 from archlint.workspace.cmake import Argument, Command, parse_cmake
+from archlint.workspace.cmake_values import changed_list, list_mode, numbers, path_component
 
 SOURCE = "//"
 """How a path below a folder of the source tree begins."""
+
+CMAKE_FILE = "CMakeLists.txt"
 
 STEPS = 20_000
 """Commands that one package may come to."""
@@ -52,6 +54,13 @@ class Step:
         """The shown path that an argument means."""
         inside = without_source(text)
         return posixpath.normpath(inside if inside != text else posixpath.join(self.folder, text))
+
+
+def run_alone(text: str, package: str) -> CMakeRun:
+    """The run of a package's CMakeLists.txt by itself: other files are not read, and no folder is listed."""
+    run = CMakeRun(lambda path: text if path == CMAKE_FILE else None, lambda folder: ())
+    run.run(CMAKE_FILE, ".", package)
+    return run
 
 
 def without_source(text: str) -> str:
@@ -183,7 +192,7 @@ class CMakeRun:
         if argument.open:
             self.open = True
             return
-        self._file(posixpath.normpath(posixpath.join(folder, "CMakeLists.txt")), scope.inner(folder), depth + 1)
+        self._file(posixpath.normpath(posixpath.join(folder, CMAKE_FILE)), scope.inner(folder), depth + 1)
 
     def _include(self, step: Step, argument: Argument, scope: _Scope, depth: int) -> None:
         if not argument.open and "/" not in argument.text and "." not in argument.text:
@@ -204,8 +213,8 @@ class CMakeRun:
             scope.variables.setdefault("CMAKE_PROJECT_NAME", [texts[0]])
         elif name == "set" and texts:
             _set_command(texts, scope, self._conditions > 0)
-        elif name == "list" and len(texts) > 1 and (mode := _LIST_MODES.get(texts[0].upper())) is not None:
-            scope.variables[texts[1]] = _list_command(mode, scope.variables.get(texts[1], []), texts[2:])
+        elif name == "list" and len(texts) > 1 and (mode := list_mode(texts[0])) is not None:
+            scope.variables[texts[1]] = changed_list(mode, scope.variables.get(texts[1], []), texts[2:])
         elif name in _OUTPUT:
             result = self._result(step, texts)
             if result is None:
@@ -219,7 +228,7 @@ class CMakeRun:
         if name == "file" and mode in ("GLOB", "GLOB_RECURSE") and len(texts) > 2:
             return texts[1], self._glob(step, texts[2:], recursive=mode == "GLOB_RECURSE")
         if name == "get_filename_component" and len(texts) > 2:
-            return texts[0], _component(texts[1], texts[2])
+            return texts[0], path_component(texts[1], texts[2])
         if name == "string" and mode == "REPLACE" and len(texts) > 4:
             return texts[3], [part.replace(texts[1], texts[2]) for part in texts[4:]]
         return None
@@ -312,54 +321,13 @@ def _set_command(texts: Sequence[str], scope: _Scope, maybe: bool) -> None:
         _set(target, name, None if unknown else parts)
 
 
-_ListMode = Literal["append", "prepend", "remove items", "keep all"]
-_LIST_MODES: Final[dict[str, _ListMode]] = {
-    "APPEND": "append",
-    "PREPEND": "prepend",
-    "REMOVE_ITEM": "remove items",
-    **dict.fromkeys(("REMOVE_DUPLICATES", "SORT", "REVERSE", "FILTER"), "keep all"),
-}
-
-
-def _list_command(mode: _ListMode, old: list[str] | None, texts: Sequence[str]) -> list[str] | None:
-    """The new value of a list; one that is filtered keeps all."""
-    new = list(texts)
-    if old is None or any("$" in text for text in new):
-        return None
-    match mode:
-        case "append":
-            return [*old, *new]
-        case "prepend":
-            return [*new, *old]
-        case "remove items":
-            return [text for text in old if text not in new]
-    return old
-
-
-def _component(path: str, mode: str) -> list[str] | None:
-    """``get_filename_component``: part of a path."""
-    folder, name = posixpath.split(path)
-    stem, dot, _ = name.partition(".")
-    last, _, suffix = name.rpartition(".")
-    parts = {
-        "NAME": name,
-        "NAME_WE": stem or name,
-        "NAME_WLE": last or name,
-        "EXT": dot + name[len(stem) + 1 :] if dot else "",
-        "LAST_EXT": f".{suffix}" if last else "",
-        "DIRECTORY": folder,
-        "PATH": folder,
-    }
-    return None if "$" in path or mode not in parts else [parts[mode]]
-
-
 def _loop_values(words: Sequence[Argument], scope: _Scope) -> list[str] | None:
     """What a ``foreach`` goes through; None where that is not known."""
     texts = [word.text for word in words[1:]]
     if any("$" in text for text in texts) or "ZIP_LISTS" in texts:
         return None
     if texts[:1] == ["RANGE"]:
-        return _range(texts[1:])
+        return numbers(texts[1:], _VALUES)
     if texts[:1] != ["IN"]:
         return texts
     items: list[str] = []
@@ -375,11 +343,3 @@ def _loop_values(words: Sequence[Argument], scope: _Scope) -> list[str] | None:
                 return None
             items.extend(values)
     return items
-
-
-def _range(texts: Sequence[str]) -> list[str] | None:
-    if not 1 <= len(texts) <= 3 or not all(text.isdecimal() for text in texts):
-        return None
-    numbers = [int(text) for text in texts]
-    start, stop, step = (0, *numbers, 1)[-3:] if len(numbers) == 1 else (*numbers, 1)[:3]
-    return [str(number) for number in range(start, stop + 1, max(step, 1))[:_VALUES]]

@@ -1,8 +1,8 @@
 """Which files and folders a package installs as Python packages, and under which names.
 
 A CMakeLists.txt does so with ``ament_python_install_package``, or by copying them to where Python looks
-(``install(DIRECTORY scripts/ DESTINATION ${PYTHON_INSTALL_DIR}/${PROJECT_NAME})``); a setup.py with ``package_dir``.
-Nothing is run: what is not written out is left out.
+(``install(DIRECTORY scripts/ DESTINATION ${PYTHON_INSTALL_DIR}/${PROJECT_NAME})``).  Nothing is run: what is not
+written out is left out.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ import posixpath
 import re
 from collections.abc import Iterator, Sequence
 
-from archlint.workspace.cmake_run import CMakeRun, without_source
+from archlint.workspace.cmake_run import run_alone, without_source
 
 _INSTALL = "ament_python_install_package"
 _SITE = re.compile(
@@ -19,7 +19,6 @@ _SITE = re.compile(
     re.IGNORECASE,
 )
 """Where Python looks for what is installed: CMake has it in a variable, or it is written out."""
-_FILE = "CMakeLists.txt"
 _KINDS = frozenset({"DIRECTORY", "FILES", "PROGRAMS"})
 _ENDS_SOURCES = frozenset(
     {"COMPONENT", "CONFIGURATIONS", "DESTINATION", "DIRECTORY_PERMISSIONS", "EXCLUDE_FROM_ALL", "FILES_MATCHING"}
@@ -36,10 +35,8 @@ def installed_modules(text: str, package: str) -> dict[str, str]:
     """
     if not any(word in text for word in (_INSTALL, "PYTHON_INSTALL_DIR", "SITELIB", "SITEARCH", "-packages")):
         return {}
-    run = CMakeRun(lambda path: text if path == _FILE else None, lambda folder: ())
-    run.run(_FILE, ".", package)
     modules: dict[str, str] = {}
-    for command in (step.command for step in run.steps):
+    for command in (step.command for step in run_alone(text, package).steps):
         words = [without_source(word) for word in command.texts]
         if command.name == _INSTALL and words:
             modules.update(_python_package(words))
@@ -87,32 +84,3 @@ def _own_parts(kind: str, source: str) -> list[str]:
     if suffix != ".py":
         return [name]
     return [] if stem == "__init__" else [stem]
-
-
-# ----------------------------------------------------------------------------------------------- setup.py
-
-_COMMENT = re.compile(r"#[^\n]*")
-_PACKAGE_DIR = re.compile(r"\bpackage_dir\s*=\s*\{([^{}]*)\}")
-_TEXT = r"""(?:(["'])(?P<{0}>[\w./]*)\{1}|(?P<{0}_name>[A-Za-z_]\w*))"""
-_PAIR = re.compile(_TEXT.format("package", 1) + r"\s*:\s*" + _TEXT.format("folder", 4))
-_ASSIGNED = re.compile(r"""^([A-Za-z_]\w*)\s*=\s*(["'])([\w./]*)\2[ \t]*$""", re.MULTILINE)
-
-
-def package_folders(text: str) -> dict[str, str]:
-    """As :func:`installed_modules`, of the ``package_dir`` of a setup.py."""
-    if "package_dir" not in text:
-        return {}
-    text = _COMMENT.sub("", text)
-    written = _PACKAGE_DIR.search(text)
-    texts = {match[1]: match[3] for match in _ASSIGNED.finditer(text)}
-    folders = {}
-    for pair in _PAIR.finditer(written[1]) if written is not None else ():
-        package = pair["package"] if pair["package"] is not None else texts.get(pair["package_name"], "")
-        folder = pair["folder"] if pair["folder"] is not None else texts.get(pair["folder_name"], "")
-        path = posixpath.normpath(folder)
-        if path != "." and package and all(part.isidentifier() for part in package.split(".")):
-            folders[path] = package
-    return folders
-
-
-__all__ = ["installed_modules", "package_folders"]

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import os
-import re
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import replace
 
-from archlint.workspace.installed_modules import installed_modules, package_folders
+from archlint.workspace.cmake_run import Step, run_alone
+from archlint.workspace.installed_modules import installed_modules
 from archlint.workspace.manifest import read_manifest
 from archlint.workspace.model import PYTHON_KINDS, Link, Package, Problem, SourceFile, SourceKind, Workspace
 from archlint.workspace.module_names import ModuleNames
+from archlint.workspace.package_folders import package_folders
 
 MAX_BYTES = 1_000_000
 """Nobody writes a package.xml or a CMakeLists.txt of this size."""
@@ -134,19 +135,19 @@ def _build_files(
     return texts
 
 
-_COMMENT = re.compile(r"#[^\n]*")
-_CATKIN = re.compile(r"\bfind_package\s*\(\s*catkin\b", re.IGNORECASE)
-
-
 def _as_built(package: Package | None, text: str | None) -> Package | None:
     """A package whose manifest names no build type is one of catkin where its CMakeLists.txt looks for that, and for
     nothing of ament: such packages are left over from a port, and nothing of ROS 2 builds them."""
     if package is None or text is None or package.build_type != "catkin":
         return package
-    code = _COMMENT.sub("", text)
-    if _CATKIN.search(code) is None or "ament" in code:
+    run = run_alone(text, package.name)
+    if not any(map(_looks_for_catkin, run.steps)) or any("ament" in word for word in run.words):
         return package
     return replace(package, ros1=True, catkin_code=True)
+
+
+def _looks_for_catkin(step: Step) -> bool:
+    return step.command.name == "find_package" and [text.lower() for text in step.command.texts[:1]] == ["catkin"]
 
 
 def _names_by_root(
