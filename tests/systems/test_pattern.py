@@ -7,7 +7,7 @@ from collections.abc import Callable
 from itertools import pairwise
 
 from archlint.systems.model import System
-from archlint.systems.pattern import HUB, MANY, REQUESTS, figures, words
+from archlint.systems.pattern import HUB, MANY, REQUESTS, Hub, figures, words
 from systems.builders import client, node, publisher, service, subscriber, system
 
 
@@ -20,7 +20,7 @@ def star(spokes: int) -> System:
 
 def test_a_coordinator_and_its_modules():
     found = figures(star(4))
-    assert (found.pattern, found.hubs) == (HUB, [("/coordinator", 4, 4)])
+    assert (found.pattern, found.hubs) == (HUB, (Hub("/coordinator", 4, 4),))
     assert found.components == 1 and found.isolated == 0
 
 
@@ -68,7 +68,7 @@ def test_callers_and_what_they_ask():
         )
     )
     assert found.pattern == REQUESTS
-    assert found.chain == ["/mission", "/planner", "/map"]
+    assert found.chain == ("/mission", "/planner", "/map")
 
 
 def test_nodes_that_ask_each_other_count_as_one():
@@ -79,7 +79,7 @@ def test_nodes_that_ask_each_other_count_as_one():
             node("/c", service("c")),
         )
     )
-    assert found.chain == ["/a and /b", "/c"]
+    assert found.chain == ("/a and /b", "/c")
 
 
 def test_what_everybody_shares_ties_nobody():
@@ -98,7 +98,7 @@ def test_a_node_that_holds_two_parts_together():
         )
         for name in chain
     ]
-    assert figures(system(*nodes)).bridges == ["/bridge"]
+    assert figures(system(*nodes)).bridges == ("/bridge",)
 
 
 def test_two_nodes_are_no_pattern():

@@ -7,10 +7,11 @@ actions they ask weigh more than topics; where they weigh the same, as commands 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+from collections.abc import Collection, Iterator, Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Final, Literal
 
+from archlint.architecture import ACTION, CONNECTIONS, SERVICE, TOPIC, ConnectionKind
 from archlint.ros.well_known import OF_EVERY_NODE, OF_MANY_PUBLISHERS
 from archlint.systems.shape import connections, plain_graph, splits
 
@@ -20,9 +21,10 @@ if TYPE_CHECKING:
     from archlint.systems.model import System
     from archlint.systems.nodes import Connection, Node
 
-HUB = "hub and spoke"
-MANY = "many-to-many"
-REQUESTS = "request clusters"
+Pattern = Literal["hub and spoke", "many-to-many", "request clusters"]
+HUB: Final = "hub and spoke"
+MANY: Final = "many-to-many"
+REQUESTS: Final = "request clusters"
 
 SHARED = OF_MANY_PUBLISHERS | OF_EVERY_NODE
 """Topics that everybody shares; they say nothing about the architecture."""
@@ -34,61 +36,78 @@ _WIDEST = 2_000
 """Names with more pairs of ends than this are left out of the count of pairs, which would be quadratic."""
 
 
-@dataclass
-class Figures:
-    """What the shape of a system is, in numbers.  Fan-in and fan-out count other nodes."""
+@dataclass(frozen=True)
+class Hub:
+    """A node with how many other nodes send it something, and how many it sends something to."""
 
-    pattern: str | None
+    node: str
+    fan_in: int
+    fan_out: int
+
+
+@dataclass(frozen=True)
+class Figures:
+    """What the shape of a system is, in numbers."""
+
+    pattern: Pattern | None
     nodes: int
     connected: int
-    pairs: dict[str, int]
-    """Pairs of nodes that a topic, a service or an action ties, by kind."""
-    hubs: list[tuple[str, int, int]] = field(default_factory=list)
-    """The three nodes with most neighbours: name, fan-in, fan-out."""
-    chain: list[str] = field(default_factory=list)
+    pairs: Mapping[ConnectionKind, int]
+    """Pairs of nodes that a topic, a service or an action ties."""
+    hubs: tuple[Hub, ...]
+    """The three nodes with most neighbours."""
+    chain: tuple[str, ...]
     """Nodes of the longest chain of requests: each asks the next."""
-    components: int = 0
+    components: int
     """Groups of nodes that reach each other."""
-    isolated: int = 0
-    bridges: list[str] = field(default_factory=list)
+    isolated: int
+    bridges: tuple[str, ...]
     """Nodes without which the rest falls into parts of two and more."""
 
 
 def figures(system: System) -> Figures:
     """Measure a system; linear in its endpoints, but for the pairs of nodes that one name ties."""
-    import networkx
-
     nodes = [node for node in system.nodes if not node.test]
-    graph = plain_graph(system)
-    groups = [[key for key in part if not isinstance(key, tuple)] for part in networkx.connected_components(graph)]
-    known = {id(node) for node in nodes}
-    groups = [[key for key in group if key in known] for group in groups]
+    groups = _groups(system, nodes)
     sources: dict[int, set[int]] = {id(node): set() for node in nodes}
     targets: dict[int, set[int]] = {id(node): set() for node in nodes}
-    pairs = {"topic": 0, "service": 0, "action": 0}
-    for kind, source, target in _pairs(system, known):
+    pairs = dict.fromkeys(CONNECTIONS, 0)
+    for kind, source, target in _pairs(system, sources.keys()):
         pairs[kind] += 1
         sources[target].add(source)
         targets[source].add(target)
-    by_degree = sorted(nodes, key=lambda n: (-len(sources[id(n)] | targets[id(n)]), n.name or ""))
-    figures = Figures(None, len(nodes), sum(len(group) for group in groups if len(group) > 1), pairs)
-    figures.hubs = [
-        (node.name or "?", len(sources[id(node)]), len(targets[id(node)]))
-        for node in by_degree[:3]
-        if len(sources[id(node)] | targets[id(node)]) > 1
-    ]
-    figures.components = sum(len(group) > 1 for group in groups)
-    figures.isolated = sum(len(group) == 1 for group in groups)
-    figures.chain = _longest_chain(system, nodes)
-    # Where single nodes are left, the line of the hub says it.
-    figures.bridges = [node.name or "?" for node, parts in splits(system) if len(parts[0]) > 1]
-    figures.pattern = _pattern(figures, by_degree, sources, targets)
-    return figures
+    around = {key: sources[key] | targets[key] for key in sources}
+    by_degree = sorted(nodes, key=lambda n: (-len(around[id(n)]), n.name or ""))
+    connected = sum(size for size in groups if size > 1)
+    return Figures(
+        _pattern(connected, pairs, [len(around[id(node)]) for node in by_degree]),
+        len(nodes),
+        connected,
+        pairs,
+        tuple(
+            Hub(node.name or "?", len(sources[id(node)]), len(targets[id(node)]))
+            for node in by_degree[:3]
+            if len(around[id(node)]) > 1
+        ),
+        tuple(_longest_chain(system, nodes)),
+        components=sum(size > 1 for size in groups),
+        isolated=sum(size == 1 for size in groups),
+        # Where single nodes are left, the line of the hub says it.
+        bridges=tuple(node.name or "?" for node, parts in splits(system) if len(parts[0]) > 1),
+    )
 
 
-def _pairs(system: System, known: set[int]) -> Iterator[tuple[str, int, int]]:
+def _groups(system: System, nodes: list[Node]) -> list[int]:
+    """How many of ``nodes`` each group has whose nodes reach each other."""
+    import networkx
+
+    known = {id(node) for node in nodes}
+    return [len(known & part) for part in networkx.connected_components(plain_graph(system))]
+
+
+def _pairs(system: System, known: Collection[int]) -> Iterator[tuple[ConnectionKind, int, int]]:
     """Kind, and the node that data or a request comes from and goes to; each pair once a kind."""
-    seen: set[tuple[str, int, int]] = set()
+    seen: set[tuple[ConnectionKind, int, int]] = set()
     for connection in connections(system):
         if connection.name in SHARED or len(connection.providers) * len(connection.users) > _WIDEST:
             continue
@@ -103,20 +122,17 @@ def _directed(connection: Connection) -> Iterator[tuple[int, int]]:
     for provider in connection.providers:
         for user in connection.users:
             ends = (id(provider.node), id(user.node))
-            yield ends if connection.kind == "topic" else (ends[1], ends[0])
+            yield ends if connection.kind == TOPIC else (ends[1], ends[0])
 
 
-def _pattern(
-    figures: Figures, by_degree: list[Node], sources: dict[int, set[int]], targets: dict[int, set[int]]
-) -> str | None:
-    if figures.connected < _FEWEST:
+def _pattern(connected: int, pairs: Mapping[ConnectionKind, int], degrees: list[int]) -> Pattern | None:
+    """The pattern of a system by the numbers of its nodes' neighbours, most first."""
+    if connected < _FEWEST:
         return None
-    requests = figures.pairs["service"] + figures.pairs["action"]
-    around = {key: sources[key] | targets[key] for key in sources}
-    ties = sum(len(others) for others in around.values()) / 2
-    hub = len(around[id(by_degree[0])])
-    central = hub >= max(_FEWEST, _CENTRAL * (figures.connected - 1), _CENTRAL * ties)
-    if requests > figures.pairs["topic"] or (requests and requests == figures.pairs["topic"] and not central):
+    requests = pairs[SERVICE] + pairs[ACTION]
+    ties = sum(degrees) / 2
+    central = degrees[0] >= max(_FEWEST, _CENTRAL * (connected - 1), _CENTRAL * ties)
+    if requests > pairs[TOPIC] or (requests and requests == pairs[TOPIC] and not central):
         return REQUESTS
     return HUB if central else MANY
 
@@ -147,9 +163,7 @@ def _members(condensed: networkx.DiGraph, part: int, names: dict[int, str]) -> s
 def words(figures: Figures) -> list[str]:
     """The figures for people, a line each."""
     lines = [f"pattern: {figures.pattern or 'none: fewer than three nodes are connected'}"]
-    ties = ", ".join(
-        f"{figures.pairs[kind]} by {kind}s" for kind in ("topic", "service", "action") if figures.pairs[kind]
-    )
+    ties = ", ".join(f"{figures.pairs[kind]} by {kind}s" for kind in CONNECTIONS if figures.pairs[kind])
     lines.append(
         f"connected: {figures.connected} of {_counted(figures.nodes, 'node')}" + (f"; pairs {ties}" if ties else "")
     )
@@ -158,8 +172,8 @@ def words(figures: Figures) -> list[str]:
             f"parts: {_counted(figures.components, 'group')} of connected nodes, "
             f"{_counted(figures.isolated, 'node')} alone"
         )
-    for name, fan_in, fan_out in figures.hubs:
-        lines.append(f"hub: {name}, fan-in {fan_in}, fan-out {fan_out}")
+    for hub in figures.hubs:
+        lines.append(f"hub: {hub.node}, fan-in {hub.fan_in}, fan-out {hub.fan_out}")
     if len(figures.chain) > 1:
         lines.append(f"longest chain of requests: {' -> '.join(figures.chain)}")
     if figures.bridges:
