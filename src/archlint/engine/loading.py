@@ -30,6 +30,7 @@ from archlint.systems.shown import only
 if TYPE_CHECKING:
     from archlint.interpreter.modules import ModuleIndex
     from archlint.launch.files import LaunchFiles
+    from archlint.observed.model import Observed
     from archlint.programs.kept import KeptPrograms
     from archlint.syntax.files import FactsOfFiles
     from archlint.workspace.installed import Installs
@@ -84,13 +85,17 @@ def systems_of(inputs: Inputs, facts: FactsOfFiles) -> list[System]:
         ros1 = launches.files.frontend(request.launch or "").ros1
         raise NothingToDo(f"{request.launch} {'is for ROS 1' if ros1 else 'starts nothing that can be read'}")
     if request.observed is not None:
-        from archlint.analysis.comparison import compare  # seldom asked for
-
-        is_external = options_for(request.settings, ["GRF006"])["GRF006"].is_external
-        context = {file.relative for file in workspace.files if file.context and request.launch is None}
-        compared = compare(systems[0], request.observed, is_external, context)
-        systems[0] = replace(systems[0], compared=compared)
+        systems[0] = _compared(systems[0], request.observed, request, workspace)
     return systems
+
+
+def _compared(system: System, observed: Observed, request: Request, workspace: Workspace) -> System:
+    """A system with what differs from the running one."""
+    from archlint.analysis.comparison import compare  # seldom asked for
+
+    is_external = options_for(request.settings, ["GRF006"])["GRF006"].is_external
+    context = {file.relative for file in workspace.files if file.context and request.launch is None}
+    return replace(system, compared=compare(system, observed, is_external, context))
 
 
 def follow_part(inputs: Inputs, facts: FactsOfFiles, modules: Sequence[str], code: list[tuple[str, int, int]]) -> bytes:

@@ -1,29 +1,23 @@
-"""Calls of what libraries offer: which row or function answers, and what checks want to see of them."""
+"""Calls of what libraries offer: which row or function answers."""
 
 from __future__ import annotations
 
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint import model
 from archlint.interpreter.values import ApiMethod, External, Instance, Known, OneOf, Unknown, Value, one_of
-from archlint.libraries import absent_names, refused_calls
-from archlint.libraries.api_use import ApiUse, Offers, argument_places, bind_api
-from archlint.libraries.givens import given_by
-from archlint.libraries.python import clocks
+from archlint.libraries import absent_names, refused_calls, watched_calls
+from archlint.libraries.api_use import ApiUse, Offers, bind_api
 from archlint.libraries.rclpy import (
     escapes,
     executors,
-    guards,
     made_messages,
     made_nodes,
     names,
-    nodes,
-    parameters,
 )
 from archlint.libraries.rclpy.effects import answer
 from archlint.libraries.tables import Api
-from archlint.libraries.values import FutureValue, creations_of
+from archlint.libraries.values import FutureValue
 from archlint.syntax import facts
 
 if TYPE_CHECKING:
@@ -92,7 +86,7 @@ def call_builtin(run: Run, offers: Offers, name: str, site: CallSite) -> Value:
     """``input()`` waits for a user; of ``open()`` only those who read files know what it gives."""
     api = offers.row(f"builtins.{name}")
     if api is not None and site.expression is not None:
-        record(run, api, None, {}, site.expression)
+        watched_calls.note(run, api, None, {}, site.expression)
     if name == "input":
         return Unknown("keyboard input")
     plain = offers.plain.get(name)
@@ -111,84 +105,15 @@ def use(run: Run, offers: Offers, api: Api, receiver: Value | None, site: CallSi
     refused_calls.note(run, api, receiver, site, bound)
     call = ApiUse(api, receiver, bound, site.expression, site.open, rest, site.keywords)
     if api.watched and site.expression is not None:
-        record(run, api, receiver, bound, site.expression)
+        watched_calls.note(run, api, receiver, bound, site.expression)
     return offers.effects[api.effect](run, call)
-
-
-def record(run: Run, api: Api, receiver: Value | None, bound: dict[str, Value], e: facts.Call) -> None:
-    """Note a call that checks want to see; one a place and context."""
-    if not run.activations:
-        return
-    activation = run.activation
-    place = run.place(e.span)
-    on = creations_of(receiver)
-    key: tuple[object, ...] = (api.path, place, id(run.context))
-    if api.path == "rclpy.publisher.Publisher.publish" and len(on) == 1:
-        key = (*key, id(on[0]))  # what is published where, for each publisher that a loop or a helper serves
-    if api.path == "rclpy.timer.Timer.cancel":
-        key = (*key, *(id(creation) for creation in on))  # which timers end here, whichever was there at first
-    if api.path in parameters.BY_NAME:
-        key = (*key, bound.get("name"))  # what a helper reads, for each name that it is given
-    known = run.noted.watched.get(key)
-    if known is not None:
-        if known.cleaning and not guards.is_cleaning_up(run):
-            known.cleaning, known.chain, known.branch_arms = False, run.chain(), tuple(run.branch_arms)
-        if known.creation is None and len(on) == 1:
-            known.creation = on[0]
-        known.conditional = known.conditional and bool(run.branch_arms)
-        chain = run.chain()
-        if chain != known.chain and any(limit is not None for limit in known.limits):
-            known.limits = tuple(map(_longer, known.limits, _limits_of_loops(run)))
-        is_other_way = chain != known.chain and tuple(run.branch_arms) == known.branch_arms
-        if known.enclosing_loops and not is_other_way:
-            return  # as in most rounds of a loop; finding the loops around takes long
-        enclosing_loops = run.enclosing_loops()
-        known.enclosing_loops = known.enclosing_loops or enclosing_loops
-        if is_other_way and all((chain, enclosing_loops) != other[:2] for other in known.call_chains):
-            known.call_chains.append((chain, enclosing_loops, on or creations_of(bound.get("future"))))
-        return
-    first = on[0] if len(on) == 1 else None
-    node = first.node if first is not None else nodes.known_node(run, receiver)
-    loops = run.loops_of(activation)
-    call = model.ApiCall(
-        api.path,
-        place,
-        run.context,
-        run.chain(),
-        {name: given_by(value, run.program.process) for name, value in bound.items()},
-        argument_places(run, api, e),
-        None if receiver is None else given_by(receiver, run.program.process),
-        first,
-        node,
-        activation.qualified,
-        activation.module.path,
-        tuple(activation.place(loop.span) for loop in loops),
-        bool(run.branch_arms),
-        False,
-        any(frame.tries for frame in run.activations),
-        run.enclosing_loops(),
-        tuple(run.branch_arms),
-        _limits_of_loops(run),
-        guards.is_cleaning_up(run),
-    )
-    run.noted.watched[key] = call
-    run.program.calls.append(call)
-
-
-def _limits_of_loops(run: Run) -> tuple[float | None, ...]:
-    return tuple(clocks.limit_of(run, loop) for loop in run.loops_of(run.activation))
-
-
-def _longer(limit: float | None, other: float | None) -> float | None:
-    """The limit of a loop that runs with either of two."""
-    return None if limit is None or other is None else max(limit, other)
 
 
 def await_future(run: Run, future: FutureValue, expression: facts.Await) -> Value:
     """``await future``: the answer; noted as a wait."""
     api = Api(f"{future.api}.await", watched=True)
     place_call = facts.Call(expression.value, [], expression.span)
-    record(run, api, future, {}, place_call)
+    watched_calls.note(run, api, future, {}, place_call)
     return answer(run, future)
 
 
