@@ -25,14 +25,17 @@ SERVICE: Final = "service"
 ACTION: Final = "action"
 CONNECTIONS: tuple[ConnectionKind, ...] = (TOPIC, SERVICE, ACTION)
 
-POLICIES: Mapping[str, tuple[str, ...]] = {
+Policy = Literal[
+    "history", "reliability", "durability", "liveliness", "depth", "deadline", "lifespan", "liveliness-lease"
+]
+POLICIES: Mapping[Policy, tuple[str, ...]] = {
     "history": ("keep_last", "keep_all"),
     "reliability": ("reliable", "best_effort"),
     "durability": ("volatile", "transient_local"),
     "liveliness": ("automatic", "manual_by_topic"),
 }
 """The policies of a profile that are words, and the words that a contract may ask for."""
-NUMBERS = ("depth", "deadline", "lifespan", "liveliness-lease")
+NUMBERS: tuple[Policy, ...] = ("depth", "deadline", "lifespan", "liveliness-lease")
 """The policies that are numbers: a count of messages, and durations in seconds."""
 
 PACKAGE = "package:"
@@ -63,7 +66,7 @@ class Contract:
     through: Globs = ()
     nodes: Globs = ()
     types: Globs = ()
-    policies: tuple[tuple[str, tuple[str | float, ...]], ...] = ()
+    policies: tuple[tuple[Policy, tuple[str | float, ...]], ...] = ()
     """Each policy with the values that are allowed."""
     given: tuple[tuple[str, object], ...] = ()
     """The keys and values as they are written, ``name`` and ``kind`` first."""

@@ -161,7 +161,7 @@ def _names_bound(statement: facts.Stmt) -> frozenset[str]:
     return frozenset()
 
 
-def _combined(op: str, left: _Range, right: _Range) -> _Range | None:
+def _combined(op: facts.BinaryOperator, left: _Range, right: _Range) -> _Range | None:
     if op == "+":
         return left[0] + right[0], left[1] + right[1]
     if op == "-":

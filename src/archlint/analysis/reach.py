@@ -6,7 +6,7 @@ Shared by the rules; worked out once for each system.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 from archlint.analysis.kept import once
 from archlint.finding import Finding, Related
@@ -112,10 +112,14 @@ def creations_of(value: Given | None) -> tuple[Creation, ...]:
     return () if value is None else value.creations
 
 
-def endpoint_words(creation: Creation | None, kind: str = "") -> str:
-    """``the service 'enable_motor'``, as far as it is known."""
+AskedKind = Literal["service", "action"]
+"""What a client may wait for."""
+
+
+def endpoint_words(creation: Creation | None, kind: AskedKind = "service") -> str:
+    """``the service 'enable_motor'``, as far as it is known; ``kind`` says what it is where nothing else does."""
     if creation is None:
-        return f"a{'n' if kind == 'action' else ''} {kind or 'service'}"
+        return f"a{'n' if kind == 'action' else ''} {kind}"
     what = "action" if creation.kind in (EntityKind.ACTION_CLIENT, EntityKind.ACTION_SERVER) else "service"
     if creation.name.text is None or creation.name.resolution == "unknown":
         return f"a{'n' if what == 'action' else ''} {what}"

@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.coexistence import in_source_order
 from archlint.analysis.links import counts, is_meant, named
-from archlint.architecture import Contract
+from archlint.architecture import Contract, Policy
 from archlint.checks.registry import finding
 from archlint.finding import Finding, Related
 from archlint.model import (
     EntityKind,
 )
-from archlint.ros.qos import allowed
+from archlint.ros.qos import FieldName, allowed
 
 if TYPE_CHECKING:
     from archlint.systems.model import System
@@ -44,7 +44,7 @@ def other_qos(system: System, contract: Contract) -> Iterator[Finding]:
             if end.qos.overridable or end.qos.parameter is not None:
                 continue
             for policy, values in contract.policies:
-                if allowed(end.qos, policy.replace("-", "_"), values) is False:
+                if allowed(end.qos, _field(policy), values) is False:
                     yield _wrong_policy(contract, topic, end, policy, values)
 
 
@@ -55,11 +55,16 @@ def _is_an_end_of(contract: Contract, end: Endpoint) -> bool:
     return is_meant(contract.provider if end.kind == EntityKind.PUBLISHER else contract.user, end.node)
 
 
+def _field(policy: Policy) -> FieldName:
+    """The field of a profile that holds a policy."""
+    return "liveliness_lease" if policy == "liveliness-lease" else policy
+
+
 def _wrong_policy(
-    contract: Contract, topic: Connection, end: Endpoint, policy: str, values: tuple[str | float, ...]
+    contract: Contract, topic: Connection, end: Endpoint, policy: Policy, values: tuple[str | float, ...]
 ) -> Finding:
     does = "publishes" if end.kind == EntityKind.PUBLISHER else "subscribes to"
-    given = getattr(end.qos, policy.replace("-", "_"))
+    given = getattr(end.qos, _field(policy))
     unit = "" if isinstance(given, str) or policy == "depth" else " s"
     words = f"no {policy}" if given is None else f"{policy} {given}{unit}"
     return _differs(

@@ -16,7 +16,7 @@ from archlint.analysis.wait_loops import only_the_server_ends
 from archlint.checks.folding import folds, of_one_function
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
-from archlint.checks.wait_words import READY, WAIT_FOR_SERVER, WAIT_FOR_SERVICE, related_path
+from archlint.checks.wait_words import READY, WAIT_FOR_SERVER, WAIT_FOR_SERVICE, kind_of, related_path
 from archlint.finding import Finding, Place, Severity
 
 if TYPE_CHECKING:
@@ -49,7 +49,7 @@ def _endless(system: System, calls: Sequence[ApiCall]) -> Finding:
     """A callback that loops blocks its node; a program that starts up has nothing else to do yet."""
     in_callback = [call for call in calls if runs_in_executor(call.context)]
     call = (in_callback or calls)[0]
-    kind = "action" if call.api.startswith("rclpy.action.") else "service"
+    kind = kind_of(call)
     missing = endpoint_words(call.creation, kind)
     ready = "server_is_ready" if kind == "action" else "service_is_ready"
     stands = "the callback does not return and blocks its thread" if in_callback else "the node does nothing else"

@@ -15,6 +15,7 @@ from archlint.finding import Related
 from archlint.model.given import Constant
 
 if TYPE_CHECKING:
+    from archlint.analysis.reach import AskedKind
     from archlint.model import ApiCall, Creation
 
 WAIT_FOR_SERVICE = "rclpy.client.Client.wait_for_service"
@@ -30,7 +31,7 @@ def made_here(call: ApiCall) -> bool:
     return any(creation.context is call.context for creation in creations)
 
 
-def kind_of(call: ApiCall) -> str:
+def kind_of(call: ApiCall) -> AskedKind:
     return "action" if call.api.startswith("rclpy.action.") else "service"
 
 

@@ -9,9 +9,12 @@ from archlint.cli.exits import UsageError
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:  # the console is there on every start: it imports what it needs when it does
-    from typing import TextIO
+    from typing import Literal, TextIO
 
     from archlint.engine.answers import Answer
+
+    When = Literal["auto", "always", "never"]
+    """What ``--color`` takes."""
 
 _COLORING = ("NO_COLOR", "FORCE_COLOR", "CLICOLOR_FORCE", "CLICOLOR", "TERM")
 
@@ -50,7 +53,7 @@ def terminal() -> list[str]:
     return [*(repr(os.environ.get(name)) for name in _COLORING), str(sys.stdout.isatty())]
 
 
-def wants_color(when: str, stream: TextIO) -> bool:
+def wants_color(when: When, stream: TextIO) -> bool:
     """Whether to write colours: the option, then NO_COLOR, then what forces them, then the terminal."""
     environment = os.environ.get
     if when != "auto":

@@ -19,6 +19,7 @@ from archlint.architecture import (
     Contract,
     Globs,
     Layers,
+    Policy,
 )
 from archlint.config.conversion import converted
 from archlint.config.values import unknown_key
@@ -128,14 +129,14 @@ def _contract(table: ContractTable, key: Key, number: int) -> Contract:
     if table.kind == INDEPENDENT and len(_several(table.nodes)) < 2:
         raise here.at("nodes").wrong("a list of two groups or more", table.nodes)
     connection = next((name for name in CONNECTIONS if name in given), None)
-    policies = (name for name in (*POLICIES, *NUMBERS) if name in given)
+    policies: tuple[Policy, ...] = (*POLICIES, *NUMBERS)
     return Contract(
         table.name,
         table.kind,
         key.header(number),
         connection=connection,
         names=_names(given[connection], here.at(connection)) if connection else (),
-        policies=tuple((name, _policy(given[name], here.at(name))) for name in policies),
+        policies=tuple((name, _policy(name, given[name], here.at(name))) for name in policies if name in given),
         given=tuple(given.items()),
         **{field: _globs(given[name], here.at(name)) for name, field in _FIELDS.items() if name in given},
     )
@@ -145,11 +146,11 @@ def _globs(given: OneOrMore, key: Key) -> Globs:
     return _several(given) if key.path[-1] == "types" else _nodes(given, key)
 
 
-def _policy(given: Any, key: Key) -> tuple[str | float, ...]:
+def _policy(policy: Policy, given: Any, key: Key) -> tuple[str | float, ...]:
     """The values that are allowed for a policy: one, or a list of them."""
-    values, name = _several(given), key.path[-1]
-    words = POLICIES.get(name, ())
-    for value in () if name in NUMBERS else values or [None]:
+    values = _several(given)
+    words = POLICIES.get(policy, ())
+    for value in () if policy in NUMBERS else values or [None]:
         if value not in words:
             near = did_you_mean(str(value), words, quote="")
             raise key.error(f"`{key}` must be {' or '.join(words)}{near}")

@@ -2,7 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
 from archlint.string_enum import StringEnum
+
+if TYPE_CHECKING:
+    from archlint.architecture import ConnectionKind
 
 
 class EntityKind(StringEnum):
@@ -18,7 +24,7 @@ class EntityKind(StringEnum):
     GUARD_CONDITION = "guard_condition"
 
 
-NAMED = {
+NAMED: Mapping[EntityKind, ConnectionKind] = {
     EntityKind.PUBLISHER: "topic",
     EntityKind.SUBSCRIBER: "topic",
     EntityKind.SERVICE: "service",

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial
+from typing import Literal
 
 from archlint import cells
 from archlint import model as program
 from archlint.analysis.delivery import undelivered_on
+from archlint.architecture import ConnectionKind
 from archlint.model import Creation, ParameterDeclaration, Role
-from archlint.observed.model import DIFFERENT, MISSING, UNEXPECTED, Difference
+from archlint.observed.model import DIFFERENT, MISSING, UNEXPECTED, Difference, Status
 from archlint.observed.words import comparison_words
 from archlint.render import json, look
 from archlint.syntax.parameter_files import NotKnown
@@ -28,12 +30,13 @@ _VERBS = {
     program.EntityKind.ACTION_SERVER: "acts on",
     program.EntityKind.ACTION_CLIENT: "sends goals",
 }
-_ENDS = {
+_ENDS: Mapping[ConnectionKind, tuple[str, str]] = {
     "topic": ("published by", "subscribed by"),
     "service": ("served by", "called by"),
     "action": ("served by", "called by"),
 }
-_STYLES = {
+Style = Literal["plain", "title", "node", "name", "quiet", "alarm", "added", "changed"]
+_STYLES: Mapping[Style, str] = {
     "plain": "",
     "title": "1",
     "node": "1;34",
@@ -43,13 +46,13 @@ _STYLES = {
     "added": "32",
     "changed": "33",
 }
-_STATUS = {MISSING: "alarm", UNEXPECTED: "added", DIFFERENT: "changed"}
+_STATUS: Mapping[Status, Style] = {MISSING: "alarm", UNEXPECTED: "added", DIFFERENT: "changed"}
 _WIDEST = 48
 """A text longer than this does not push its column aside for all others."""
 
-Cell = tuple[str, str]
+Cell = tuple[str, Style]
 """A text and its style."""
-Paint = Callable[[str, str], str]
+Paint = Callable[[str, Style], str]
 
 
 def render(system: System, *, color: bool = False) -> str:
@@ -69,7 +72,7 @@ def render(system: System, *, color: bool = False) -> str:
     return "\n\n".join(blocks or ["no nodes"]) + "\n"
 
 
-def _paint(color: bool, text: str, style: str) -> str:
+def _paint(color: bool, text: str, style: Style) -> str:
     """``text`` made safe to show, and marked up where colour is on."""
     shown = visible(text)
     code = _STYLES[style]
@@ -123,7 +126,7 @@ def _rows(node: Node) -> Iterator[Sequence[Cell]]:
 
 
 def _endpoint_row(endpoint: Endpoint, verb: str) -> Sequence[Cell]:
-    style = "alarm" if endpoint.error or endpoint.name is None else "name"
+    style: Style = "alarm" if endpoint.error or endpoint.name is None else "name"
     notes = ", ".join([_where(endpoint), *_notes(endpoint)])
     type_ = endpoint.type or "type not known"
     return [(verb, "plain"), (endpoint.name or "?", style), (type_, "plain"), (notes, "quiet")]
@@ -191,7 +194,11 @@ def _remapped(system: System) -> dict[str, list[str]]:
 
 
 def _connections(
-    system: System, kind: str, connections: Iterable[Connection], remapped: dict[str, list[str]], paint: Paint
+    system: System,
+    kind: ConnectionKind,
+    connections: Iterable[Connection],
+    remapped: dict[str, list[str]],
+    paint: Paint,
 ) -> Iterator[str]:
     every = list(connections)
     if every:

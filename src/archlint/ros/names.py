@@ -261,10 +261,14 @@ def is_hidden(name: str) -> bool:
     return any(token.startswith("_") for token in name.split("/"))
 
 
-def action_entities(action: str) -> dict[str, str]:
+ActionPart = Literal["send_goal", "cancel_goal", "get_result", "feedback", "status"]
+"""What a hidden service or topic of an action is for."""
+_ACTION_PARTS: tuple[ActionPart, ...] = ("send_goal", "cancel_goal", "get_result", "feedback", "status")
+
+
+def action_entities(action: str) -> dict[ActionPart, str]:
     """The hidden services and topics of an action, by what they are for (rcl_action ``names.c``)."""
-    parts = ("send_goal", "cancel_goal", "get_result", "feedback", "status")
-    return {part: f"{action}/_action/{part}" for part in parts}
+    return {part: f"{action}/_action/{part}" for part in _ACTION_PARTS}
 
 
 def _is_digit(char: str) -> bool:

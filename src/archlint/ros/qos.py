@@ -22,6 +22,8 @@ PolicyName = Literal["history", "reliability", "durability", "liveliness"]
 PolicyValue = History | Reliability | Durability | Liveliness
 BoundName = Literal["deadline", "lifespan", "liveliness_lease"]
 """A policy that is a duration."""
+FieldName = PolicyName | BoundName | Literal["depth"]
+"""A field of a profile that holds a policy."""
 DurationPolicy = Literal["deadline", "liveliness_lease"]
 """A duration that an offer and a request must agree on."""
 StrengthPolicy = Literal["reliability", "durability", "liveliness"]
@@ -172,7 +174,7 @@ def _duration_verdict(policy: DurationPolicy, offered: Qos, requested: Qos) -> V
     return Verdict(policy, "error", offer, request)
 
 
-def allowed(qos: Qos, policy: str, values: tuple[str | float, ...]) -> bool | None:
+def allowed(qos: Qos, policy: FieldName, values: tuple[str | float, ...]) -> bool | None:
     """Whether a policy of a profile has one of the values; None where only the middleware or run time knows.
 
     Durations are in seconds; one that is not set, or 0, is no bound at all.

@@ -11,17 +11,13 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import Final, Literal
 
+from archlint.architecture import ACTION, SERVICE, TOPIC, ConnectionKind
 from archlint.ros import names
 from archlint.ros.names import InvalidName
 
-TOPIC: Final = "topic"
-SERVICE: Final = "service"
-ACTION: Final = "action"
 NODE_NAME: Final = "node_name"
 NAMESPACE: Final = "namespace"
 
-NameKind = Literal["topic", "service", "action"]
-"""What a name is a name of."""
 RuleKind = Literal["topic", "service", "action", "node_name", "namespace"]
 """What a rule applies to."""
 
@@ -94,7 +90,7 @@ class Resolved:
 
 
 def first_match(
-    name: str, kind: NameKind, node_name: str, namespace: str, rules: Iterable[RemapRule]
+    name: str, kind: ConnectionKind, node_name: str, namespace: str, rules: Iterable[RemapRule]
 ) -> RemapRule | None:
     """The first rule that matches the fully qualified ``name``."""
     for rule in rules:
@@ -105,7 +101,7 @@ def first_match(
 
 def resolve(
     name: str,
-    kind: NameKind,
+    kind: ConnectionKind,
     node: tuple[str, str],
     local_rules: Sequence[RemapRule] = (),
     global_rules: Sequence[RemapRule] = (),

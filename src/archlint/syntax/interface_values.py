@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import re
+from typing import Literal
 
 Value = bool | int | float | str
+ArrayKind = Literal["", "fixed", "bounded", "unbounded"]
 
 INTEGER_RANGES = {
     "byte": (0, 255),
@@ -24,7 +26,7 @@ class InvalidValue(ValueError):
 
 
 def parse_value(
-    type_name: str, text: str, array: str, size: int | None, string_bound: int | None
+    type_name: str, text: str, array: ArrayKind, size: int | None, string_bound: int | None
 ) -> Value | list[Value]:
     """The default of a field of a primitive type; a list for arrays."""
     if not array:

@@ -13,7 +13,14 @@ from typing import Final, Literal
 import msgspec
 
 from archlint.syntax.facts import Base, FileProblem
-from archlint.syntax.interface_values import PRIMITIVE_TYPES, InvalidValue, Value, parse_primitive, parse_value
+from archlint.syntax.interface_values import (
+    PRIMITIVE_TYPES,
+    ArrayKind,
+    InvalidValue,
+    Value,
+    parse_primitive,
+    parse_value,
+)
 from archlint.syntax.python import gate
 
 InterfaceKind = Literal["msg", "srv", "action"]
@@ -23,7 +30,6 @@ KIND_OF_SUFFIX: Final[dict[str, InterfaceKind]] = {kind: kind for kind in INTERF
 SectionName = Literal["message", "request", "response", "goal", "result", "feedback"]
 WrapperName = Literal["feedback message", "result response"]
 """What rclpy wraps sections of an action in."""
-ArrayKind = Literal["", "fixed", "bounded", "unbounded"]
 
 SECTIONS: Final[dict[InterfaceKind, tuple[SectionName, ...]]] = {
     "msg": ("message",),

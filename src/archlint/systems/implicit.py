@@ -6,7 +6,7 @@ rcl_lifecycle ``com_interface.c``; rcl_action ``names.c``.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 
 from archlint import model as program
@@ -144,7 +144,7 @@ def _of_actions(node: Node) -> Iterable[NamedCreation]:
             yield NamedCreation(creation, replace(endpoint.named.final, name=name))
 
 
-_ACTION_PARTS = {
+_ACTION_PARTS: Mapping[names.ActionPart, tuple[program.EntityKind, Qos]] = {
     "send_goal": (program.EntityKind.SERVICE, qos.DEFAULT),
     "cancel_goal": (program.EntityKind.SERVICE, qos.DEFAULT),
     "get_result": (program.EntityKind.SERVICE, qos.DEFAULT),
@@ -156,12 +156,19 @@ _OTHER_END = {
     program.EntityKind.SERVICE: program.EntityKind.CLIENT,
     program.EntityKind.PUBLISHER: program.EntityKind.SUBSCRIBER,
 }
-_ACTION_SUFFIX = {"send_goal": "_SendGoal", "get_result": "_GetResult", "feedback": "_FeedbackMessage"}
 
 
-def _action_type(action: str | None, part: str) -> str | None:
-    if part == "cancel_goal":
-        return "action_msgs/srv/CancelGoal"
-    if part == "status":
-        return "action_msgs/msg/GoalStatusArray"
-    return None if action is None else action + _ACTION_SUFFIX[part]
+def _action_type(action: str | None, part: names.ActionPart) -> str | None:
+    """The type of a hidden name; None where it is the action's own and that is not known."""
+    match part:
+        case "cancel_goal":
+            return "action_msgs/srv/CancelGoal"
+        case "status":
+            return "action_msgs/msg/GoalStatusArray"
+        case "send_goal":
+            suffix = "_SendGoal"
+        case "get_result":
+            suffix = "_GetResult"
+        case "feedback":
+            suffix = "_FeedbackMessage"
+    return None if action is None else action + suffix

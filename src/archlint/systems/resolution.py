@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from archlint.model import (
+    NAMED,
     EntityKind,
     Resolution,
     Text,
@@ -123,17 +124,10 @@ def endpoint_name(text: Text, kind: EntityKind, own: NodeName, rules: Sequence[R
 def _exact(name: str, weakest: Text, kind: EntityKind, own: NodeName, rules: Sequence[RemapRule]) -> FinalName:
     assert own.name.text is not None and own.namespace.text is not None
     node = (own.name.text, own.namespace.text)
-    final = remapping.resolve(name, _rule_kind(kind), node, rules)
+    final = remapping.resolve(name, NAMED[kind], node, rules)
     error = final.error.message if final.error else None
     shown = final.name or names.substitute(final.rule.replacement if final.rule else name, *node)
     return FinalName(shown, error, weakest.resolution, weakest.parameter)
-
-
-def _rule_kind(kind: EntityKind) -> remapping.NameKind:
-    """Which rules apply to a kind of endpoint."""
-    if kind in (EntityKind.ACTION_SERVER, EntityKind.ACTION_CLIENT):
-        return remapping.ACTION
-    return remapping.SERVICE if kind in (EntityKind.SERVICE, EntityKind.CLIENT) else remapping.TOPIC
 
 
 def _cautious(text: Text, weakest: Text, kind: EntityKind, own: NodeName, rules: Sequence[RemapRule]) -> FinalName:
@@ -189,7 +183,7 @@ def _remapped(final: FinalName, kind: EntityKind, own: NodeName, rules: Sequence
     """``final`` after the first rule that matches; unknown where a rule might match."""
     assert final.name is not None
     for rule in rules:
-        if _rule_kind(kind) not in rule.kinds:
+        if NAMED[kind] not in rule.kinds:
             continue
         matches = _matches(rule, final.name, own)
         if matches is None:
