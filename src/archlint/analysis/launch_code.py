@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once, once_for_each_file
@@ -20,6 +20,12 @@ _WRITERS = frozenset({"write_text", "write_bytes", "copy", "copy2", "copyfile"})
 def writes_files(workspace: WorkspaceIndex | None, file: str) -> bool:
     """Whether a launch file may make the files that it names: it opens one to write, or copies one."""
     return workspace is not None and bool(_writes(workspace, file))
+
+
+def names_from_launch(body: Sequence[facts.Stmt]) -> dict[str, str]:
+    """What a file calls the classes that it imports from launch and launch_ros, with their own names."""
+    imports = (i for i in everything_in(body, facts.ImportFrom) if i.module.split(".")[0] in ("launch", "launch_ros"))
+    return {bound: name for i in imports for name, bound in i.names}
 
 
 @once_for_each_file
@@ -109,4 +115,11 @@ def _displayed(value: facts.Expr) -> Iterator[facts.Expr]:
             yield value
 
 
-__all__ = ["has_action_for", "is_for_several_distros", "may_read_argument", "words_of_launch_code", "writes_files"]
+__all__ = [
+    "has_action_for",
+    "is_for_several_distros",
+    "may_read_argument",
+    "names_from_launch",
+    "words_of_launch_code",
+    "writes_files",
+]

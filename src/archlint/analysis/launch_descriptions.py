@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once_for_each_file
+from archlint.analysis.launch_code import names_from_launch
 from archlint.launch.files import GENERATE
 from archlint.string_enum import StringEnum
 from archlint.syntax import facts
@@ -53,11 +54,9 @@ def wrong_descriptions(system: System) -> Iterator[tuple[str, WrongDescription]]
     workspace, launched = system.workspace, system.launched
     if launched is None or workspace is None:
         return
-    included = (include.reference.source for include in launched.included)
-    for file in dict.fromkeys((launched.file, *included)):
-        if file is None or not file.endswith(".py"):
-            continue
-        for wrong in _of_file(workspace, file) or ():
+    for file in launched.sources:
+        rows = _of_file(workspace, file) if file.endswith(".py") else None
+        for wrong in rows or ():
             if wrong.kind != Wrong.NOT_ADDED or not _is_put_aside(workspace.tree.text(file) or "", wrong.given):
                 yield file, wrong
 
@@ -86,10 +85,7 @@ def _of_file(file_facts: facts.Facts) -> list[WrongDescription]:
 class _Code:
     def __init__(self, body: Sequence[facts.Stmt]) -> None:
         self.body = body
-        imports = (
-            i for i in everything_in(body, facts.ImportFrom) if i.module.split(".")[0] in ("launch", "launch_ros")
-        )
-        self.classes = {bound: name for i in imports for name, bound in i.names}
+        self.classes = names_from_launch(body)
 
     def made(self, e: facts.Expr) -> str:
         """The class of launch that a call makes an object of."""

@@ -53,10 +53,7 @@ def malformed_substitutions(system: System) -> Iterator[tuple[str, MalformedText
     if system.launched is None or system.workspace is None:
         return
     files = system.workspace.launch_files
-    included = (include.reference.source for include in system.launched.included)
-    for file in dict.fromkeys((system.launched.file, *included)):
-        if file is None or not files.is_frontend(file):
-            continue
+    for file in filter(files.is_frontend, system.launched.sources):
         read = files.frontend(file)
         if read.root is not None and not read.ros1:
             arguments = frozenset(filter(None, (arg.text("name") for arg in read.root.of("arg"))))

@@ -12,6 +12,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once_for_each_file
+from archlint.analysis.launch_code import names_from_launch
 from archlint.launch.tables import SUBSTITUTIONS, LaunchClass
 from archlint.launch.undefined import bound_by
 from archlint.string_enum import StringEnum
@@ -55,9 +56,8 @@ def misused_substitutions(system: System) -> Iterator[tuple[str, Misused]]:
     """Every such place in the launch files in Python of a launched system, with its file."""
     if system.launched is None or system.workspace is None:
         return
-    included = (include.reference.source for include in system.launched.included)
-    for file in dict.fromkeys((system.launched.file, *included)):
-        if file is not None and file.endswith(".py"):
+    for file in system.launched.sources:
+        if file.endswith(".py"):
             yield from ((file, misused) for misused in _of_file(system.workspace, file) or ())
 
 
@@ -78,11 +78,7 @@ class _Code:
 
     def __init__(self, file_facts: facts.Facts) -> None:
         self.body = file_facts.body
-        imports = everything_in(self.body, facts.ImportFrom)
-        of_launch = (
-            names for i in imports if i.module.split(".")[0] in ("launch", "launch_ros") for names in [i.names]
-        )
-        self.classes = {bound: name for names in of_launch for name, bound in names if name in _CLASSES}
+        self.classes = {bound: name for bound, name in names_from_launch(self.body).items() if name in _CLASSES}
 
     @cached_property
     def assigned(self) -> dict[str, list[facts.Expr]]:

@@ -106,6 +106,12 @@ class Launched:
     """Whether the modules that it imported are as any other launch would have them: not so where a function ran longer
     than can be followed, or where the command line was asked for."""
 
+    @property
+    def sources(self) -> list[str]:
+        """The launch files that were run: this one, then what it includes and was found, each once."""
+        included = (include.reference.source for include in self.included)
+        return [file for file in dict.fromkeys((self.file, *included)) if file is not None]
+
     def not_followed(self) -> list[Gap]:
         """What is met on the way through the branches that are taken, and starts what is not seen."""
         includes = [

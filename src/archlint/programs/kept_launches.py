@@ -76,8 +76,7 @@ def keep_launches(
 def _stands_alone(launches: Launches, launched: Launched) -> bool:
     """Whether what the launch imported is as any other would have imported it: modules know where they are by their
     kind, and not by who came to them first."""
-    sources = [launched.file, *(include.reference.source for include in launched.included)]
-    files = (launches.files.source_file(source) for source in sources if source is not None)
+    files = map(launches.files.source_file, launched.sources)
     return launched.stands_alone and not any(file is not None and file.kind == "python" for file in files)
 
 
