@@ -22,22 +22,21 @@ def missing_response(system: System, options: Options) -> Iterator[Finding]:
 
 
 def _missing(system: System, end: HandlerEnd) -> Finding:
-    callback = end.callback
-    what = {
-        "return": f"returns {end.gives} here, which is not a response",
-        "lambda": f"returns {end.gives}, which is not a response",
-        "end": "can reach its end without a response",
-    }[end.how]
+    what = "can reach its end without a response" if end.how == "end" else f"{_returns(end)}, which is not a response"
+    handler = f"the handler of {endpoint_words(end.callback.creation)}"
     return finding(
         "SRV007",
         end.place,
-        f"the handler of {endpoint_words(callback.creation)} {what}: rclpy raises a TypeError, and the caller "
-        "never gets a response",
+        f"{handler} {what}: rclpy raises a TypeError, and the caller never gets a response",
         help="return the response on every path, also when something goes wrong",
         related=related_handler(end),
-        node=node_name(system, callback.node),
-        identity=(callback.name, end.how),
+        node=node_name(system, end.callback.node),
+        identity=(end.callback.name, end.how),
     )
+
+
+def _returns(end: HandlerEnd) -> str:
+    return f"returns {end.gives}{' here' if end.how == 'return' else ''}"
 
 
 @rule("API004", scope=Scope.CODE)
@@ -47,20 +46,15 @@ def parameter_callback_result(system: System, options: Options) -> Iterator[Find
 
 
 def _no_result(system: System, end: HandlerEnd) -> Finding:
-    callback = end.callback
-    what = {
-        "return": f"returns {end.gives} here",
-        "lambda": f"returns {end.gives}",
-        "end": "can reach its end without a result",
-    }[end.how]
+    what = "can reach its end without a result" if end.how == "end" else _returns(end)
     return finding(
         "API004",
         end.place,
         f"the parameter callback {what}: rclpy takes only a SetParametersResult, so no parameter changes",
         help="return SetParametersResult(successful=True)",
         related=related_handler(end, "is the callback"),
-        node=node_name(system, callback.node),
-        identity=(callback.name, end.how),
+        node=node_name(system, end.callback.node),
+        identity=(end.callback.name, end.how),
     )
 
 
