@@ -5,8 +5,8 @@ Shared by the rules; worked out once for each system.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
-from typing import TYPE_CHECKING, Literal
+from collections.abc import Callable, Iterable, Iterator
+from typing import TYPE_CHECKING, Literal, TypeVar
 
 from archlint.analysis.kept import once
 from archlint.finding import Finding, Related
@@ -20,7 +20,7 @@ from archlint.syntax import facts
 
 if TYPE_CHECKING:
     from archlint.analysis.source_code import SourceCode
-    from archlint.model import ApiCall, Blueprint, Program
+    from archlint.model import ApiCall, Blueprint, Program, RefusedCall, WrongValue
     from archlint.model.given import Given
     from archlint.systems.model import System
 
@@ -36,6 +36,21 @@ def judged_calls(system: System) -> list[tuple[Program, ApiCall]]:
         if not system.roles.is_test(call.place.file)
     ]
     return sorted(judged, key=lambda row: (row[1].place, row[1].api, len(row[1].chain)))
+
+
+_Noted = TypeVar("_Noted", "RefusedCall", "WrongValue")
+
+
+def judged_notes(system: System, notes: Callable[[Program], Iterable[_Noted]]) -> Iterator[_Noted]:
+    """What programs note while they are followed, outside of test code."""
+    is_test = system.roles.is_test
+    return (
+        note
+        for program in system.programs
+        if not is_test(program.file)
+        for note in notes(program)
+        if not is_test(note.place.file)
+    )
 
 
 def calls_of(system: System, apis: Iterable[str]) -> Iterator[tuple[Program, ApiCall]]:

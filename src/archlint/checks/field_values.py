@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.analysis.pinned import named_distros
+from archlint.analysis.reach import judged_notes
 from archlint.checks.folding import folds, with_others
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -29,13 +30,8 @@ _COMES_OF_IT = {
 @rule("MSG003", scope=Scope.CODE)
 def field_value_type(system: System, options: Options) -> Iterator[Finding]:
     """Values of a kind that their field does not take."""
-    is_test = system.roles.is_test
-    values = {
-        (value.place, value.name): value
-        for program in system.programs
-        for value in program.wrong_values
-        if not is_test(value.place.file) and not is_test(program.file)
-    }
+    noted = judged_notes(system, lambda program: program.wrong_values)
+    values = {(value.place, value.name): value for value in noted}
     for key in sorted(values):
         consequence = _consequence(system, values[key], options.distros)
         if consequence:

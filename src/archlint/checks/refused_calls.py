@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.analysis.own_names import is_defined_somewhere
+from archlint.analysis.reach import judged_notes
 from archlint.checks.folding import folds, with_others
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -84,13 +85,8 @@ def of_one_class(findings: Sequence[Finding]) -> Finding:
 
 def _judged(system: System) -> Iterator[RefusedCall]:
     """The refused calls outside of test code, in the order of the source."""
-    is_test = system.roles.is_test
-    calls = {
-        (call.place, call.api): call
-        for program in system.programs
-        for call in program.refused_calls
-        if not is_test(call.place.file) and not is_test(program.file)
-    }
+    noted = judged_notes(system, lambda program: program.refused_calls)
+    calls = {(call.place, call.api): call for call in noted}
     return (calls[key] for key in sorted(calls))
 
 
