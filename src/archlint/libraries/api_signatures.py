@@ -81,7 +81,7 @@ def signatures_of(path: str) -> Mapping[str, Signature]:
     owner, _, name = path.rpartition(".")
     table = _table()
     if path in table.functions:
-        return _parsed(path, path)
+        return _of_function(path)
     if path in table.classes:
         return _of_method(path, "__init__")
     return _of_method(owner, name) if owner in table.classes else {}
@@ -139,19 +139,20 @@ def _of_method(cls: str, name: str) -> Mapping[str, Signature]:
     if row is None:
         return {}
     if name in row.methods:
-        return _parsed(f"{cls}.{name}", cls)
+        by_distro = _parsed(row.methods[name])
+        return dict.fromkeys(by_distro, by_distro[_AS_IN[cls]]) if cls in _AS_IN else by_distro
     inherited = (_of_method(base, name) for base in row.bases)
     return next(filter(None, inherited), {})
 
 
 @cache
-def _parsed(path: str, of: str) -> Mapping[str, Signature]:
-    table = _table()
-    rows = table.functions[path] if path == of else table.classes[of].methods[path.rpartition(".")[2]]
-    by_distro = {distro: _parse(text) for names, text in rows.items() for distro in names.split()}
-    if of in _AS_IN:
-        return dict.fromkeys(by_distro, by_distro[_AS_IN[of]])
-    return by_distro
+def _of_function(path: str) -> Mapping[str, Signature]:
+    return _parsed(_table().functions[path])
+
+
+def _parsed(rows: Mapping[str, str]) -> Mapping[str, Signature]:
+    """The signatures by distribution; the rows have the names of several as one key."""
+    return {distro: _parse(text) for names, text in rows.items() for distro in names.split()}
 
 
 def _parse(text: str) -> Signature:
