@@ -137,10 +137,7 @@ def _body_changes(body: list[facts.Stmt], attribute: str) -> bool:
     for part in everything_in(body):
         match part:
             case facts.Assign() | facts.Augmented() | facts.Annotated() | facts.With() | facts.For() | facts.Delete():
-                targets = getattr(part, "assigned", ())
-                if any(
-                    stored.attr == attribute for target in targets for stored in everything_in(target, facts.Attribute)
-                ):
+                if any(stored.attr == attribute for stored in everything_in(part.assigned, facts.Attribute)):
                     return True
             case facts.Call(func=facts.Attribute(value=facts.Attribute(attr=name), attr=method)):
                 if name == attribute and method in _CHANGES:
