@@ -10,6 +10,8 @@ from checks.callbacks import Run, codes, source
 
 SERVICE = "self.create_service(Trigger, 'start', self.handle)\n"
 SERVER = "self.server = ActionServer(self, Fibonacci, 'count', self.execute)\n"
+OWN = ("busy", "go", "step", "wait")
+"""Methods of the node that say nothing of its goal."""
 
 
 def handler(body: str) -> str:
@@ -19,7 +21,9 @@ def handler(body: str) -> str:
 
 def execute(body: str) -> str:
     head = "def execute(self, goal_handle):\n"
-    return source(SERVER, head + textwrap.indent(textwrap.dedent(body).strip("\n"), "    ") + "\n")
+    others = "".join(f"\n    def {name}(self):\n        return self.count_publishers('{name}')\n" for name in OWN)
+    text = source(SERVER, head + textwrap.indent(textwrap.dedent(body).strip("\n"), "    ") + "\n")
+    return text.replace("\n\ndef main():", f"{others}\n\ndef main():")
 
 
 RETURNS = {
@@ -171,6 +175,7 @@ OUTCOMES = {
         return Fibonacci.Result()
     """,
     "handed to somebody who is not here": "count(goal_handle)\nreturn Fibonacci.Result()",
+    "a name of ROS 1, at which it fails": "self.server.set_succeeded([])\nreturn Fibonacci.Result()",
 }
 
 
@@ -188,6 +193,7 @@ def test_a_goal_with_an_outcome_on_every_path(run: Run, body: str):
         "order = goal_handle.request.order\nif order:\n    goal_handle.succeed()\nreturn Fibonacci.Result()",
         "self.goal = goal_handle\nif self.ready:\n    self.goal.succeed()\nreturn Fibonacci.Result()",
         "print(goal_handle)\nif self.ready:\n    goal_handle.succeed()\nreturn Fibonacci.Result()",
+        "if self.ready:\n    self.server.set_succeeded([])\nreturn Fibonacci.Result()",
         "ready = self.go()\nif ready:\n    goal_handle.succeed()\nready = self.go()\n"
         "if not ready:\n    goal_handle.abort()\nreturn Fibonacci.Result()",
     ],

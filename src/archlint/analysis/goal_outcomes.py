@@ -32,11 +32,14 @@ _LOOKS = frozenset({"str", "repr", "print", "type", "id", "isinstance", "hasattr
 @dataclass(frozen=True)
 class _Goal:
     """A goal under the names that its callback has for it, such as ``goal_handle`` and ``self.goal``; ``ended_here``
-    says that no other code of its program ends a goal, and ``seen`` are the methods that were followed."""
+    says that no other code of its program ends a goal, and ``seen`` are the methods that were followed.  ``refused``
+    are the calls that end the callback with an exception, which is an outcome: rclpy aborts the goal."""
 
     names: frozenset[str]
     ended_here: bool
     seen: frozenset[str]
+    file: str
+    refused: frozenset[Place]
 
 
 def ends_without_outcome(system: System) -> Iterator[HandlerEnd]:
@@ -52,7 +55,9 @@ def _undecided(system: System, callback: Callback, function: facts.Function) -> 
     followed = variables(function.body)
     if len(followed) > MOST:
         return
-    goal = _Goal(_names_of(function, name), _ended_only_in(system, callback), _followed(system))
+    goal = _Goal(
+        _names_of(function, name), _ended_only_in(system, callback), _followed(system), callback.file, _refused(system)
+    )
 
     def step(state: _State, fact: facts.Base) -> _State:
         decided, known = state
@@ -102,9 +107,11 @@ def _names_of(function: facts.Function, name: str) -> frozenset[str]:
 
 
 def _decides(fact: facts.Base, goal: _Goal) -> bool:
-    """Whether a statement gives the goal its outcome, or asks whether somebody else has (``is_active``)."""
+    """Whether a statement gives the goal its outcome, asks whether somebody else has (``is_active``), or fails."""
     attributes = parts_of(fact, facts.Attribute)
-    return any(attribute.attr in _DECIDES and dotted(attribute.value) in goal.names for attribute in attributes)
+    if any(attribute.attr in _DECIDES and dotted(attribute.value) in goal.names for attribute in attributes):
+        return True
+    return bool(goal.refused) and any(Place.of(goal.file, call.span) in goal.refused for call in calls_in(fact))
 
 
 def _passes_on(fact: facts.Base, goal: _Goal) -> bool:
@@ -132,6 +139,12 @@ def _is_own(call: facts.Call, goal: _Goal) -> bool:
 def _followed(system: System) -> frozenset[str]:
     """Names of methods that something is known of: they make a call that is looked at."""
     return frozenset(call.function.rpartition(".")[2] for _, call in judged_calls(system))
+
+
+@once
+def _refused(system: System) -> frozenset[Place]:
+    """The calls that rclpy refuses, or does not have."""
+    return frozenset(call.place for program in system.programs for call in program.refused_calls)
 
 
 def _ended_only_in(system: System, callback: Callback) -> bool:
