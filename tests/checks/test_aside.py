@@ -110,6 +110,7 @@ def test_a_word_that_only_holds_the_letters_of_one(named, path: str):
         "robot/talker_old.py",
         "robot/talker_unused.py",
         "robot/talker.sync-conflict-1.py",
+        "robot/(UNUSED)arms/talker.py",
     ],
 )
 def test_what_is_put_aside(named, path: str):
@@ -125,6 +126,8 @@ def test_what_is_put_aside(named, path: str):
         "gold/x.py",
         "backup/x.py",
         "unused_ports.py",
+        "(new)arms/talker.py",
+        "arms(old road)/talker.py",
         "nounused.py",
     ],
 )
@@ -427,8 +430,9 @@ SLEEPS = NODE.replace(
         ("ws/robot/robot/driver.py", Severity.ERROR),
         ("ws/robot/tools/reference.py", Severity.INFO),
         ("ws/tools/reference.py", Severity.INFO),
+        ("ws/robot/(new)robot/driver.py", Severity.INFO),
     ],
-    ids=["a program of the package", "a script of the package", "a script beside the packages"],
+    ids=["a program of the package", "a script of the package", "a script beside the packages", "no name to import"],
 )
 def test_an_error_in_code_that_no_package_installs_is_information(tmp_path, monkeypatch, path, severity):
     files = {"ws/robot/package.xml": MANIFEST.strip(), "ws/robot/setup.py": SETUP.replace("{more}", "")}

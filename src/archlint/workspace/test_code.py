@@ -13,6 +13,7 @@ _PUT_ASIDE = frozenset({"archive", "archived", "archives", "attic", "backups", "
     *("old", "outdated", "unused"),
 }
 _NAMED_OLD = re.compile(r"(?:old|archived|deprecated)_.+|.+_(?:old|archived?|deprecated|backup|bak)")
+_MARKED = re.compile(r"[(\[](?:archived?|backup|deprecated|obsolete|old|unused)[)\]]")
 _COPY = re.compile(r"\(copy|[ _.-]copy\W|sync-conflict-|\(\d+\)|[ _.-](?:bak|backup|old|orig|unused)\.")
 
 
@@ -49,11 +50,13 @@ class FileRoles:
         return self.is_test(path) or any(not _TRIES_OUT.isdisjoint(each) for each in words)
 
     def is_put_aside(self, path: str) -> bool:
-        """Whether a file is kept, and no longer worked on: by the name of a folder of the workspace, or because it is
-        a copy that nothing can import, such as ``driver (copy).py`` or ``driver.sync-conflict-20260323.py``."""
+        """Whether a file is kept, and no longer worked on: by the name of a folder of the workspace, by a word in
+        brackets (``(unused)robot/``), or because it is a copy that nothing can import, such as ``driver (copy).py`` or
+        ``driver.sync-conflict-20260323.py``."""
         *folders, name = [part.lower().lstrip("_.") for part in self._parts(path)]
         old = any(folder in _PUT_ASIDE or _NAMED_OLD.fullmatch(folder) for folder in folders)
-        return old or _COPY.search(name) is not None
+        marked = any(_MARKED.search(part) for part in (*folders, name))
+        return old or marked or _COPY.search(name) is not None
 
     def _parts(self, path: str) -> list[str]:
         below = self.below.rstrip("/") + "/" if self.below not in ("", ".") else ""
