@@ -40,6 +40,27 @@ def test_dynamic_typing_takes_anything(findings):
     assert findings("PRM002", node('<param name="rate" value="2"/>'), **{"robot/talker.py": text}) == []
 
 
+@pytest.mark.parametrize(
+    ("info", "told"),
+    [
+        ("{}", ["only_b"]),
+        ("{'exe': 'talker'}", ["only_b"]),
+        ("json.load(open(sys.argv[1]))", []),
+        ("dict(json.load(open(sys.argv[1])))", []),
+        ("{k: v for k, v in json.load(open(sys.argv[1])).items()}", []),
+        ("{**json.load(open(sys.argv[1]))}", []),
+    ],
+)
+def test_a_program_that_a_file_of_the_user_may_choose(findings, info: str, told: list[str]):
+    launch_file = (
+        "import json\nimport sys\nfrom launch import LaunchDescription\nfrom launch_ros.actions import Node\n\n\n"
+        f"def generate_launch_description():\n    info = {info}\n    exe = info.pop('exe', 'talker')\n"
+        "    info['only_b'] = 1\n"
+        "    return LaunchDescription([Node(package='robot', executable=exe, parameters=[info])])\n"
+    )
+    assert [one.identity[1] for one in findings("PRM004", "", **{"launch/chosen.launch.py": launch_file})] == told
+
+
 NAMED_AFTER_IT = "self.declare_parameter(f'radios.{kind}.ip', '')"
 
 

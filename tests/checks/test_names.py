@@ -132,6 +132,38 @@ class TestHardcodedName:
         judge("NME001", source.replace("{name}", name).replace("{mark}", ""))
         judge("NME001", source.replace("{name}", "Settings('/words').topic").replace("{mark}", "  # here"))
 
+    @pytest.mark.parametrize(("last", "mark"), [("return words[0]", ""), ("raise ValueError(words)", "  # here")])
+    def test_one_of_what_a_user_may_say_is_not_fixed(self, judge: Judge, last: str, mark: str):
+        text = """
+            import sys
+
+            import rclpy
+            from rclpy.node import Node
+            from std_msgs.msg import String
+
+
+            def topic_of(words):
+                if len(words) < 2:
+                    return '/unknown'{mark}
+                {last}
+
+
+            class Parser(Node):
+                def __init__(self):
+                    super().__init__('parser')
+                    self.create_publisher(String, topic_of(sys.argv), 10)
+
+
+            def main():
+                rclpy.init()
+                rclpy.spin(Parser())
+
+
+            if __name__ == '__main__':
+                main()
+        """
+        judge("NME001", text.replace("{last}", last).replace("{mark}", mark))
+
     def test_a_name_that_is_passed_on_is_found_where_it_is_written(self, judge: Judge):
         [found] = judge(
             "NME001",

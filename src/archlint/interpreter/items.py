@@ -146,7 +146,7 @@ def _get_entry(machine: Machine, container: DictValue, index: Value, default: Va
         return entry[1]
     if entries.open:
         why = Unknown("the dict has entries that are not known")
-        return why if default is None else one_of((default.as_default(), why))
+        return why if default is None else one_of((default.as_default("fallback"), why))
     return _made_entry(machine, container, index) if default is None else default
 
 

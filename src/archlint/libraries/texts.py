@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from archlint.interpreter.values import Holed, Known, OneOf, Unknown, Value, reason
 from archlint.model import Text
 
+_WRITTEN = frozenset({"literal", "format"})
 _AT_RUN_TIME = "one of several values, chosen at run time"
 
 
@@ -26,6 +29,7 @@ def text_of_value(value: Value | None, missing: str) -> Text:
         case OneOf(values=options, why=why):
             known = [option for option in options if isinstance(option, (Known, Holed))]
             if len(known) == 1:
-                return text_of_value(known[0], missing)
+                text = text_of_value(known[0], missing)
+                return replace(text, origin_kind="fallback") if text.origin_kind in _WRITTEN else text
             return Text(None, "unknown", reason=f"one of several values: {why}" if why else _AT_RUN_TIME)
     return Text(None, "unknown", reason=reason(value))

@@ -17,6 +17,7 @@ from archlint.syntax.parts import Itself
 if TYPE_CHECKING:
     from archlint.finding import Place
     from archlint.interpreter.modules import Scope
+    from archlint.origins import OriginKind
     from archlint.syntax import facts
 
 T = TypeVar("T")
@@ -114,7 +115,7 @@ class Value:
         """Of one of several values, why it is not decided which."""
         return None
 
-    def as_default(self) -> Value:
+    def as_default(self, kind: OriginKind = "argument_default") -> Value:
         """The same, as a placeholder for what somebody else may say: the default of an argument, of a setting."""
         return self
 

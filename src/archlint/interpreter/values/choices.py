@@ -8,6 +8,7 @@ from itertools import islice
 
 from archlint.interpreter.fields import Field
 from archlint.interpreter.values.base import NO_PARAMETERS, Entries, Items, State, Value
+from archlint.origins import OriginKind
 from archlint.records import dataclass
 
 ALTERNATIVES = 12
@@ -76,8 +77,8 @@ class OneOf(Value):
     def why_open(self) -> str | None:
         return self.why or next((option.why_open for option in self.values if option.why_open is not None), None)
 
-    def as_default(self) -> Value:
-        return OneOf(tuple(option.as_default() for option in self.values), self.why)
+    def as_default(self, kind: OriginKind = "argument_default") -> Value:
+        return OneOf(tuple(option.as_default(kind) for option in self.values), self.why)
 
     @property
     def inner(self) -> tuple[Value, ...]:

@@ -83,8 +83,8 @@ class Known(Value):
     def chosen_by(self, parameters: frozenset[str]) -> Known:
         return replace(self, via=self.via | parameters)
 
-    def as_default(self) -> Known:
-        return Known(self.value, self.via, self.origin, "argument_default")
+    def as_default(self, kind: OriginKind = "argument_default") -> Known:
+        return Known(self.value, self.via, self.origin, kind)
 
     def truth(self, state: State) -> bool | None:
         # A parameter's default is one value of many: the default decides nothing.  What a launch file sets decides
@@ -196,9 +196,11 @@ def join_texts(parts: Sequence[Value], origin: Place | None = None) -> Value:
 
 def _kind_of_text(kinds: Iterable[OriginKind]) -> OriginKind:
     """How a text came to be that is made of others."""
-    if "argument_default" in kinds:
-        return "argument_default"
-    return "node_name" if "node_name" in kinds else "format"
+    return next((kind for kind in _LASTING if kind in kinds), "format")
+
+
+_LASTING: tuple[OriginKind, ...] = ("argument_default", "fallback", "node_name")
+"""What a text still is that is made of such a text and others, the first of these first."""
 
 
 def via(*values: Value) -> frozenset[str]:
