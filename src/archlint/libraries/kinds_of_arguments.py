@@ -11,6 +11,7 @@ from archlint.interpreter.values import (
     ClassValue,
     External,
     FunctionValue,
+    Instance,
     Known,
     Value,
 )
@@ -52,6 +53,8 @@ _BY_NAME = {
 }
 _JUDGED = ("rclpy.", "message_filters.", "tf2_ros.")
 _SPINNING = frozenset({"rclpy.spin", "rclpy.spin_once", "rclpy.spin_until_future_complete"})
+_AS_A_NODE = frozenset({"__getattr__", "__getattribute__", "handle", "subscriptions"})
+"""Methods with which a class answers what executors ask a node."""
 
 
 @cache
@@ -79,9 +82,27 @@ def is_other(api: Api, kind: Kind, value: Value, written: facts.Expr | None) -> 
         return False  # a parameter may have another value where the node runs
     if kind in _SECTIONS:
         return _is_no_interface(value, _SECTIONS[kind])
-    if kind is Kind.NODE and isinstance(value, ClassValue):
-        return api.path in _SPINNING and node_classes.has_only(value)
+    if kind is Kind.NODE and api.path in _SPINNING and _is_other_object(value):
+        return True
     return _IS_OTHER[kind](value, written)
+
+
+def _is_other_object(value: Value) -> bool:
+    """Whether a value is a class, or an object of a class that is no node and does not pass itself off as one."""
+    match value:
+        case ClassValue():
+            return node_classes.has_only(value)
+        case Instance(cls=ClassValue() as cls):
+            return node_classes.has_only(cls) and not node_classes.is_node(cls) and not _passes_as_node(cls)
+    return False
+
+
+def _passes_as_node(cls: ClassValue) -> bool:
+    """Whether a class, or its decorator, may answer what executors ask a node."""
+    defined = (item for base in cls.classes for item in base.ir.body)
+    return any(base.ir.decorators for base in cls.classes) or any(
+        isinstance(item, facts.Function) and item.name in _AS_A_NODE for item in defined
+    )
 
 
 def _is_no_interface(value: Value, section: str) -> bool:
@@ -204,6 +225,8 @@ def described(value: Value, written: facts.Expr | None) -> str:
             return f"a {path.rpartition('.')[2].lower()}"
         case NodeValue():
             return "a node"
+        case Instance(cls=ClassValue(qualified=name)):
+            return f"an object of class {name}"
     return "something else"
 
 
