@@ -20,6 +20,7 @@ from archlint.syntax import facts
 
 if TYPE_CHECKING:
     from archlint.analysis.source_code import SourceCode
+    from archlint.finding import Place
     from archlint.model import ApiCall, Blueprint, Program, RefusedCall, WrongValue
     from archlint.model.given import Given
     from archlint.systems.model import System
@@ -139,6 +140,15 @@ def endpoint_words(creation: Creation | None, kind: AskedKind = "service") -> st
     if creation.name.text is None or creation.name.resolution == "unknown":
         return f"a{'n' if what == 'action' else ''} {what}"
     return f"the {what} '{creation.name.text}'"
+
+
+@once
+def names_at(system: System) -> dict[Place, frozenset[str | None]]:
+    """The names under which programs create something at a place: one for each object of a class, say."""
+    names: dict[Place, set[str | None]] = {}
+    for creation in (creation for program in system.programs for node in program.nodes for creation in node.creations):
+        names.setdefault(creation.place, set()).add(creation.name.text)
+    return {place: frozenset(texts) for place, texts in names.items()}
 
 
 # ------------------------------------------------------------------------------------- related places

@@ -69,3 +69,16 @@ def of_one_function(findings: Sequence[Finding], noun: str, beside: str) -> Find
     """The first finding of a function for all that do the same in it; ``beside`` is said at the others."""
     inside = f"in {findings[0].group[1]}()"
     return with_others(findings, f"another {noun} {inside} does", f"more {noun}s {inside} do", "the same", beside)
+
+
+def of_one_class(findings: Sequence[Finding], noun: str, beside: str) -> Finding:
+    """The first finding of a class, or of a function outside of any, for all that do the same in it.  ``group`` begins
+    with the file and that class or function, ``identity`` with the function."""
+    owner, functions = findings[0].group[1], {finding.identity[0] for finding in findings}
+    inside = f"in {functions.pop()}()" if len(functions) == 1 else f"in the class {owner}"
+    return with_others(findings, f"another {noun} {inside} does", f"more {noun}s {inside} do", "the same", beside)
+
+
+def class_around(function: str) -> str:
+    """The class of a method, by its qualified name; the function itself where it is none."""
+    return function.rpartition(".")[0] or function

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from archlint.analysis.asking_scripts import is_step_of_asking_script
 from archlint.analysis.left_over import is_dead, is_never_made
 from archlint.analysis.limit_sites import sites_of_spin
 from archlint.analysis.own_futures import spins_for_a_message, spins_for_own_future
@@ -12,26 +14,28 @@ from archlint.analysis.reach import (
     argument,
     calls_of,
     creations_of,
-    endpoint_words,
     node_name,
     one_for_each_place,
     waits_for_ever,
 )
-from archlint.analysis.source_code import source_code
+from archlint.analysis.source_code import SourceCode, source_code
 from archlint.analysis.stuck import spoken_of
-from archlint.checks.folding import folds, of_one_function
+from archlint.checks.folding import class_around, folds, of_one_class
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.wait_words import (
     is_at_its_default,
     name_of,
+    passed_on,
     related_path,
+    server_words,
 )
-from archlint.finding import Finding
+from archlint.finding import Finding, Severity
 from archlint.model import Role
+from archlint.model.given import Constant
 
 if TYPE_CHECKING:
-    from archlint.model import ApiCall
+    from archlint.model import ApiCall, Program
     from archlint.systems.model import System
 _SPIN = "rclpy.spin_until_future_complete"
 _EXECUTOR_SPIN = "rclpy.executors.Executor.spin_until_future_complete"
@@ -43,45 +47,55 @@ def spin_without_timeout(system: System, options: Options) -> Iterator[Finding]:
     nothing is seen to make, nobody knows whether it is ever there; a trial is ended by whoever runs it."""
     reported = spoken_of(system, options.distros)
     yield from one_for_each_place(
-        _limitless_spin(system, call)
+        _limitless_spin(system, program, call)
         for program, call in calls_of(system, (_SPIN, _EXECUTOR_SPIN))
         if waits_for_ever(source_code(system), call, "timeout_sec") and call.place not in reported
         if not is_dead(system.workspace, program, call) and not is_never_made(system.workspace, call)
         if not spins_for_own_future(call) or spins_for_a_message(system, call)
         if call.context.role != Role.METHOD or creations_of(argument(call, "future"))
+        if not _is_refused(program, call) and not _may_be_meant_as_a_limit(source_code(system), call)
     )
 
 
-def _limitless_spin(system: System, call: ApiCall) -> Finding:
+def _is_refused(program: Program, call: ApiCall) -> bool:
+    """Whether it never comes to spin (API001)."""
+    return any(refused.place == call.place for refused in program.refused_calls)
+
+
+def _may_be_meant_as_a_limit(code: SourceCode, call: ApiCall) -> bool:
+    """Whether something that may be a number stands where rclpy's function takes the executor, before the timeout."""
+    executor = argument(call, "executor")
+    if executor is None or any(given.keyword == "executor" for given in code.arguments(call)):
+        return False
+    return not any(option.executor or option == Constant(None) for option in executor.alternatives)
+
+
+def _limitless_spin(system: System, program: Program, call: ApiCall) -> Finding:
     clients = creations_of(argument(call, "future"))
     client = clients[0] if len({creation.place for creation in clients}) == 1 else None
-    awaited = f"the response from {endpoint_words(client)}" if client else "the future"
+    awaited = f"the response from {server_words(system, client)}" if client else "the future"
     if spins_for_own_future(call):
         awaited = "the message that completes the future"
-    return finding(
+    diagnostic = finding(
         "TMO003",
         call.place,
         f"spins until {awaited} arrives, without a timeout: if it never does, the next line never runs",
-        help=_help_for_spin(call),
+        help=passed_on(call) if is_at_its_default(call) else _LIMIT_IT,
         related=related_path(call, client),
         node=node_name(system, call.context.node),
         identity=(call.function, name_of(client), "spin_until_future_complete"),
-        group=(call.file, call.function),
         sites=sites_of_spin(system.workspace, call.place),
     )
+    minor = is_step_of_asking_script(system, program, call)
+    severity = Severity.INFO if minor else diagnostic.severity
+    group = (call.file, class_around(call.function), severity.label, str(is_at_its_default(call)))
+    return replace(diagnostic, severity=severity, group=group)
 
 
-def _help_for_spin(call: ApiCall) -> str:
-    """What to write; where the limit is an argument of the function, its callers or its default leave it out."""
-    if is_at_its_default(call):
-        return (
-            f"pass {call.function.rpartition('.')[2]}() a timeout where it is called, or give the parameter a "
-            "default other than None"
-        )
-    return "set timeout_sec, and check future.done() afterwards"
+_LIMIT_IT = "set timeout_sec, and check future.done() afterwards"
 
 
 @folds("TMO003")
-def _of_one_function(findings: Sequence[Finding]) -> Finding:
-    """The finding for all such spins of a function: an action's goal is sent, and then its result awaited."""
-    return of_one_function(findings, "line", "it spins without a timeout here, too")
+def _of_one_owner(findings: Sequence[Finding]) -> Finding:
+    """The finding for all such spins of a class or function: an action's goal is sent, and then its result awaited."""
+    return of_one_class(findings, "line", "it spins without a timeout here, too")

@@ -2,21 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from archlint.analysis.asking_scripts import is_step_of_asking_script
 from archlint.analysis.callback_roles import runs_in_executor
 from archlint.analysis.left_over import is_never_made
 from archlint.analysis.limit_sites import sites_of_wait
 from archlint.analysis.reach import (
     calls_of,
-    endpoint_words,
     node_name,
     one_for_each_place,
     waits_for_ever,
 )
 from archlint.analysis.source_code import source_code
+from archlint.checks.folding import class_around, folds, of_one_class
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.wait_words import (
@@ -24,16 +25,20 @@ from archlint.checks.wait_words import (
     WAIT_FOR_MESSAGE,
     WAIT_FOR_SERVER,
     WAIT_FOR_SERVICE,
+    is_at_its_default,
     kind_of,
     made_here,
     name_of,
+    passed_on,
     related_path,
+    server_words,
 )
 from archlint.finding import Finding, Severity
 from archlint.model import Role
+from archlint.string_enum import StringEnum
 
 if TYPE_CHECKING:
-    from archlint.model import ApiCall
+    from archlint.model import ApiCall, Program
     from archlint.systems.model import System
 _LIMIT = {
     WAIT_FOR_SERVICE: "timeout_sec",
@@ -48,8 +53,8 @@ def wait_without_timeout(system: System, options: Options) -> Iterator[Finding]:
     calls = list(calls_of(system, _LIMIT))
     called = {call.place for _, call in calls if call.context.role != Role.METHOD}
     yield from one_for_each_place(
-        _limitless_wait(system, call)
-        for _, call in calls
+        _limitless_wait(system, program, call)
+        for program, call in calls
         # What a method that nothing calls gets to, too, says nothing of those that are called.
         if not (call.context.role == Role.METHOD and call.place in called)
         # Below zero a client does not wait at all; wait_for_message() then waits forever.
@@ -58,26 +63,50 @@ def wait_without_timeout(system: System, options: Options) -> Iterator[Finding]:
     )
 
 
-def _limitless_wait(system: System, call: ApiCall) -> Finding:
+class _Cure(StringEnum):
+    """What there is to do about a wait."""
+
+    MAKE_EARLIER = "make the client earlier"
+    SUBSCRIBE = "subscribe"
+    ASK = "ask whether the server is ready"
+    PASS_ON = "pass a limit on"
+    LIMIT = "set a limit"
+
+
+def _limitless_wait(system: System, program: Program, call: ApiCall) -> Finding:
     function = call.api.rpartition(".")[2]
-    awaited = "a message" if call.api == WAIT_FOR_MESSAGE else endpoint_words(call.creation, kind_of(call))
+    awaited = "a message" if call.api == WAIT_FOR_MESSAGE else server_words(system, call.creation, kind_of(call))
+    cure = _cure(call)
     diagnostic = finding(
         "TMO001",
         call.place,
         f"{function}() waits for {awaited} without a timeout: if it never comes, nothing after this line runs",
-        help=_help_for_wait(call, function),
+        help=_help_for_wait(cure, call, function),
         related=related_path(call, call.creation if call.api != WAIT_FOR_MESSAGE else None),
         node=node_name(system, call.node or call.context.node),
         identity=(call.function, name_of(call.creation), function),
     )
+    severity = Severity.INFO if _is_minor(system, program, call) else diagnostic.severity
     # Whoever waits in a callback had better not wait at all.
     return replace(
         diagnostic,
         sites=None
         if runs_in_executor(call.context)
         else sites_of_wait(system.workspace, call.place, name_of(call.creation)),
-        severity=Severity.INFO if _is_step_of_script(call) or is_uncalled(call) else diagnostic.severity,
+        severity=severity,
+        group=(call.file, class_around(call.function), severity.label, cure, function),
     )
+
+
+@folds("TMO001")
+def of_one_owner(findings: Sequence[Finding]) -> Finding:
+    """The finding for all such waits of a class or function with which the same is to be done."""
+    return of_one_class(findings, "wait", "it waits without a timeout here, too")
+
+
+def _is_minor(system: System, program: Program, call: ApiCall) -> bool:
+    """Whether whoever runs the program sees that it waits, and nothing else of it does."""
+    return is_uncalled(call) or _is_step_of_script(call) or is_step_of_asking_script(system, program, call)
 
 
 def is_uncalled(call: ApiCall) -> bool:
@@ -93,18 +122,26 @@ def _is_step_of_script(call: ApiCall) -> bool:
     return call.context.role in (Role.MAIN, Role.MODULE) and call.api != WAIT_FOR_MESSAGE and not in_constructor
 
 
-def _help_for_wait(call: ApiCall, function: str) -> str:
-    """What to write; a callback does not wait, or everything else of its node waits with it."""
-    of_message = call.api == WAIT_FOR_MESSAGE
-    if runs_in_executor(call.context):
-        if made_here(call):
+def _cure(call: ApiCall) -> _Cure:
+    """A callback does not wait, or everything else of its node waits with it."""
+    if not runs_in_executor(call.context):
+        return _Cure.PASS_ON if is_at_its_default(call) else _Cure.LIMIT
+    if made_here(call):
+        return _Cure.MAKE_EARLIER
+    return _Cure.SUBSCRIBE if call.api == WAIT_FOR_MESSAGE else _Cure.ASK
+
+
+def _help_for_wait(cure: _Cure, call: ApiCall, function: str) -> str:
+    match cure:
+        case _Cure.MAKE_EARLIER:
             return MAKE_IT_EARLIER
-        return (
-            "create a subscription, and continue in its callback"
-            if of_message
-            else f"check without waiting: if not ….{_ready(call)}():"
-        )
-    if of_message:
+        case _Cure.SUBSCRIBE:
+            return "create a subscription, and continue in its callback"
+        case _Cure.ASK:
+            return f"check without waiting: if not ….{_ready(call)}():"
+        case _Cure.PASS_ON:
+            return passed_on(call)
+    if call.api == WAIT_FOR_MESSAGE:
         return f"set a timeout and check the result: received, message = {function}(…, {_LIMIT[call.api]}=5.0)"
     return f"set a timeout and check the result: if not ….{function}({_LIMIT[call.api]}=5.0):"
 

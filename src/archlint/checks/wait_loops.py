@@ -9,14 +9,23 @@ from typing import TYPE_CHECKING
 from archlint.analysis.callback_roles import runs_in_executor
 from archlint.analysis.left_over import is_dead, is_never_made
 from archlint.analysis.present_servers import is_there
-from archlint.analysis.reach import calls_of, creations_of, endpoint_words, has_limit, node_name
+from archlint.analysis.reach import calls_of, creations_of, has_limit, node_name
 from archlint.analysis.source_code import source_code
 from archlint.analysis.stuck import clients_of_handlers
 from archlint.analysis.wait_loops import only_the_server_ends
 from archlint.checks.folding import folds, of_one_function
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
-from archlint.checks.wait_words import READY, WAIT_FOR_SERVER, WAIT_FOR_SERVICE, kind_of, related_path
+from archlint.checks.wait_words import (
+    MAKE_IT_EARLIER,
+    READY,
+    WAIT_FOR_SERVER,
+    WAIT_FOR_SERVICE,
+    kind_of,
+    made_here,
+    related_path,
+    server_words,
+)
 from archlint.finding import Finding, Place, Severity
 
 if TYPE_CHECKING:
@@ -50,21 +59,26 @@ def _endless(system: System, calls: Sequence[ApiCall]) -> Finding:
     in_callback = [call for call in calls if runs_in_executor(call.context)]
     call = (in_callback or calls)[0]
     kind = kind_of(call)
-    missing = endpoint_words(call.creation, kind)
+    missing = server_words(system, call.creation, kind)
     ready = "server_is_ready" if kind == "action" else "service_is_ready"
     stands = "the callback does not return and blocks its thread" if in_callback else "the node does nothing else"
     diagnostic = finding(
         "TMO004",
         call.place,
         f"this loop ends only when {missing} becomes available: until then {stands}",
-        help=f"check without waiting, and handle the case that it is missing: if not ….{ready}():"
-        if in_callback
-        else "end the loop when ROS shuts down: while rclpy.ok() and not …:",
+        help=_help(call, ready) if in_callback else "end the loop when ROS shuts down: while rclpy.ok() and not …:",
         related=related_path(call, call.creation),
         node=node_name(system, call.node or call.context.node),
         identity=(call.function, "" if call.creation is None else call.creation.name.text or "", "loop"),
     )
     return diagnostic if in_callback else replace(diagnostic, severity=Severity.INFO, group=(call.file, call.function))
+
+
+def _help(call: ApiCall, ready: str) -> str:
+    """What a callback does instead; a client that it has just made has found no server yet."""
+    if made_here(call):
+        return MAKE_IT_EARLIER
+    return f"check without waiting, and handle the case that it is missing: if not ….{ready}():"
 
 
 @folds("TMO004")

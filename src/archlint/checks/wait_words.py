@@ -8,15 +8,19 @@ from archlint.analysis.callback_roles import runs_in_executor
 from archlint.analysis.reach import (
     argument,
     creations_of,
+    endpoint_words,
+    names_at,
     related_chain,
     related_creation,
 )
 from archlint.finding import Related
+from archlint.model import EntityKind
 from archlint.model.given import Constant
 
 if TYPE_CHECKING:
     from archlint.analysis.reach import AskedKind
     from archlint.model import ApiCall, Creation
+    from archlint.systems.model import System
 
 WAIT_FOR_SERVICE = "rclpy.client.Client.wait_for_service"
 WAIT_FOR_SERVER = "rclpy.action.client.ActionClient.wait_for_server"
@@ -33,6 +37,19 @@ def made_here(call: ApiCall) -> bool:
 
 def kind_of(call: ApiCall) -> AskedKind:
     return "action" if call.api.startswith("rclpy.action.") else "service"
+
+
+def server_words(system: System, creation: Creation | None, kind: AskedKind = "service") -> str:
+    """``the service 'enable_motor'``; without a name where other runs of the same code ask under another one."""
+    if creation is not None and len(names_at(system).get(creation.place, ())) > 1:
+        return endpoint_words(None, "action" if creation.kind == EntityKind.ACTION_CLIENT else "service")
+    return endpoint_words(creation, kind)
+
+
+def passed_on(call: ApiCall) -> str:
+    """What to do where the limit is an argument of the function around that its callers leave out."""
+    function = call.function.rpartition(".")[2]
+    return f"pass {function}() a timeout where it is called, or give the parameter a default other than None"
 
 
 def name_of(creation: Creation | None) -> str:

@@ -1,0 +1,36 @@
+"""Scripts that ask others for something and end: whoever runs one sees that it waits."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from archlint.model import EntityKind, Role
+from archlint.systems.nodes import key_of
+
+if TYPE_CHECKING:
+    from archlint.model import ApiCall, Blueprint, Program
+    from archlint.systems.model import System, WorkspaceIndex
+
+_TAKES_IN = frozenset({EntityKind.SUBSCRIBER, EntityKind.SERVICE, EntityKind.TIMER, EntityKind.ACTION_SERVER})
+_ON_ITS_WAY = frozenset({Role.MAIN, Role.MODULE, Role.INIT})
+
+
+def is_step_of_asking_script(system: System, program: Program, call: ApiCall) -> bool:
+    """Whether a call is on the way of a program whose nodes take in nothing while it waits, and which no launch file
+    starts."""
+    if call.context.role not in _ON_ITS_WAY or not program.executable or program.exhausted or not program.nodes:
+        return False
+    return all(_takes_in_nothing(node) and not _is_launched(system.workspace, node) for node in program.nodes)
+
+
+def _takes_in_nothing(node: Blueprint) -> bool:
+    if not node.complete or node.escapes or node.caller_unknown:
+        return False
+    return not any(creation.kind in _TAKES_IN for creation in node.creations)
+
+
+def _is_launched(workspace: WorkspaceIndex | None, node: Blueprint) -> bool:
+    return workspace is not None and key_of(node) in workspace.started_by_launch
+
+
+__all__ = ["is_step_of_asking_script"]

@@ -1,0 +1,273 @@
+"""TMO001, TMO003 and TMO004: one finding for a class, what a script may do, and help that fits the place."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from textwrap import dedent
+
+import pytest
+
+from archlint.config.settings import load
+from archlint.engine.pipeline import Request, check
+from archlint.finding import Severity
+from checks.judging import Judge
+from robot_package import write_robot
+
+CLIENT = """
+    import rclpy
+    from rclpy.node import Node
+    from std_msgs.msg import Empty
+    from std_srvs.srv import Trigger
+
+
+    class Asker(Node):
+        def __init__(self):
+            super().__init__('asker')
+            self.first = self.create_client(Trigger, 'first')
+            self.second = self.create_client(Trigger, 'second')
+            {more}
+            self.first.wait_for_service(){first}
+            self.second.wait_for_service()
+
+        def ask(self):
+            future = self.first.call_async(Trigger.Request())
+            rclpy.spin_until_future_complete(self, future){asked}
+            return future.result()
+
+        def ask_again(self):
+            future = self.second.call_async(Trigger.Request())
+            rclpy.spin_until_future_complete(self, future)
+            return future.result()
+
+
+    def main():
+        rclpy.init()
+        asker = Asker()
+        print(asker.ask(), asker.ask_again())
+
+
+    if __name__ == '__main__':
+        main()
+"""
+SUBSCRIBES = "self.create_subscription(Empty, 'in', print, 10)"
+
+
+def client(more: str = "pass", first: str = "", asked: str = "") -> str:
+    return CLIENT.replace("{more}", more).replace("{first}", first).replace("{asked}", asked)
+
+
+@pytest.mark.parametrize(
+    ("more", "severity"),
+    [("pass", Severity.INFO), (SUBSCRIBES, Severity.WARNING), ("other.library(self)", Severity.WARNING)],
+)
+def test_a_script_that_only_asks_gets_information(judge: Judge, more: str, severity: Severity):
+    [wait] = judge(
+        "TMO001", client(more, first="  # here").replace("import rclpy", "import other\n    import rclpy", 1)
+    )
+    assert wait.severity is severity
+    [spin] = judge(
+        "TMO003", client(more, asked="  # here").replace("import rclpy", "import other\n    import rclpy", 1)
+    )
+    assert spin.severity is severity
+
+
+def test_a_program_that_a_launch_file_starts_has_nobody_who_watches_it(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.chdir(tmp_path)
+    asks = dedent(client())
+    for launch, severity in (("", Severity.INFO), ('<node pkg="robot" exec="talker"/>', Severity.WARNING)):
+        write_robot(tmp_path, launch, **{"robot/talker.py": asks})
+        (tmp_path / "archlint.toml").write_text('select = ["TMO003"]', encoding="utf-8")
+        report = check(Request((".",), load(tmp_path), cached=False, jobs=1))
+        assert [finding.severity for finding in report.findings] == [severity]
+
+
+def test_the_waits_of_a_class_are_one_finding(judge: Judge):
+    [wait] = judge("TMO001", client(first="  # here"))
+    assert wait.message.endswith("; another wait in Asker.__init__() does the same")
+    assert [related.place.line for related in wait.related if "here, too" in related.message] == [14]
+    [spin] = judge("TMO003", client(asked="  # here"))
+    assert spin.message.endswith("; another line in the class Asker does the same")
+
+
+def test_where_callers_leave_out_the_limit_the_help_is_about_them(judge: Judge):
+    text = """
+        import rclpy
+        from rclpy.node import Node
+        from std_srvs.srv import Trigger
+
+
+        class Compatible(Node):
+            def new_client(self, name, timeout_sec=None):
+                client = self.create_client(Trigger, name)
+                if not client.wait_for_service(timeout_sec=timeout_sec):  # here
+                    raise TimeoutError(name)
+                return client
+
+
+        def main():
+            rclpy.init()
+            node = Compatible('bridge')
+            node.create_timer(1.0, lambda: None)
+            node.new_client('first'{limit})
+            rclpy.spin(node)
+
+
+        if __name__ == '__main__':
+            main()
+    """
+    [wait] = judge("TMO001", text.replace("{limit}", ""))
+    assert wait.help.startswith("pass new_client() a timeout where it is called")
+    judge("TMO001", text.replace("{limit}", ", timeout_sec=5.0").replace("  # here", ""))
+
+
+def test_a_loop_for_a_client_that_the_callback_has_just_made(judge: Judge):
+    text = """
+        import rclpy
+        from rclpy.node import Node
+        from std_srvs.srv import Trigger
+
+
+        class Battery(Node):
+            def __init__(self):
+                super().__init__('battery')
+                self.led = self.create_client(Trigger, 'led')
+                self.create_timer(1.0, self.tick)
+
+            def tick(self):
+                {client}
+                while not client.wait_for_service(1.0):  # here
+                    self.get_logger().warning('no led yet')
+                client.call_async(Trigger.Request())
+
+
+        def main():
+            rclpy.init()
+            rclpy.spin(Battery())
+
+
+        if __name__ == '__main__':
+            main()
+    """
+    [loop] = judge("TMO004", text.replace("{client}", "client = self.create_client(Trigger, 'set_led')"))
+    assert loop.help.startswith("create the client in the constructor")
+    [loop] = judge("TMO004", text.replace("{client}", "client = self.led"))
+    assert loop.help.startswith("check without waiting")
+
+
+def test_a_service_with_one_name_for_each_object_has_none_in_the_message(judge: Judge):
+    text = """
+        import rclpy
+        from rclpy.node import Node
+        from std_srvs.srv import Trigger
+
+
+        class Arm:
+            def __init__(self, node, name):
+                client = node.create_client(Trigger, f'{name}/info')
+                rclpy.spin_until_future_complete(node, client.call_async(Trigger.Request()))  # here
+
+
+        def main():
+            rclpy.init()
+            node = Node('arms')
+            Arm(node, 'left')
+            {more}
+
+
+        if __name__ == '__main__':
+            main()
+    """
+    [one_arm] = judge("TMO003", text.replace("{more}", "pass"))
+    assert "the service 'left/info'" in one_arm.message
+    [two_arms] = judge("TMO003", text.replace("{more}", "Arm(node, 'right')"))
+    assert "the response from a service arrives" in two_arms.message
+
+
+@pytest.mark.parametrize(
+    ("arguments", "told"),
+    [
+        ("node, future", True),
+        ("node, future, None", True),
+        ("node, future, executor", True),
+        ("node, future, executor=given.executor", True),
+        ("node, future, given.limit", False),
+        ("node, future, 10.0", False),
+    ],
+)
+def test_what_may_be_a_limit_in_the_place_of_the_executor(judge: Judge, arguments: str, told: bool):
+    text = f"""
+        import argparse
+
+        import rclpy
+        from rclpy.executors import SingleThreadedExecutor
+        from rclpy.node import Node
+        from std_srvs.srv import Trigger
+
+
+        def main():
+            rclpy.init()
+            parser = argparse.ArgumentParser()
+            parser.add_argument('--limit', type=float, default=10.0)
+            given = parser.parse_args()
+            node = Node('spawner')
+            executor = SingleThreadedExecutor()
+            future = node.create_client(Trigger, 'spawn').call_async(Trigger.Request())
+            rclpy.spin_until_future_complete({arguments}){"  # here" if told else ""}
+
+
+        if __name__ == '__main__':
+            main()
+    """
+    judge("TMO003", text)
+
+
+CORE = """
+    import rclpy
+    from rclpy.node import Node
+    from std_srvs.srv import Trigger
+
+
+    class Core{base}:
+        def __init__(self, name):
+            {init}
+            self.node = Node('robot')
+            self.info = self.node.create_client(Trigger, 'info')
+
+        {method}
+
+
+    class Turret:
+        def __init__(self, core: Core):
+            self.core = core
+            future = core.info.call_async(Trigger.Request())
+            rclpy.spin_until_future_complete(self.core, future){mark}
+
+
+    def main():
+        rclpy.init()
+        Turret(Core('left'))
+
+
+    if __name__ == '__main__':
+        main()
+"""
+DELEGATES = "def __getattr__(self, name): return getattr(self.node, name)"
+
+
+@pytest.mark.parametrize(
+    ("base", "init", "method", "refused"),
+    [
+        ("", "pass", "", True),
+        ("", "pass", DELEGATES, False),
+        ("(Node)", "super().__init__(name)", "", False),
+        ("(Unknown)", "super().__init__(name)", "", False),
+    ],
+)
+def test_what_is_spun_is_no_node(judge: Judge, base: str, init: str, method: str, refused: bool):
+    text = CORE.replace("{base}", base).replace("{init}", init).replace("{method}", method)
+    text = text.replace("import rclpy", "import rclpy\n    from elsewhere import Unknown", 1)
+    judge("TMO003", text.replace("{mark}", "" if refused else "  # here"))
+    findings = judge("API001", text.replace("{mark}", "  # here" if refused else ""))
+    assert [finding.message for finding in findings] == (
+        ["spin_until_future_complete() fails: 'node' takes a node, not an object of class Core"] if refused else []
+    )
