@@ -401,6 +401,7 @@ def test_a_node_that_only_a_callback_spins_needs_an_executor_of_its_own(run: Run
     text = text.replace("class Robot", CAMERA + "class Robot")
     [found] = run(text)
     assert found.code == "EXE001" and "this works in humble and raises" in found.message
+    assert found.severity is Severity.WARNING and run(text, distro="jazzy")[0].severity is Severity.ERROR
     assert found.help == (
         "add the other node to a SingleThreadedExecutor() of its own, and call that executor's spin_once() here"
     )
@@ -419,6 +420,70 @@ def test_a_node_that_a_thread_spins_as_well_needs_no_further_executor(run: Run):
     text = source(setup + TIMER, "def tick(self):\n    rclpy.spin_once(self.camera)\n")
     [found] = [one for one in run(text.replace("class Robot", CAMERA + "class Robot")) if one.code == "EXE001"]
     assert found.help.startswith("return instead")
+
+
+WHILE_NOBODY_SPINS = """
+    import threading
+
+    import rclpy
+    from rclpy.callback_groups import ReentrantCallbackGroup
+    from rclpy.executors import MultiThreadedExecutor
+    from rclpy.node import Node
+    from std_msgs.msg import Empty
+    from std_srvs.srv import Trigger
+
+
+    def is_up():
+        return up if 'up' in globals() else False
+
+
+    class Robot(Node):
+        def __init__(self):
+            super().__init__('robot')
+            self.up = 'up' in globals()
+            self.create_subscription(Empty, 'joy', self.on_joy, 10)
+            self.client = self.create_client(Trigger, 'torque', callback_group=ReentrantCallbackGroup())
+
+        def wait(self, future):
+            if {test}:
+                self.create_rate(20.0).sleep()
+            else:
+                rclpy.spin_until_future_complete(self, future)
+
+        def on_joy(self, message):
+            self.wait(self.client.call_async(Trigger.Request()))
+
+
+    def start(node):
+        global up
+        {set}
+        executor = MultiThreadedExecutor()
+        executor.add_node(node)
+        threading.Thread(target=executor.spin).start()
+
+
+    def main():
+        rclpy.init()
+        start(Robot())
+
+
+    if __name__ == '__main__':
+        main()
+"""
+
+
+@pytest.mark.parametrize(
+    ("test", "set_", "told"),
+    [
+        ("is_up()", "up = True", False),
+        ("self.up", "node.up = True", False),
+        ("is_up()", "up = False", True),
+        ("self.client.service_is_ready()", "up = True", True),
+    ],
+)
+def test_a_spin_for_as_long_as_nobody_else_spins(run: Run, test: str, set_: str, told: bool):
+    text = WHILE_NOBODY_SPINS.replace("{test}", test).replace("{set}", set_)
+    assert ("EXE001" in codes(run(textwrap.dedent(text).lstrip()))) == told
 
 
 def test_another_node_of_the_executor_that_runs_is_taken_from_it(run: Run):

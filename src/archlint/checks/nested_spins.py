@@ -16,6 +16,8 @@ from archlint.analysis.reach import (
     judged_calls,
     one_for_each_place,
 )
+from archlint.analysis.source_code import source_code
+from archlint.analysis.spin_flags import is_while_nobody_spins
 from archlint.analysis.spins import is_left_to, is_spin_call, spun_node
 from archlint.analysis.stuck import nested_spins
 from archlint.checks.callback_findings import finding_in_callback
@@ -39,6 +41,7 @@ def spin_in_callback(system: System, options: Options) -> Iterator[Finding]:
         diagnostic
         for program, call in judged_calls(system)
         if is_spin_call(call) and runs_in_executor(call.context)
+        if not is_while_nobody_spins(source_code(system), call)
         if reported.isdisjoint((call.context.place, place) for place in (call.place, *call.loops[-1:]))
         for diagnostic in _nested_spin(system, program, call, options)
     )
@@ -66,7 +69,8 @@ def _nested_spin(system: System, program: Program, call: ApiCall, options: Optio
         identity=(function,),
         group=(call.context.place.file, str(call.context.place.line), call.context.name),
     )
-    yield replace(diagnostic, severity=Severity.WARNING) if verdict.safe else diagnostic
+    works_somewhere = verdict.safe or blocking.Outcome.FINE in verdict.outcomes.values()
+    yield replace(diagnostic, severity=Severity.WARNING) if works_somewhere else diagnostic
 
 
 def _instead_of_spinning(program: Program, call: ApiCall, spun: Blueprint | None, client: Creation | None) -> str:

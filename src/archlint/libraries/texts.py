@@ -29,7 +29,7 @@ def text_of_value(value: Value | None, missing: str) -> Text:
         case OneOf(values=options, why=why):
             known = [option for option in options if isinstance(option, (Known, Holed))]
             if len(known) == 1:
-                text = text_of_value(known[0], missing)
-                return replace(text, origin_kind="fallback") if text.origin_kind in _WRITTEN else text
+                name = text_of_value(known[0], missing)
+                return replace(name, origin_kind="fallback") if name.origin_kind in _WRITTEN else name
             return Text(None, "unknown", reason=f"one of several values: {why}" if why else _AT_RUN_TIME)
     return Text(None, "unknown", reason=reason(value))
