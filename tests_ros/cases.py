@@ -69,7 +69,7 @@ class Ready:
 CANNOT_RUN = {
     "helper_apis.py": "message_filters and tf2_ros have no wheel",
     "importlib_get_message.py": "rosidl_runtime_py has no wheel",
-    "unbounded.py": "running it would take for ever",
+    "unbounded.py": "running it would take forever",
 }
 
 FORM_CASES = [Case(name) for name in (*SCRIPTS, *PACKAGES)]

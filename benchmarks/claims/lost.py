@@ -8,7 +8,7 @@ from benchmarks.claims.model import Claim, Judged, main
 from benchmarks.executors.cells import IMPORTS
 from benchmarks.executors.running import Said
 
-ENDS, HANGS = "goes on", "waits for ever"
+ENDS, HANGS = "goes on", "waits forever"
 
 _LOST = """
 

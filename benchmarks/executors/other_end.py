@@ -23,7 +23,7 @@ PERIOD_S = 0.2
 
 
 def run(needs: list[str], latency: float) -> None:
-    """Serves for ever; ``needs`` are words of ``NEEDS``, ``latency`` what the service takes, in seconds."""
+    """Serves forever; ``needs`` are words of ``NEEDS``, ``latency`` what the service takes, in seconds."""
     rclpy.init()
     node = Node("other")
     group = ReentrantCallbackGroup()

@@ -39,7 +39,7 @@ RETURNS = {
             return response
         raise RuntimeError('not ready')
     """,
-    "for ever": """
+    "forever": """
         while True:
             if self.ready:
                 return response

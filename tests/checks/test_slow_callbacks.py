@@ -211,7 +211,7 @@ def test_the_next_message_may_wait_for_a_moment(run: Run, body: str, expected: l
         pytest.param(["if self.state == 'OPEN':", "    SLEEP", "    self.state = 'DONE'"], [], id="a state"),
         pytest.param(["if self.closed:", "    return", "SLEEP", "self.closed = True"], [], id="once"),
         pytest.param(["if self.state == 'OPEN':", "    self.open()"], [], id="a state with a method of its own"),
-        pytest.param(["if self.state == 'OPEN':", "    SLEEP"], ["EXE003"], id="a state for ever"),
+        pytest.param(["if self.state == 'OPEN':", "    SLEEP"], ["EXE003"], id="a state forever"),
         pytest.param(["SLEEP", "self.state = 'DONE'"], ["EXE003"], id="in each state"),
         pytest.param(
             ["if self.state == 'OPEN':", "    SLEEP", "    if self.hot:", "        self.state = 'DONE'"],

@@ -53,7 +53,7 @@ _oks: Counter[tuple[CodeType, int]] = Counter()
 
 
 class EndlessWait(KeyboardInterrupt):
-    """A place in the program would wait for ever."""
+    """A place in the program would wait forever."""
 
 
 class TimeUp(BaseException):
@@ -61,7 +61,7 @@ class TimeUp(BaseException):
 
 
 def waited(depth: int = 2) -> None:
-    """A place waits: let it go on, but not for ever."""
+    """A place waits: let it go on, but not forever."""
     place = _user_place(sys._getframe(depth))
     _waits[place] += 1
     if _waits[place] > _PATIENCE:

@@ -34,7 +34,7 @@ def call_with_deep_stack(function: Callable[[], Result]) -> Result:
 
     def run() -> None:
         with _STARTING:
-            pass  # a process that is forked in this thread would find the lock of its starter locked for ever
+            pass  # a process that is forked in this thread would find the lock of its starter locked forever
         try:
             results.append(function())
         except BaseException as error:  # raised again in the thread that waits

@@ -47,7 +47,7 @@ def get_available_rmw_implementations() -> set[str]:
 
 
 def timeout_sec_to_nsec(timeout_sec: float | None) -> int:
-    """Seconds as nanoseconds; none is for ever."""
+    """Seconds as nanoseconds; none is forever."""
     return -1 if timeout_sec is None or timeout_sec < 0 else int(timeout_sec * 1e9)
 
 
