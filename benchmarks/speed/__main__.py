@@ -16,6 +16,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from benchmarks.speed.growth import growth, slowest_files
+from benchmarks.speed.hostile import stalling
 from benchmarks.speed.processes import Cost
 from benchmarks.speed.rows import ROWS, Row, Tools
 from benchmarks.speed.rules import shares
@@ -94,6 +95,13 @@ def slowest(arguments: argparse.Namespace) -> None:
             print(f"| {seconds:.2f} | {checkout.name}/{file} |")
 
 
+def stall(arguments: argparse.Namespace) -> None:
+    """Source that is made to stall its reader: seconds until it is accepted or refused."""
+    print(f"| source | CPU s (bar: {_FILE_BAR}) | half of it / all of it |\n|---|---|---|")
+    for name, seconds, share in stalling(arguments.parts):
+        print(f"| {name} | {seconds:.2f} | {share:.2f} |")
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     commands = parser.add_subparsers(dest="command", required=True)
@@ -115,6 +123,9 @@ def main() -> None:
     command.add_argument("checkouts", nargs="+", type=Path)
     command.add_argument("--shown", type=int, default=5)
     command.set_defaults(run=slowest)
+    command = commands.add_parser("hostile", help=stall.__doc__)
+    command.add_argument("--parts", type=int, default=200_000)
+    command.set_defaults(run=stall)
     arguments = parser.parse_args()
     arguments.run(arguments)
 
