@@ -27,6 +27,7 @@ OF_ANOTHER_FOLDER = {
     "fixtures": "fixtures",
     "mutations": "benchmarks/mutations",
     "oracle": "benchmarks/accuracy/oracle",
+    "structure": "benchmarks/structure",
 }
 """Folders of tests that belong to no package of src, and what they are for."""
 
