@@ -204,6 +204,32 @@ def test_a_launch_file_that_is_included_twice_is_told_once(findings):
     ]
 
 
+def test_what_two_files_both_start_is_one_finding(findings):
+    start = f"<launch>\n{node(name='left')}\n{node(name='right')}\n</launch>"
+    files = {"launch/again.launch.xml": start, "launch/talkers.launch.xml": TWO_TALKERS}
+    (both,) = findings("NME004", f"\n{HERE.format('again')}\n{HERE.format('talkers')}", **files)
+    assert both.message == "two nodes of this system have the name '/left'; another node is started in the same way"
+    assert (both.place.file, both.place.line) == ("launch/talkers.launch.xml", 2)
+    assert [(each.place.file, each.place.line, each.message) for each in both.related] == [
+        ("launch/again.launch.xml", 2, "the other one is started here"),
+        ("launch/it.launch.xml", 2, "again.launch.xml is included here"),
+        ("launch/it.launch.xml", 3, "talkers.launch.xml is included here"),
+        ("launch/talkers.launch.xml", 3, "two nodes of this system have the name '/right'"),
+    ]
+    (beside,) = findings("NME004", f"\n{node(name='left')}\n{HERE.format('talkers')}", **files)
+    assert [each.message for each in beside.related] == [
+        "the other one is started here",
+        "talkers.launch.xml is included here",
+    ]
+
+
+def test_the_name_that_the_code_gives_is_shown(findings):
+    (clash,) = findings("NME004", f"{node()}\n{node(name='talker')}")
+    assert [(each.place.file, each.message) for each in clash.related][1:] == [
+        ("robot/talker.py", "the code gives '/talker' its name here")
+    ]
+
+
 def test_includes_further_out_are_the_cause(findings):
     includes = "\n" + HERE.format("common") + "\n" + HERE.format("common") + "\n"
     files = {"launch/common.launch.xml": f"<launch>{HERE.format('talkers')}</launch>"}

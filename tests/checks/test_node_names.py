@@ -129,7 +129,7 @@ def test_a_timer_in_a_group_starts_its_nodes_without_the_namespace(findings, aro
     assert len(found) == told
     for one in found:
         assert "starts a node with the name '/a': the namespace of the group around it is gone" in one.message
-        assert one.message.endswith("; another action is started in the same way")
+        assert one.message.endswith("; another node is started in the same way")
         assert one.help.startswith("put the timer or event handler around the group")
 
 
@@ -139,7 +139,7 @@ def test_a_timer_in_a_group_starts_its_nodes_without_the_namespace(findings, aro
         (["nodes += [talker, other]"], 9, [8]),
         ([UNDECIDED, LATE.format("talker"), "else:", "    nodes.append(talker)", "nodes.append(other)"], 9, [8]),
         ([UNDECIDED, LATE.format("talker, other"), "else:", "    nodes.append(talker)"], 9, [8]),
-        (["for _ in range(2):", "    nodes.append(Node(package='robot', executable='talker'))"], 12, []),
+        (["for _ in range(2):", "    nodes.append(Node(package='robot', executable='talker'))"], 12, [6]),  # its name
     ],
 )
 def test_two_actions_of_one_name_are_told(findings, lines, at, related):

@@ -5,7 +5,7 @@ from __future__ import annotations
 import posixpath
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from itertools import combinations, groupby
+from itertools import combinations, groupby, takewhile
 from typing import TYPE_CHECKING
 
 from archlint.analysis.brief_programs import is_brief
@@ -176,17 +176,48 @@ def _of_two_actions(system: System, several: list[Twins]) -> Iterator[Finding]:
         related=[
             *([Related(first.launch_place, "the other one is started here")] if first.launch_place != here else []),
             *(Related(place, "another one is started here") for place in more),
+            *_includes_apart(first.started, other.started),
+            *_names_in_the_code(first, other),
         ],
         node=names[0],
         identity=tuple(names),
     )
-    yield replace(diagnostic, group=(here.file,)) if late else diagnostic
+    if late:
+        yield replace(diagnostic, group=(here.file,))
+    elif first.launch_place.file != here.file:
+        yield replace(diagnostic, group=(first.launch_place.file, here.file))
+    else:
+        yield diagnostic
 
 
 @folds("NME004")
 def _of_one_group(several: Sequence[Finding]) -> Finding:
-    """One finding for all nodes of a file that come too late for the namespace of their group."""
-    return with_others(several, "another action is", "more actions are", "started in the same way")
+    """One finding for all nodes of a file that come too late for the namespace of their group, and for all that two
+    files both start."""
+    return with_others(several, "another node is", "more nodes are", "started in the same way")
+
+
+def _includes_apart(first: Started | None, other: Started | None) -> Iterator[Related]:
+    """Where a launch file includes the two files that start two processes, or one of these beside the other process:
+    neither file shows both."""
+    if first is None or other is None or first.file == other.file:
+        return
+    shared = sum(
+        1 for _ in takewhile(lambda pair: pair[0] == pair[1], zip(first.includes, other.includes, strict=False))
+    )
+    for started in (first, other):
+        apart = started.includes[shared : shared + 2]
+        if apart:
+            included = apart[1].file if len(apart) > 1 else started.file
+            yield Related(apart[0], f"{posixpath.basename(included)} is included here")
+
+
+def _names_in_the_code(*twins: Node) -> Iterator[Related]:
+    """Where the code gives a node the name that no launch file replaces."""
+    for twin in twins:
+        origin = None if twin.blueprint is None else twin.blueprint.name.origin
+        if origin is not None and (twin.started is None or twin.started.name is None):
+            yield Related(origin, f"the code gives '{twin.name}' its name here")
 
 
 _COUNTS = dict(enumerate(("two", "three", "four", "five", "six", "seven", "eight")))
