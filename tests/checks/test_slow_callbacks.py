@@ -68,6 +68,20 @@ def test_a_file_lock_is_information(run: Run, call: str, severity: str):
     assert ("LOCK_NB" in (found[0].help or "")) == (severity == "info")
 
 
+@pytest.mark.parametrize(
+    ("call", "severity"),
+    [
+        ("subprocess.run(['pactl', 'set-sink-volume', self.sink, '50%'], check=True)", "info"),
+        ("subprocess.run(['systemctl', '--quiet', 'is-active', 'robot'])", "info"),
+        ("subprocess.run(['systemctl', 'restart', 'pactl'])", "warning"),
+        ("for _ in self.sink:\n        subprocess.run(['pactl', 'list'])", "warning"),
+    ],
+)
+def test_a_command_of_milliseconds_is_information(run: Run, call: str, severity: str):
+    [waits] = [one for one in run(source("self.sink = load_pause()\n" + TIMER, timer(call))) if one.code == "EXE003"]
+    assert waits.severity.label == severity
+
+
 @pytest.mark.parametrize(("limit", "expected"), [("1.0", []), ("5.0", ["EXE003"])])
 def test_a_callback_may_look_for_a_server_for_a_second(run: Run, limit: str, expected: list[str]):
     method = timer(f"if self.client.wait_for_service(timeout_sec={limit}): self.get_logger().info('there')")

@@ -96,11 +96,26 @@ _IN_FRONT = frozenset({"sudo", "systemctl"})
 
 def ends_the_machine(code: SourceCode, call: ApiCall) -> bool:
     """Whether a command switches the machine off, or starts it anew: nothing that would have to wait goes on."""
-    literals = everything_in([argument.value for argument in code.arguments(call)[:1]], facts.Literal)
-    words = [word for literal in literals if isinstance(literal.value, str) for word in literal.value.split()]
+    words = _words(code, call)
     commands = [word.rpartition("/")[2] for word in words if not word.startswith("-")]
     command = next((word for word in commands if word not in _IN_FRONT), "")
     return command in _SWITCHES_OFF and "-c" not in words  # `shutdown -c` calls it off
+
+
+def is_soon_over(code: SourceCode, call: ApiCall) -> bool:
+    """Whether a command only sets something, or asks the state of something, on this machine: milliseconds."""
+    match [word for word in _words(code, call) if not word.startswith("-")]:
+        case ["amixer" | "pactl" | "wpctl", *_]:
+            return True
+        case ["systemctl", "is-active" | "is-enabled" | "is-failed", *_]:
+            return True
+    return False
+
+
+def _words(code: SourceCode, call: ApiCall) -> list[str]:
+    """The words of a command that are written out."""
+    literals = everything_in([argument.value for argument in code.arguments(call)[:1]], facts.Literal)
+    return [word for literal in literals if isinstance(literal.value, str) for word in literal.value.split()]
 
 
 def _owner(call: facts.Call) -> str:
@@ -108,4 +123,4 @@ def _owner(call: facts.Call) -> str:
     return dotted(call.func.value) if isinstance(call.func, facts.Attribute) else ""
 
 
-__all__ = ["ends_the_machine", "ends_with_the_node", "is_signalled_to_end"]
+__all__ = ["ends_the_machine", "ends_with_the_node", "is_signalled_to_end", "is_soon_over"]

@@ -16,7 +16,7 @@ from archlint.analysis.kept import once
 from archlint.analysis.loop_times import around_future, in_loops
 from archlint.analysis.own_timers import ends_its_timer_before
 from archlint.analysis.present_servers import is_there
-from archlint.analysis.processes import ends_the_machine, ends_with_the_node, is_signalled_to_end
+from archlint.analysis.processes import ends_the_machine, ends_with_the_node, is_signalled_to_end, is_soon_over
 from archlint.analysis.reach import argument, creations_of, judged_calls, one_for_each_place
 from archlint.analysis.sleeps import Stay, stay_of
 from archlint.analysis.source_code import SourceCode, source_code
@@ -293,9 +293,7 @@ def _slow(system: System, rows: Sequence[_Row], only_network: bool) -> Finding:
     waiting = {_waiting(source_code(system), row[1], row[0]) for row in rows}
     elsewhere = _where_harmless(system)
     mild = all(row[1].place in elsewhere for row in rows)
-    mild = (
-        mild or _OTHERS not in waiting or all(_answers_in_time(row[1], row[2]) or row[2].kind == "lock" for row in rows)
-    )
+    mild = mild or _OTHERS not in waiting or all(_is_minor(source_code(system), row[1], row[2]) for row in rows)
     meanwhile = _meanwhile(callback, program)
     if waiting == {_NOBODY}:
         meanwhile = f"the node has no other callback, but its next {_ITS_NEXT[callback.role]} has to wait"
@@ -313,6 +311,12 @@ def _slow(system: System, rows: Sequence[_Row], only_network: bool) -> Finding:
         group=_cause(callback, only_network),
     )
     return replace(diagnostic, severity=Severity.INFO) if mild else diagnostic
+
+
+def _is_minor(code: SourceCode, call: ApiCall, stay: Stay) -> bool:
+    """Whether a wait is hardly ever long, or the answer depends on it."""
+    soon = stay.kind == "lock" or (stay.kind == "process" and not call.looped and is_soon_over(code, call))
+    return soon or _answers_in_time(call, stay)
 
 
 def _of_loop(code: SourceCode, call: ApiCall, stay: Stay) -> str:
