@@ -412,6 +412,15 @@ def test_a_script_that_nobody_installs_and_whose_import_fails(tmp_path, monkeypa
     assert [one.severity for one in found] == ([] if fails else [Severity.INFO])
 
 
+@pytest.mark.parametrize(("data", "told"), [("x", []), ("import rclpy", ["LNT002"])])
+def test_the_pictures_of_a_user_interface_are_no_code(tmp_path, monkeypatch, data: str, told: list[str]):
+    (tmp_path / "talker.py").write_text("import logo_rc\n" + NODE.lstrip(), encoding="utf-8")
+    (tmp_path / "logo_rc.py").write_text(f'{data}\npicture = b"{"00" * 600_000}"\n', encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    rows = check(Request((".",), Settings(), cached=False, jobs=1)).findings
+    assert [finding.code for finding in rows if finding.place.file == "logo_rc.py"] == told
+
+
 SLEEPS = NODE.replace(
     "        self.words = self.create_publisher(String, '/robot/words', 10)\n",
     """\

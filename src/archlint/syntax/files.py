@@ -258,7 +258,10 @@ class FactsOfFiles:
         """``(digest, bytes)`` of a file that must be compiled; what needs no compiling is settled here."""
         data = self._bytes_of(file)
         if isinstance(data, gate.Refusal):
-            self._refuse(file, data)
+            if data.is_large and not gate.mentions_any(file.path, self._words()):
+                self._payloads[file.path] = _IRRELEVANT
+            else:
+                self._refuse(file, data)
             return None
         digest = source_digest(data)
         payload = self._cache.get(digest)

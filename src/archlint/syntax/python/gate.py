@@ -16,6 +16,7 @@ import stat
 import sys
 import tokenize
 import warnings
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 from archlint.syntax.python import chains
@@ -42,6 +43,8 @@ class Refusal:
     line: int
     column: int
     message: str
+    is_large: bool = False
+    """Whether the size alone is why."""
 
 
 ROS1_MODULES = ("rospy", "roslib", "actionlib", "dynamic_reconfigure")
@@ -73,13 +76,23 @@ def read_bytes(path: str, limit: int = MAX_BYTES) -> bytes | Refusal:
             return Refusal(1, 1, "not a regular file")
         if status.st_size > limit:
             size, most = status.st_size // 1000, limit // 1000
-            return Refusal(1, 1, f"the file is too large to analyse: {size} kB, the limit is {most} kB")
+            return Refusal(1, 1, f"the file is too large to analyse: {size} kB, the limit is {most} kB", is_large=True)
         with os.fdopen(os.dup(descriptor), "rb") as stream:
             return stream.read(limit + 1)
     except OSError as error:
         return Refusal(1, 1, f"cannot read this file: {error.strerror or error}")
     finally:
         os.close(descriptor)
+
+
+_PICTURES = 64_000_000
+"""Bytes of a file that is looked through for words: what a compiler makes of the pictures of a user interface."""
+
+
+def mentions_any(path: str, words: Iterable[bytes]) -> bool:
+    """Whether a large file holds one of some words, or cannot be looked through."""
+    data = read_bytes(path, _PICTURES)
+    return isinstance(data, Refusal) or any(word in data for word in words)
 
 
 _UTF_16_MARKS = (b"\xff\xfe", b"\xfe\xff")
