@@ -10,27 +10,11 @@ from archlint.analysis.set_parameters import called, set_nodes
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
+from archlint.ros.parameter_types import ParameterType, type_of
 
 if TYPE_CHECKING:
     from archlint.model import ParameterDeclaration
     from archlint.systems.model import System
-
-
-def _type_of(value: object) -> str | None:
-    """The ROS type of a value of a launch or parameter file."""
-    if isinstance(value, bool):
-        return "bool"
-    if isinstance(value, int):
-        return "integer"
-    if isinstance(value, float):
-        return "double"
-    if isinstance(value, str):
-        return "string"
-    if isinstance(value, list) and value:
-        kinds = {_type_of(item) for item in value}
-        kind = kinds.pop() if len(kinds) == 1 else None
-        return None if kind is None or kind.endswith("_array") else f"{kind}_array"
-    return None
 
 
 @rule("PRM002", scope=Scope.SYSTEM)
@@ -45,7 +29,7 @@ def parameter_type_mismatch(system: System, options: Options) -> Iterator[Findin
                 declared.setdefault(declaration.name.text, []).append(declaration)
         for setting in settings:
             rows = declared.get(setting.name, [])
-            given = _type_of(setting.value)
+            given = type_of(setting.value)
             if len(rows) != 1 or given is None or rows[0].type in (None, given) or rows[0].dynamic:
                 continue
             if rows[0].ignore_override or rows[0].conditional or rows[0].name.resolution != "exact":
@@ -74,7 +58,7 @@ def _shown(value: object) -> str:
     return text if len(text) <= 40 else text[:37] + "…"
 
 
-def _write(value: object, wanted: str | None) -> str:
+def _write(value: object, wanted: ParameterType | None) -> str:
     if wanted == "double" and isinstance(value, int):
         return f"write {float(value)}: rclpy does not convert an integer to a double"
     if wanted == "double_array" and isinstance(value, list):

@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from archlint.branches import BranchArms
     from archlint.finding import Place
     from archlint.model.texts import Text
+    from archlint.ros.parameter_types import ParameterType
     from archlint.ros.qos import Qos
 
 
@@ -133,9 +134,8 @@ class Creation:
 @dataclass(eq=False)
 class ParameterDeclaration:
     name: Text
-    type: str | None
-    """ROS type name: ``bool``, ``integer``, ``double``, ``string``, ``byte_array``, ``bool_array``,
-    ``integer_array``, ``double_array``, ``string_array``; None where dynamic or unknown."""
+    type: ParameterType | None
+    """None where dynamic or unknown."""
     default: object
     """The Python value; None where there is none or it is unknown (see ``known``)."""
     known: bool

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 from archlint import model as program
 from archlint.analysis.delivery import undelivered_on
 from archlint.model import Creation, ParameterDeclaration
+from archlint.ros.parameter_types import type_of
 from archlint.ros.qos import Qos
 from archlint.syntax.parameter_files import NotKnown
 from archlint.systems.model import System
@@ -222,19 +223,6 @@ def _why_unknown(value: object) -> str | None:
         case NotKnown(reason=reason):
             return reason
     return None
-
-
-_TYPES = {bool: "bool", int: "integer", float: "double", str: "string"}
-
-
-def type_of(value: object) -> str | None:
-    """ROS's name for the type of a parameter's value; None where that is not known."""
-    match value:
-        case list() | tuple():
-            kinds = {_TYPES.get(type(item)) for item in value}
-            kind = kinds.pop() if len(kinds) == 1 else None
-            return None if kind is None else f"{kind}_array"
-    return _TYPES.get(type(value))
 
 
 def _plain(value: object) -> object:

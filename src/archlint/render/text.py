@@ -14,6 +14,7 @@ from archlint.model import Creation, ParameterDeclaration, Role
 from archlint.observed.model import DIFFERENT, MISSING, UNEXPECTED, Difference, Status
 from archlint.observed.words import comparison_words
 from archlint.render import json, look
+from archlint.ros.parameter_types import type_of
 from archlint.syntax.parameter_files import NotKnown
 from archlint.systems import pattern
 from archlint.systems.externals import connections_of_externals, remapped_names
@@ -162,7 +163,7 @@ def _timer_row(timer: Creation) -> Sequence[Cell]:
 
 def _setting_row(setting: Setting) -> Sequence[Cell]:
     known = _given(setting.value)
-    kind = json.type_of(setting.value) or ""
+    kind = type_of(setting.value) or ""
     place = f"{setting.place.file}:{setting.place.line}"
     return [("parameter", "plain"), (setting.name, "plain"), (f"{kind} {known}".strip(), "plain"), (place, "quiet")]
 

@@ -33,6 +33,7 @@ from archlint.libraries.values import MessageValue
 if TYPE_CHECKING:
     from archlint.libraries.api_use import ApiUse
     from archlint.libraries.run import Run
+    from archlint.ros.parameter_types import ParameterType
 
 
 def declare_one(
@@ -87,7 +88,7 @@ def _note_declaration(
     run: Run,
     blueprint: model.Blueprint,
     name: model.Text,
-    kind: str | None,
+    kind: ParameterType | None,
     default: Value | None,
     place: Place,
     ignore_override: bool,

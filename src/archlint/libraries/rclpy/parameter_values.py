@@ -18,6 +18,7 @@ from archlint.interpreter.values import (
     one_of,
 )
 from archlint.libraries.rclpy import policies
+from archlint.ros.parameter_types import OF_PYTHON, ParameterType, array_of
 from archlint.syntax.parameter_files import NotKnown
 
 if TYPE_CHECKING:
@@ -26,8 +27,7 @@ if TYPE_CHECKING:
 
 _PARAMETER = External("rclpy.parameter.Parameter")
 
-_TYPES: dict[type, str] = {bool: "bool", int: "integer", float: "double", str: "string"}
-_TYPE_NAMES = {
+_TYPE_NAMES: dict[str, ParameterType] = {
     "BOOL": "bool",
     "INTEGER": "integer",
     "DOUBLE": "double",
@@ -52,20 +52,18 @@ def make_parameter(run: Run, call: ApiUse) -> Value:
     return new_parameter(run, call.get("name") or Unknown("no name"), call.get("value") or NONE)
 
 
-def type_name(run: Run, value: Value | None) -> str | None:
+def type_name(run: Run, value: Value | None) -> ParameterType | None:
     """The ROS type of a default, or of a ``Parameter.Type``."""
     match value:
         case Known(value=constant):
-            return _TYPES.get(type(constant))
+            return OF_PYTHON.get(type(constant))
         case External(path=path) if policies.policy_number(path) is not None:
             return "integer"
         case External(path=path) if ".Type." in path:
             return _TYPE_NAMES.get(path.rpartition(".")[2])
         case ListValue():
             items = value.items(run)
-            kinds = {type_name(run, item) for item in items.values}
-            kind = kinds.pop() if len(kinds) == 1 and not items.open else None
-            return None if kind is None else f"{kind}_array"
+            return None if items.open else array_of({type_name(run, item) for item in items.values})
     return None
 
 
