@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import IntEnum
 from typing import Literal
@@ -9,7 +10,10 @@ from typing import Literal
 from archlint.edit_sites import Sites
 from archlint.place import Place
 
-__all__ = ["Edit", "Finding", "Fix", "Place", "Related", "Severity"]
+__all__ = ["Edit", "Finding", "Fix", "Place", "Related", "Severity", "SeverityLabel"]
+
+
+SeverityLabel = Literal["info", "warning", "error"]
 
 
 class Severity(IntEnum):
@@ -25,8 +29,15 @@ class Severity(IntEnum):
         return cls[text.upper()]
 
     @property
-    def label(self) -> str:
-        return self.name.lower()
+    def label(self) -> SeverityLabel:
+        return _LABELS[self]
+
+
+_LABELS: Mapping[Severity, SeverityLabel] = {
+    Severity.INFO: "info",
+    Severity.WARNING: "warning",
+    Severity.ERROR: "error",
+}
 
 
 @dataclass(frozen=True)

@@ -7,16 +7,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 from archlint import cells
+from archlint.finding import SeverityLabel
 from archlint.visible import visible
 
 if TYPE_CHECKING:
     from archlint.finding import Finding, Place
     from archlint.report.model import SourceLine
 
-Piece = tuple[str, str]
+Style = SeverityLabel | Literal["plain", "related", "gutter", "path", "message", "help"]
+Piece = tuple[Style, str]
 """A style and a text that is safe to show."""
 Line = list[Piece]
 
@@ -33,7 +35,7 @@ class Mark:
 
     place: Place
     message: str
-    style: str
+    style: Style
     primary: bool
 
 

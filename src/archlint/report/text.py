@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from typing import TYPE_CHECKING
 
-from archlint.report.frames import Line, frames
+from archlint.report.frames import Line, Style, frames
 from archlint.visible import visible
 
 if TYPE_CHECKING:
     from archlint.finding import Finding
     from archlint.report.model import Report, SourceLine
 
-_STYLES = {
+_STYLES: Mapping[Style, str] = {
     "error": "bold red",
     "warning": "bold yellow",
     "info": "bold blue",
@@ -49,18 +49,18 @@ def _lines(finding: Finding, source_line: SourceLine) -> Iterator[Line]:
         yield [("gutter", f"{margin} = "), ("help", "help: "), ("plain", visible(finding.help))]
 
 
-def _plain(style: str, text: str) -> str:
+def _plain(style: Style, text: str) -> str:
     return text
 
 
-def _painter() -> Callable[[str, str], str]:
+def _painter() -> Callable[[Style, str], str]:
     """A function that puts a text in the colours of a style; only the eight that every theme defines."""
+    from rich import style as rich_style
     from rich.color import ColorSystem
-    from rich.style import Style
 
-    styles = {name: Style.parse(definition) for name, definition in _STYLES.items()}
+    styles = {name: rich_style.Style.parse(definition) for name, definition in _STYLES.items()}
 
-    def paint(style: str, text: str) -> str:
+    def paint(style: Style, text: str) -> str:
         known = styles.get(style)
         return text if known is None else known.render(text, color_system=ColorSystem.STANDARD)
 
