@@ -168,9 +168,9 @@ def _display(value: facts.Expr) -> str:
     return ""
 
 
-def _argument_of_node(kind: str, keyword: str, value: facts.Expr) -> Iterator[WrongDescription]:
+def _argument_of_node(class_name: str, keyword: str, value: facts.Expr) -> Iterator[WrongDescription]:
     """What a node is given as a list of parameters, remappings or arguments that is none."""
-    what, of = _display(value), f"{keyword}= of {kind}"
+    what, of = _display(value), f"{keyword}= of {class_name}"
     match keyword, value:
         case "parameters", facts.Sequence(kind="list", elements=elements):
             for element in elements:

@@ -6,12 +6,12 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.analysis.links import connections, is_meant
-from archlint.architecture import PACKAGE, REQUIRE, Globs, matches
+from archlint.architecture import CONNECTIONS, PACKAGE, REQUIRE, Globs, matches
 from archlint.checks.required import is_concerned
 from archlint.suggestions import did_you_mean
 
 if TYPE_CHECKING:
-    from archlint.architecture import Contract
+    from archlint.architecture import ConnectionKind, Contract
     from archlint.checks.registry import Options
     from archlint.systems.model import System
 
@@ -34,7 +34,7 @@ def idle_patterns(systems: Sequence[System], options: Options) -> Iterator[str]:
         assert layers is not None
         yield from (f"the layer '{name}' {words}" for words in known.without_node(layers.members[name]))
     for name, owners in options.owners.items():
-        yield from (f"[owners] {words}" for words in known.without_name((name,), ("topic", "service", "action")))
+        yield from (f"[owners] {words}" for words in known.without_name((name,), CONNECTIONS))
         yield from (f"[owners] for '{name}' {words}" for words in known.without_node(owners))
 
 
@@ -51,7 +51,7 @@ class _Known:
     def __init__(self, systems: Iterable[System], options: Options) -> None:
         self._options = options
         self._nodes = [node for system in systems for node in system.nodes]
-        self._names: dict[str, set[str]] = {"topic": set(), "service": set(), "action": set()}
+        self._names: dict[ConnectionKind, set[str]] = {kind: set() for kind in CONNECTIONS}
         for system in systems:
             for connection in connections(system):
                 self._names[connection.kind].add(connection.name)
@@ -69,7 +69,7 @@ class _Known:
                 names = {node.name for node in self._nodes if node.name and not node.test}
                 yield f"matches nothing: no node is called '{glob}'{did_you_mean(glob, names)}"
 
-    def without_name(self, globs: Globs, kinds: tuple[str, ...]) -> Iterator[str]:
+    def without_name(self, globs: Globs, kinds: tuple[ConnectionKind, ...]) -> Iterator[str]:
         names = {name for kind in kinds for name in self._names[kind]}
         for glob in globs:
             if not self._options.is_external(glob) and not any(matches((glob,), name) for name in names):

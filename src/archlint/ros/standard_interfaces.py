@@ -4,8 +4,12 @@ from __future__ import annotations
 
 from functools import cache
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import msgspec
+
+if TYPE_CHECKING:
+    from archlint.syntax.interfaces import InterfaceKind
 
 FILE = Path(__file__).with_suffix(".json")
 
@@ -25,7 +29,7 @@ class Table(msgspec.Struct):
     packages: dict[str, list[str]]
     interfaces: dict[str, Definition]
 
-    def names(self, package: str, kind: str) -> list[str]:
+    def names(self, package: str, kind: InterfaceKind) -> list[str]:
         """Names of the interfaces that a package has of one kind."""
         start = f"{package}/{kind}/"
         return [name.removeprefix(start) for name in self.interfaces if name.startswith(start)]

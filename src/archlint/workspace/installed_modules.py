@@ -62,7 +62,7 @@ def _copied(words: Sequence[str]) -> Iterator[tuple[str, str]]:
     below = [part for part in destination[site.end() :].split("/") if part]
     for source in _sources(words[1:]):
         path = posixpath.normpath(source)
-        parts = [*below, *_own_parts(kind, source)]
+        parts = [*below, *_own_parts(source, is_folder=kind == "DIRECTORY")]
         if path != "." and parts and all(part.isidentifier() for part in parts):
             yield path, ".".join(parts)
 
@@ -75,10 +75,10 @@ def _sources(words: Sequence[str]) -> Iterator[str]:
             yield word
 
 
-def _own_parts(kind: str, source: str) -> list[str]:
+def _own_parts(source: str, is_folder: bool) -> list[str]:
     """What a source itself adds to the name: nothing where only what a folder holds is copied."""
     name = posixpath.basename(source)
-    if kind == "DIRECTORY":
+    if is_folder:
         return [name] if name else []
     stem, suffix = posixpath.splitext(name)
     if suffix != ".py":
