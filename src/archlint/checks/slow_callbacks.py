@@ -13,6 +13,7 @@ from archlint.analysis.attribute_loops import attribute_loops
 from archlint.analysis.callback_roles import callback_words, runs_in_executor
 from archlint.analysis.deadlock import threads_of
 from archlint.analysis.kept import once
+from archlint.analysis.kept_waiting import Waiting, who_waits
 from archlint.analysis.loop_times import around_future, in_loops
 from archlint.analysis.own_timers import ends_its_timer_before
 from archlint.analysis.present_servers import is_there
@@ -29,15 +30,13 @@ from archlint.checks.scope import Scope
 from archlint.checks.wait_words import MAKE_IT_EARLIER, made_here
 from archlint.finding import Finding, Place, Related, Severity
 from archlint.model import (
-    EntityKind,
-    ExecutorKind,
     GroupKind,
     Role,
 )
 from archlint.model.given import Constant
 
 if TYPE_CHECKING:
-    from archlint.model import ApiCall, Blueprint, Callback, Creation, Program
+    from archlint.model import ApiCall, Callback, Program
     from archlint.systems.model import System
 
 MOMENT = 0.1
@@ -107,7 +106,7 @@ def _is_left_alone(system: System, program: Program, call: ApiCall, stay: Stay) 
         period = _period(system, call)
         in_time = period is None or (stay.seconds or 0.0) <= period
         minor = role in _LOSES_NOTHING and (in_time or leaves_its_state(code, call))
-    return minor and _waiting(code, call, program) == _NOBODY
+    return minor and who_waits(code, call, program) == Waiting.NOBODY
 
 
 def _is_brief(code: SourceCode, call: ApiCall, stay: Stay) -> bool:
@@ -198,84 +197,6 @@ def _where_harmless(system: System) -> frozenset[Place]:
     )
 
 
-def _waiting(code: SourceCode, call: ApiCall, program: Program) -> str:
-    """Who waits while a callback keeps its thread: ``others`` that are known, ``nobody``, or ``unknown``."""
-    callback = call.context
-    node = callback.node
-    if node is None:
-        return _UNKNOWN
-    nodes = [node, *(other for use in program.executors_of(node) for other in use.nodes if other is not node)]
-    if any(_takes_in_more(code, spun, call, program) for spun in nodes):
-        return _OTHERS
-    # The transitions of a lifecycle node wait, too, if anybody asks for one.
-    known = callback.role in _ITS_NEXT and not node.lifecycle
-    known_executor = known and node.executor in (ExecutorKind.SINGLE_THREADED, ExecutorKind.MULTI_THREADED)
-    return _NOBODY if known_executor and all(spun.complete for spun in nodes) else _UNKNOWN
-
-
-def _takes_in_more(code: SourceCode, node: Blueprint, call: ApiCall, program: Program) -> bool:
-    """Whether an executor has anything to do for a node besides one callback.  What a node sends is no work, nor is
-    the answer that nothing is registered for, nor what the callback makes only after it has waited."""
-    callback = call.context
-    later = {id(creation) for creation in node.creations if _is_made_after(creation, call)}
-    follow = _callbacks_that_follow(code, node, call)
-    several_threads = threads_of(callback.node, program) == blocking.SEVERAL
-    entities = (creation for creation in node.creations if creation.kind in _TAKE_IN and not creation.destroyed)
-    return any(
-        creation is not callback.creation
-        and id(creation) not in later
-        and not (several_threads and creation.group != callback.group)
-        and (not creation.callbacks or any(handler.place != callback.place for handler in creation.callbacks.values()))
-        for creation in entities
-    ) or any(
-        other.place != callback.place
-        and other not in follow
-        and id(other.creation) not in later
-        and (other.creation is not callback.creation or other.role == Role.CANCEL)
-        and runs_in_executor(other)
-        for other in node.callbacks
-        if not (several_threads and other.group != callback.group) and other.role != Role.LIFECYCLE
-    )
-
-
-def _is_made_after(creation: Creation, call: ApiCall) -> bool:
-    """Whether the function that waits makes something further down."""
-    same = (creation.place.file, creation.function) == (call.file, call.function)
-    return same and creation.context is call.context and not call.loops and creation.place > call.place
-
-
-def _callbacks_that_follow(code: SourceCode, node: Blueprint, call: ApiCall) -> list[Callback]:
-    """The done callbacks of futures that the waiting function makes further down, and of those that these make; while
-    it waits for an action server, the feedback of goals that it sends further down: nobody is there to give any."""
-    follow: list[Callback] = []
-    roles = {Role.DONE, Role.FEEDBACK} if call.api == _FOR_SERVER else {Role.DONE}
-    rest = [callback for callback in node.callbacks if callback.role in roles and callback.registered is not None]
-    body = [] if call.loops else code.body(call)
-    span = getattr(body[-1], "span", None) if body else None
-    bodies = [] if span is None else [(call.place, span[2])]
-    while bodies:
-        start, end = bodies.pop()
-        for follower in [callback for callback in rest if _is_between(callback.registered, start, end)]:
-            rest.remove(follower)
-            follow.append(follower)
-            function = code.function(follower)
-            if function is not None:
-                bodies.append((follower.place, function.span[2]))
-    return follow
-
-
-_FOR_SERVER = "rclpy.action.client.ActionClient.wait_for_server"
-
-
-def _is_between(place: Place | None, start: Place, end_line: int) -> bool:
-    return place is not None and place.file == start.file and place > start and place.line <= end_line
-
-
-_OTHERS, _NOBODY, _UNKNOWN = "others", "nobody", "unknown"
-_TAKE_IN = frozenset(
-    {EntityKind.SUBSCRIBER, EntityKind.SERVICE, EntityKind.ACTION_SERVER, EntityKind.TIMER, EntityKind.GUARD_CONDITION}
-)
-"""Kinds of entities that bring an executor work by themselves."""
 _ITS_NEXT = {Role.SUBSCRIPTION: "message", Role.TIMER: "turn", Role.SERVICE: "request", Role.EXECUTE: "goal"}
 
 
@@ -290,14 +211,14 @@ def _slow(system: System, rows: Sequence[_Row], only_network: bool) -> Finding:
         end = _of_loop(source_code(system), call, stay)
     if others:
         end += f", as {'does another line' if len(others) == 1 else f'do {len(others)} more lines'} of {call.function}"
-    waiting = {_waiting(source_code(system), row[1], row[0]) for row in rows}
+    waiting = {who_waits(source_code(system), row[1], row[0]) for row in rows}
     elsewhere = _where_harmless(system)
     mild = all(row[1].place in elsewhere for row in rows)
-    mild = mild or _OTHERS not in waiting or all(_is_minor(source_code(system), row[1], row[2]) for row in rows)
+    mild = mild or Waiting.OTHERS not in waiting or all(_is_minor(source_code(system), row[1], row[2]) for row in rows)
     meanwhile = _meanwhile(callback, program)
-    if waiting == {_NOBODY}:
+    if waiting == {Waiting.NOBODY}:
         meanwhile = f"the node has no other callback, but its next {_ITS_NEXT[callback.role]} has to wait"
-    elif _OTHERS not in waiting:
+    elif Waiting.OTHERS not in waiting:
         meanwhile = "everything else on its thread has to wait"
     diagnostic = finding_in_callback(
         "EXE003",

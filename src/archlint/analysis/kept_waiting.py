@@ -1,0 +1,108 @@
+"""Who waits while a callback keeps its thread: what else its executor would run meanwhile."""
+
+from __future__ import annotations
+
+from enum import Enum, auto
+from typing import TYPE_CHECKING
+
+from archlint.analysis import blocking
+from archlint.analysis.callback_roles import runs_in_executor
+from archlint.analysis.deadlock import threads_of
+from archlint.model import EntityKind, ExecutorKind, Role
+
+if TYPE_CHECKING:
+    from archlint.analysis.source_code import SourceCode
+    from archlint.finding import Place
+    from archlint.model import ApiCall, Blueprint, Callback, Creation, Program
+
+
+class Waiting(Enum):
+    """Who has to wait."""
+
+    OTHERS = auto()
+    """Other callbacks, which are known."""
+    NOBODY = auto()
+    """Only the next turn of the same callback."""
+    UNKNOWN = auto()
+
+
+_FOR_SERVER = "rclpy.action.client.ActionClient.wait_for_server"
+_RUNS_AGAIN = frozenset({Role.SUBSCRIPTION, Role.TIMER, Role.SERVICE, Role.EXECUTE})
+"""What is called again and again, so that its next turn waits."""
+_TAKE_IN = frozenset(
+    {EntityKind.SUBSCRIBER, EntityKind.SERVICE, EntityKind.ACTION_SERVER, EntityKind.TIMER, EntityKind.GUARD_CONDITION}
+)
+"""Kinds of entities that bring an executor work by themselves."""
+
+
+def who_waits(code: SourceCode, call: ApiCall, program: Program) -> Waiting:
+    """Who waits while a callback keeps its thread in a call."""
+    callback = call.context
+    node = callback.node
+    if node is None:
+        return Waiting.UNKNOWN
+    nodes = [node, *(other for use in program.executors_of(node) for other in use.nodes if other is not node)]
+    if any(_takes_in_more(code, spun, call, program) for spun in nodes):
+        return Waiting.OTHERS
+    # The transitions of a lifecycle node wait, too, if anybody asks for one.
+    known = callback.role in _RUNS_AGAIN and not node.lifecycle
+    known_executor = known and node.executor in (ExecutorKind.SINGLE_THREADED, ExecutorKind.MULTI_THREADED)
+    return Waiting.NOBODY if known_executor and all(spun.complete for spun in nodes) else Waiting.UNKNOWN
+
+
+def _takes_in_more(code: SourceCode, node: Blueprint, call: ApiCall, program: Program) -> bool:
+    """Whether an executor has anything to do for a node besides one callback.  What a node sends is no work, nor is
+    the answer that nothing is registered for, nor what the callback makes only after it has waited."""
+    callback = call.context
+    later = {id(creation) for creation in node.creations if _is_made_after(creation, call)}
+    follow = _callbacks_that_follow(code, node, call)
+    several_threads = threads_of(callback.node, program) == blocking.SEVERAL
+    entities = (creation for creation in node.creations if creation.kind in _TAKE_IN and not creation.destroyed)
+    return any(
+        creation is not callback.creation
+        and id(creation) not in later
+        and not (several_threads and creation.group != callback.group)
+        and (not creation.callbacks or any(handler.place != callback.place for handler in creation.callbacks.values()))
+        for creation in entities
+    ) or any(
+        other.place != callback.place
+        and other not in follow
+        and id(other.creation) not in later
+        and (other.creation is not callback.creation or other.role == Role.CANCEL)
+        and runs_in_executor(other)
+        for other in node.callbacks
+        if not (several_threads and other.group != callback.group) and other.role != Role.LIFECYCLE
+    )
+
+
+def _is_made_after(creation: Creation, call: ApiCall) -> bool:
+    """Whether the function that waits makes something further down."""
+    same = (creation.place.file, creation.function) == (call.file, call.function)
+    return same and creation.context is call.context and not call.loops and creation.place > call.place
+
+
+def _callbacks_that_follow(code: SourceCode, node: Blueprint, call: ApiCall) -> list[Callback]:
+    """The done callbacks of futures that the waiting function makes further down, and of those that these make; while
+    it waits for an action server, the feedback of goals that it sends further down: nobody is there to give any."""
+    follow: list[Callback] = []
+    roles = {Role.DONE, Role.FEEDBACK} if call.api == _FOR_SERVER else {Role.DONE}
+    rest = [callback for callback in node.callbacks if callback.role in roles and callback.registered is not None]
+    body = [] if call.loops else code.body(call)
+    span = getattr(body[-1], "span", None) if body else None
+    bodies = [] if span is None else [(call.place, span[2])]
+    while bodies:
+        start, end = bodies.pop()
+        for follower in [callback for callback in rest if _is_between(callback.registered, start, end)]:
+            rest.remove(follower)
+            follow.append(follower)
+            function = code.function(follower)
+            if function is not None:
+                bodies.append((follower.place, function.span[2]))
+    return follow
+
+
+def _is_between(place: Place | None, start: Place, end_line: int) -> bool:
+    return place is not None and place.file == start.file and place > start and place.line <= end_line
+
+
+__all__ = ["Waiting", "who_waits"]
