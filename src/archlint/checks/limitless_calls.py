@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -23,10 +23,11 @@ from archlint.analysis.threaded_waits import threaded_waits
 from archlint.analysis.threads import is_daemon
 from archlint.analysis.unused_results import stands_alone
 from archlint.analysis.waits import other_arm_only_sends
+from archlint.checks.folding import class_around, folds, of_one_class
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.timeouts import is_uncalled
-from archlint.checks.wait_words import kind_of, name_of, related_path
+from archlint.checks.wait_words import kind_of, name_of, related_path, server_words
 from archlint.finding import Finding, Severity
 from archlint.model import ExecutorKind, Role
 
@@ -109,24 +110,32 @@ def _limitless_call(system: System, program: Program, call: ApiCall, distros: tu
     function = call.api.rpartition(".")[2]
     answer = "the result of" if call.api == _SEND_GOAL else "the response from"
     spinner = _spinner(call, program)
+    advice = _help(source_code(system), call, spinner, distros)
     diagnostic = finding(
         "TMO002",
         call.place,
-        f"{function}() waits for {answer} {endpoint_words(call.creation, kind_of(call))} without a timeout: if it "
-        f"is lost, this never returns{_if_often(system, call)}",
-        help=_help(source_code(system), call, spinner, distros),
+        f"{function}() waits for {answer} {server_words(system, call.creation, kind_of(call))} without a timeout: "
+        f"if it is lost, this never returns{_if_often(system, call)}",
+        help=advice,
         related=related_path(call, call.creation),
         node=node_name(system, call.node or call.context.node),
         identity=(call.function, name_of(call.creation), function),
     )
-    if is_uncalled(call):
-        diagnostic = replace(diagnostic, severity=Severity.INFO)
+    severity = Severity.INFO if is_uncalled(call) else diagnostic.severity
+    group = (call.file, class_around(call.function), severity.label, spinner, advice)
+    diagnostic = replace(diagnostic, severity=severity, group=group)
     # Where nobody spins meanwhile, a limit would always expire.
     return (
         replace(diagnostic, sites=sites_of_call(system.workspace, call.place, distros))
         if spinner in _SPINS
         else diagnostic
     )
+
+
+@folds("TMO002")
+def calls_of_one_class(findings: Sequence[Finding]) -> Finding:
+    """The finding for all such calls of a class or function that are to be replaced in the same way."""
+    return of_one_class(findings, "call", "it calls without a timeout here, too")
 
 
 _COMES = {Role.SUBSCRIPTION: "messages come", Role.EXECUTE: "goals come"}
