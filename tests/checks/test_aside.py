@@ -440,8 +440,15 @@ SLEEPS = NODE.replace(
         ("ws/robot/tools/reference.py", Severity.INFO),
         ("ws/tools/reference.py", Severity.INFO),
         ("ws/robot/(new)robot/driver.py", Severity.INFO),
+        ("ws/robot/robot/old/driver.py", Severity.INFO),
     ],
-    ids=["a program of the package", "a script of the package", "a script beside the packages", "no name to import"],
+    ids=[
+        "a program of the package",
+        "a script of the package",
+        "a script beside the packages",
+        "no name to import",
+        "put aside",
+    ],
 )
 def test_an_error_in_code_that_no_package_installs_is_information(tmp_path, monkeypatch, path, severity):
     files = {"ws/robot/package.xml": MANIFEST.strip(), "ws/robot/setup.py": SETUP.replace("{more}", "")}
@@ -612,6 +619,11 @@ def test_two_scripts_that_nobody_installs_are_no_pair(found, driver: str, severi
     told = found("QOS001", {**loose, "robot/driver.py": said("Driver", driver)})
     assert [one.severity for one in told] == severities
     assert all(one.message.endswith(", in scripts that no installed program uses") for one in told)
+
+
+def test_a_subscription_that_is_put_aside_says_nothing_of_the_publisher(found):
+    files = {"robot/driver.py": said("Driver", BEST_EFFORT), "robot/old/b.py": said("B", ASKS)}
+    assert found("QOS001", {**files, "robot/old/__init__.py": ""}) == []
 
 
 def test_a_script_that_nobody_installs_against_a_program(found):

@@ -60,9 +60,9 @@ def _in_use(workspace: WorkspaceIndex) -> frozenset[str]:
 
 def is_not_installed(workspace: WorkspaceIndex | None, file: str) -> bool:
     """Whether a script is in a package that installs programs, but is none of them, and none of them imports it: only
-    who knows where it lies can start it.  So it is with what no file can import, for the name of its folder, with what
-    such scripts import that lies in no Python package, with scripts beside the packages of a workspace or without any,
-    and what these import."""
+    who knows where it lies can start it.  So it is with what is put aside there, with what no file can import, for the
+    name of its folder, with what such scripts import that lies in no Python package, with scripts beside the packages
+    of a workspace or without any, and what these import."""
     if workspace is None or file in _in_use(workspace):
         return False
     package = workspace.package_of(file)
@@ -75,7 +75,7 @@ def is_not_installed(workspace: WorkspaceIndex | None, file: str) -> bool:
         return False  # another package of that name
     if file in _reached(workspace) or _is_named(workspace, installs, file):
         return False
-    if _cannot_be_imported(installs, file):
+    if workspace.roles.is_put_aside(file) or _cannot_be_imported(installs, file):
         return True
     return _is_script(workspace, file) or (_in_no_module(workspace, file) and file in _reached_by_loose(workspace))
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.analysis.aside import is_not_installed
+from archlint.analysis.aside import is_disused, is_not_installed
 from archlint.analysis.coexistence import has_launch_files, known_to_coexist
 from archlint.analysis.delivery import Undelivered, fits_any, fitting, policy_words, undelivered
 from archlint.checks.folding import folds
@@ -43,6 +43,8 @@ def _mismatches(code: str, system: System, policies: set[DurationPolicy | Streng
     for pair in undelivered(system):
         if _is_of_loose_scripts(system, pair) and fits_any(system, pair.request):
             continue  # each is run by hand, beside the program that it was made for
+        if _is_put_aside(system, pair):
+            continue
         for verdict in pair.verdicts:
             if verdict.policy in policies:
                 against.setdefault((id(pair.request), verdict.policy), []).append((pair, verdict))
@@ -111,6 +113,14 @@ def _is_of_loose_scripts(system: System, pair: Undelivered) -> bool:
     if workspace is None or not workspace.manifests or known_to_coexist(system, pair.offer.node, pair.request.node):
         return False
     return all(is_not_installed(workspace, end.place.file) for end in ends)
+
+
+def _is_put_aside(system: System, pair: Undelivered) -> bool:
+    """Whether one of two nodes is in a file that is no longer in use, and nothing starts both: who changes the other
+    for its sake cuts that off from those which are in use."""
+    if known_to_coexist(system, pair.offer.node, pair.request.node):
+        return False
+    return any(is_disused(system.workspace, end.place.file) for end in (pair.offer, pair.request))
 
 
 def _is_proven(system: System, pair: Undelivered) -> bool:
