@@ -413,7 +413,8 @@ class TestSpinWithoutTimeout:
             "it spins without a timeout here, too"
         ]
         left = [lines[0], lines[1].replace("  # here", "  # archlint: ignore[TMO003]"), lines[2], f"{lines[3]}  # here"]
-        judge("TMO003", script("\n        ".join(left)))
+        [of_result] = judge("TMO003", script("\n        ".join(left)))
+        assert "cancel the goal" in of_result.help and "cancel the goal" not in found.help
 
     def test_a_future_that_the_code_completes_itself_is_no_answer(self, judge: Judge):
         judge("TMO003", script("rclpy.spin_until_future_complete(node, Future())"))

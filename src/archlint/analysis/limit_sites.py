@@ -166,6 +166,12 @@ def sites_of_spin(workspace: WorkspaceIndex | None, place: Place) -> Sites | Non
     return None
 
 
+def spins_for_a_result(workspace: WorkspaceIndex | None, place: Place) -> bool:
+    """Whether the future that a call at a place spins for is that of an action's result."""
+    tree, call = _call_at(workspace, place)
+    return tree is not None and call is not None and _of_a_result(tree, call)
+
+
 def _asks(tree: Tree, call: facts.Call, future: facts.Expr) -> bool:
     """Whether the function around asks a future whether it is done, or whether its result is there."""
     function = tree.function_around(call)
@@ -217,7 +223,11 @@ def _of_a_result(tree: Tree, call: facts.Call) -> bool:
             case facts.Assign(targets=targets, value=value):
                 if any(same_code(target, name) for target in targets for name in named):
                     asked.extend(calls_in(value))
-    return any(called_name(asked_call) == "get_result_async" for asked_call in asked)
+    return any(called_name(asked_call) in _ASKS_FOR_A_RESULT for asked_call in asked)
+
+
+_ASKS_FOR_A_RESULT = frozenset({"get_result_async", "_get_result_async"})
+"""Of a goal handle, and of an action client."""
 
 
 def _is_of_rclpy(call: facts.Call) -> bool:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.asking_scripts import is_step_of_asking_script
 from archlint.analysis.left_over import is_dead, is_never_made
-from archlint.analysis.limit_sites import sites_of_spin
+from archlint.analysis.limit_sites import sites_of_spin, spins_for_a_result
 from archlint.analysis.own_futures import spins_for_a_message, spins_for_own_future
 from archlint.analysis.reach import (
     argument,
@@ -80,7 +80,7 @@ def _limitless_spin(system: System, program: Program, call: ApiCall) -> Finding:
         "TMO003",
         call.place,
         f"spins until {awaited} arrives, without a timeout: if it never does, the next line never runs",
-        help=passed_on(call) if is_at_its_default(call) else _LIMIT_IT,
+        help=_help(system, call),
         related=related_path(call, client),
         node=node_name(system, call.context.node),
         identity=(call.function, name_of(client), "spin_until_future_complete"),
@@ -92,7 +92,13 @@ def _limitless_spin(system: System, program: Program, call: ApiCall) -> Finding:
     return replace(diagnostic, severity=severity, group=group)
 
 
-_LIMIT_IT = "set timeout_sec, and check future.done() afterwards"
+def _help(system: System, call: ApiCall) -> str:
+    """What to write; how long a motion takes, its caller knows best."""
+    if is_at_its_default(call):
+        return passed_on(call)
+    if spins_for_a_result(system.workspace, call.place):
+        return "set a timeout_sec that is longer than any goal takes, and cancel the goal when it is over"
+    return "set timeout_sec, and check future.done() afterwards"
 
 
 @folds("TMO003")
