@@ -22,7 +22,13 @@ def test_the_nearest_word_is_near():
 
 @pytest.mark.parametrize(
     ("word", "meant"),
-    [("cmd_topc", "cmd_topic"), ("sub_ids", "sub_id"), ("maxspeed", "max_speed"), ("Camra", "camera")],
+    [
+        ("cmd_topc", "cmd_topic"),
+        ("sub_ids", "sub_id"),
+        ("maxspeed", "max_speed"),
+        ("robot_maxspeed", "robot_max_speed"),
+        ("Camra", "camera"),
+    ],
 )
 def test_a_word_that_is_misspelt_in_a_name(word: str, meant: str):
     assert nearest(word, [meant]) == meant
@@ -37,6 +43,8 @@ def test_a_word_that_is_misspelt_in_a_name(word: str, meant: str):
         ("linear_x", "linear_y"),
         ("kp", "kd"),
         ("input_gain", "output_gain"),
+        ("RobotGoStraight", "RobotStatus"),
+        ("robot_go_home_goal", "robot_stop_goal"),
     ],
 )
 def test_two_names_of_which_neither_is_misspelt(word: str, other: str):

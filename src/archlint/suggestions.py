@@ -53,9 +53,20 @@ def nearest(word: str, known: Iterable[str]) -> str | None:
 def _are_two_names(first: str, second: str) -> bool:
     mine, yours = (_PARTS.split(name) for name in (first, second))
     if len(mine) != len(yours):
-        return False
+        left, right = _apart(mine, yours)
+        return bool(left and right) and left != right and not _is_slip(left, right)
     pairs = [(left.lower(), right.lower()) for left, right in zip(mine, yours, strict=True)]
     return any(left != right and not _is_slip(left, right) for left, right in pairs)
+
+
+def _apart(mine: Sequence[str], yours: Sequence[str]) -> tuple[str, str]:
+    """What two names consist of besides the words that they begin and end with alike: ``gostraight`` and ``status`` of
+    ``RobotGoStraight`` and ``RobotStatus``."""
+    words = [[word.lower() for word in words] for words in (mine, yours)]
+    for end in (0, -1):
+        while all(words) and words[0][end] == words[1][end]:
+            words = [row[1:] if end == 0 else row[:-1] for row in words]
+    return "".join(words[0]), "".join(words[1])
 
 
 def _is_slip(first: str, second: str) -> bool:

@@ -207,7 +207,12 @@ def test_a_script_beside_the_packages(named):
     assert found.severity is Severity.INFO and found.message.endswith("in code that no installed program uses")
     [imported] = named({"../tools/smoke.py": NODE, "../tools/run.py": "from smoke import main\n\nmain()\n"})
     assert imported.severity is Severity.INFO
-    [module] = named({"../tools/smoke.py": NODE.partition("if __name__")[0]})
+    functions = NODE.partition("if __name__")[0]
+    [reads] = named(
+        {"../tools/smoke.py": f"import argparse\n{functions}\nasked = argparse.ArgumentParser().parse_args()\n"}
+    )
+    assert reads.severity is Severity.INFO
+    [module] = named({"../tools/smoke.py": functions})
     assert module.severity is Severity.WARNING
 
 

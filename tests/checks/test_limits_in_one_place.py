@@ -89,7 +89,7 @@ def test_the_waits_of_a_class_are_one_finding(judge: Judge):
     assert spin.message.endswith("; another line in the class Asker does the same")
 
 
-def test_the_calls_of_a_class_are_one_finding(judge: Judge):
+def test_the_calls_of_a_function_are_one_finding(judge: Judge):
     text = """
         import rclpy
         from rclpy.callback_groups import ReentrantCallbackGroup
@@ -105,12 +105,9 @@ def test_the_calls_of_a_class_are_one_finding(judge: Judge):
                 self.path = self.create_client(Trigger, 'path', callback_group=apart)
                 self.threat = self.create_client(Trigger, 'threat', callback_group=apart)
                 self.create_timer(5.0, self.plan)
-                self.create_timer(7.0, self.clear)
 
             def plan(self):
                 self.get_logger().info(str(self.path.call(Trigger.Request())))  # here
-
-            def clear(self):
                 self.get_logger().info(str(self.threat.call(Trigger.Request())))
 
 
@@ -125,8 +122,8 @@ def test_the_calls_of_a_class_are_one_finding(judge: Judge):
             main()
     """
     [calls] = judge("TMO002", text)
-    assert calls.message.endswith("; another call in the class Planner does the same")
-    assert [related.place.line for related in calls.related if "here, too" in related.message] == [21]
+    assert calls.message.endswith("; another call in Planner.plan() does the same")
+    assert [related.place.line for related in calls.related if "here, too" in related.message] == [18]
 
 
 def test_where_callers_leave_out_the_limit_the_help_is_about_them(judge: Judge):

@@ -147,17 +147,22 @@ def _stray(workspace: WorkspaceIndex) -> frozenset[str]:
 
 
 def _is_script(workspace: WorkspaceIndex, file: str) -> bool:
-    """Whether a file asks whether it is the program, or starts ROS as it is loaded: no other imports it then."""
+    """Whether a file asks whether it is the program, or starts ROS or reads the command line as it is loaded: no other
+    imports it then."""
     file_facts = workspace.facts_at(file)
     body = [] if file_facts is None else file_facts.body
     tests = [statement.test for statement in body if isinstance(statement, facts.If)]
     if any(isinstance(test, facts.Compare) and test.left.variable == "__name__" for test in tests):
         return True
-    return any(isinstance(statement, facts.Expression) and _starts_ros(statement.value) for statement in body)
+    return any(
+        isinstance(statement, (facts.Expression, facts.Assign)) and _is_for_a_program(statement.value)
+        for statement in body
+    )
 
 
-def _starts_ros(value: facts.Expr) -> bool:
-    return isinstance(value, facts.Call) and value.func.dotted == "rclpy.init"
+def _is_for_a_program(value: facts.Expr) -> bool:
+    """``rclpy.init()`` or ``parser.parse_args()``."""
+    return isinstance(value, facts.Call) and (value.func.dotted == "rclpy.init" or called_name(value) == "parse_args")
 
 
 def _is_named(workspace: WorkspaceIndex, installs: Installs, file: str) -> bool:

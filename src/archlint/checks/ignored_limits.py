@@ -9,7 +9,6 @@ from archlint.analysis.left_over import is_never_made
 from archlint.analysis.reach import (
     calls_of,
     creations_of,
-    endpoint_words,
     has_limit,
     node_name,
     one_for_each_place,
@@ -25,6 +24,7 @@ from archlint.checks.wait_words import (
     kind_of,
     name_of,
     related_path,
+    server_words,
 )
 from archlint.finding import Finding, Place
 
@@ -61,7 +61,7 @@ def _ignored(system: System, call: ApiCall) -> Finding:
     return finding(
         "TMO005",
         call.place,
-        f"the result of {function}() for {endpoint_words(call.creation, kind_of(call))} is ignored: after the "
+        f"the result of {function}() for {server_words(system, call.creation, kind_of(call))} is ignored: after the "
         "timeout the code continues as if it were available",
         help=f"check the result, and handle the case that the server is not available: if not ….{function}(…):",
         related=related_path(call, call.creation),

@@ -23,7 +23,7 @@ from archlint.analysis.threaded_waits import threaded_waits
 from archlint.analysis.threads import is_daemon
 from archlint.analysis.unused_results import stands_alone
 from archlint.analysis.waits import other_arm_only_sends
-from archlint.checks.folding import class_around, folds, of_one_class
+from archlint.checks.folding import folds, of_one_function
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.timeouts import is_uncalled
@@ -122,7 +122,7 @@ def _limitless_call(system: System, program: Program, call: ApiCall, distros: tu
         identity=(call.function, name_of(call.creation), function),
     )
     severity = Severity.INFO if is_uncalled(call) else diagnostic.severity
-    group = (call.file, class_around(call.function), severity.label, spinner, advice)
+    group = (call.file, call.function, severity.label, spinner, advice)
     diagnostic = replace(diagnostic, severity=severity, group=group)
     # Where nobody spins meanwhile, a limit would always expire.
     return (
@@ -133,9 +133,9 @@ def _limitless_call(system: System, program: Program, call: ApiCall, distros: tu
 
 
 @folds("TMO002")
-def calls_of_one_class(findings: Sequence[Finding]) -> Finding:
-    """The finding for all such calls of a class or function that are to be replaced in the same way."""
-    return of_one_class(findings, "call", "it calls without a timeout here, too")
+def _of_one_function(findings: Sequence[Finding]) -> Finding:
+    """The finding for all such calls of a function that are to be replaced in the same way."""
+    return of_one_function(findings, "call", "it calls without a timeout here, too")
 
 
 _COMES = {Role.SUBSCRIPTION: "messages come", Role.EXECUTE: "goals come"}
