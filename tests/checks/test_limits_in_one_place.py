@@ -228,6 +228,7 @@ def test_a_service_with_one_name_for_each_object_has_none_in_the_message(judge: 
         ("node, future, executor", True),
         ("node, future, executor=given.executor", True),
         ("node, future, given.limit", False),
+        ("node, future, given.other", False),
         ("node, future, 10.0", False),
     ],
 )
@@ -245,6 +246,7 @@ def test_what_may_be_a_limit_in_the_place_of_the_executor(judge: Judge, argument
             rclpy.init()
             parser = argparse.ArgumentParser()
             parser.add_argument('--limit', type=float, default=10.0)
+            parser.add_argument('--other')
             given = parser.parse_args()
             node = Node('spawner')
             executor = SingleThreadedExecutor()
@@ -256,6 +258,10 @@ def test_what_may_be_a_limit_in_the_place_of_the_executor(judge: Judge, argument
             main()
     """
     judge("TMO003", text)
+    refused = arguments in ("node, future, 10.0", "node, future, given.limit")
+    text = text.replace("  # here", "")
+    findings = judge("API001", text.replace(f"({arguments})", f"({arguments})  # here") if refused else text)
+    assert [finding.help.partition(",")[0] for finding in findings] == ["give the timeout by name"] * refused
 
 
 CORE = """

@@ -143,6 +143,8 @@ def _what_is_wrong(call: RefusedCall) -> str:
 
 def _cure(name: str, call: RefusedCall) -> str:
     if call.misuse is Misuse.KIND:
+        if call.parameters == ("executor",) and call.api.endswith("spin_until_future_complete"):
+            return "give the timeout by name, timeout_sec=…: the executor comes before it"
         called = call.given.startswith("what ")
         return "pass the function itself, without parentheses" if called else f"pass {call.wanted}"
     return f"write {name}({', '.join(call.signature)})"

@@ -13,6 +13,7 @@ from archlint.interpreter.values import (
     FunctionValue,
     Instance,
     Known,
+    Unknown,
     Value,
 )
 from archlint.libraries.rclpy import names, node_classes
@@ -169,7 +170,12 @@ _IS_OTHER: Mapping[Kind, Callable[[Value, facts.Expr | None], bool]] = {
 
 
 def _is_constant(value: Value) -> bool:
-    return isinstance(value, Known) and value.value is not None
+    match value:
+        case Known(value=constant):
+            return constant is not None
+        case Unknown(of_class="int" | "float" | "str"):
+            return True
+    return False
 
 
 def _is_interface(value: Value) -> bool:
@@ -225,6 +231,10 @@ def described(value: Value, written: facts.Expr | None) -> str:
             return f"a {path.rpartition('.')[2].lower()}"
         case NodeValue():
             return "a node"
+        case Unknown(of_class="str"):
+            return "a text"
+        case Unknown(of_class="int" | "float"):
+            return "a number"
         case Instance(cls=ClassValue(qualified=name)):
             return f"an object of class {name}"
     return "something else"

@@ -53,12 +53,24 @@ def add_argument(run: Run, receiver: Value, site: CallSite) -> Value:
     if name is None or len(names) != len(site.args) or site.is_starred or run.branch_arms:
         run.store.set(receiver.key, OPEN, True)
     if name is not None:
-        what = Unknown(f"the command-line argument '{name}'")
         default = site.keywords.get("default") or _default_of_action(site.keywords.get("action"))
+        what = Unknown(f"the command-line argument '{name}'", of_class=_class_of(site, names, default))
         value: Value = what if default is None else one_of((as_default(default), what))
         run.store.set(receiver.key, ARGUMENTS[name], value)
         run.store.set(receiver.key, OPTIONS[name], Option(names, site.keywords))
     return NONE
+
+
+def _class_of(site: CallSite, names: tuple[str, ...], default: Value | None) -> str | None:
+    """What ``type=`` makes of each word of an argument; None where it may be None, a list, or something else."""
+    kind = site.keywords.get("type")
+    may_be_missing = default is None and any(name.startswith("-") for name in names)
+    if may_be_missing or default == NONE or not site.keywords.keys().isdisjoint(("nargs", "action")):
+        return None
+    match kind:
+        case Builtin(name="int" | "float" | "str" as name, self_value=None):
+            return name
+    return None
 
 
 def _destination(names: tuple[str, ...], given: Value | None) -> str | None:
