@@ -132,3 +132,59 @@ def test_a_lifecycle_node_has_what_its_mixin_has(judge: Judge):
                 self.add_managed_entity(self.create_lifecycle_publisher(str, 'x', 1))
         """,
     )
+
+
+MIXED = """
+import time
+
+import rclpy
+from rclpy.node import Node
+
+
+class Arms:
+    side = 'left'
+
+    def set_up(self):
+        self.create_timer(5.0, self.tick)
+        self.create_timer(9.0, print)
+
+    def tick(self):
+        time.sleep(2.0)  # slow
+
+    def create_subscription(self):
+        return self.side
+
+    def spin_once(self):
+        rclpy.spin_once(self)
+
+
+class Robot({bases}):
+    def __init__(self):
+        super().__init__('robot')
+        self.set_up()
+        {more}
+
+
+def main():
+    rclpy.init()
+    rclpy.spin(Robot())
+
+
+if __name__ == '__main__':
+    main()
+"""
+
+
+@pytest.mark.parametrize("bases", ["Arms, Node", "Node, Arms"])
+def test_methods_that_a_class_after_node_mixes_in(judge: Judge, bases: str):
+    text = MIXED.replace("{bases}", bases).replace("{more}", "self.spin_once")
+    judge("API002", text)
+    judge("API001", text)  # self is no node in Arms alone, and is one here
+    [slow] = judge("EXE003", text.replace("# slow", "# here"))
+    assert slow.node == "/robot"
+
+
+def test_what_node_has_itself_comes_before_what_is_mixed_in_behind_it(judge: Judge):
+    calls = "self.create_subscription()  # here"
+    judge("API001", MIXED.replace("{bases}", "Node, Arms").replace("{more}", calls))
+    judge("API001", MIXED.replace("{bases}", "Arms, Node").replace("{more}", "self.create_subscription()"))

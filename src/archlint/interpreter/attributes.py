@@ -138,6 +138,8 @@ def _of_instance(machine: Machine, value: Instance, name: str) -> Value:
 def _of_own_object(machine: Machine, value: Instance, cls: ClassValue, name: str) -> Value:
     """Of an object of a class of the workspace, by way of the class."""
     attribute, owner = cls.lookup(machine, name)
+    if attribute is None and isinstance(owner, External):
+        attribute = _behind(machine, value, cls, owner, name)
     if attribute is not None:
         return bind(machine, attribute, value, cls)
     if name == "__class__":
@@ -157,6 +159,14 @@ def _of_own_object(machine: Machine, value: Instance, cls: ClassValue, name: str
         return machine.call(bind(machine, getter, value, cls), CallSite([Known(name)]))
     missing = Unknown(f"'{cls.ir.name}' has no attribute '{name}'", missing=name)
     return machine.library.method_mixed_in(value, name) or missing
+
+
+def _behind(machine: Machine, value: Instance, cls: ClassValue, base: External, name: str) -> Value | None:
+    """What a class of ours has that comes after a foreign base, as in ``class Robot(Node, Arms)``, where that base
+    certainly has no attribute of this name."""
+    if not machine.library.lacks(ApiMethod(f"{base.path}.{name}", value)):
+        return None
+    return cls.lookup(machine, name, after=base)[0]
 
 
 def _of_external(machine: Machine, value: External, name: str) -> Value:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from archlint.interpreter.library import Library
 from archlint.interpreter.values import ApiMethod, Builtin, External, ForeignValue, Instance, Known, Value
 from archlint.libraries import calls, classes, interest
+from archlint.libraries.api_signatures import attributes_of
 from archlint.libraries.offers import OFFERS
 from archlint.libraries.python import command_line, environment, tasks
 from archlint.libraries.rclpy import (
@@ -109,7 +110,8 @@ class RosLibrary(Library):
         return attributes.mixed_in(value, name)
 
     def lacks(self, method: ApiMethod) -> bool:
-        return names.is_missing_method(method.path)
+        owner, _, name = method.path.rpartition(".")
+        return names.is_missing_method(method.path) and name not in (attributes_of(owner) or ())
 
     def has_attribute(self, value: ForeignValue, name: str) -> Value | None:
         return messages.has_field(self.run, value, name) if isinstance(value, MessageValue) else None

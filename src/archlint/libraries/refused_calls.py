@@ -32,7 +32,14 @@ def note(run: Run, api: Api, receiver: Value | None, site: CallSite, bound: Mapp
         return
     if run.noted.refused.get((place, api.path), _UNSEEN) is not None:
         refused = _early(run, api, receiver, place) or _misfit(api, site, place)
-        refusals.keep(run, place, api.path, refused or _other_kind(api, site, bound, place))
+        certain = {name: value for name, value in bound.items() if not _may_be_of_subclass(run, value)}
+        refusals.keep(run, place, api.path, refused or _other_kind(api, site, certain, place))
+
+
+def _may_be_of_subclass(run: Run, value: Value) -> bool:
+    """Whether a value is ``self`` in a class that nothing here makes an object of: another may derive from it and from
+    Node."""
+    return not run.program.executable and any(activation.self_value is value for activation in run.activations)
 
 
 def _is_known(api: Api, receiver: Value | None) -> bool:

@@ -220,7 +220,7 @@ class ClassValue(Value):
         """The dotted names of the foreign classes that it derives from."""
         return [base.dotted for base in self.mro if base.dotted]
 
-    def lookup(self, state: State, name: str, after: ClassValue | None = None) -> tuple[Value | None, Value]:
+    def lookup(self, state: State, name: str, after: Value | None = None) -> tuple[Value | None, Value]:
         """A class attribute through the MRO: ``(value, class it was found on)``; value None where it is not found.
 
         A foreign base that may define the name ends the search with that base.
