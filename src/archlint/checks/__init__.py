@@ -21,6 +21,7 @@ MODULES: tuple[str, ...] = (
     "names",
     "nested_services",
     "node_names",
+    "not_installed",
     "not_launched",
     "only_thread",
     "transform_lookups",

@@ -23,6 +23,7 @@ from archlint.launch.library import LaunchLibrary
 from archlint.libraries.setuptools.setup_run import SetupRun
 from archlint.programs.installs import console_script, read_cmake
 from archlint.programs.linker import EntryPoint
+from archlint.programs.python_code import python_code
 from archlint.syntax.entry_point_tables import ScriptEntry, entries_of_pyproject, entries_of_setup_cfg, parse_entry
 from archlint.workspace.installed import Executable, InstalledFiles, Installs
 from archlint.workspace.model import CODE_KINDS
@@ -71,6 +72,7 @@ def read_installs(
             _read_setup_at(installs, path, setups, index, tree, faults)
         if package.build_type == "ament_cmake":  # which does not run setup.py
             installs.open_executables, installs.open_files = before
+            installs.python = installs.data_files_at = None
         with _reading(installs, "package.xml", faults):
             _find_programs(installs, files)
             _follow_links(installs, files, tree)
@@ -169,6 +171,7 @@ def _read_setup(installs: Installs, module: Module, index: ModuleIndex, tree: Tr
     program = model.Program("setup", module.file.package, module.path)
     run = SetupRun(LaunchLibrary, index, Store(), program, model.Callback(model.Role.MODULE, "setup", place, None))
     run.faults = faults
+    run.tree, run.folder = tree, installs.folder
     run.import_module(module)
     if run.program.exhausted:
         installs.open_executables = installs.open_files = True
@@ -182,6 +185,9 @@ def _read_setup(installs: Installs, module: Module, index: ModuleIndex, tree: Tr
     _console_scripts(installs, run, keywords.get("entry_points"), where, tree)
     _scripts(installs, run, keywords.get("scripts"), where)
     _data_files(installs, run, keywords.get("data_files"))
+    installs.data_files_at = run.data_files_at or where
+    if not run.open and not run.program.exhausted:
+        installs.python = python_code(installs, run, keywords)
 
 
 def _items(run: SetupRun, value: Value | None) -> tuple[list[Value], bool]:
@@ -276,14 +282,14 @@ def _data_files(installs: Installs, run: SetupRun, value: Value | None) -> None:
             continue
         destination = str(parts[0].value).lstrip("/")
         sources, more = _items(run, parts[1])
-        patterns = [source.value for source in sources if isinstance(source, Known)]
+        patterns = [source for source in sources if isinstance(source, Known)]
         installs.open_files |= len(patterns) != len(sources) or (
-            more and not any("*" in str(pattern) for pattern in patterns)
+            more and not any("*" in str(pattern.value) for pattern in patterns)
         )
         for pattern in patterns:
-            shown = posixpath.normpath(posixpath.join(installs.folder, str(pattern)))
-            if destination.rstrip("/") == f"lib/{installs.package}" and "*" not in str(pattern):
+            shown = posixpath.normpath(posixpath.join(installs.folder, str(pattern.value)))
+            if destination.rstrip("/") == f"lib/{installs.package}" and "*" not in shown:
                 name = posixpath.basename(shown)
                 place = Place(installs.build_files[-1], 1, 1, 1, 1)
                 installs.add(Executable(name, installs.package, place, script=shown))
-            installs.files.append(InstalledFiles(shown, destination or "."))
+            installs.files.append(InstalledFiles(shown, destination or ".", place=pattern.origin))

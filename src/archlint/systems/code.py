@@ -117,6 +117,21 @@ class WorkspaceCode:
         importer = None if file is None else self._index.module(file)
         return None if importer is None else self._index.find(importer, name, level)
 
+    def path_of_import(self, path: str, name: str, level: int = 0) -> str | None:
+        """The file of the workspace that a file's import of a module leads to; None for foreign ones."""
+        imported = self._imported(path, name, level)
+        return None if imported is None else imported.path
+
+    def file_of_import(self, path: str, name: str, level: int = 0) -> str | None:
+        """The file of the workspace that a file's import of a module leads to, if that is its name wherever it is
+        imported: not one that Python finds because it lies beside a script."""
+        imported = self._imported(path, name, level)
+        importer = self._index.module(self._by_path[path])
+        if imported is None or importer is None or imported.file.module is None:
+            return None
+        asked_for = self._index.absolute_name(importer, name, level)
+        return imported.path if imported.file.module == asked_for else None
+
     def in_use(self) -> frozenset[str]:
         """The files that installed programs and launch files are, and all that these import."""
         starts = {file.relative for file in self._files if file.kind == "launch_python"}

@@ -40,6 +40,24 @@ class InstalledFiles:
     folder: bool = False
     contents: bool = False
     rename: str | None = None
+    place: Place | None = field(default=None, compare=False)
+    """Where a setup.py names the source."""
+
+
+@dataclass(frozen=True)
+class PythonCode:
+    """The modules that a ``setup.py`` installs: all that lie in some ``folders`` themselves, and single ``modules``,
+    by their shown paths.  ``place`` is that of ``packages=``; ``searched`` is true where ``find_packages()`` finds the
+    folders."""
+
+    folders: frozenset[str]
+    modules: frozenset[str]
+    place: Place
+    searched: bool = False
+
+    def has(self, path: str) -> bool:
+        """Whether a file of Python, by its shown path, is installed."""
+        return path in self.modules or (posixpath.dirname(path) or ".") in self.folders
 
 
 @dataclass
@@ -63,6 +81,10 @@ class Installs:
     generated: frozenset[str] | None = None
     """The words that ``rosidl_generate_interfaces`` is given; None where there is none, or one is not known."""
     build_files: list[str] = field(default_factory=list)
+    python: PythonCode | None = None
+    """The Python code that a setup.py installs; None where there is none, or it may install more than is known."""
+    data_files_at: Place | None = None
+    """Where the ``data_files=`` of a setup.py is written, or else its call of ``setup()``; None where there is none."""
 
     generates_nothing: bool = False
     """True where no command of the build can generate interfaces."""

@@ -1,0 +1,121 @@
+"""Python code that installed programs import and that the setup.py of its package leaves out.
+
+Only imports that run whenever the program starts count: not those below an ``if`` or a ``try``.
+"""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from archlint.place import Place
+from archlint.syntax import facts
+
+if TYPE_CHECKING:
+    from archlint.systems.model import WorkspaceIndex
+    from archlint.workspace.installed import Executable, Installs
+
+
+@dataclass(frozen=True)
+class LeftOut:
+    """A file of a package that its setup.py does not install, and the place that needs it: an import, or the entry of
+    the executable that it is."""
+
+    file: str
+    package: str
+    needed_at: Place
+    entry: str = ""
+    """The executable that cannot start, where its own module is left out."""
+
+
+def left_out_code(workspace: WorkspaceIndex) -> Iterator[LeftOut]:
+    """Each such file with each place that needs it, in the order in which programs come to them."""
+    seen: set[str] = set()
+    for package in sorted(workspace.installs):
+        for executable in workspace.installs[package].executables.values():
+            start = _file_of(workspace, executable)
+            if start is None:
+                continue
+            if executable.module is not None and _is_left_out(workspace, start):
+                yield LeftOut(start, package, executable.place, executable.name)
+            yield from _imported_from(workspace, start, seen)
+
+
+def _file_of(workspace: WorkspaceIndex, executable: Executable) -> str | None:
+    """The file that an executable runs; None where it is not of Python, or nothing starts it."""
+    if executable.wrong:
+        return None
+    if executable.module is None:
+        return executable.script
+    return workspace.code.modules_of(executable.package).get(executable.module)
+
+
+def _imported_from(workspace: WorkspaceIndex, start: str, seen: set[str]) -> Iterator[LeftOut]:
+    """What a file imports that is left out, and what the files that it imports do."""
+    pending = [start]
+    while pending:
+        file = pending.pop(0)
+        file_facts = workspace.facts_at(file)
+        if file in seen or file_facts is None:
+            continue
+        seen.add(file)
+        if _changes_path(workspace, file):
+            continue
+        for statement in _certain_imports(file_facts.body):
+            for imported in _files_of(workspace, file, statement):
+                pending.append(imported)
+                package = workspace.package_of(imported)
+                if package is not None and _is_left_out(workspace, imported):
+                    yield LeftOut(imported, package, Place(file, *statement.span))
+
+
+def _is_left_out(workspace: WorkspaceIndex, file: str) -> bool:
+    """Whether a file belongs to a package whose setup.py is understood and does not install it."""
+    installs = _installs_of(workspace, file)
+    if installs is None or installs.python is None or installs.open_files:
+        return False
+    return not installs.python.has(file) and not any(installs.places_of(file))
+
+
+def _installs_of(workspace: WorkspaceIndex, file: str) -> Installs | None:
+    installs = workspace.installs.get(workspace.package_of(file) or "")
+    inside = installs is not None and (installs.folder == "." or file.startswith(f"{installs.folder}/"))
+    return installs if inside else None
+
+
+def _changes_path(workspace: WorkspaceIndex, file: str) -> bool:
+    """Whether a file may say itself where Python looks for modules."""
+    return "sys.path" in (workspace.tree.text(file) or "")
+
+
+def _certain_imports(body: Sequence[facts.Stmt]) -> Iterator[facts.Import | facts.ImportFrom]:
+    for statement in body:
+        match statement:
+            case facts.Import() | facts.ImportFrom():
+                yield statement
+            case facts.With(body=inner) | facts.Class(body=inner):
+                yield from _certain_imports(inner)
+
+
+def _files_of(workspace: WorkspaceIndex, file: str, statement: facts.Import | facts.ImportFrom) -> Iterator[str]:
+    """The files that an import runs, each under the name under which the import asks for it."""
+    match statement:
+        case facts.Import(module=module):
+            names = [module.rsplit(".", cut)[0] for cut in range(module.count("."), -1, -1)]
+            level = 0
+        case facts.ImportFrom(module=module, level=level, names=bound):
+            names = [module, *(f"{module}.{name}".lstrip(".") for name, _ in bound)]
+    for name in dict.fromkeys(filter(None, names)):
+        imported = workspace.code.file_of_import(file, name, level)
+        if imported is not None:
+            yield imported
+
+
+def has_init(workspace: WorkspaceIndex, folder: str) -> bool:
+    """Whether a folder is a package for ``find_packages()``."""
+    return workspace.tree.is_file(posixpath.join(folder, "__init__.py"))
+
+
+__all__ = ["LeftOut", "has_init", "left_out_code"]

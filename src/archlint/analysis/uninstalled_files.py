@@ -1,0 +1,171 @@
+"""What a package leaves out of its share folder: launch files, and files that its setup.py lists in vain.
+
+A setup.py without the marker of its package is no mistake here: colcon writes one.  Source: ``AmentPythonBuildTask`` of
+colcon-ros, ``copy_file`` of setuptools' distutils, ``get_share_file_path_from_package`` of ros2launch.
+"""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from fnmatch import fnmatchcase
+from typing import TYPE_CHECKING
+
+from archlint.analysis.aside import is_aside
+from archlint.analysis.kept import once
+from archlint.analysis.launch_code import writes_files
+from archlint.launch.kinds import FileStatus
+from archlint.place import Place
+
+if TYPE_CHECKING:
+    from archlint.systems.model import WorkspaceIndex
+    from archlint.workspace.installed import InstalledFiles, Installs
+
+_MARKERS = "share/ament_index/resource_index/packages"
+"""Where the index of packages has a file for each."""
+
+
+@dataclass(frozen=True)
+class LaunchFilesLeftOut:
+    """Launch files that ``ros2 launch`` does not find; ``told_at`` are the places of texts that tell people to start
+    them so."""
+
+    package: str
+    place: Place
+    """Where the build should install them."""
+    files: tuple[str, ...]
+    told_at: tuple[Place, ...] = ()
+
+
+def launch_files_left_out(workspace: WorkspaceIndex) -> Iterator[LaunchFilesLeftOut]:
+    """Of a package that installs none of the launch files in its folder ``launch``, these; of any other package, those
+    that a text of the workspace says to start by ``ros2 launch PACKAGE FILE``."""
+    for installs in _understood(workspace):
+        place = _mended_at(workspace, installs)
+        own = _launch_files(workspace, installs)
+        missing = [file for file in own if not any(installs.places_of(file)) and file not in _told_already(workspace)]
+        if place is None or not missing:
+            continue
+        told = {file: list(_told_at(workspace, installs.package, file)) for file in missing}
+        if len(missing) < len(own) or any(_is_started_by_path(workspace, file) for file in missing):
+            missing = [file for file in missing if told[file]]
+        if missing:
+            places = tuple(place for file in missing for place in told[file])
+            yield LaunchFilesLeftOut(installs.package, place, tuple(missing), places)
+
+
+def _understood(workspace: WorkspaceIndex) -> Iterator[Installs]:
+    """What packages of ROS 2 install, where all of it is known and there is one package of the name."""
+    for name in sorted(workspace.installs):
+        installs, package = workspace.installs[name], workspace.manifests.get(workspace.installs[name].folder)
+        known = bool(installs.build_files) and not installs.open_files
+        if known and package is not None and not package.ros1 and not is_aside(workspace, package.manifest.relative):
+            yield installs
+
+
+def _mended_at(workspace: WorkspaceIndex, installs: Installs) -> Place | None:
+    """Where a package says which files it installs."""
+    if installs.data_files_at is not None:
+        return installs.data_files_at
+    path = posixpath.normpath(posixpath.join(installs.folder, "CMakeLists.txt"))
+    lines = (workspace.tree.text(path) or "").splitlines()
+    for number, line in enumerate(lines, 1):
+        called = re.match(r"\s*ament_(?:auto_)?package\s*\(", line)
+        if called is not None:
+            return Place(path, number, 1, number, len(line) + 1)
+    return None
+
+
+def _launch_files(workspace: WorkspaceIndex, installs: Installs) -> list[str]:
+    """The launch files in the folder ``launch`` of a package, that is in use."""
+    folder = posixpath.normpath(posixpath.join(installs.folder, "launch"))
+    files = (file for file in workspace.launch_files.all() if file.startswith(f"{folder}/"))
+    return [file for file in files if not is_aside(workspace, file) and not _is_of_ros1(workspace, file)]
+
+
+def _is_of_ros1(workspace: WorkspaceIndex, file: str) -> bool:
+    return workspace.launch_files.is_frontend(file) and workspace.launch_files.frontend(file).ros1
+
+
+@once
+def _told_already(workspace: WorkspaceIndex) -> frozenset[str]:
+    """The files that a launch file names in vain, each of which has a finding of its own there."""
+    references = (file for launched in workspace.launched for file in launched.references)
+    return frozenset(file.source or "" for file in references if file.status == FileStatus.NOT_INSTALLED)
+
+
+# ---------------------------------------------------------------------------------------- what texts say of launches
+
+_TEXTS = re.compile(r"(?:.*\.(?:md|rst|txt|sh|bash|zsh|ya?ml|service)|(?:Docker|Make)file[\w.-]*)")
+_COMMAND = re.compile(r"\bros2[ \t]+launch[ \t]+([\w./~${}-]+)(?:[ \t]+([\w./-]+))?")
+
+
+@once
+def _commands(workspace: WorkspaceIndex) -> list[tuple[str, str, Place]]:
+    """The two words after each ``ros2 launch`` in the documents and scripts of a workspace, and where that is."""
+    rows = []
+    for path in workspace.tree.files_below("."):
+        text = workspace.tree.text(path) if _TEXTS.fullmatch(posixpath.basename(path)) else None
+        for number, line in enumerate(text.splitlines() if text is not None and "ros2" in text else (), 1):
+            for call in _COMMAND.finditer(line):
+                rows.append((call[1], call[2] or "", Place(path, number, call.start() + 1, number, call.end() + 1)))
+    return rows
+
+
+def _told_at(workspace: WorkspaceIndex, package: str, file: str) -> Iterator[Place]:
+    """The places that say to start a launch file by the name of its package."""
+    name = posixpath.basename(file)
+    return (place for first, second, place in _commands(workspace) if (first, second) == (package, name))
+
+
+def _is_started_by_path(workspace: WorkspaceIndex, file: str) -> bool:
+    """Whether some place says to start a launch file from where it lies in the source."""
+    return any(posixpath.basename(first) == posixpath.basename(file) for first, _, _ in _commands(workspace))
+
+
+# ----------------------------------------------------------------------------------------- what a setup.py lists
+
+
+@dataclass(frozen=True)
+class ListedInVain:
+    """A file that ``data_files=`` lists and that is not there, so that the build stops."""
+
+    place: Place
+    file: str
+    """Its path below the folder of the package."""
+    marker: bool = False
+
+
+def listed_in_vain(workspace: WorkspaceIndex) -> Iterator[ListedInVain]:
+    """Each such file that nothing makes before the build."""
+    for installs in _understood(workspace):
+        at = installs.data_files_at
+        if at is None or writes_files(workspace, at.file):
+            continue
+        for row in installs.files:
+            if (
+                not _is_pattern(row)
+                and not workspace.tree.is_file(row.source)
+                and not _is_ignored(workspace, row.source)
+            ):
+                below = row.source if installs.folder == "." else row.source[len(installs.folder) + 1 :]
+                yield ListedInVain(row.place or at, below, posixpath.normpath(row.destination) == _MARKERS)
+
+
+def _is_pattern(row: InstalledFiles) -> bool:
+    return row.folder or any(sign in row.source for sign in "*?[")
+
+
+def _is_ignored(workspace: WorkspaceIndex, path: str) -> bool:
+    """Whether a pattern of some ``.gitignore`` above a file may be for it: it is made on each machine then."""
+    folders = [path]
+    while folders[-1]:
+        folders.append(posixpath.dirname(folders[-1]))
+    texts = (workspace.tree.text(posixpath.join(folder, ".gitignore")) for folder in folders[1:])
+    patterns = {line.strip("/ ").rpartition("/")[2] for text in texts for line in (text or "").splitlines()}
+    return any(fnmatchcase(part, pattern) for part in path.split("/") for pattern in patterns if pattern)
+
+
+__all__ = ["LaunchFilesLeftOut", "ListedInVain", "launch_files_left_out", "listed_in_vain"]

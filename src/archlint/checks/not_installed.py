@@ -1,0 +1,148 @@
+"""PKG004: what a package's setup.py or CMakeLists.txt leaves out, and another file needs."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from archlint.analysis.left_out_code import LeftOut, has_init, left_out_code
+from archlint.analysis.uninstalled_files import (
+    LaunchFilesLeftOut,
+    ListedInVain,
+    launch_files_left_out,
+    listed_in_vain,
+)
+from archlint.checks.folding import folds, with_others
+from archlint.checks.packages import workspace_of
+from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
+from archlint.finding import Finding, Related
+from archlint.suggestions import listed
+
+if TYPE_CHECKING:
+    from archlint.systems.model import System, WorkspaceIndex
+
+_SHOWN = 5
+"""How many places that need something are related."""
+
+
+@rule("PKG004", scope=Scope.WORKSPACE, in_use=True)
+def not_installed(system: System, options: Options) -> Iterator[Finding]:
+    """Code and launch files that the build of a package leaves out, and files that it lists in vain."""
+    workspace = workspace_of(system)
+    if workspace is None:
+        return
+    needed: dict[str, list[LeftOut]] = {}
+    for needing in left_out_code(workspace):
+        needed.setdefault(needing.package, []).append(needing)
+    for package, rows in needed.items():
+        yield _code(workspace, package, rows)
+    yield from map(_launch_files, launch_files_left_out(workspace))
+    yield from map(_in_vain, listed_in_vain(workspace))
+
+
+# ------------------------------------------------------------------------------------------------- Python code
+
+
+@dataclass(frozen=True)
+class _Group:
+    """What ``packages=`` leaves out: a package of Python, or a module that is in none (``folder`` is None then)."""
+
+    name: str
+    folder: str | None
+
+
+def _code(workspace: WorkspaceIndex, package: str, rows: Sequence[LeftOut]) -> Finding:
+    code = workspace.installs[package].python
+    assert code is not None  # or nothing would be known to be left out
+    names = {path: name for name, path in workspace.code.modules_of(package).items()}
+    groups: dict[_Group, list[LeftOut]] = {}
+    for row in rows:
+        groups.setdefault(_group(row.file, names[row.file]), []).append(row)
+    [first, *others] = groups
+    if others:
+        what = f"packages= leaves out {listed([group.name for group in groups])}, which installed programs need"
+    else:
+        [row, *_] = groups[first]
+        needed = f"in which the executable '{row.entry}' is" if row.entry else f"which {row.needed_at.file} imports"
+        what = f"packages= leaves out '{first.name}', {needed}"
+    places = {row.needed_at: row for group in groups.values() for row in group}
+    related = [
+        Related(place, f"the entry of '{row.entry}'" if row.entry else f"'{names[row.file]}' is imported here")
+        for place, row in list(places.items())[:_SHOWN]
+    ]
+    return finding(
+        "PKG004",
+        code.place,
+        f"{what}: a build without --symlink-install does not have it, and the import fails",
+        help=_cure(workspace, list(groups), searched=code.searched),
+        related=related,
+        identity=(package, *(group.name for group in groups)),
+    )
+
+
+def _group(file: str, module: str) -> _Group:
+    folder = posixpath.dirname(file) or "."
+    if posixpath.basename(file) == "__init__.py":
+        return _Group(module, folder)
+    parent = module.rpartition(".")[0]
+    return _Group(parent, folder) if parent else _Group(module, None)
+
+
+def _cure(workspace: WorkspaceIndex, groups: Sequence[_Group], *, searched: bool) -> str:
+    bare = [group.folder for group in groups if group.folder is not None and not has_init(workspace, group.folder)]
+    if searched and bare:
+        return f"add an empty file {bare[0]}/__init__.py: find_packages() passes over a folder without one"
+    if all(group.folder is None for group in groups):
+        return f"add py_modules=[{', '.join(repr(group.name) for group in groups)}]"
+    if searched:
+        return "change the include= or exclude= of find_packages(), which leaves it out"
+    return f"add {', '.join(repr(group.name) for group in groups if group.folder is not None)} to packages="
+
+
+# ---------------------------------------------------------------------------------------- launch files, data files
+
+
+def _launch_files(row: LaunchFilesLeftOut) -> Finding:
+    names = [posixpath.basename(file) for file in row.files]
+    cmake = row.place.file.endswith("CMakeLists.txt")
+    if len(names) == 1:
+        message = f"package '{row.package}' does not install the launch file '{names[0]}'"
+    else:
+        message = f"package '{row.package}' does not install these {len(names)} launch files: {listed(names)}"
+    line = (
+        "write install(DIRECTORY launch DESTINATION share/${PROJECT_NAME}) before ament_package()"
+        if cmake
+        else f"add ('share/{row.package}/launch', glob('launch/*')) to data_files="
+    )
+    return finding(
+        "PKG004",
+        row.place,
+        f"{message}: ros2 launch does not find {'it' if len(names) == 1 else 'them'}",
+        help=line,
+        related=[Related(place, "it is to be started like this") for place in row.told_at[:_SHOWN]],
+        identity=(row.package, "launch", *names),
+    )
+
+
+def _in_vain(row: ListedInVain) -> Finding:
+    what = "the marker of the package" if row.marker else "a file"
+    return finding(
+        "PKG004",
+        row.place,
+        f"data_files= lists {what} that is not there: the build stops at '{row.file}'",
+        help=f"add an empty file '{row.file}'" if row.marker else "add the file, or take it off the list",
+        identity=(row.file,),
+        group=(row.place.file,),
+    )
+
+
+@folds("PKG004")
+def _of_one_setup_file(findings: Sequence[Finding]) -> Finding:
+    """One finding for all files that one setup.py lists in vain."""
+    return with_others(findings, "another file of the list is", "more files of the list are", "not there, either")
+
+
+__all__ = ["not_installed"]

@@ -1,0 +1,66 @@
+"""Which Python code a ``setup.py`` installs: ``packages=``, ``package_dir=`` and ``py_modules=``."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING
+
+from archlint.interpreter.values import DictValue
+from archlint.workspace.installed import PythonCode
+
+if TYPE_CHECKING:
+    from archlint.interpreter.values import Value
+    from archlint.libraries.setuptools.setup_run import SetupRun
+    from archlint.workspace.installed import Installs
+
+_MAY_ADD = frozenset({"cmdclass", "distclass", "ext_modules", "include_package_data", "package_data"})
+"""Keywords that may bring further code into the packages."""
+
+
+def python_code(installs: Installs, run: SetupRun, keywords: Mapping[str, Value]) -> PythonCode | None:
+    """None where ``packages=`` is left out or not known: setuptools then searches, or other files say it."""
+    names, modules = _texts(run, keywords.get("packages")), _texts(run, keywords.get("py_modules"))
+    folders = _folders(run, keywords.get("package_dir"))
+    if run.packages_at is None or names is None or folders is None or not _MAY_ADD.isdisjoint(keywords):
+        return None
+    places = [_folder(name, folders) for name in names]
+    files = [f"{_folder(name, folders)}.py" for name in modules or ()]
+
+    def shown(path: str) -> str:
+        return posixpath.normpath(posixpath.join(installs.folder, path))
+
+    return PythonCode(frozenset(map(shown, places)), frozenset(map(shown, files)), run.packages_at, run.searches)
+
+
+def _texts(run: SetupRun, value: Value | None) -> Sequence[str] | None:
+    """The texts of a list; None where one is not known, or there may be more."""
+    items = None if value is None else value.items(run)
+    if items is None or items.open:
+        return None
+    texts = [item.text for item in items.values if item.text is not None]
+    return texts if len(texts) == len(items.values) else None
+
+
+def _folders(run: SetupRun, value: Value | None) -> Mapping[str, str] | None:
+    """``package_dir=``: the folders of packages by name; None where it is not known."""
+    if value is None:
+        return {}
+    if not isinstance(value, DictValue) or value.entries(run).open:
+        return None
+    rows = [(key.text, folder.text) for key, folder in value.entries(run).entries.values()]
+    texts = {name: folder for name, folder in rows if name is not None and folder is not None}
+    return texts if len(texts) == len(rows) else None
+
+
+def _folder(name: str, folders: Mapping[str, str]) -> str:
+    """The folder of a package: that of the nearest package around it which has one."""
+    parts = name.split(".")
+    for end in range(len(parts), -1, -1):
+        start = folders.get(".".join(parts[:end]))
+        if start is not None:
+            return posixpath.join(start, *parts[end:])
+    return posixpath.join(*parts)
+
+
+__all__ = ["python_code"]

@@ -1,0 +1,229 @@
+"""PKG004: code and launch files that the build of a package leaves out."""
+
+from __future__ import annotations
+
+import pytest
+
+from robot_package import CMAKE, SETUP, TALKER, node
+
+IMPORTS = "from robot.words.greetings import HELLO\n" + TALKER
+CODE = {"robot/talker.py": IMPORTS, "robot/words/greetings.py": "HELLO = 'hello'\n"}
+INITS = {"robot/__init__.py": "", "robot/words/__init__.py": ""}
+
+
+def setup(packages: str, more: str = "") -> str:
+    """A setup.py with ``packages=`` and other keywords."""
+    text = SETUP.replace("import setup\n", "import find_namespace_packages, find_packages, setup\n")
+    return text.replace("    name='robot',\n", f"    name='robot',\n    packages={packages},\n{more}")
+
+
+# ------------------------------------------------------------------------------------------------- Python code
+
+
+@pytest.mark.parametrize(
+    ("packages", "files", "help"),
+    [
+        ("['robot']", {}, "add 'robot.words' to packages="),
+        ("['robot']", INITS, "add 'robot.words' to packages="),
+        (
+            "find_packages()",
+            {"robot/__init__.py": ""},
+            "add an empty file robot/words/__init__.py: find_packages() passes over a folder without one",
+        ),
+        (
+            "find_packages(exclude=['robot.w*'])",
+            INITS,
+            "change the include= or exclude= of find_packages(), which leaves it out",
+        ),
+        ("[name for name in ['robot']]", INITS, "add 'robot.words' to packages="),
+    ],
+)
+def test_a_package_that_is_left_out_and_imported(findings, packages, files, help):
+    (finding,) = findings("PKG004", **CODE, **files, **{"setup.py": setup(packages)})
+    assert finding.message == (
+        "packages= leaves out 'robot.words', which robot/talker.py imports: a build without --symlink-install does not "
+        "have it, and the import fails"
+    )
+    assert (finding.place.file, finding.place.line, finding.help) == ("setup.py", 5, help)
+    assert [(row.place.file, row.place.line) for row in finding.related] == [("robot/talker.py", 1)]
+
+
+@pytest.mark.parametrize(
+    ("packages", "files"),
+    [
+        ("['robot', 'robot.words']", {}),
+        ("find_packages()", INITS),
+        ("find_packages(exclude=['test'])", INITS),
+        ("find_packages(include=['robot', 'robot.*'])", INITS),
+        ("['robot'] + find_packages(include=['robot.*'])", INITS),
+        ("find_namespace_packages()", {}),
+        ("find_packages(where=folder)", {}),
+        ("packages_here()", {}),
+    ],
+)
+def test_packages_that_are_all_installed_or_not_known(findings, packages, files):
+    assert findings("PKG004", **CODE, **files, **{"setup.py": setup(packages)}) == []
+
+
+@pytest.mark.parametrize(
+    "more", ["    package_data={'': ['*.py']},\n", "    include_package_data=True,\n", "    cmdclass={},\n"]
+)
+def test_a_setup_file_that_may_install_more(findings, more):
+    assert findings("PKG004", **CODE, **{"setup.py": setup("['robot']", more)}) == []
+
+
+@pytest.mark.parametrize(
+    "imports",
+    [
+        "try:\n    from robot.words.greetings import HELLO\nexcept ImportError:\n    HELLO = ''\n",
+        "import sys\nsys.path.append('/opt/words')\nfrom robot.words.greetings import HELLO\n",
+        "from typing import TYPE_CHECKING\nif TYPE_CHECKING:\n    from robot.words.greetings import HELLO\n",
+        "def later():\n    from robot.words.greetings import HELLO\n",
+    ],
+)
+def test_an_import_that_need_not_succeed(findings, imports):
+    files = CODE | {"robot/talker.py": imports + TALKER}
+    assert findings("PKG004", **files, **{"setup.py": setup("['robot']")}) == []
+
+
+def test_a_program_that_no_entry_starts_needs_nothing(findings):
+    files = CODE | {"robot/talker.py": TALKER, "robot/listener.py": IMPORTS}
+    assert findings("PKG004", **files, **{"setup.py": setup("['robot']")}) == []
+
+
+def test_what_is_imported_by_what_is_imported(findings):
+    files = {
+        "robot/talker.py": "from robot import driver\n" + TALKER,
+        "robot/driver.py": "from .words import greetings\n",
+        "robot/words/greetings.py": "",
+    }
+    (finding,) = findings("PKG004", **files, **{"setup.py": setup("['robot']")})
+    assert "leaves out 'robot.words', which robot/driver.py imports" in finding.message
+
+
+def test_the_module_of_an_entry(findings):
+    files = {
+        "robot/nodes/talker.py": TALKER,
+        "setup.py": setup("['robot']").replace("robot.talker", "robot.nodes.talker"),
+    }
+    (finding,) = findings("PKG004", **files)
+    assert finding.message.startswith("packages= leaves out 'robot.nodes', in which the executable 'talker' is:")
+    assert [row.message for row in finding.related] == ["the entry of 'talker'"]
+
+
+def test_all_that_one_setup_file_leaves_out_is_one_finding(findings):
+    files = CODE | {"robot/talker.py": "import robot.sounds.bell\n" + IMPORTS, "robot/sounds/bell.py": ""}
+    (finding,) = findings("PKG004", **files, **{"setup.py": setup("['robot']")})
+    assert "leaves out robot.sounds, robot.words, which installed programs need" in finding.message
+    assert finding.help == "add 'robot.sounds', 'robot.words' to packages="
+
+
+def test_a_package_dir(findings):
+    files = {"src/robot/talker.py": IMPORTS, "src/robot/words/greetings.py": ""}
+    files |= {"src/robot/__init__.py": "", "setup.py": setup("find_packages('src')", "    package_dir={'': 'src'},\n")}
+    (finding,) = findings("PKG004", **files)
+    assert finding.help.startswith("add an empty file src/robot/words/__init__.py")
+    assert findings("PKG004", **files, **{"src/robot/words/__init__.py": ""}) == []
+
+
+def test_a_package_that_cmake_builds_installs_what_cmake_says(findings):
+    files = {"package.xml": CMAKE, "CMakeLists.txt": "project(robot)\nament_python_install_package(robot)\n"}
+    assert findings("PKG004", **CODE, **files, **{"setup.py": setup("['robot']")}) == []
+
+
+# ------------------------------------------------------------------------------------------------- launch files
+
+NO_DATA = SETUP.replace("data_files=[", "data_files=[] and [")
+LAUNCH = node()
+
+
+def test_a_folder_of_launch_files_that_nothing_installs(findings):
+    (finding,) = findings("PKG004", LAUNCH, **{"setup.py": NO_DATA})
+    assert finding.message == (
+        "package 'robot' does not install the launch file 'it.launch.xml': ros2 launch does not find it"
+    )
+    assert (finding.place.line, finding.help) == (5, "add ('share/robot/launch', glob('launch/*')) to data_files=")
+
+
+def test_what_cmake_does_not_install(findings):
+    cmake = "project(robot)\nfind_package(ament_cmake REQUIRED)\nament_package()\n"
+    (finding,) = findings("PKG004", LAUNCH, **{"package.xml": CMAKE, "setup.py": "", "CMakeLists.txt": cmake})
+    assert (finding.place.file, finding.place.line) == ("CMakeLists.txt", 3)
+    mended = cmake.replace(
+        "ament_package", "install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})\nament_package"
+    )
+    assert findings("PKG004", LAUNCH, **{"package.xml": CMAKE, "setup.py": "", "CMakeLists.txt": mended}) == []
+
+
+def test_one_launch_file_of_several_may_be_put_aside(findings):
+    some = SETUP.replace("glob('launch/*')", "['launch/it.launch.xml']")
+    files = {"setup.py": some, "launch/other.launch.xml": f"<launch>{LAUNCH}</launch>"}
+    assert findings("PKG004", LAUNCH, **files) == []
+    readme = {"README.md": "Start it:\n\n    ros2 launch robot other.launch.xml\n"}
+    (finding,) = findings("PKG004", LAUNCH, **files, **readme)
+    assert "does not install the launch file 'other.launch.xml'" in finding.message
+    assert [(row.place.file, row.place.line, row.place.column) for row in finding.related] == [("README.md", 3, 5)]
+
+
+@pytest.mark.parametrize("command", ["ros2 launch launch/it.launch.xml", "ros2 launch it.launch.xml"])
+def test_a_launch_file_that_is_started_by_its_path(findings, command):
+    assert findings("PKG004", LAUNCH, **{"setup.py": NO_DATA, "start.sh": f"{command} rate:=2\n"}) == []
+
+
+@pytest.mark.parametrize(
+    ("folder", "count"), [("launch/more", 1), ("launch/old", 0), ("launch/test", 0), ("templates", 0)]
+)
+def test_launch_files_elsewhere_are_for_something_else(findings, folder, count):
+    files = {
+        "setup.py": SETUP.replace("glob('launch/*')", "['launch/it.launch.xml']"),
+        f"{folder}/b.launch.xml": f"<launch>{LAUNCH}</launch>",
+        "README.md": "ros2 launch robot b.launch.xml\n",
+    }
+    assert len(findings("PKG004", LAUNCH, **files)) == count
+
+
+def test_what_a_launch_file_names_is_told_there(findings):
+    files = {
+        "setup.py": SETUP.replace("glob('launch/*')", "['launch/it.launch.xml']"),
+        "launch/it.launch.xml": '<launch><include file="$(find-pkg-share robot)/launch/b.launch.xml"/></launch>',
+        "launch/b.launch.xml": f"<launch>{LAUNCH}</launch>",
+        "README.md": "ros2 launch robot b.launch.xml\n",
+    }
+    assert findings("PKG004", **files) == []
+    assert len(findings("LCH004", **files)) == 1
+
+
+# -------------------------------------------------------------------------------------------- what is listed in vain
+
+
+def listing(*files: str) -> str:
+    rows = f"('share/ament_index/resource_index/packages', ['resource/robot']), ('share/robot', {list(files)!r}), "
+    return SETUP.replace("data_files=[", f"data_files=[{rows}")
+
+
+def test_a_marker_that_is_not_there_stops_the_build(findings):
+    (finding,) = findings("PKG004", **{"setup.py": listing("package.xml")})
+    assert finding.message == (
+        "data_files= lists the marker of the package that is not there: the build stops at 'resource/robot'"
+    )
+    assert finding.help == "add an empty file 'resource/robot'"
+    assert findings("PKG004", **{"setup.py": listing("package.xml"), "resource/robot": ""}) == []
+
+
+def test_several_files_of_one_list(findings):
+    (finding,) = findings("PKG004", **{"setup.py": listing("package.xml", "a.yaml", "b.yaml"), "resource/robot": ""})
+    assert finding.message.endswith("another file of the list is not there, either")
+
+
+@pytest.mark.parametrize(
+    "files",
+    [
+        {".gitignore": "*.yaml\n"},
+        {".gitignore": "config/a.yaml\n"},
+        {"setup.py": "open('a.yaml', 'w').write('')\n" + listing("a.yaml")},
+        {"setup.py": listing("a*.yaml")},
+        {"setup.py": listing("a.yaml").replace("['a.yaml']", "files_of('.')")},
+    ],
+)
+def test_a_file_that_may_be_made_before_the_build(findings, files):
+    assert findings("PKG004", **{"setup.py": listing("a.yaml"), "resource/robot": ""} | files) == []
