@@ -11,6 +11,7 @@ from archlint.interpreter.values import Known, Unknown, Value
 from archlint.libraries.run import Run
 from archlint.libraries.setuptools import manifest
 from archlint.libraries.setuptools.packages import Listing, found_packages
+from archlint.syntax.tree import span_of
 
 if TYPE_CHECKING:
     from archlint.finding import Place
@@ -51,7 +52,7 @@ def record_setup(run: Run, site: CallSite) -> Value:
 def _written_at(run: Run, site: CallSite, keyword: str) -> Place | None:
     """Where the value of a keyword is written."""
     arguments = [] if site.expression is None else site.expression.args
-    return next((run.place(argument.value.span) for argument in arguments if argument.keyword == keyword), None)
+    return next((run.place(span_of(argument.value)) for argument in arguments if argument.keyword == keyword), None)
 
 
 def glob_pattern(run: Run, site: CallSite) -> Value:
