@@ -175,7 +175,9 @@ class TestACoroutineThatIsHandedToAnEventLoop:
     def test_the_callback_goes_on(self, run: Run, start: str):
         setup = self.SETUP + "\nself.loop = asyncio.new_event_loop()"
 
-        assert codes(run(source(setup, f"def tick(self):\n    {start}\n\n{self.ASK}", ON_ONE_THREAD))) == []
+        found = codes(run(source(setup, f"def tick(self):\n    {start}\n\n{self.ASK}", ON_ONE_THREAD)))
+
+        assert [code for code in found if code != "EXE010"] == []
 
     @pytest.mark.parametrize(
         ("body", "expected"),
@@ -201,4 +203,4 @@ class TestACoroutineThatIsHandedToAnEventLoop:
         note = "async def note(self, answer):\n    pass\n"
         tick = f"def tick(self):\n    asyncio.create_task(self.note({CALL}))\n\n{note}"
 
-        assert codes(run(source(self.SETUP, tick, ON_ONE_THREAD))) == ["EXE002"]
+        assert codes(run(source(self.SETUP, tick, ON_ONE_THREAD))) == ["EXE010", "EXE002"]

@@ -33,6 +33,7 @@ from archlint.model import (
     calls,
     encoding,
     executors,
+    futures,
     given,
     kinds,
     messages,
@@ -169,7 +170,7 @@ def test_a_payload_of_other_fields_is_refused(monkeypatch: pytest.MonkeyPatch):
 
 
 MODULES = (
-    *(calls, executors, given, kinds, messages, nodes, programs, refused, texts),
+    *(calls, executors, futures, given, kinds, messages, nodes, programs, refused, texts),
     *(branches, finding, interfaces, origins, place, qos, reasons),
 )
 """Where the classes of programs and what their fields are annotated with are defined."""

@@ -6,14 +6,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from archlint.analysis.callback_roles import runs_in_executor
 from archlint.analysis.kept import once
 from archlint.analysis.reach import creations_of, judged_calls, same_expression
 from archlint.analysis.source_code import SourceCode, source_code
 from archlint.model.given import Future
 from archlint.syntax import facts
 from archlint.syntax.control_flow import graph_of
-from archlint.syntax.parts import names_in
 from archlint.syntax.walk import called_name, calls_in, parts_of
 
 if TYPE_CHECKING:
@@ -38,10 +36,10 @@ class EarlyResult:
 
 @once
 def early_results(system: System) -> list[EarlyResult]:
-    """The results that callbacks read straight after they have sent the request."""
+    """The results that are read straight after the request is sent."""
     results, code = [], source_code(system)
     for program, call in judged_calls(system):
-        if call.api != _RESULT or not isinstance(call.receiver, Future) or not runs_in_executor(call.context):
+        if call.api != _RESULT or not isinstance(call.receiver, Future):
             continue
         clients = creations_of(call.receiver)
         if clients and _straight_after(code, call):
@@ -56,7 +54,7 @@ def _straight_after(code: SourceCode, call: ApiCall) -> bool:
     future = result.func.value
     if _sends(future):
         return True  # call_async(...).result()
-    name = future.variable
+    name = future.dotted
     return name != "" and _is_sent_just_before(graph_of(code.body(call)), name, result)
 
 
@@ -67,13 +65,13 @@ def _is_sent_just_before(graph: Graph, name: str, result: facts.Call) -> bool:
 
     def step(sent: bool, fact: facts.Base) -> bool:
         match fact:
-            case facts.Assign(value=value) if _sends(value) and _binds(fact, name):
-                return True
+            case facts.Assign(value=value) if _binds(fact, name):
+                return _sends(value)
             case facts.Assign() | facts.Expression():
                 # Whatever is awaited, the executor goes on meanwhile.
                 return sent and _idle(list(calls_in(fact))) and not any(parts_of(fact, facts.Await))
         # A condition that asks the future, or anything by a call, may well have waited for it.
-        return sent and id(fact) in tests and not any(calls_in(fact)) and name not in names_in(fact)
+        return sent and id(fact) in tests and not any(calls_in(fact)) and not _mentions(fact, name)
 
     states = graph.states(False, step)
     return bool(reads) and all(
@@ -93,7 +91,11 @@ def _sends(value: facts.Expr) -> bool:
 
 
 def _binds(statement: facts.Assign, name: str) -> bool:
-    return any(target.variable == name for target in statement.targets)
+    return any(target.dotted == name for target in statement.targets)
+
+
+def _mentions(fact: facts.Base, name: str) -> bool:
+    return any(part.dotted == name for part in parts_of(fact))
 
 
 def _idle(calls: Sequence[facts.Call]) -> bool:

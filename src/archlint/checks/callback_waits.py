@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from archlint.analysis import blocking
-from archlint.analysis.callback_roles import callback_words
+from archlint.analysis.callback_roles import callback_words, runs_in_executor
 from archlint.analysis.deadlock import Verdict, group_relation, threads_of
 from archlint.analysis.early_results import EarlyResult, early_results
 from archlint.analysis.event_waits import EventWait, event_waits
@@ -56,7 +56,7 @@ def blocking_call_in_callback(system: System, options: Options) -> Iterator[Find
                 for wait, v in _judged(system, options)
                 if not _by_group(wait)
             ),
-            *(_no_answer_yet(system, early) for early in early_results(system)),
+            *(_no_answer_yet(system, early) for early in early_results(system) if runs_in_executor(early.call.context)),
             *(_deaf(system, wait) for wait in event_waits(system)),
         )
     )

@@ -42,7 +42,7 @@ if TYPE_CHECKING:
 
 def get_attribute(machine: Machine, value: Value, name: str, expression: facts.Attribute | None = None) -> Value:
     """``value.name``."""
-    if expression is not None and isinstance(value, (OneOf, External, ForeignValue)):
+    if expression is not None and isinstance(value, (OneOf, External, ForeignValue, ApiMethod)):
         machine.library.read(value, name, expression.span)
     match value:
         case Instance():

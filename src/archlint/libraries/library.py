@@ -22,6 +22,7 @@ from archlint.libraries.rclpy import (
     message_constants,
     message_uses,
     messages,
+    mistaken_futures,
     names,
     node_classes,
     nodes,
@@ -169,6 +170,7 @@ class RosLibrary(Library):
             message_constants.note_constant(self.run, value.path, name, span)
         else:
             message_uses.note_use(self.run, value, name, span, "read")
+            mistaken_futures.note_read(self.run, value, name, span)
 
     def written(self, value: Value, name: str, span: facts.Span, content: Value) -> None:
         message_uses.note_use(self.run, value, name, span, "write")
@@ -197,6 +199,7 @@ class RosLibrary(Library):
 
     def assigned(self, target: Value, name: str, value: Value) -> None:
         escapes.assigned(self.run, target, name, value)
+        mistaken_futures.note_set(self.run, target, name)
         if name == "executor":
             executors.set_executor(self.run, target, value)
         if isinstance(target, External):

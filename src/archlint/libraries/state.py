@@ -84,6 +84,11 @@ class Calls:
     """The calls that rules want to see."""
     refused: dict[tuple[Place, str], model.RefusedCall | None] = field(default_factory=dict)
     """The calls of libraries that are refused, by where they are and what they call; None of one that is not always."""
+    futures: dict[tuple[Place, str], model.MistakenFuture | None] = field(default_factory=dict)
+    """The futures that are taken for what they will hold, by where and what is read of them; None of one that is not
+    always."""
+    set_on_futures: set[str] = field(default_factory=set)
+    """The attributes that code gives to futures."""
 
 
 @dataclass(slots=True, eq=False)

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from archlint.model.calls import ApiCall
 from archlint.model.executors import ExecutorUse, Spell, SpinDuration
+from archlint.model.futures import MistakenFuture
 from archlint.model.kinds import (
     ENDPOINT_KINDS,
     NAMED,
@@ -53,6 +54,7 @@ __all__ = [
     "Group",
     "GroupKind",
     "GuardKind",
+    "MistakenFuture",
     "Misuse",
     "NodeClass",
     "Overrides",

@@ -22,6 +22,7 @@ from archlint.finding import Place
 from archlint.model import given
 from archlint.model.calls import ApiCall
 from archlint.model.executors import ExecutorUse, Spell, SpinDuration
+from archlint.model.futures import MistakenFuture
 from archlint.model.kinds import EntityKind, ExecutorKind, GroupKind, Role
 from archlint.model.messages import FieldUse, Passed, UnknownInterface, ValueEffect, WrongValue
 from archlint.model.nodes import (
@@ -93,7 +94,19 @@ PROGRAMS: Final = Language(
     ),
     (
         *(ApiCall, Blueprint, Callback, Creation, ExecutorUse, FieldUse, Frame, FunctionRef, Group),
-        *(NodeClass, ParameterDeclaration, Passed, Place, Program, Qos, RefusedCall, Spell, Text, UnknownInterface),
+        *(
+            MistakenFuture,
+            NodeClass,
+            ParameterDeclaration,
+            Passed,
+            Place,
+            Program,
+            Qos,
+            RefusedCall,
+            Spell,
+            Text,
+            UnknownInterface,
+        ),
         WrongValue,
         *(given.Given, given.Constant, given.OneOf, given.Entity, given.Future, given.Node, given.Executor),
         *(given.Message, given.Process, given.Object, given.GoalHandle, given.Duration),

@@ -14,6 +14,7 @@ from archlint.model.given import Process
 if TYPE_CHECKING:
     from archlint.finding import Place
     from archlint.model.calls import ApiCall
+    from archlint.model.futures import MistakenFuture
     from archlint.model.messages import FieldUse, UnknownInterface, WrongValue
     from archlint.model.nodes import Blueprint, Callback
     from archlint.model.refused import RefusedCall
@@ -37,6 +38,7 @@ class Program:
     unknown_interfaces: list[UnknownInterface] = field(default_factory=list)
     wrong_values: list[WrongValue] = field(default_factory=list)
     refused_calls: list[RefusedCall] = field(default_factory=list)
+    mistaken_futures: list[MistakenFuture] = field(default_factory=list)
     refused: set[Place] = field(default_factory=set)
     """The calls that Python refuses: the arguments do not fit."""
     reads_command_line: bool = False

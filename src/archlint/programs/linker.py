@@ -333,7 +333,9 @@ class Linker:
 
 def _says_something(program: model.Program) -> bool:
     of_messages = (program.unknown_interfaces, program.field_uses, program.wrong_values)
-    return any((program.nodes, program.calls, program.callbacks, program.refused_calls, *of_messages))
+    return any(
+        (program.nodes, program.calls, program.callbacks, program.refused_calls, program.mistaken_futures, *of_messages)
+    )
 
 
 def _words(key: ProgramKey, program: model.Program) -> str:

@@ -21,7 +21,7 @@ from archlint.interpreter.values import (
     Value,
 )
 from archlint.libraries.interest import interesting
-from archlint.libraries.rclpy import escapes, executors
+from archlint.libraries.rclpy import escapes, executors, mistaken_futures
 from archlint.libraries.rclpy.callables import describe
 from archlint.libraries.run import Run
 from archlint.libraries.state import Lineage, Pending
@@ -115,6 +115,7 @@ def run_root(
     run.store.layers[-1].update(before)
     try:
         given = run.call(value, CallSite(_fit(value, arguments)))
+        mistaken_futures.note_response(run, callback, given)
         if callback.role == model.Role.METHOD and not isinstance(value, BoundMethod):
             escapes.escape(run, [given], f"{callback.name}() returns it to its caller")
     except Exception as error:

@@ -1,0 +1,50 @@
+"""EXE010: what needs asyncio's event loop, in callbacks that rclpy runs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
+
+from archlint.analysis.callback_roles import callback_words
+from archlint.analysis.foreign_awaits import foreign_awaits
+from archlint.analysis.reach import one_for_each_place
+from archlint.checks.callback_findings import finding_in_callback
+from archlint.checks.folding import folds, with_others
+from archlint.checks.registry import Options, rule
+from archlint.checks.scope import Scope
+from archlint.finding import Finding
+from archlint.libraries.tables.event_loops import SLEEP, STARTS
+
+if TYPE_CHECKING:
+    from archlint.model import ApiCall, Program
+    from archlint.systems.model import System
+
+_HELP = {SLEEP: "continue in a timer: create_timer(…), and cancel it when it has fired"}
+_IN_A_THREAD = "do this in a thread of its own, with asyncio.run()"
+
+
+@rule("EXE010", scope=Scope.CODE)
+def foreign_awaitable(system: System, options: Options) -> Iterator[Finding]:
+    """Calls that end with the exception that there is no event loop."""
+    yield from one_for_each_place(_finding(system, program, call) for program, call in foreign_awaits(system))
+
+
+def _finding(system: System, program: Program, call: ApiCall) -> Finding:
+    verb = "calls" if call.api == STARTS else "awaits"
+    return finding_in_callback(
+        "EXE010",
+        system,
+        program,
+        call,
+        f"{callback_words(call.context)} {verb} {call.api}(), which raises a RuntimeError: rclpy's executor is no "
+        "event loop of asyncio",
+        help=_HELP.get(call.api, _IN_A_THREAD),
+        identity=(call.api,),
+        group=(call.place.file, call.context.name),
+    )
+
+
+@folds("EXE010")
+def of_one_callback(findings: Sequence[Finding]) -> Finding:
+    """The first such call of a callback, with which it ends."""
+    return with_others(findings, "another line does", "more lines do", "the same")
