@@ -45,7 +45,7 @@ from archlint.model import (
 from archlint.model.encoding import NotEncodable, NotPrograms, decode, encode
 from archlint.programs.linker import EntryPoint, Linker
 from archlint.reasons import NotPassed
-from archlint.ros import interfaces, qos
+from archlint.ros import interfaces, parameter_types, qos
 
 FIXTURES = Path(__file__).parents[2] / "fixtures"
 PLACE = Place("robot/node.py", 3, 5, 3, 9)
@@ -171,7 +171,7 @@ def test_a_payload_of_other_fields_is_refused(monkeypatch: pytest.MonkeyPatch):
 
 MODULES = (
     *(calls, executors, futures, given, kinds, messages, nodes, programs, refused, texts),
-    *(branches, finding, interfaces, origins, place, qos, reasons),
+    *(branches, finding, interfaces, origins, parameter_types, place, qos, reasons),
 )
 """Where the classes of programs and what their fields are annotated with are defined."""
 NAMES = {name: item for module in MODULES for name, item in vars(module).items()}
