@@ -144,3 +144,24 @@ def test_a_node_that_is_made_before_rclpy_is_initialised(judge: Judge, source: s
 )
 def test_a_node_that_is_made_after_it(judge: Judge, source: str):
     judge("API003", source)
+
+
+def test_a_class_that_is_mixed_into_a_node(judge: Judge):
+    judge(
+        "API003",
+        """
+        import rclpy
+
+
+        class Scenes:
+            def __init__(self):
+                super(Scenes, self).__init__()
+                self.create_subscription(object, 'scene', print, 5)
+
+
+        class Objects(Scenes):
+            def __init__(self):
+                super(Objects, self).__init__()
+                self.create_client(object, 'start')
+        """,
+    )

@@ -10,7 +10,7 @@ from archlint import model
 from archlint.interpreter.values import Instance, Value, alternatives
 from archlint.libraries.api_signatures import distros, needed, refusing_distros
 from archlint.libraries.kinds_of_arguments import described, is_other, kinds_of
-from archlint.libraries.rclpy import names, refusals
+from archlint.libraries.rclpy import names, node_classes, refusals
 from archlint.syntax import facts
 
 if TYPE_CHECKING:
@@ -49,14 +49,16 @@ def _is_known(api: Api, receiver: Value | None) -> bool:
 
 def _early(run: Run, api: Api, receiver: Value | None, place: Place) -> model.RefusedCall | None:
     """A method of a node that a constructor of its class calls before ``Node.__init__``, or without it."""
-    if not isinstance(receiver, Instance) or api.effect in ("node_init", "destroy_node"):
+    cls = None if receiver is None else receiver.own_class
+    if cls is None or not isinstance(receiver, Instance) or api.effect in ("node_init", "destroy_node"):
         return None
+    if not node_classes.is_node(cls):
+        return None  # it may be mixed into a node, whose constructor has run by then
     node = run.nodes.by_object.get(receiver.key)
     making = [activation for activation in run.activations if activation.self_value is receiver]
     if (node is not None and node.constructed) or not any(a.qualified.endswith(".__init__") for a in making):
         return None
-    cls = "" if receiver.own_class is None else receiver.own_class.ir.name
-    return model.RefusedCall(place, api.path, model.Misuse.EARLY, given=cls, distros=distros())
+    return model.RefusedCall(place, api.path, model.Misuse.EARLY, given=cls.ir.name, distros=distros())
 
 
 def _misfit(api: Api, site: CallSite, place: Place) -> model.RefusedCall | None:
