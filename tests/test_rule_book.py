@@ -9,6 +9,7 @@ import pytest
 
 from archlint.config.selection import Layer
 from archlint.config.settings import Settings, load
+from archlint.engine import baseline_file
 from archlint.engine.pipeline import Request, check
 from archlint.observed.read import read
 from archlint.report import concise
@@ -26,7 +27,9 @@ def test_an_example_gives_exactly_the_findings_it_is_marked_with(
     monkeypatch.chdir(tmp_path)
 
     observed = read("observed.json") if "observed.json" in example.files else None
-    report = check(Request((".",), _settings(tmp_path, example.page_code), cached=False, jobs=1, observed=observed))
+    settings = _settings(tmp_path, example.page_code)
+    baseline = None if settings.baseline is None else baseline_file.read(Path(settings.baseline))
+    report = check(Request((".",), settings, cached=False, jobs=1, observed=observed, baseline=baseline))
 
     found = [(finding.place.file, finding.place.line, finding.code) for finding in report.findings]
     assert sorted(found) == sorted(example.expected), concise.render(report)

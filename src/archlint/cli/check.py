@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 from archlint import report as reports
 from archlint.cli import console, exits
+from archlint.cli.baseline import UsedBaseline, add_baseline, baseline_of
 from archlint.cli.exits import UsageError
 from archlint.cli.options import (
     Parser,
@@ -79,6 +80,7 @@ def parser() -> argparse.ArgumentParser:
         help="the lowest severity that fails the run: info, warning (default) or error",
     )
     levels.add_argument("--exit-zero", action="store_true", help="findings do not fail the run")
+    add_baseline(parser)
     add_launch(parser)
     add_observed(parser)
     add_facts(parser)
@@ -98,15 +100,12 @@ def _output(text: str) -> tuple[reports.FormatName, str]:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    if arguments.unsafe_fixes and not (arguments.fix or arguments.diff):
-        raise UsageError("--unsafe-fixes needs --fix or --diff")
-    if arguments.facts and (arguments.fix or arguments.diff):
-        raise UsageError("--fix and --diff need the sources: check them without --facts")
-    keeper = _keeper(arguments)
+    _refuse_combinations(arguments)
     launch, launch_arguments = launch_of(arguments)
     linked = linked_of(arguments)
     paths = paths_of(arguments)
     settings = settings_of(arguments, paths[0])
+    baseline = baseline_of(arguments, settings)
     request = Request(
         paths if linked is None else tuple(arguments.facts),
         settings,
@@ -116,7 +115,9 @@ def run(arguments: argparse.Namespace) -> int:
         launch_arguments=launch_arguments,
         observed=observed_of(arguments),
         fixes=_asks_for_fixes(arguments),
-        keeper=keeper,
+        keeper=_keeper(arguments, baseline),
+        baseline=None if baseline is None else baseline.held,
+        occurrences=baseline is not None and baseline.writes,
         linked=linked,
     )
     watch = Watch(sys.stderr, arguments.quiet, arguments.verbose)
@@ -129,17 +130,20 @@ def run(arguments: argparse.Namespace) -> int:
     failing = Severity.parse(arguments.severity)
     if arguments.diff:
         return _show_difference(report, arguments)
-    fixed = 0
+    done: list[str] = []
     if arguments.fix:
         from archlint.cli.fix import mend  # with what takes files apart, which most checks do without
 
         with watch as monitor:
             outcome = mend(replace(request, monitor=monitor), report, arguments.unsafe_fixes)
-        report, fixed = outcome.report, outcome.count
-        shown = []  # the files are others now
+        report, shown = outcome.report, []  # the files are others now
+        done += [f"Fixed {outcome.count} finding{'s' if outcome.count > 1 else ''}."] if outcome.count else []
+    if baseline is not None and (baseline.writes or baseline.prunes):
+        report, said = baseline.written(report)
+        done.append(said)
     folder = folder_in_repository(Path.cwd(), os.environ)
     text = _written(replace(report, failing=failing, folder=folder), arguments)
-    warnings, notes = ("", "") if arguments.quiet else _remarks(report, fixed, request, shown, arguments)
+    warnings, notes = ("", "") if arguments.quiet else _remarks(report, done, request, shown, arguments)
     answer = Answer(text, warnings, notes, exit_status(report, failing, arguments.exit_zero))
     status = console.give(answer)
     watch.note_costs()
@@ -148,7 +152,16 @@ def run(arguments: argparse.Namespace) -> int:
     return status
 
 
-def _keeper(arguments: argparse.Namespace) -> Keeper | None:
+def _refuse_combinations(arguments: argparse.Namespace) -> None:
+    if arguments.unsafe_fixes and not (arguments.fix or arguments.diff):
+        raise UsageError("--unsafe-fixes needs --fix or --diff")
+    if arguments.facts and (arguments.fix or arguments.diff):
+        raise UsageError("--fix and --diff need the sources: check them without --facts")
+    if arguments.diff and (arguments.write_baseline or arguments.prune_baseline):
+        raise UsageError("--diff writes nothing: leave it out to write the baseline")
+
+
+def _keeper(arguments: argparse.Namespace, baseline: UsedBaseline | None) -> Keeper | None:
     """Who keeps what is said, where that is all that the command does, and each time the same."""
     does_more = (
         arguments.file,
@@ -158,11 +171,14 @@ def _keeper(arguments: argparse.Namespace) -> Keeper | None:
         arguments.scheduler,
         arguments.fix,
         arguments.diff,
+        arguments.write_baseline,
+        arguments.prune_baseline,
     )
     says_more = arguments.statistics, arguments.verbose, not reports.FORMATS[arguments.format].lasting
     if any((*does_more, *says_more, arguments.no_cache)):
         return None
-    return Keeper(arguments.words, console.terminal(), (arguments.launch or ())[:1])
+    files = [*(arguments.launch or ())[:1], *([] if baseline is None else [str(baseline.path)])]
+    return Keeper(arguments.words, console.terminal(), files)
 
 
 def _asks_for_fixes(arguments: argparse.Namespace) -> bool:
@@ -192,11 +208,10 @@ def _written(report: Report, arguments: argparse.Namespace) -> str:
 
 
 def _remarks(
-    report: Report, fixed: int, request: Request, shown: Sequence[System], arguments: argparse.Namespace
+    report: Report, done: Sequence[str], request: Request, shown: Sequence[System], arguments: argparse.Namespace
 ) -> tuple[str, str]:
-    """What is to be said beside the findings: warnings, and notes after them."""
-    warnings = [f"Fixed {fixed} finding{'s' if fixed > 1 else ''}."] if fixed else []
-    warnings += [f"archlint: warning: {notice}" for notice in report.notices]
+    """What is to be said beside the findings: what was ``done`` and warnings, and notes after them."""
+    warnings = [*done, *(f"archlint: warning: {notice}" for notice in report.notices)]
     notes = [*report.remarks]
     if arguments.statistics:
         notes += [statistics(report.findings), _shape(request, shown)]

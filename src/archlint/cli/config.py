@@ -55,6 +55,8 @@ def _values(settings: Settings) -> Iterator[tuple[str, object]]:
     yield "external", settings.external
     yield "shared-topics", settings.shared_topics
     yield from _architecture(settings)
+    if settings.baseline is not None:
+        yield "baseline", settings.baseline
     if settings.cache_dir is not None:
         yield "cache-dir", settings.cache_dir
     yield "rules", settings.rules

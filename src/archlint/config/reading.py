@@ -14,6 +14,7 @@ from archlint.config.schema import ConfigurationFile
 from archlint.config.source import Key, Source
 
 _READERS: dict[str, Callable[[Any, Key], object]] = {
+    "baseline": read.file_in_repository,
     "cache-dir": read.folder,
     "contracts": architecture_tables.contracts,
     "exclude": read.globs,

@@ -97,6 +97,7 @@ _Contracts = Annotated[
 class ConfigurationFile(Table, frozen=True):
     """All that one file may say."""
 
+    baseline: str | None = None
     cache_dir: str | None = None
     closed_world: bool | None = None
     contracts: _Contracts | None = None

@@ -44,6 +44,8 @@ class Settings:
     external: tuple[str, ...] = ()
     shared_topics: tuple[str, ...] = ()
     cache_dir: str | None = None
+    baseline: str | None = None
+    """The file with the findings that are held back."""
     owners: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     contracts: tuple[Contract, ...] = ()
     node_layers: Layers | None = None

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from archlint.config.files import is_within, repository_of
 from archlint.finding import Severity
 from archlint.globs import Glob
 from archlint.rulebook import codes_of, suggestion
@@ -47,6 +48,14 @@ def severities(table: Mapping[str, str], key: Key) -> dict[str, Severity]:
 
 def folder(path: str, key: Key) -> str:
     return (Path(key.base) / home_of(path, key)).as_posix()
+
+
+def file_in_repository(path: str, key: Key) -> str:
+    """A file that archlint may read and write: a repository must not choose another one."""
+    absolute = folder(path, key)
+    if not is_within(Path(absolute), repository_of(Path(key.base))):
+        raise key.error(f"`{key.path[-1]}` leads out of the repository: {path}", path)
+    return absolute
 
 
 def home_of(path: str, key: Key) -> Path:

@@ -16,15 +16,17 @@ from archlint.engine import suppressions, uninstalled
 from archlint.engine.half_ported import as_information, half_ported, with_reason
 from archlint.engine.inputs import Inputs, is_input, is_of_package, known_files, parts_of, python_files
 from archlint.engine.judging import judge_alternatives
+from archlint.engine.known import Sieve
 from archlint.engine.loading import as_asked_for, systems_of
 from archlint.engine.looked_at import followed_in_part, for_ros1, without_start
 from archlint.engine.merging import folded, merged, once_for_copies
 from archlint.engine.request import NothingToDo, Request
+from archlint.engine.stale_entries import Judgement, stale_entry
 from archlint.faults import Faults
 from archlint.finding import Place, Related
 from archlint.observed.words import comparison_notices, comparison_words
 from archlint.render.json import unresolved
-from archlint.report.model import Judged, summarise
+from archlint.report.model import Judged, recounted, summarise
 from archlint.syntax.interfaces import interface_problems
 from archlint.systems.model import WorkspaceIndex
 
@@ -41,12 +43,15 @@ if TYPE_CHECKING:
 def judged_in_parts(inputs: Inputs, facts: FactsOfFiles, shown: list[System] | None = None) -> Judged:
     """What is found in each of the workspaces that stand side by side.  ``shown`` is given the system of each, unless
     there is nothing to do for one of them."""
+    request = inputs.request
+    sieve = Sieve(request.baseline, request.before)
+    ran: list[frozenset[str]] = []
     judged: list[Judged] = []
     systems: list[System] = []
     refused: NothingToDo | None = None
     for part in parts_of(inputs.request, inputs.workspace):
         try:
-            result, system = _judged(replace(inputs, workspace=part), facts)
+            result, system = _judged(replace(inputs, workspace=part), facts, sieve, ran)
         except NothingToDo as error:
             refused = refused or error
         else:
@@ -57,7 +62,21 @@ def judged_in_parts(inputs: Inputs, facts: FactsOfFiles, shown: list[System] | N
         raise refused
     if shown is not None and refused is None:
         shown.extend(systems)
-    return judged[0] if len(judged) == 1 else _joined(judged, inputs.workspace)
+    joined = judged[0] if len(judged) == 1 else _joined(judged, inputs.workspace)
+    if request.occurrences:
+        joined = replace(joined, occurrences=sieve.occurrences)
+    return joined if request.baseline is None else _with_stale(joined, inputs, sieve, frozenset.intersection(*ran))
+
+
+def _with_stale(judged: Judged, inputs: Inputs, sieve: Sieve, ran: frozenset[str]) -> Judged:
+    """The findings with one for each entry of the baseline that holds back nothing."""
+    baseline = inputs.request.baseline
+    assert baseline is not None
+    stale = list(Judgement(ran, judged.findings).stale(sieve.idle(), inputs))
+    rows = _wanted((stale_entry(entry, baseline.file) for entry in stale), inputs.request.settings, inputs.workspace)
+    findings = sorted((*judged.findings, *rows), key=lambda finding: finding.sort_key)
+    summary = recounted(judged.summary, findings)
+    return replace(judged, findings=findings, summary=summary, idle=[entry.line for entry in stale])
 
 
 def _joined(judged: Sequence[Judged], workspace: Workspace) -> Judged:
@@ -70,12 +89,15 @@ def _joined(judged: Sequence[Judged], workspace: Workspace) -> Judged:
         suppressed=sum(part.summary.suppressed for part in judged),
         unresolved=sum(part.summary.unresolved for part in judged),
         elapsed_s=0.0,
+        baselined=sum(part.summary.baselined for part in judged),
+        older=sum(part.summary.older for part in judged),
     )
     return Judged(findings, summary, list(dict.fromkeys(notice for part in judged for notice in part.notices)))
 
 
-def _judged(inputs: Inputs, facts: FactsOfFiles) -> tuple[Judged, System]:
-    """What is found in a workspace, and its system as it is shown."""
+def _judged(inputs: Inputs, facts: FactsOfFiles, sieve: Sieve, ran: list[frozenset[str]]) -> tuple[Judged, System]:
+    """What is found in a workspace and not known yet, and its system as it is shown; the rules that judged all of it
+    are added to ``ran``."""
     request, workspace = inputs.request, inputs.workspace
     known = known_files(request, workspace, facts)
     systems = systems_of(inputs, facts)
@@ -92,9 +114,11 @@ def _judged(inputs: Inputs, facts: FactsOfFiles) -> tuple[Judged, System]:
     aside = uninstalled.files_of(index, candidates)
     candidates = uninstalled.as_information(as_information(candidates, old), aside)
     outcome = suppressions.apply(_wanted(candidates, request.settings, workspace), by_file)
-    stale = suppressions.stale(outcome.unused, _ran(request, systems))
+    ran.append(_ran(request, systems))
+    stale = suppressions.stale(outcome.unused, ran[-1])
     kept = [*outcome.kept, *suppressions.apply(_wanted(stale, request.settings, workspace), by_file).kept]
-    explained = uninstalled.with_reason(with_reason(folded(dict.fromkeys(kept)), old), aside)
+    sifted = sieve.part(dict.fromkeys(kept))
+    explained = uninstalled.with_reason(with_reason(folded(sifted.new), old), aside)
     findings = sorted(explained, key=lambda finding: finding.sort_key)
     shown = as_asked_for(request, systems[0], workspace)
     summary = summarise(
@@ -104,6 +128,8 @@ def _judged(inputs: Inputs, facts: FactsOfFiles) -> tuple[Judged, System]:
         suppressed=len(outcome.suppressed),
         unresolved=len(unresolved(shown)),
         elapsed_s=0.0,
+        baselined=len(folded(sifted.baselined)),
+        older=len(folded(sifted.older)),
     )
     refused = [suppressions.refusal(file, suppression) for file, suppression in outcome.refused]
     notices = [*_passed_over(inputs, facts, launch_files)]

@@ -57,7 +57,15 @@ def check(request: Request, shown: list[System] | None = None) -> Report:
     elapsed = time.perf_counter() - started
     summary = replace(judged.summary, elapsed_s=elapsed, cpp_packages=len(workspace.cpp_packages))
     notices = [*judged.notices, *_not_looked_at(request, workspace, summary)]
-    return Report(judged.findings, summary, Sources(inputs.tree.given).line, notices, remarks=judged.remarks)
+    return Report(
+        judged.findings,
+        summary,
+        Sources(inputs.tree.given).line,
+        notices,
+        remarks=judged.remarks,
+        occurrences=judged.occurrences,
+        idle=judged.idle,
+    )
 
 
 def _alike(kept: RunCache[Judged], facts: FactsOfFiles) -> Judged | None:

@@ -11,8 +11,10 @@ if TYPE_CHECKING:
     from archlint.config.settings import Settings
     from archlint.engine.executors import ExecutorPool
     from archlint.engine.keeper import Keeper
+    from archlint.engine.known import Baseline
     from archlint.engine.linked_facts import LinkedFacts
     from archlint.observed.model import Observed
+    from archlint.report.occurrence import Key
 
 
 class NothingToDo(Exception):
@@ -35,6 +37,12 @@ class Request:
     """What a running system said of itself, to hold the system against."""
     fixes: bool = True
     """Whether the findings are to have their fixes."""
+    baseline: Baseline | None = None
+    """The findings that are held back."""
+    before: tuple[Key, ...] | None = None
+    """The findings of an earlier revision, which are not to be reported again; None to report all."""
+    occurrences: bool = False
+    """Whether the report is to list all findings, known or not, before they are folded."""
     monitor: Monitor = field(default_factory=Monitor, compare=False, repr=False)
     """Who is notified of the progress of the run; the result does not depend on it."""
     keeper: Keeper | None = field(default=None, compare=False, repr=False)

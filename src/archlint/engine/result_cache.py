@@ -172,9 +172,10 @@ class RunCache(Generic[Result]):
         problems = [astuple(problem) for problem in self._workspace.problems]
         request = self._request
         asked = [repr(request.paths), repr(request.settings), request.launch, request.launch_arguments]
+        known = repr((request.baseline, request.before, request.occurrences))
         observed = None if request.observed is None else (request.observed.file, request.observed.digest)
         beside = [self._kind.__name__, *map(repr, self._beside)]
-        decisive: list[object] = [own_code(), asked, observed, inputs, problems, beside]
+        decisive: list[object] = [own_code(), asked, known, observed, inputs, problems, beside]
         return hashlib.sha256(json.dumps(decisive).encode()).hexdigest()
 
 

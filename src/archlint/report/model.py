@@ -7,6 +7,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 
 from archlint.finding import Finding, Severity
+from archlint.report.occurrence import Occurrence
 
 SourceLine = Callable[[str, int], "str | None"]
 """The text of a line of a file, as a :class:`~archlint.finding.Place` names them; None if there is none."""
@@ -26,6 +27,10 @@ class Summary:
     unresolved: int
     elapsed_s: float
     cpp_packages: int = 0
+    baselined: int = 0
+    """Findings that the baseline holds back."""
+    older: int = 0
+    """Findings that the revision of ``--new-only`` has, too."""
 
     @property
     def findings(self) -> int:
@@ -48,6 +53,10 @@ class Report:
     folder: str = "."
     remarks: Sequence[str] = ()
     """What to say beside them that is no warning."""
+    occurrences: Sequence[Occurrence] = ()
+    """All that the rules have reported, known or not, where a request asks for it."""
+    idle: Sequence[int] = ()
+    """The lines of the baseline that no finding matches any more."""
 
 
 @dataclass(frozen=True)
@@ -60,6 +69,8 @@ class Judged:
     remarks: list[str] = field(default_factory=list)
     mended: bool = False
     """Whether the findings have their fixes, beside the sites that these are made at."""
+    occurrences: list[Occurrence] = field(default_factory=list)
+    idle: list[int] = field(default_factory=list)
 
     def unmended(self) -> Judged:
         """The same without fixes."""
@@ -67,7 +78,15 @@ class Judged:
 
 
 def summarise(
-    findings: Sequence[Finding], *, files: int, nodes: int, suppressed: int, unresolved: int, elapsed_s: float
+    findings: Sequence[Finding],
+    *,
+    files: int,
+    nodes: int,
+    suppressed: int,
+    unresolved: int,
+    elapsed_s: float,
+    baselined: int = 0,
+    older: int = 0,
 ) -> Summary:
     count = Counter(finding.severity for finding in findings)
     return Summary(
@@ -79,7 +98,16 @@ def summarise(
         suppressed=suppressed,
         unresolved=unresolved,
         elapsed_s=elapsed_s,
+        baselined=baselined,
+        older=older,
     )
+
+
+def recounted(summary: Summary, findings: Sequence[Finding]) -> Summary:
+    """The figures of a run that reports these findings instead."""
+    count = Counter(finding.severity for finding in findings)
+    errors, warnings, infos = (count[level] for level in (Severity.ERROR, Severity.WARNING, Severity.INFO))
+    return replace(summary, errors=errors, warnings=warnings, infos=infos)
 
 
 def summary_line(summary: Summary) -> str:
@@ -87,6 +115,8 @@ def summary_line(summary: Summary) -> str:
     where = f"{_count(summary.files, 'file')} with {_count(summary.nodes, 'node')}"
     notes = [
         f"{summary.suppressed} suppressed" if summary.suppressed else "",
+        f"{summary.baselined} held by the baseline" if summary.baselined else "",
+        f"{summary.older} not new" if summary.older else "",
         f"{summary.unresolved} unresolved" if summary.unresolved else "",
         f"C++ of {_count(summary.cpp_packages, 'package')} not read" if summary.cpp_packages else "",
     ]

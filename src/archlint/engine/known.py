@@ -1,0 +1,98 @@
+"""Findings that are known already, by what they are about and not by their lines: those that a baseline holds, and
+those that an earlier revision has, too."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+from archlint.report.occurrence import Key, Occurrence
+
+if TYPE_CHECKING:
+    from archlint.finding import Finding
+
+NEVER_HELD = ("LNT003", "LNT004")
+"""A failure of ours, and an entry that nothing matches, are news each time."""
+
+
+@dataclass(frozen=True)
+class Entry:
+    """A line of a baseline."""
+
+    line: int
+    key: Key
+
+
+@dataclass(frozen=True)
+class Baseline:
+    """The findings that a file holds; ``file`` is its path as shown."""
+
+    file: str
+    entries: tuple[Entry, ...] = ()
+
+
+class Known:
+    """Each key as often as it was noted: who takes it may have it once for each time."""
+
+    def __init__(self, keys: Iterable[Key]) -> None:
+        self._left = Counter(keys)
+
+    def takes(self, key: Key) -> bool:
+        """Whether a finding is known; it is used up."""
+        if self._left[key] <= 0:
+            return False
+        self._left[key] -= 1
+        return True
+
+
+@dataclass
+class Sifted:
+    """The findings of one workspace."""
+
+    new: list[Finding] = field(default_factory=list)
+    baselined: list[Finding] = field(default_factory=list)
+    older: list[Finding] = field(default_factory=list)
+    """Those that an earlier revision has, too, and no baseline."""
+
+
+class Sieve:
+    """Lets through what is new, of all workspaces that stand side by side.
+
+    ``before`` are the findings of an earlier revision, None where it is not compared with one.
+    """
+
+    def __init__(self, baseline: Baseline | None = None, before: Iterable[Key] | None = None) -> None:
+        self.occurrences: list[Occurrence] = []
+        self._entries = () if baseline is None else baseline.entries
+        self._older = None if before is None else Counter(before)
+        self._baseline = Known(entry.key for entry in self._entries)
+        self._before = Known((self._older or Counter()).elements())
+
+    def part(self, findings: Iterable[Finding]) -> Sifted:
+        """The findings of one workspace, known ones apart."""
+        sifted = Sifted()
+        for finding in sorted(findings, key=lambda finding: finding.sort_key):
+            occurrence = Occurrence.of(finding)
+            self.occurrences.append(occurrence)
+            if finding.code in NEVER_HELD:
+                sifted.new.append(finding)
+                continue
+            # Both are asked: what the baseline holds is no longer there for an equal finding that is new.
+            baselined, older = self._baseline.takes(occurrence.key), self._before.takes(occurrence.key)
+            (sifted.baselined if baselined else sifted.older if older else sifted.new).append(finding)
+        return sifted
+
+    def idle(self) -> list[Entry]:
+        """The entries of the baseline that no finding matches; with an earlier revision those that one did there."""
+        present = Counter(occurrence.key for occurrence in self.occurrences)
+        matched = Known(present.elements())
+        idle = [entry for entry in self._entries if not matched.takes(entry.key)]
+        if self._older is None:
+            return idle
+        gone = Known((self._older - present).elements())
+        return [entry for entry in idle if gone.takes(entry.key)]
+
+
+__all__ = ["NEVER_HELD", "Baseline", "Entry", "Known", "Sieve", "Sifted"]

@@ -1,0 +1,53 @@
+"""What a finding is about, in words that stay the same while the code around it moves."""
+
+from __future__ import annotations
+
+import os
+import posixpath
+import re
+from dataclasses import dataclass
+
+from archlint.finding import Finding, Place
+from archlint.visible import visible
+
+_LINE_NUMBER = re.compile(r"\bline \d+")
+
+
+@dataclass(frozen=True, order=True)
+class Key:
+    """What identifies a finding: its rule, its file (absolute) and what it is about."""
+
+    code: str
+    file: str
+    what: str
+
+
+@dataclass(frozen=True)
+class Occurrence:
+    """A finding as its rule made it, before those with one cause are folded into one."""
+
+    code: str
+    place: Place
+    what: str
+    """The names that it is about, safe to show and without line numbers."""
+
+    @classmethod
+    def of(cls, finding: Finding) -> Occurrence:
+        return cls(finding.code, finding.place, _what(finding))
+
+    @property
+    def key(self) -> Key:
+        return Key(self.code, visible(os.path.abspath(self.place.file)), self.what)
+
+
+def _what(finding: Finding) -> str:
+    """The names that a finding is about.  Files are named as seen from its own, wherever archlint was started."""
+    parts = finding.identity or (finding.node or "", finding.message)
+    files = {finding.place.file, *(related.place.file for related in finding.related)}
+    files.update([] if finding.system is None else [finding.system])
+    folder = posixpath.dirname(finding.place.file) or "."
+    shown = [posixpath.relpath(part, folder) if part in files else part for part in parts if part]
+    return _LINE_NUMBER.sub("line", visible(", ".join(shown))).strip()
+
+
+__all__ = ["Key", "Occurrence"]
