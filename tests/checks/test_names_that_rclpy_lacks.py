@@ -188,3 +188,9 @@ def test_what_node_has_itself_comes_before_what_is_mixed_in_behind_it(judge: Jud
     calls = "self.create_subscription()  # here"
     judge("API001", MIXED.replace("{bases}", "Node, Arms").replace("{more}", calls))
     judge("API001", MIXED.replace("{bases}", "Arms, Node").replace("{more}", "self.create_subscription()"))
+
+
+def test_a_method_that_another_script_gives_the_class(judge: Judge):
+    robot = NODE.replace("{call}", "self.patrol(){mark}")
+    judge("API002", robot.replace("{mark}", "  # here"))
+    judge("API002", robot.replace("{mark}", ""), "import node\n\nnode.Robot.patrol = print\nnode.main()\n")

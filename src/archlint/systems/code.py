@@ -56,12 +56,12 @@ class WorkspaceCode:
         return text is not None and re.search(rf"(?<!\w){re.escape(word)}(?!\w)", text) is not None
 
     def files_that_mention(self, name: str) -> Sequence[str]:
-        """The Python files of packages, but for launch files, in which a name stands anywhere."""
-        return self._tree.words.note(name, [path for path in self._of_packages if name in self._tree.words.of(path)])
+        """The Python files, but for launch files, in which a name stands anywhere."""
+        return self._tree.words.note(name, [path for path in self._modules if name in self._tree.words.of(path)])
 
     @cached_property
-    def _of_packages(self) -> Sequence[str]:
-        return [path for package in self._packages for path in self.files_of(package)]
+    def _modules(self) -> Sequence[str]:
+        return [file.relative for file in self._files if file.kind == "python"]
 
     # ------------------------------------------------------------------------------------------ by package
 
