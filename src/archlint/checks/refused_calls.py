@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
+from archlint.analysis.logger_calls import LOGGER, refused_logger_calls
 from archlint.analysis.own_names import is_defined_somewhere
 from archlint.analysis.reach import judged_notes
+from archlint.checks.attributes import OF_CLASS, attribute_findings
 from archlint.checks.folding import folds, with_others
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -26,14 +28,16 @@ _NEWER = frozenset(DISTROS[DISTROS.index(_AS_NEWEST) + 1 :])
 @rule("API001", scope=Scope.CODE)
 def refused_call(system: System, options: Options) -> Iterator[Finding]:
     """Calls that rclpy, message_filters or tf2_ros refuse."""
-    for call in _judged(system):
+    loggers = [] if system.workspace is None else refused_logger_calls(system.workspace)
+    for call in (*_judged(system), *loggers):
         if call.misuse not in _OF_OTHER_RULES and _is_refused(call, options.distros):
             yield _finding(call)
 
 
 @rule("API002", scope=Scope.CODE)
 def unknown_attribute(system: System, options: Options) -> Iterator[Finding]:
-    """Calls of functions and methods that rclpy does not have."""
+    """Calls of functions and methods that rclpy does not have, and attributes that a class does not have or take."""
+    yield from attribute_findings(system)
     for call in _judged(system):
         [name, *_] = call.parameters or ("",)
         if call.misuse is Misuse.ABSENT and not is_defined_somewhere(system, call.place.file, name):
@@ -50,7 +54,9 @@ def unknown_attribute(system: System, options: Options) -> Iterator[Finding]:
 
 @folds("API002")
 def absent_in_one_file(findings: Sequence[Finding]) -> Finding:
-    """The first call of a file for all of the same name."""
+    """The first call of a file for all of the same name, or the first line of a class that assigns a property."""
+    if findings[0].group[0] == OF_CLASS:
+        return with_others(findings, "another line of the class does", "more lines of the class do", "the same")
     return with_others(findings, "another call in this file does", "more calls in this file do", "the same")
 
 
@@ -142,11 +148,22 @@ def _what_is_wrong(call: RefusedCall) -> str:
 
 
 def _cure(name: str, call: RefusedCall) -> str:
+    if call.api.startswith(LOGGER):
+        return _cure_of_logger(name, call)
     if call.misuse is Misuse.KIND:
         if call.parameters == ("executor",) and call.api.endswith("spin_until_future_complete"):
             return "give the timeout by name, timeout_sec=…: the executor comes before it"
         called = call.given.startswith("what ")
         return "pass the function itself, without parentheses" if called else f"pass {call.wanted}"
+    return f"write {name}({', '.join(call.signature)})"
+
+
+def _cure_of_logger(name: str, call: RefusedCall) -> str:
+    """A logger of ROS takes one text, and what Python's own makes of its arguments has to be made of them before."""
+    if call.misuse is Misuse.TOO_MANY:
+        return f"put the values into the text: {name}(f'… {{value}}')"
+    if "exc_info" in call.parameters:
+        return "put traceback.format_exc() into the text"
     return f"write {name}({', '.join(call.signature)})"
 
 

@@ -1,0 +1,168 @@
+"""The classes that a class of the workspace derives from, by its text: no run has to come to it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+from archlint.analysis.kept import kept
+from archlint.libraries.rclpy.names import canonical
+from archlint.syntax import facts
+from archlint.syntax.parts import Itself, everything_in
+from archlint.syntax.walk import statements_of
+
+if TYPE_CHECKING:
+    from archlint.systems.model import WorkspaceIndex
+
+_DEPTH = 8
+"""How many files an import is followed through, and how many classes derive from each other."""
+
+
+@dataclass(frozen=True)
+class ClassInFile:
+    """A class and the file that it is in."""
+
+    file: str
+    code: facts.Class
+
+
+@dataclass
+class Chain:
+    """A class with all that it derives from: classes of the workspace, the first one itself, and foreign ones by their
+    canonical names.  ``complete`` is false where some base is not known, or something may change the class."""
+
+    own: list[ClassInFile] = field(default_factory=list)
+    foreign: list[str] = field(default_factory=list)
+    complete: bool = True
+
+    def has(self, other: ClassInFile) -> bool:
+        """Whether another class is this one, or one that it derives from."""
+        return any(cls.code is other.code for cls in self.own)
+
+
+def classes_of(file_facts: facts.Facts) -> Iterator[facts.Class]:
+    """Every class of a file, those inside functions and classes included."""
+    return everything_in(file_facts.body, facts.Class)
+
+
+def chain_of(workspace: WorkspaceIndex, cls: ClassInFile) -> Chain:
+    """What a class derives from."""
+
+    def follow() -> Chain:
+        chain = Chain()
+        _add(workspace, cls, chain, _DEPTH)
+        return chain
+
+    return kept(workspace, (chain_of, Itself(cls.code)), follow)
+
+
+def _add(workspace: WorkspaceIndex, cls: ClassInFile, chain: Chain, depth: int) -> None:
+    if chain.has(cls):
+        return
+    chain.own.append(cls)
+    chain.complete &= depth > 0 and not cls.code.decorators
+    for base in cls.code.bases if depth > 0 else ():
+        if base.keyword is not None or base.star:
+            chain.complete = False
+            continue
+        meant = _class_named(workspace, cls.file, base.value.dotted, depth)
+        match meant:
+            case ClassInFile():
+                _add(workspace, meant, chain, depth - 1)
+            case str():
+                chain.foreign.append(meant)
+            case None:
+                chain.complete = False
+
+
+def _class_named(workspace: WorkspaceIndex, file: str, name: str, depth: int) -> ClassInFile | str | None:
+    """The class that a dotted name in a file means: one of the workspace, or the canonical name of a foreign one."""
+    file_facts = workspace.facts_at(file)
+    if file_facts is None or not name or depth <= 0:
+        return None
+    head, _, rest = name.partition(".")
+    bound = [statement for statement in statements_of(file_facts.body) if _binds(statement, head)]
+    if not bound and name == "object":
+        return name
+    match bound:
+        case [facts.Class() as code] if not rest:
+            return ClassInFile(file, code)
+        case [facts.ImportFrom() as statement]:
+            return _imported(workspace, file, statement, head, rest, depth)
+        case [facts.Import(module=module, alias=alias), *_] if _is_foreign(workspace, file, module):
+            return canonical(f"{module}.{rest}" if alias else name) if rest else None
+    return None
+
+
+def _imported(
+    workspace: WorkspaceIndex, file: str, statement: facts.ImportFrom, head: str, rest: str, depth: int
+) -> ClassInFile | str | None:
+    own = next((name for name, bound in statement.names if bound == head), None)
+    if own is None:  # a star
+        return None
+    path = workspace.code.path_of_import(file, statement.module, statement.level)
+    if path is None:
+        foreign = not statement.level and _is_foreign(workspace, file, statement.module)
+        return canonical(".".join(filter(None, (statement.module, own, rest)))) if foreign else None
+    module = workspace.code.path_of_import(file, f"{statement.module}.{own}".lstrip("."), statement.level)
+    if module is not None:
+        return _class_named(workspace, module, rest, depth - 1)
+    return None if rest else _class_named(workspace, path, own, depth - 1)
+
+
+def _is_foreign(workspace: WorkspaceIndex, file: str, module: str) -> bool:
+    """Whether a module, and the package that it is in, are certainly not of the workspace."""
+    top = module.partition(".")[0]
+    return top not in workspace.code.top_modules and workspace.code.path_of_import(file, top) is None
+
+
+def _binds(statement: facts.Base, name: str) -> bool:
+    match statement:
+        case facts.Class(name=own) | facts.Function(name=own):
+            return own == name
+        case facts.ImportFrom(names=names):
+            return any(bound in (name, "*") for _, bound in names)
+        case facts.Import(module=module, alias=alias):
+            return (alias or module.partition(".")[0]) == name
+        case facts.Assign(targets=targets):
+            return any(target.variable == name for target in targets)
+    return False
+
+
+def files_with(workspace: WorkspaceIndex, name: str) -> list[str]:
+    """The Python files in which a name stands, but for launch files of packages."""
+    beside = (file.relative for file, _ in workspace.code.asked_for() if file.package is None)
+    loose = [path for path in beside if workspace.code.mentions(path, name)]
+    return [*dict.fromkeys((*workspace.code.files_that_mention(name), *loose))]
+
+
+def methods_of(cls: facts.Class) -> Iterator[facts.Function]:
+    """The functions of a class body."""
+    return (function for function in statements_of(cls.body, facts.Function))
+
+
+def targets_of(body: Sequence[facts.Stmt] | facts.Stmt) -> Iterator[facts.Base]:
+    """Everything that statements assign, those of nested functions too: the parts of tuples one by one."""
+    for part in everything_in(body):
+        match part:
+            case facts.Augmented():
+                continue
+            case facts.WithItem(target=target) if target is not None:
+                yield from _single(target)
+        for target in part.assigned:
+            yield from _single(target)
+
+
+def _single(target: facts.Base) -> Iterator[facts.Base]:
+    match target:
+        case facts.Sequence(elements=elements):
+            for element in elements:
+                yield from _single(element)
+        case facts.Starred(value=value):
+            yield from _single(value)
+        case _:
+            yield target
+
+
+__all__ = ["Chain", "ClassInFile", "chain_of", "classes_of", "files_with", "methods_of", "targets_of"]

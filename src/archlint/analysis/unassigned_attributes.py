@@ -1,0 +1,288 @@
+"""Attributes of ``self`` that nothing ever assigns, and properties of a node that nobody can.
+
+Source: ``Node`` in rclpy/node.py; all distributions refuse the same properties.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from archlint.analysis.class_chains import (
+    Chain,
+    ClassInFile,
+    chain_of,
+    classes_of,
+    files_with,
+    methods_of,
+    targets_of,
+)
+from archlint.libraries.api_signatures import attributes_of
+from archlint.libraries.rclpy.names import NODE_CLASSES
+from archlint.place import Place
+from archlint.suggestions import nearest
+from archlint.syntax import facts
+from archlint.syntax.parts import Itself, everything_in
+from archlint.syntax.walk import statements_of
+
+if TYPE_CHECKING:
+    from archlint.systems.model import WorkspaceIndex
+
+READ_ONLY = frozenset(
+    {"clients", "context", "default_callback_group", "guards", "handle", "publishers", "services", "subscriptions"}
+    | {"timers", "waitables"}
+)
+"""The properties of a node that refuse to be assigned."""
+_PLAIN = frozenset({"object", "abc.ABC"})
+"""Foreign bases that bring nothing that code would ask for."""
+_ANY_NAME = frozenset({"setattr", "vars", "__dict__", "__getattr__", "__getattribute__", "locals"})
+"""What may give an object an attribute of any name."""
+
+
+@dataclass(frozen=True)
+class Overwritten:
+    """``self.publishers = []`` in a node."""
+
+    place: Place
+    cls: str
+    name: str
+
+
+@dataclass(frozen=True)
+class Unassigned:
+    """A read of an attribute that the class does not have; ``near`` is one that it has, assigned at a place."""
+
+    place: Place
+    cls: str
+    name: str
+    near: str
+    near_at: Place
+
+
+def overwritten_properties(workspace: WorkspaceIndex) -> Iterator[Overwritten]:
+    """Every such assignment in a class that is certainly a node of rclpy."""
+    for cls in _classes(workspace):
+        chain = chain_of(workspace, cls)
+        known = chain.complete and all(_of_foreign(path) is not None for path in chain.foreign)
+        if not known or NODE_CLASSES.isdisjoint(chain.foreign):
+            continue
+        own = {name for each in chain.own for name in (*_of_body(each.code), *_own_setter(each.code))}
+        for function in methods_of(cls.code):
+            written = {Itself(target) for target in targets_of(function.body)} if _has_self(function) else set()
+            for target in _of_self(function.body) if written else ():
+                if Itself[facts.Base](target) in written and target.attr in READ_ONLY - own:
+                    yield Overwritten(_place(cls.file, target), cls.code.name, target.attr)
+
+
+def unassigned_attributes(workspace: WorkspaceIndex) -> Iterator[Unassigned]:
+    """Every read of an attribute that no class of the object gives it, where an almost equal one is there."""
+    for cls in _classes(workspace):
+        chain = chain_of(workspace, cls)
+        members = _members(chain)
+        if members is None:
+            continue
+        assigned = _assigned_in(chain)
+        for read in _reads(cls.code):
+            near = nearest(read.name, _candidates(assigned, read)) if read.name not in members else None
+            if near is not None and not _may_get(workspace, cls, read.name):
+                yield Unassigned(_place(cls.file, read.part), cls.code.name, read.name, near, assigned[near].place)
+
+
+def _own_setter(code: facts.Class) -> frozenset[str]:
+    """The properties that a class takes in a way of its own: all of them, with ``__setattr__``."""
+    return READ_ONLY if "__setattr__" in _of_body(code) else frozenset()
+
+
+def _classes(workspace: WorkspaceIndex) -> Iterator[ClassInFile]:
+    """The classes of the files that were asked for, but for test code."""
+    for file, file_facts in workspace.code.asked_for():
+        if not workspace.roles.is_test(file.relative):
+            for code in classes_of(file_facts):
+                yield ClassInFile(file.relative, code)
+
+
+def _place(file: str, part: facts.Attribute) -> Place:
+    return Place(file, *part.span)
+
+
+# ------------------------------------------------------------------------------------------------ what a class has
+
+
+def _members(chain: Chain) -> frozenset[str] | None:
+    """All that an object of a class has; None where it may have more."""
+    foreign = [_of_foreign(path) for path in chain.foreign]
+    if not chain.complete or any(names is None for names in foreign):
+        return None
+    own = [_of_class(cls.code) for cls in chain.own]
+    if any(names is None for names in own):
+        return None
+    return frozenset().union(dir(object), *filter(None, foreign), *filter(None, own))
+
+
+def _of_foreign(path: str) -> frozenset[str] | None:
+    return frozenset() if path in _PLAIN else attributes_of(path)
+
+
+def _of_class(code: facts.Class) -> frozenset[str] | None:
+    """The names that the body of a class and its methods give an object; None where they may give any."""
+    if any(part.last_name in _ANY_NAME for part in everything_in(code.body, facts.Name)):
+        return None
+    if any(part.attr in _ANY_NAME for part in everything_in(code.body, facts.Attribute)):
+        return None
+    names = {*_of_body(code)}
+    if names & _ANY_NAME:
+        return None
+    return frozenset(names.union(target.attribute for target in targets_of(code.body) if target.attribute))
+
+
+def _of_body(code: facts.Class) -> Iterator[str]:
+    """The names that the body of a class binds."""
+    for statement in statements_of(code.body):
+        match statement:
+            case facts.Function(name=name) | facts.Class(name=name):
+                yield name
+            case facts.Import(module=module, alias=alias):
+                yield alias or module.partition(".")[0]
+            case facts.ImportFrom(names=names):
+                yield from (bound for _, bound in names)
+        yield from (target.variable for target in targets_of([statement]) if target.variable)
+
+
+@dataclass(frozen=True)
+class _Member:
+    """What a class has, and where it first gets it."""
+
+    place: Place
+    is_method: bool = False
+
+
+def _assigned_in(chain: Chain) -> dict[str, _Member]:
+    """What the methods of a class assign to ``self``, and its methods."""
+    assigned: dict[str, _Member] = {}
+    for cls in chain.own:
+        for function in methods_of(cls.code):
+            assigned.setdefault(function.name, _Member(Place(cls.file, *function.name_span), is_method=True))
+            for target in targets_of(function.body):
+                match target:
+                    case facts.Attribute(value=facts.Name(id="self"), attr=name):
+                        assigned.setdefault(name, _Member(_place(cls.file, target)))
+    return assigned
+
+
+# ------------------------------------------------------------------------------------------------ what code reads
+
+
+@dataclass(frozen=True)
+class _Read:
+    """A read of ``self.name``; one that is ``looked_into`` (``self.name.x``, ``self.name[0]``) is that of no method."""
+
+    part: facts.Attribute
+    looked_into: bool
+
+    @property
+    def name(self) -> str:
+        return self.part.attr
+
+
+def _candidates(assigned: Mapping[str, _Member], read: _Read) -> list[str]:
+    """What may have been meant."""
+    return [name for name, member in assigned.items() if not (member.is_method and read.looked_into)]
+
+
+def _reads(code: facts.Class) -> Iterator[_Read]:
+    """The attributes of ``self`` that the methods of a class read, or call; the first read of each name."""
+    seen: set[str] = set()
+    for function in methods_of(code):
+        if not _has_self(function):
+            continue
+        written = {Itself(target) for target in targets_of(function.body)}
+        owners = {Itself(owner) for owner in _owners(function.body)}
+        for part in _of_self(function.body):
+            key = Itself[facts.Base](part)
+            if key not in written and part.attr not in seen and not part.attr.startswith("__"):
+                seen.add(part.attr)
+                yield _Read(part, key in owners)
+
+
+def _owners(body: Sequence[facts.Stmt]) -> Iterator[facts.Base]:
+    """What code looks for attributes or items in."""
+    for part in everything_in(body):
+        match part:
+            case facts.Attribute(value=owner) | facts.Subscript(value=owner):
+                yield owner
+
+
+def _has_self(function: facts.Function) -> bool:
+    """Whether the first parameter of a method is the object, of no type that is said."""
+    if any(decorator.last_name in ("staticmethod", "classmethod") for decorator in function.decorators):
+        return False
+    match function.params:
+        case [facts.Param(name="self", annotation=None), *_]:
+            return True
+    return False
+
+
+def _of_self(body: Sequence[facts.Base]) -> Iterator[facts.Attribute]:
+    """The attributes of ``self`` in a method.  What has a ``self`` of its own is left out, and what is tried in case
+    that an attribute is missing."""
+    stack = list(reversed(body))
+    while stack:
+        part = stack.pop()
+        match part:
+            case facts.Class() | facts.Delete():
+                continue
+            case facts.Function(params=params) | facts.Lambda(params=params) if any(p.name == "self" for p in params):
+                continue
+            case facts.Try(handlers=handlers, orelse=orelse, final=final) if any(map(_catches, handlers)):
+                stack += reversed([*handlers, *orelse, *final])
+                continue
+            case facts.Attribute(value=facts.Name(id="self")):
+                yield part
+        stack += reversed(part.children())
+
+
+def _catches(handler: facts.Handler) -> bool:
+    names = {part.last_name for part in everything_in(handler.type)} if handler.type is not None else set()
+    return "AttributeError" in names
+
+
+# ------------------------------------------------------------------------------------- what else gives an attribute
+
+
+def _may_get(workspace: WorkspaceIndex, cls: ClassInFile, name: str) -> bool:
+    """Whether a class that derives from one, or another base of such a class, has a name; or any code of the workspace
+    assigns it to an object that is not ``self``, or names it in a text."""
+    for derived in _derived(workspace, cls):
+        members = _members(chain_of(workspace, derived))
+        if members is None or name in members:
+            return True
+    return any(_gives(workspace.facts_at(file), name) for file in (cls.file, *files_with(workspace, name)))
+
+
+def _derived(workspace: WorkspaceIndex, cls: ClassInFile) -> Iterator[ClassInFile]:
+    for file in dict.fromkeys((cls.file, *files_with(workspace, cls.code.name))):
+        file_facts = workspace.facts_at(file)
+        for code in classes_of(file_facts) if file_facts is not None else ():
+            other = ClassInFile(file, code)
+            if code is not cls.code and chain_of(workspace, other).has(cls):
+                yield other
+
+
+def _gives(file_facts: facts.Facts | None, name: str) -> bool:
+    if file_facts is None:
+        return True
+    for part in everything_in(file_facts.body):
+        match part:
+            case facts.Literal(value=str(text)) if text == name:
+                return True
+    for target in targets_of(file_facts.body):
+        match target:
+            case facts.Attribute(value=facts.Name(id="self")):
+                continue
+            case facts.Attribute(attr=attr) if attr == name:
+                return True
+    return False
+
+
+__all__ = ["READ_ONLY", "Overwritten", "Unassigned", "overwritten_properties", "unassigned_attributes"]

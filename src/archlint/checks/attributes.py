@@ -1,0 +1,67 @@
+"""What API002 says of attributes: properties of a node that are assigned, and names that a class does not have."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from archlint.analysis.unassigned_attributes import (
+    Overwritten,
+    Unassigned,
+    overwritten_properties,
+    unassigned_attributes,
+)
+from archlint.checks.registry import finding
+from archlint.finding import Finding, Related
+
+if TYPE_CHECKING:
+    from archlint.systems.model import System
+
+OF_CLASS = "attribute"
+"""The group of findings that are about one attribute of a class."""
+
+
+def attribute_findings(system: System) -> Iterator[Finding]:
+    """The findings about attributes, but for what is said of a callback or of a call that rclpy refuses."""
+    if system.workspace is None:
+        return
+    yield from map(_overwritten, overwritten_properties(system.workspace))
+    told = {(callback.place.file, callback.missing) for callback in system.callbacks if callback.missing}
+    told |= {
+        (call.place.file, name) for run in system.programs for call in run.refused_calls for name in call.parameters
+    }
+    for read in unassigned_attributes(system.workspace):
+        if (read.place.file, read.name) not in told:
+            yield _unassigned(read)
+
+
+def _overwritten(assignment: Overwritten) -> Finding:
+    return finding(
+        "API002",
+        assignment.place,
+        f"'{assignment.name}' is a property of Node that cannot be assigned: this line fails with an AttributeError",
+        help=f"give the attribute another name, such as self.my_{assignment.name}",
+        identity=(assignment.cls, assignment.name),
+        group=(OF_CLASS, assignment.place.file, assignment.cls, assignment.name),
+    )
+
+
+def _unassigned(read: Unassigned) -> Finding:
+    name, near = (_as_written(each, read.cls) for each in (read.name, read.near))
+    return finding(
+        "API002",
+        read.place,
+        f"nothing assigns '{name}' of class {read.cls}; did you mean '{near}'?",
+        help=f"write self.{near}",
+        related=[Related(read.near_at, f"'{near}' is defined here")],
+        identity=(read.cls, name),
+        meant=near,
+    )
+
+
+def _as_written(name: str, cls: str) -> str:
+    """A private name without the class that Python puts before it."""
+    return name.removeprefix(f"_{cls.lstrip('_')}") if "__" in name else name
+
+
+__all__ = ["OF_CLASS", "attribute_findings"]

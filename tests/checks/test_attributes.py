@@ -1,0 +1,253 @@
+"""API002: properties of a node that are assigned, and attributes that no path assigns."""
+
+from __future__ import annotations
+
+import pytest
+
+from checks.judging import Judge
+
+# ------------------------------------------------------------------------------------------ properties of a node
+
+
+@pytest.mark.parametrize(
+    "name", ["clients", "context", "default_callback_group", "guards", "handle", "publishers", "timers", "waitables"]
+)
+def test_a_property_that_cannot_be_assigned(judge: Judge, name: str):
+    (finding,) = judge(
+        "API002",
+        f"""
+        from rclpy.node import Node
+
+        class Robot(Node):
+            def __init__(self):
+                super().__init__('robot')
+                self.{name} = []  # here
+        """,
+    )
+    assert finding.message == (
+        f"'{name}' is a property of Node that cannot be assigned: this line fails with an AttributeError"
+    )
+    assert finding.help == f"give the attribute another name, such as self.my_{name}"
+
+
+def test_a_property_that_several_lines_assign_is_one_finding(judge: Judge):
+    (finding,) = judge(
+        "API002",
+        """
+        import rclpy.node
+
+        class Base(rclpy.node.Node):
+            pass
+
+        class Robot(Base):
+            def __init__(self):
+                super().__init__('robot')
+                self.services, self.count = {}, 0  # here
+
+            def reset(self):
+                self.services = {}
+        """,
+    )
+    assert finding.message.endswith("; another line of the class does the same")
+
+
+def test_what_is_a_property_of_something_else(judge: Judge):
+    judge(
+        "API002",
+        """
+        from somewhere import Mixin
+        from rclpy.node import Node
+
+        class Manager:
+            def __init__(self):
+                self.publishers = []
+
+        class Mixed(Mixin, Node):
+            def __init__(self):
+                self.publishers = []
+
+        class Shadowed(Node):
+            publishers = ()
+
+            def __init__(self):
+                super().__init__('shadowed')
+                self.publishers = []
+                self.executor = None
+                self.publishers_ = []
+                self.clients.append(1)
+
+        class Careful(Node):
+            def __init__(self):
+                super().__init__('careful')
+                try:
+                    self.timers = []
+                except AttributeError:
+                    self.own_timers = []
+
+        class Free(Node):
+            def __setattr__(self, name, value):
+                object.__setattr__(self, 'own_' + name, value)
+
+            def start(self):
+                self.timers = []
+        """,
+    )
+
+
+# ------------------------------------------------------------------------------------- attributes that nothing assigns
+
+
+def test_a_read_of_a_name_that_is_almost_assigned(judge: Judge):
+    (finding,) = judge(
+        "API002",
+        """
+        from rclpy.node import Node
+        from std_msgs.msg import String
+
+        class Talker(Node):
+            def __init__(self):
+                super().__init__('talker')
+                self.publisher = self.create_publisher(String, 'chatter', 10)
+
+            def nobody_calls_this(self):
+                self.publsher.publish(String())  # here
+        """,
+    )
+    assert finding.message == "nothing assigns 'publsher' of class Talker; did you mean 'publisher'?"
+    assert finding.help == "write self.publisher"
+    assert [row.place.line for row in finding.related] == [7]
+
+
+def test_private_names_and_methods(judge: Judge):
+    first, second = judge(
+        "API002",
+        """
+        from rclpy.node import Node
+
+        class Counter(Node):
+            def __init__(self):
+                super().__init__('counter')
+                self.__count = 0
+
+            def step(self):
+                self.__cuont += 1  # here
+                self.publish_stat()  # here
+
+            def publish_state(self):
+                return self.__count
+        """,
+    )
+    assert "'__cuont' of class Counter; did you mean '__count'?" in first.message
+    assert second.help == "write self.publish_state"
+
+
+@pytest.mark.parametrize(
+    "more",
+    [
+        "def attach(talker):\n    talker.publsher = None\n",
+        "class Loud(Talker):\n    publsher = None\n",
+        "class Loud(Talker):\n    def __init__(self):\n        super().__init__()\n        self.publsher = None\n",
+        "class Mixin:\n    def make(self):\n        self.publsher = None\n\nclass Loud(Mixin, Talker):\n    pass\n",
+        "from somewhere import Mixin\n\nclass Loud(Mixin, Talker):\n    pass\n",
+        "def attach(talker):\n    setattr(talker, 'publsher', None)\n",
+    ],
+)
+def test_an_attribute_that_comes_from_elsewhere(judge: Judge, more: str):
+    talker = """\
+from rclpy.node import Node
+
+class Talker(Node):
+    def __init__(self):
+        super().__init__('talker')
+        self.publisher = None
+
+    def talk(self):
+        return self.publsher
+"""
+    judge("API002", f"{talker}\n{more}")
+
+
+@pytest.mark.parametrize(
+    ("bases", "body"),
+    [
+        ("Node", "def __getattr__(self, name):\n        return None"),
+        ("Node", "def fill(self, rows):\n        self.__dict__.update(rows)"),
+        ("Node", "def fill(self, rows):\n        for row in rows:\n            setattr(self, row, rows[row])"),
+        ("Node", "publsher = None"),
+        ("Node", "publsher: str"),
+        ("Node", "def publsher(self):\n        pass"),
+        ("Node", "def fill(self, rows):\n        for self.publsher in rows:\n            pass"),
+        ("Node", "def fill(self, rows):\n        with rows as self.publsher:\n            pass"),
+        ("Base, Node", "pass"),
+        ("Node, metaclass=Base", "pass"),
+    ],
+)
+def test_a_class_that_may_have_the_attribute(judge: Judge, bases: str, body: str):
+    judge(
+        "API002",
+        f"""
+from rclpy.node import Node
+from somewhere import Base
+
+class Talker({bases}):
+    {body}
+
+    def start(self):
+        self.publisher = None
+
+    def talk(self):
+        return self.publsher
+""",
+    )
+
+
+def test_what_asks_first_whether_it_is_there(judge: Judge):
+    judge(
+        "API002",
+        """
+        from rclpy.node import Node
+
+        class Talker(Node):
+            def start(self):
+                self.publisher = None
+
+            def talk(self):
+                try:
+                    return self.publsher
+                except AttributeError:
+                    return None
+
+            def write(self):
+                return self.publishr if hasattr(self, 'publishr') else None
+
+            @staticmethod
+            def read(self):
+                return self.publishe
+
+            def nested(self):
+                class Inner:
+                    def read(self):
+                        return self.publishes
+                return Inner
+        """,
+    )
+
+
+def test_names_that_are_only_alike_in_part(judge: Judge):
+    judge(
+        "API002",
+        """
+        from rclpy.node import Node
+
+        class Motors(Node):
+            def start(self):
+                self.motor_1 = 1
+                self.left_speed = 0.0
+
+            def read(self):
+                return self.motor_2 + self.right_speed
+
+            def odom_cb(self):
+                self.odom_pub.publish(None)  # a method is no publisher
+        """,
+    )
