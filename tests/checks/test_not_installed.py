@@ -91,6 +91,16 @@ def test_a_program_that_no_entry_starts_needs_nothing(findings):
     assert findings("PKG004", **files, **{"setup.py": setup("['robot']")}) == []
 
 
+def test_scripts_that_lie_beside_each_other(findings):
+    files = {"scripts/base.py": "", "scripts/drive.py": "import base\n" + TALKER}
+    more = "    scripts=['scripts/drive.py', 'scripts/base.py'],\n"
+    assert findings("PKG004", **files, **{"setup.py": setup("['robot']", more)}) == []
+    assert (
+        len(findings("PKG004", **files, **{"setup.py": setup("['robot']", more.replace(", 'scripts/base.py'", ""))}))
+        == 1
+    )
+
+
 def test_what_is_imported_by_what_is_imported(findings):
     files = {
         "robot/talker.py": "from robot import driver\n" + TALKER,

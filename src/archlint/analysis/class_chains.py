@@ -149,20 +149,21 @@ def targets_of(body: Sequence[facts.Stmt] | facts.Stmt) -> Iterator[facts.Base]:
             case facts.Augmented():
                 continue
             case facts.WithItem(target=target) if target is not None:
-                yield from _single(target)
+                yield from targets_in(target)
         for target in part.assigned:
-            yield from _single(target)
+            yield from targets_in(target)
 
 
-def _single(target: facts.Base) -> Iterator[facts.Base]:
+def targets_in(target: facts.Base) -> Iterator[facts.Base]:
+    """A target, or the parts of a tuple of targets."""
     match target:
         case facts.Sequence(elements=elements):
             for element in elements:
-                yield from _single(element)
+                yield from targets_in(element)
         case facts.Starred(value=value):
-            yield from _single(value)
+            yield from targets_in(value)
         case _:
             yield target
 
 
-__all__ = ["Chain", "ClassInFile", "chain_of", "classes_of", "files_with", "methods_of", "targets_of"]
+__all__ = ["Chain", "ClassInFile", "chain_of", "classes_of", "files_with", "methods_of", "targets_in", "targets_of"]

@@ -76,7 +76,8 @@ def _is_left_out(workspace: WorkspaceIndex, file: str) -> bool:
     installs = _installs_of(workspace, file)
     if installs is None or installs.python is None or installs.open_files:
         return False
-    return not installs.python.has(file) and not any(installs.places_of(file))
+    scripts = (executable.script for executable in installs.executables.values())  # they find each other
+    return not installs.python.has(file) and not any(installs.places_of(file)) and file not in scripts
 
 
 def _installs_of(workspace: WorkspaceIndex, file: str) -> Installs | None:

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from archlint.analysis.class_chains import classes_of, files_with, methods_of, targets_of
+from archlint.analysis.class_chains import classes_of, files_with, methods_of, targets_in
 from archlint.analysis.kept import once_for_each_file
 from archlint.libraries.api_signatures import distros
 from archlint.model import Misuse, RefusedCall
@@ -79,7 +79,7 @@ class _Code:
         body = file_facts.body
         imports = [*everything_in(body, facts.Import)]
         froms = [*everything_in(body, facts.ImportFrom)]
-        modules = [statement.module for statement in (*imports, *froms)]
+        modules = [*(row.module for row in imports), *(row.module for row in froms)]
         self.uses_rclpy = any(module.partition(".")[0] == "rclpy" for module in modules)
         self._imported = {row.alias or row.module.partition(".")[0] for row in imports}
         self._imported |= {bound for row in froms for _, bound in row.names}
@@ -107,7 +107,8 @@ class _Code:
         match part:
             case facts.Assign(targets=targets, value=value):
                 for target in targets:
-                    self._assigned.setdefault(target.last_name, []).append(value)
+                    for single in targets_in(target):
+                        self._assigned.setdefault(single.last_name, []).append(value if single is target else None)
             case facts.Annotated(target=target, value=value):
                 self._assigned.setdefault(target.last_name, []).append(value)
             case facts.Param(name=name) | facts.Handler(name=str(name)):
@@ -118,8 +119,8 @@ class _Code:
                 for _, bound in names:
                     self._assigned.setdefault(bound, []).append(None)
             case _:
-                for target in targets_of([part]) if part.assigned else ():
-                    self._assigned.setdefault(target.last_name, []).append(None)
+                for other in (other for target in part.assigned for other in targets_in(target)):
+                    self._assigned.setdefault(other.last_name, []).append(None)
 
     def refusal(self, call: facts.Call) -> _Refusal | None:
         starred = any(argument.star for argument in call.args)
