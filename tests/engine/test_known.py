@@ -15,6 +15,8 @@ from archlint.report.occurrence import Key, Occurrence
 @pytest.fixture(autouse=True)
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     monkeypatch.chdir(tmp_path)
+    (tmp_path / "src").mkdir()
+    (tmp_path / "src" / "node.py").touch()
     return tmp_path
 
 
@@ -93,6 +95,12 @@ def test_what_an_earlier_revision_has_is_not_new():
     sifted = sieve.part([finding(10, "plan"), finding(20, "plan"), finding(30, "map")])
     assert [one.place.line for one in sifted.older] == [10]
     assert [one.place.line for one in sifted.new] == [20, 30]
+
+
+def test_the_finding_of_a_file_that_is_gone_may_be_in_another_one_now():
+    sieve = Sieve(before=[key(1, "plan", file="src/gone.py"), key(1, "map")])
+    sifted = sieve.part([finding(10, name, file="src/new.py") for name in ("plan", "map")])
+    assert [len(sifted.older), len(sifted.new)] == [1, 1]
 
 
 def test_what_the_baseline_holds_does_not_hide_an_equal_finding_that_is_new():

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 from collections import Counter
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -14,6 +15,7 @@ from archlint.report.model import recounted
 if TYPE_CHECKING:
     from archlint.config.settings import Settings
     from archlint.engine.known import Baseline
+    from archlint.engine.request import Request
     from archlint.report.model import Report
     from archlint.report.occurrence import Key
 
@@ -23,6 +25,11 @@ def add_baseline(parser: argparse.ArgumentParser) -> None:
     either = group.add_mutually_exclusive_group()
     either.add_argument("--baseline", metavar="FILE", help="hold back the findings that this file lists")
     either.add_argument("--no-baseline", action="store_true", help="report them, too")
+    group.add_argument(
+        "--new-only",
+        metavar="REV",
+        help="report only what the change since the git revision REV brings in; both are checked whole",
+    )
     writing = group.add_mutually_exclusive_group()
     writing.add_argument(
         "--write-baseline", action="store_true", help="write the findings of this run to the baseline, and exit with 0"
@@ -71,6 +78,24 @@ class UsedBaseline:
             baseline_file.write(self.path, keys.elements())
         except baseline_file.BaselineError as error:
             raise UsageError(str(error)) from None
+
+
+def findings_before(request: Request, revision: str | None) -> tuple[tuple[Key, ...] | None, Sequence[str]]:
+    """The findings of the revision of ``--new-only``, None without one, and what is to be said of the comparison.
+
+    Raises :class:`UsageError` where they are not known, and ``NothingToDo``.
+    """
+    if revision is None:
+        return None, ()
+    from archlint.engine import new_only  # most runs look at one revision
+
+    try:
+        before = new_only.findings_before(request, revision)
+    except new_only.GitError as error:
+        raise UsageError(f"--new-only: {error}") from None
+    except OSError as error:
+        raise UsageError(f"--new-only: the earlier revision cannot be read: {error.strerror}") from None
+    return before.keys, before.notices
 
 
 def baseline_of(arguments: argparse.Namespace, settings: Settings) -> UsedBaseline | None:
@@ -124,4 +149,4 @@ def _entries(number: int) -> str:
     return f"{number} {'entry' if number == 1 else 'entries'}"
 
 
-__all__ = ["UsedBaseline", "add_baseline", "baseline_of"]
+__all__ = ["UsedBaseline", "add_baseline", "baseline_of", "findings_before"]

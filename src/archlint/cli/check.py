@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 from archlint import report as reports
 from archlint.cli import console, exits
-from archlint.cli.baseline import UsedBaseline, add_baseline, baseline_of
+from archlint.cli.baseline import UsedBaseline, add_baseline, baseline_of, findings_before
 from archlint.cli.exits import UsageError
 from archlint.cli.options import (
     Parser,
@@ -124,7 +124,11 @@ def run(arguments: argparse.Namespace) -> int:
     shown: list[System] = []
     try:
         with pool_of(arguments) as pool, watch as monitor:
-            report = check(replace(request, monitor=monitor, pool=pool), shown)
+            running = replace(request, monitor=monitor, pool=pool)
+            before, notices = findings_before(running, arguments.new_only)
+            request = replace(request, before=before)
+            report = check(replace(running, before=before), shown)
+            report = replace(report, notices=[*notices, *report.notices])
     except NothingToDo as error:
         raise UsageError(str(error)) from None
     failing = Severity.parse(arguments.severity)
@@ -159,6 +163,10 @@ def _refuse_combinations(arguments: argparse.Namespace) -> None:
         raise UsageError("--fix and --diff need the sources: check them without --facts")
     if arguments.diff and (arguments.write_baseline or arguments.prune_baseline):
         raise UsageError("--diff writes nothing: leave it out to write the baseline")
+    if arguments.new_only and (arguments.write_baseline or arguments.prune_baseline):
+        raise UsageError("--new-only looks at a part of the findings: leave it out to write the baseline")
+    if arguments.new_only and arguments.facts:
+        raise UsageError("--new-only needs the sources: check them without --facts")
 
 
 def _keeper(arguments: argparse.Namespace, baseline: UsedBaseline | None) -> Keeper | None:
@@ -173,6 +181,7 @@ def _keeper(arguments: argparse.Namespace, baseline: UsedBaseline | None) -> Kee
         arguments.diff,
         arguments.write_baseline,
         arguments.prune_baseline,
+        arguments.new_only,
     )
     says_more = arguments.statistics, arguments.verbose, not reports.FORMATS[arguments.format].lasting
     if any((*does_more, *says_more, arguments.no_cache)):

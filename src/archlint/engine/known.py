@@ -3,9 +3,10 @@ those that an earlier revision has, too."""
 
 from __future__ import annotations
 
+import os
 from collections import Counter
-from collections.abc import Iterable
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 from archlint.report.occurrence import Key, Occurrence
@@ -63,12 +64,13 @@ class Sieve:
     ``before`` are the findings of an earlier revision, None where it is not compared with one.
     """
 
-    def __init__(self, baseline: Baseline | None = None, before: Iterable[Key] | None = None) -> None:
+    def __init__(self, baseline: Baseline | None = None, before: Sequence[Key] | None = None) -> None:
         self.occurrences: list[Occurrence] = []
         self._entries = () if baseline is None else baseline.entries
         self._older = None if before is None else Counter(before)
         self._baseline = Known(entry.key for entry in self._entries)
         self._before = Known((self._older or Counter()).elements())
+        self._of_gone_files = Known(_anywhere(key) for key in before or () if not os.path.lexists(key.file))
 
     def part(self, findings: Iterable[Finding]) -> Sifted:
         """The findings of one workspace, known ones apart."""
@@ -80,9 +82,13 @@ class Sieve:
                 sifted.new.append(finding)
                 continue
             # Both are asked: what the baseline holds is no longer there for an equal finding that is new.
-            baselined, older = self._baseline.takes(occurrence.key), self._before.takes(occurrence.key)
+            baselined, older = self._baseline.takes(occurrence.key), self._is_older(occurrence.key)
             (sifted.baselined if baselined else sifted.older if older else sifted.new).append(finding)
         return sifted
+
+    def _is_older(self, key: Key) -> bool:
+        """Whether the earlier revision has a finding, too, perhaps in a file that was renamed since."""
+        return self._before.takes(key) or self._of_gone_files.takes(_anywhere(key))
 
     def idle(self) -> list[Entry]:
         """The entries of the baseline that no finding matches; with an earlier revision those that one did there."""
@@ -93,6 +99,10 @@ class Sieve:
             return idle
         gone = Known((self._older - present).elements())
         return [entry for entry in idle if gone.takes(entry.key)]
+
+
+def _anywhere(key: Key) -> Key:
+    return replace(key, file="")
 
 
 __all__ = ["NEVER_HELD", "Baseline", "Entry", "Known", "Sieve", "Sifted"]

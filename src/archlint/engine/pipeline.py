@@ -174,5 +174,7 @@ def _inputs(request: Request, workspace: Workspace) -> Inputs:
 
 def store_of(request: Request) -> Store | NullStore:
     """Where results are kept; nowhere without a key of the user's own."""
+    if request.store is not None:
+        return request.store
     key = user_key(request.paths) if request.cached else None
     return NullStore() if key is None else Store(request.settings.cache_folder, __version__, key)

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from archlint.engine.linked_facts import LinkedFacts
     from archlint.observed.model import Observed
     from archlint.report.occurrence import Key
+    from archlint.syntax.cache import NullStore, Store
 
 
 class NothingToDo(Exception):
@@ -43,6 +44,8 @@ class Request:
     """The findings of an earlier revision, which are not to be reported again; None to report all."""
     occurrences: bool = False
     """Whether the report is to list all findings, known or not, before they are folded."""
+    store: Store | NullStore | None = field(default=None, compare=False, repr=False)
+    """Where results are kept, if not where the settings say."""
     monitor: Monitor = field(default_factory=Monitor, compare=False, repr=False)
     """Who is notified of the progress of the run; the result does not depend on it."""
     keeper: Keeper | None = field(default=None, compare=False, repr=False)

@@ -1,0 +1,191 @@
+"""What git has of an earlier revision, by commands that run no code of the repository and change nothing in it.
+
+Only plumbing is used: no hook, no filter, no external diff and no ``textconv`` is started by it, no index is read or
+refreshed, and what a partial clone lacks is not fetched.
+"""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import tempfile
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from typing import IO
+
+_OPTIONS = (
+    "--no-pager",
+    "--literal-pathspecs",
+    *("-c", f"core.hooksPath={os.devnull}"),
+    *("-c", "core.fsmonitor=false"),
+    *("-c", "safe.bareRepository=explicit"),
+)
+_FORGOTTEN = ("GIT_DIR", "GIT_WORK_TREE", "GIT_INDEX_FILE", "GIT_PREFIX", "GIT_COMMON_DIR", "GIT_NAMESPACE")
+"""Variables that a hook sets for the repository that it runs in: here the folder decides which one is meant."""
+_QUIET = {
+    "GIT_ALLOW_PROTOCOL": "none",
+    "GIT_NO_LAZY_FETCH": "1",
+    "GIT_OPTIONAL_LOCKS": "0",
+    "GIT_TERMINAL_PROMPT": "0",
+    "LC_ALL": "C",
+}
+
+
+class GitError(Exception):
+    """What git cannot say; ``str()`` is the reason, for people."""
+
+
+@dataclass(frozen=True)
+class TreeEntry:
+    """A file, a symbolic link or a submodule of a tree; ``size`` in bytes."""
+
+    path: str
+    mode: str
+    object: str
+    size: int
+
+    @property
+    def is_link(self) -> bool:
+        return self.mode == "120000"
+
+    @property
+    def is_submodule(self) -> bool:
+        return self.mode == "160000"
+
+    @property
+    def is_executable(self) -> bool:
+        return self.mode == "100755"
+
+
+class Repository:
+    """The repository that a folder lies in; ``root`` is the top of its working tree.  Raises :class:`GitError`."""
+
+    def __init__(self, folder: str) -> None:
+        self._git = shutil.which("git") or ""
+        if not self._git:
+            raise GitError("it needs git, and there is no `git` here")
+        self._folder = folder
+        if not _lies_in_one(folder):
+            raise GitError(f"{_shown(folder)} lies in no git repository; name a folder that does")
+        self.root = os.path.normpath(os.fsdecode(self._said("rev-parse", "--show-toplevel").rstrip(b"\r\n")))
+
+    @property
+    def is_shallow(self) -> bool:
+        return self._said("rev-parse", "--is-shallow-repository").strip() == b"true"
+
+    def commit(self, revision: str) -> str | None:
+        """The commit that a revision means; None for one that is not here."""
+        if revision.startswith("-") or "\0" in revision:
+            return None
+        run = self._run("rev-parse", "--verify", "--quiet", "--end-of-options", f"{revision}^{{commit}}")
+        return run.stdout.decode("ascii", "replace").strip() if run.returncode == 0 else None
+
+    def fork(self, one: str, other: str) -> str | None:
+        """The last commit that two have in common; None where that is not in this clone."""
+        run = self._run("merge-base", one, other)
+        return run.stdout.decode("ascii", "replace").strip() if run.returncode == 0 else None
+
+    def names(self) -> list[str]:
+        """The branches and tags."""
+        return self._said("for-each-ref", "--format=%(refname:short)").decode("utf-8", "replace").split("\n")
+
+    def tree(self, commit: str) -> list[TreeEntry]:
+        """All that a commit has, by path from the root."""
+        rows = self._said("ls-tree", "-r", "-z", "-l", "--full-tree", commit).split(b"\0")
+        return [entry for row in rows if row and (entry := _entry(row)) is not None]
+
+    def contents(self, objects: Sequence[str]) -> Iterator[bytes]:
+        """The bytes of each of some files, in order.  Raises :class:`GitError` for one that is not in this clone."""
+        with tempfile.TemporaryFile() as wanted:
+            wanted.write("".join(f"{name}\n" for name in objects).encode())
+            wanted.seek(0)
+            with self._started(wanted) as stream:
+                for name in objects:
+                    yield _content(stream, name)
+
+    @contextmanager
+    def _started(self, wanted: IO[bytes]) -> Iterator[IO[bytes]]:
+        process = subprocess.Popen(
+            self._words("cat-file", "--batch"),
+            stdin=wanted,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL,
+            env=_environment(),
+        )
+        assert process.stdout is not None
+        try:
+            yield process.stdout
+        finally:
+            process.stdout.close()
+            process.kill()
+            process.wait()
+
+    def _said(self, *words: str) -> bytes:
+        run = self._run(*words)
+        if run.returncode != 0:
+            lines = run.stderr.decode("utf-8", "replace").splitlines()
+            raise GitError(f"git says: {lines[0].removeprefix('fatal: ') if lines else run.returncode}")
+        return run.stdout
+
+    def _run(self, *words: str) -> subprocess.CompletedProcess[bytes]:
+        try:
+            return subprocess.run(
+                self._words(*words), stdin=subprocess.DEVNULL, capture_output=True, env=_environment(), check=False
+            )
+        except OSError as error:
+            raise GitError(f"git cannot be started: {error.strerror}") from None
+
+    def _words(self, *words: str) -> list[str]:
+        return [self._git, *_OPTIONS, "-C", self._folder, *words]
+
+
+def _environment() -> dict[str, str]:
+    return {name: value for name, value in os.environ.items() if name not in _FORGOTTEN} | _QUIET
+
+
+def _lies_in_one(folder: str) -> bool:
+    while not os.path.lexists(os.path.join(folder, ".git")):
+        if folder == os.path.dirname(folder):
+            return False
+        folder = os.path.dirname(folder)
+    return True
+
+
+def _shown(folder: str) -> str:
+    return "this folder" if folder == os.getcwd() else os.path.relpath(folder)
+
+
+def _entry(row: bytes) -> TreeEntry | None:
+    """A row of ``ls-tree``; None for a path that no checkout would write."""
+    about, _, path = row.partition(b"\t")
+    mode, _, name, size = about.decode("ascii", "replace").split()
+    decoded = os.fsdecode(path)
+    if any(part in ("", ".", "..") or part.lower() == ".git" for part in decoded.split("/")):
+        return None
+    if os.sep != "/" and (os.sep in decoded or ":" in decoded):
+        return None
+    return TreeEntry(decoded, mode, name, int(size) if size.isdecimal() else 0)
+
+
+def _content(stream: IO[bytes], name: str) -> bytes:
+    header = stream.readline().split()
+    if len(header) != 3 or not header[2].isdigit():
+        raise GitError(f"the object {name} is not in this clone: `git fetch --refetch` brings it")
+    data = stream.read(int(header[2]))
+    if stream.read(1) != b"\n":
+        raise GitError("git ended in the middle of a file")
+    return data
+
+
+def repository_of(folders: Iterable[str]) -> Repository:
+    """The one repository that all folders lie in.  Raises :class:`GitError`."""
+    first, *others = [Repository(folder) for folder in folders]
+    for other in others:
+        if other.root != first.root:
+            raise GitError(f"the paths lie in two repositories, {_shown(first.root)} and {_shown(other.root)}")
+    return first
+
+
+__all__ = ["GitError", "Repository", "TreeEntry", "repository_of"]
