@@ -184,6 +184,14 @@ def test_methods_that_a_class_after_node_mixes_in(judge: Judge, bases: str):
     assert slow.node == "/robot"
 
 
+def test_super_leads_to_what_is_mixed_in_behind_node(judge: Judge):
+    text = MIXED.replace("{bases}", "Node, Arms").replace("{more}", "")
+    text = text.replace("self.set_up()\n", "self.set_up()\n\n    def set_up(self):\n        super().set_up()\n", 1)
+    judge("API002", text)
+    [slow] = judge("EXE003", text.replace("# slow", "# here"))
+    assert slow.node == "/robot"
+
+
 def test_what_node_has_itself_comes_before_what_is_mixed_in_behind_it(judge: Judge):
     calls = "self.create_subscription()  # here"
     judge("API001", MIXED.replace("{bases}", "Node, Arms").replace("{more}", calls))

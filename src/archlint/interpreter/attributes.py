@@ -161,7 +161,7 @@ def _of_own_object(machine: Machine, value: Instance, cls: ClassValue, name: str
     return machine.library.method_mixed_in(value, name) or missing
 
 
-def _behind(machine: Machine, value: Instance, cls: ClassValue, base: External, name: str) -> Value | None:
+def _behind(machine: Machine, value: Value, cls: ClassValue, base: External, name: str) -> Value | None:
     """What a class of ours has that comes after a foreign base, as in ``class Robot(Node, Arms)``, where that base
     certainly has no attribute of this name."""
     if not machine.library.lacks(ApiMethod(f"{base.path}.{name}", value)):
@@ -212,6 +212,8 @@ def _of_super(machine: Machine, value: SuperValue, name: str) -> Value:
     instance = value.self_value
     cls = instance if isinstance(instance, ClassValue) else instance.own_class or value.owner
     attribute, owner = cls.lookup(machine, name, after=value.owner)
+    if attribute is None and isinstance(owner, External):
+        attribute = _behind(machine, instance, cls, owner, name)
     if attribute is not None:
         return bind(machine, attribute, instance, cls)
     match name, owner:
