@@ -82,9 +82,9 @@ class Repository:
         run = self._run("rev-parse", "--verify", "--quiet", "--end-of-options", f"{revision}^{{commit}}")
         return run.stdout.decode("ascii", "replace").strip() if run.returncode == 0 else None
 
-    def fork(self, one: str, other: str) -> str | None:
+    def fork(self, commit: str, other: str) -> str | None:
         """The last commit that two have in common; None where that is not in this clone."""
-        run = self._run("merge-base", one, other)
+        run = self._run("merge-base", commit, other)
         return run.stdout.decode("ascii", "replace").strip() if run.returncode == 0 else None
 
     def names(self) -> list[str]:
