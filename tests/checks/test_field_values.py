@@ -7,6 +7,8 @@ import pytest
 from checks.judging import Judge
 
 NODE = """
+import math
+import random
 import time
 
 import numpy as np
@@ -15,7 +17,7 @@ from builtin_interfaces.msg import Time
 from diagnostic_msgs.msg import DiagnosticStatus
 from geometry_msgs.msg import Point, Pose, PoseArray, PoseStamped, PoseWithCovariance, Twist, Vector3
 from rclpy.node import Node
-from sensor_msgs.msg import Image, JointState
+from sensor_msgs.msg import Image, JointState, Joy
 from std_msgs.msg import Bool, Float32, Float64, Float64MultiArray, Header, Int32, String, UInt8
 from std_srvs.srv import SetBool
 
@@ -27,6 +29,7 @@ class Robot(Node):
         self.declare_parameter('rate', 1.5)
         self.speed = 0
         self.create_subscription(Twist, 'in', self.listen, 10)
+        self.create_subscription(Joy, 'joy', self.steer, 10)
         self.create_service(SetBool, 'set', self.set_it)
 
     def set_it(self, request, response):
@@ -38,6 +41,9 @@ class Robot(Node):
         self.speed = message.linear.x
         now = self.get_clock().now()
         {line}
+
+    def steer(self, joy):
+        {of_joy}
 
     def name(self):
         return 'robot'
@@ -88,7 +94,7 @@ def main():
     ],
 )
 def test_a_value_that_a_field_does_not_take(judge: Judge, line: str, says: str):
-    [finding] = judge("MSG003", NODE.format(line=f"{line}  # here"))
+    [finding] = judge("MSG003", NODE.format(line=f"{line}  # here", of_joy="pass"))
     assert says in finding.message
 
 
@@ -129,7 +135,113 @@ def test_a_value_that_a_field_does_not_take(judge: Judge, line: str, says: str):
     ],
 )
 def test_a_value_that_fits(judge: Judge, line: str):
-    assert not judge("MSG003", NODE.format(line=line))
+    assert not judge("MSG003", NODE.format(line=line, of_joy="pass"))
+
+
+@pytest.mark.parametrize(
+    ("line", "says"),
+    [
+        ("String().data = joy.axes[0]", "takes a string, not a float: sending it fails"),
+        ("Float32().data = joy.buttons[0]", "takes a float, not an int: something else is sent"),
+        ("Bool(data=joy.buttons[0])", "takes a bool, not an int: False is sent"),
+        ("Int32().data = joy.axes[0]", "takes an int, not a float: sending it fails"),
+        ("Int32().data = joy.axes[0] * 100", "takes an int, not a float"),
+        ("Int32().data = 2 * len(joy.axes) / 3", "takes an int, not a float"),
+        ("Int32().data = round(joy.axes[0], 1)", "takes an int, not a float"),
+        ("Int32().data = max(joy.axes)", "takes an int, not a float"),
+        ("Float32().data = joy.buttons[0] - joy.buttons[1]", "takes a float, not an int"),
+        ("Float32().data = round(joy.axes[0])", "takes a float, not an int"),
+        ("Float32().data = -joy.buttons[0]", "takes a float, not an int"),
+        ("Float32().data = random.randint(0, 10)", "takes a float, not an int"),
+        ("Int32().data = random.uniform(0, 10)", "takes an int, not a float"),
+        ("Int32().data = math.sqrt(len(joy.axes))", "takes an int, not a float"),
+        ("Float32().data = joy.header.frame_id", "takes a float, not a string"),
+        ("Float32().data = joy.axes", "takes a float, not a list"),
+        ("Header(stamp=self.get_clock().now().nanoseconds)", "takes a builtin_interfaces/msg/Time, not an int"),
+        ("String().data = joy.header.stamp.sec", "takes a string, not an int"),
+    ],
+)
+def test_a_field_of_one_message_that_does_not_fit_another(judge: Judge, line: str, says: str):
+    [finding] = judge("MSG003", NODE.format(line="pass", of_joy=f"{line}  # here"))
+    assert says in finding.message
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "Float32().data = joy.axes[0]",
+        "Float32().data = joy.axes[0] * 2",
+        "Float32().data = joy.axes[0] - joy.buttons[0]",
+        "Float32().data = joy.buttons[0] / 2",
+        "Float32().data = float(joy.buttons[0])",
+        "Float32().data = joy.buttons[0] * np.pi",
+        "Float32().data = joy.buttons[0] ** -1",
+        "Float32().data = math.pi * joy.buttons[0]",
+        "Float32().data = round(joy.axes[0], 1)",
+        "Float32().data = max(joy.axes)",
+        "Float32().data = joy.stamp",
+        "Int32().data = joy.buttons[0] // 2",
+        "Int32().data = int(joy.axes[0] * 100)",
+        "Int32().data = round(joy.axes[0])",
+        "Int32().data = math.floor(joy.axes[0])",
+        "Int32().data = joy.buttons[0] == 1",
+        "Bool().data = bool(joy.buttons[0])",
+        "Bool().data = joy.buttons[0] == 1",
+        "String().data = str(joy.axes[0])",
+        "String().data = joy.header.frame_id",
+        "Float64MultiArray().data = joy.axes",
+        "Time().sec = joy.header.stamp.sec",
+        "Time().sec = int(time.time())",
+        "Time().nanosec = now.nanoseconds % 10**9",
+        "joy.axes = joy.buttons",
+    ],
+)
+def test_a_field_of_one_message_that_fits_another(judge: Judge, line: str):
+    assert not judge("MSG003", NODE.format(line="pass", of_joy=line))
+
+
+TWO_TYPES = """
+from rclpy.node import Node
+from std_msgs.msg import Float32, Int32
+
+
+class Robot(Node):
+    def __init__(self):
+        super().__init__('robot')
+        self.create_subscription(Int32, 'count', self.forward, 10)
+        self.create_subscription(Float32, 'speed', self.forward, 10)
+
+    def forward(self, message):
+        out = Float32()
+        out.data = message.data
+"""
+
+
+def test_a_callback_of_two_types(judge: Judge):
+    assert not judge("MSG003", TWO_TYPES)
+
+
+ARRAYS = """
+from geometry_msgs.msg import PoseWithCovariance
+from rclpy.node import Node
+from std_msgs.msg import Float64MultiArray, Int32MultiArray
+
+
+class Robot(Node):
+    def __init__(self):
+        super().__init__('robot')
+        {line}
+"""
+
+
+def test_a_constructor_makes_an_array_of_numbers_itself(judge: Judge):
+    """It calls array.array() or numpy.array(), which convert; humble checks what comes of that."""
+    judge("MSG003", ARRAYS.format(line="Float64MultiArray().data = [1, 2]  # here"), config='distro = "humble"')
+    for right in ("Float64MultiArray(data=[1, 2])", "PoseWithCovariance(covariance=[0] * 36)"):
+        assert not judge("MSG003", ARRAYS.format(line=right), config='distro = "humble"')
+    wrong = ARRAYS.format(line="Int32MultiArray(data=[1.5])  # here")
+    [finding] = judge("MSG003", wrong, config='distro = "humble"')
+    assert finding.message.endswith("takes a list of ints, not the float 1.5 in a list: this line fails")
 
 
 def test_a_helper_that_is_given_right_and_wrong_values(judge: Judge):

@@ -66,6 +66,29 @@ def test_a_node_that_is_initialised_first(judge: Judge, source: str):
     judge("API003", source)
 
 
+@pytest.mark.parametrize("constructor", ["super().__init__()", "self.name = 'robot'"])
+def test_a_class_to_be_mixed_into_a_node(judge: Judge, constructor: str):
+    """What it is a base of beside Node decides whether it is a node by then."""
+    source = f"""
+        from std_msgs.msg import String
+
+
+        class Listening:
+            def __init__(self):
+                {constructor}
+                self.create_subscription(String, 'data', self.hear, 10)
+
+            def hear(self, message):
+                pass
+
+
+        class Hearing(Listening):
+            def __init__(self):
+                super().__init__()
+        """
+    judge("API003", source)
+
+
 def test_a_class_that_is_derived_from_calls_the_constructor_of_its_base(judge: Judge):
     judge(
         "API003",

@@ -40,12 +40,13 @@ def field_value_type(system: System, options: Options) -> Iterator[Finding]:
 
 def _consequence(system: System, value: WrongValue, distros: Sequence[str]) -> str:
     """What comes of it, in words; empty where it works in a distribution that the workspace may be meant for."""
-    checked, others = _CHECKED in distros, any(distro != _CHECKED for distro in distros)
+    checked, others = _CHECKED in distros and value.checked, any(distro != _CHECKED for distro in distros)
     if value.effect is ValueEffect.NONE:
         works = others and _CHECKED not in named_distros(system.workspace)
         return f"this line raises AssertionError{f' on {_CHECKED}' if others else ''}" if checked and not works else ""
-    if not others or value.effect is ValueEffect.SET:
-        return "this line fails" if others or not value.name else "this line raises AssertionError"
+    asserted = checked and not others
+    if asserted or value.effect is ValueEffect.SET:
+        return "this line raises AssertionError" if asserted and value.name else "this line fails"
     return _COMES_OF_IT[value.effect] + (f" (on {_CHECKED} this line raises AssertionError)" if checked else "")
 
 

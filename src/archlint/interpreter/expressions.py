@@ -185,7 +185,7 @@ def _unary(machine: Machine, e: facts.Unary) -> Value:
             return constant(+number, value.via)
         case "~", int(number):
             return constant(~number, value.via)
-    return Unknown(reason(value))
+    return Unknown(reason(value), of_class=value.number_class)
 
 
 def _boolean(machine: Machine, e: facts.Boolean) -> Value:

@@ -79,7 +79,21 @@ def _combined(machine: Machine, op: facts.BinaryOperator, left: Value, right: Va
                 return new_list(machine, items.values * min(times, ITEM_LIMIT), left.kind, items.open)
         case _, Known(), Known():
             return _arithmetic(op, left, right)
-    return Unknown(reason(left, right), depends_on(left, right))
+    return Unknown(reason(left, right), depends_on(left, right), of_class=_class_of_result(op, left, right))
+
+
+_OF_NUMBERS: frozenset[facts.BinaryOperator] = frozenset({"+", "-", "*", "//", "%"})
+"""The operators that give an int of two ints, and a float where one is a float."""
+
+
+def _class_of_result(op: facts.BinaryOperator, left: Value, right: Value) -> str | None:
+    """``int`` or ``float``, for an operation on two numbers of these classes."""
+    classes = {left.number_class, right.number_class}
+    if not classes <= {"int", "float"}:
+        return None
+    if op == "/":
+        return "float"
+    return ("float" if "float" in classes else "int") if op in _OF_NUMBERS else None
 
 
 def _joined_texts(machine: Machine, left: Value, right: Value, span: facts.Span) -> Value:

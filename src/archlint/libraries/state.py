@@ -12,8 +12,7 @@ if TYPE_CHECKING:
     from archlint.interpreter.activation import Activation
     from archlint.interpreter.identity import Key
     from archlint.interpreter.modules import Module
-    from archlint.interpreter.values import ClassValue, EachValue, Value
-    from archlint.libraries.values import MessageValue
+    from archlint.interpreter.values import ClassValue, Value
 
 
 Lineage = tuple[model.FunctionRef | None, ...]
@@ -134,8 +133,8 @@ class Callbacks:
 class Messages:
     """The messages of a program, by their keys, and what the code does with their fields."""
 
-    fields: dict[tuple[int, str], MessageValue | EachValue] = field(default_factory=dict)
-    """Messages that fields of messages hold, where nothing was assigned to them."""
+    fields: dict[tuple[int, str], Value] = field(default_factory=dict)
+    """What fields of messages hold, where nothing was assigned to them."""
     made_in: dict[int, Activation] = field(default_factory=dict)
     """Which call of a function made a message."""
     inside: dict[int, int] = field(default_factory=dict)

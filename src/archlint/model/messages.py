@@ -100,3 +100,5 @@ class WrongValue:
     effect: ValueEffect
     cure: str
     node: Blueprint | None = None
+    checked: bool = True
+    """Whether humble's messages raise AssertionError, too."""

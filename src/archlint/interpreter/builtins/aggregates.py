@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 from archlint.interpreter.builtins.handlers import Handler, first
@@ -50,13 +50,19 @@ def extreme(pick: Callable[[Any], Any]) -> Handler:
             return Unknown(reason(*site.args))
         constants = constants_of(items.values)
         if not constants:
-            return Unknown(reason(*items.values))
+            return Unknown(reason(*items.values), of_class=_one_class(items.values))
         try:
             return constant(pick(constants), via(*items.values))
         except (TypeError, OverflowError):
             return Unknown("an operation that fails")
 
     return handler
+
+
+def _one_class(values: Sequence[Value]) -> str | None:
+    """The class that all of some numbers are of."""
+    classes = {value.number_class for value in values}
+    return classes.pop() if len(classes) == 1 else None
 
 
 _total = extreme(sum)

@@ -47,7 +47,7 @@ def _plain(value: Value) -> Value:
 
 
 def number(convert: Callable[..., Any]) -> Handler:
-    """``int``, ``float``, ``abs``."""
+    """``int``, ``float``, ``abs``, ``round``."""
 
     def handler(machine: Machine, site: CallSite) -> Value:
         if not site.args:
@@ -67,11 +67,18 @@ _MAKE: dict[Callable[..., Any], str] = {int: "int", float: "float"}
 
 def _converted(value: Value, convert: Callable[..., Any], base: list[Any], parameters: frozenset[str]) -> Value:
     if not isinstance(value, Known):
-        return replace(because_of(value), of_class=_MAKE.get(convert))
+        return replace(because_of(value), of_class=_MAKE.get(convert) or _class_kept(value, convert, base))
     try:
         return constant(convert(value.value, *base), value.via | parameters)
     except (TypeError, ValueError, OverflowError):
         return Unknown("a conversion that fails")
+
+
+def _class_kept(value: Value, convert: Callable[..., Any], base: list[Any]) -> str | None:
+    """The class of what is made of a number: its own, but that ``round()`` to no digits gives an int."""
+    if value.number_class is None or (convert is round and None in base):
+        return None
+    return "int" if convert is round and not base else value.number_class
 
 
 def boolean(machine: Machine, site: CallSite) -> Value:

@@ -131,6 +131,11 @@ class Value:
         """Whether it certainly is not ``None``."""
         return self.has_identity
 
+    @property
+    def number_class(self) -> str | None:
+        """``int`` or ``float``, of what certainly is one."""
+        return None
+
     has_content: ClassVar[bool] = False
     """Whether two of its class may be equal that are not the same."""
 

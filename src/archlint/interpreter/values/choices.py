@@ -50,6 +50,10 @@ class Unknown(Value):
     def is_object(self) -> bool:
         return self.never_none
 
+    @property
+    def number_class(self) -> str | None:
+        return self.of_class if self.of_class in ("int", "float") else None
+
     def truth(self, state: State) -> bool | None:
         return None
 

@@ -89,13 +89,20 @@ class DictValue(Value):
 @dataclass(frozen=True, slots=True)
 class EachValue(Value):
     """A collection of which only this is known: every item is like ``element``, however many there are.  What a
-    message has in an array of messages."""
+    message has in an array of messages or of numbers."""
 
     element: Value
 
     @property
     def each(self) -> Value:
         return self.element
+
+    @property
+    def is_object(self) -> bool:
+        return True
+
+    def truth(self, state: State) -> bool | None:
+        return None
 
     @property
     def inner(self) -> tuple[Value, ...]:

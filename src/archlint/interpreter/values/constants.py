@@ -61,6 +61,10 @@ class Known(Value):
         return self.value if isinstance(self.value, str) else None
 
     @property
+    def number_class(self) -> str | None:
+        return "int" if isinstance(self.value, int) else "float" if isinstance(self.value, float) else None
+
+    @property
     def whole_number(self) -> int | None:
         return self.value if isinstance(self.value, int) else None
 

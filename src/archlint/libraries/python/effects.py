@@ -139,9 +139,20 @@ def _product(run: Run, site: CallSite) -> Value:
     return containers.new_list(run, [containers.new_list(run, row, "tuple") for row in rows])
 
 
-def _seconds(name: str) -> Plain:
-    """What counts seconds: ``time.time()``."""
-    return lambda run, site: Unknown(f"time.{name}() is outside of this workspace", of_class="float")
+def _number(path: str, of_class: str) -> Plain:
+    """What gives a number of one class, whatever it is given: ``time.time()``."""
+    return lambda run, site: Unknown(f"{path}() is outside of this workspace", of_class=of_class)
+
+
+_NUMBERS = {
+    "float": {
+        "time": "time monotonic perf_counter",
+        "math": "acos asin atan atan2 copysign cos degrees exp fabs fmod hypot log log10 log2 pow radians sin sqrt tan",
+        "random": "gauss random uniform",
+    },
+    "int": {"time": "time_ns monotonic_ns perf_counter_ns", "random": "randint randrange", "math": "ceil floor trunc"},
+}
+"""The functions of Python's modules that give a number, by its class."""
 
 
 PLAIN: dict[str, Plain] = {
@@ -164,7 +175,12 @@ PLAIN: dict[str, Plain] = {
     "os.path.split": lambda run, site: containers.new_list(
         run, [_path_part(site.args, 0), _path_part(site.args, 1)], "tuple"
     ),
-    **{f"time.{name}": _seconds(name) for name in ("time", "monotonic", "perf_counter")},
+    **{
+        f"{module}.{name}": _number(f"{module}.{name}", of_class)
+        for of_class, modules in _NUMBERS.items()
+        for module, names in modules.items()
+        for name in names.split()
+    },
 }
 
 

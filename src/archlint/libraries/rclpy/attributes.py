@@ -44,8 +44,9 @@ def of_value(run: Run, value: ForeignValue, name: str) -> Value:
 
 def of_unknown(value: Value, name: str) -> Value | None:
     """A method that only a node has: something of which nothing is known is one; and what a clock is asked."""
-    if isinstance(value, Unknown) and value.of_class == clocks.CLOCK and name == "now":
-        return ApiMethod(f"{clocks.CLOCK}.{name}", value)
+    known = clocks.of_clock_or_time(value, name) if isinstance(value, Unknown) else None
+    if known is not None:
+        return known
     return ApiMethod(f"{names.NODE}.{name}", value) if name in names.NODE_METHODS else None
 
 
@@ -143,8 +144,7 @@ def _of_message(run: Run, value: MessageValue, name: str) -> Value:
         constant = run.interfaces.constant(value.type, value.section_name, name)
         if constant is not None:
             return Known(constant)
-    nested = messages.nested(run, value, name)
-    return Unknown(f"the field '{name}' of a message", never_none=True) if nested is None else nested
+    return messages.content(run, value, name)
 
 
 __all__ = ["inherited", "interface_constant", "mixed_in", "of_object", "of_unknown", "of_value"]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from archlint.interpreter.values import Unknown, Value
+from archlint.interpreter.values import ApiMethod, Unknown, Value
 
 if TYPE_CHECKING:
     from archlint.interpreter.call_site import CallSite
@@ -25,6 +25,13 @@ def _now(run: Run, clock: Value, site: CallSite) -> Value:
     return Unknown(clock.why_unknown or f"{CLOCK}.now() is outside of this workspace", of_class=TIME)
 
 
+def of_clock_or_time(value: Unknown, name: str) -> Value | None:
+    """``clock.now`` and ``time.nanoseconds``; None for what is neither."""
+    if value.of_class == CLOCK and name == "now":
+        return ApiMethod(f"{CLOCK}.now", value)
+    return Unknown(value.reason, of_class="int") if value.of_class == TIME and name == "nanoseconds" else None
+
+
 METHODS: dict[str, Method] = {"rclpy.node.Node.get_clock": _clock_of_node, f"{CLOCK}.now": _now}
 
-__all__ = ["CLOCK", "METHODS", "TIME"]
+__all__ = ["CLOCK", "METHODS", "TIME", "of_clock_or_time"]

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from archlint.libraries.rclpy.message_uses import is_certain, may_be_of_another_type
 from archlint.libraries.rclpy.messages import of_value
-from archlint.libraries.rclpy.wrong_values import Misfit, misfit
+from archlint.libraries.rclpy.wrong_values import Misfit, misfit, misfit_of_argument
 from archlint.model import ValueEffect, WrongValue
 
 if TYPE_CHECKING:
@@ -19,15 +19,17 @@ if TYPE_CHECKING:
 _BY_POSITION = Misfit("its fields by name", "an argument without a name", ValueEffect.SET, "write the field's name")
 
 
-def note_value(run: Run, value: Value, name: str, span: Span, content: Value) -> None:
-    """Note that the code gives a field something that it never takes."""
+def note_value(run: Run, value: Value, name: str, span: Span, content: Value, *, argument: bool = False) -> None:
+    """Note that the code gives a field something that it never takes, by assignment or as an argument of the
+    constructor."""
     message = of_value(value)
     if message is None or run.interfaces is None or not _is_certain(run):
         return
     kind = run.interfaces.field_type(message.type, message.section_name, name)
     if kind is None:
         return
-    wrong = None if may_be_of_another_type(run, message) else misfit(run, kind, content)
+    judge = misfit_of_argument if argument else misfit
+    wrong = None if may_be_of_another_type(run, message) else judge(run, kind, content)
     _keep(run, message, name, span, wrong)
 
 
@@ -65,6 +67,7 @@ def _wrong_value(run: Run, message: MessageValue, name: str, place: Place, wrong
         wrong.effect,
         wrong.cure,
         run.context.node,
+        wrong.checked,
     )
 
 

@@ -31,7 +31,7 @@ def note_made(
         if argument.keyword is not None and not argument.star and span is not None:
             note_use(run, message, argument.keyword, span, "keyword")
             if argument.keyword in keywords:
-                note_value(run, message, argument.keyword, span, keywords[argument.keyword])
+                note_value(run, message, argument.keyword, span, keywords[argument.keyword], argument=True)
         elif not argument.star and argument.keyword is None and span is not None:
             note_positional(run, message, span)
 

@@ -6,15 +6,27 @@ there for an attribute that is missing.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from archlint import model
 from archlint.interpreter.values import EachValue, Known, OneOf, Unknown, Value
 from archlint.libraries.values import MessageValue
+from archlint.syntax.interface_values import INTEGER_RANGES
 
 if TYPE_CHECKING:
     from archlint.libraries.run import Run
+    from archlint.syntax.interfaces import FieldType
+
+_CLASSES: Mapping[str, str] = {
+    "bool": "bool",
+    "float32": "float",
+    "float64": "float",
+    "string": "str",
+    "wstring": "str",
+    **dict.fromkeys(INTEGER_RANGES.keys() - {"byte", "char"}, "int"),
+}
+"""The classes of Python that primitive fields are of."""
 
 
 def of_value(value: Value) -> MessageValue | None:
@@ -30,23 +42,41 @@ def of_value(value: Value) -> MessageValue | None:
     return None
 
 
-def nested(run: Run, value: MessageValue, name: str) -> MessageValue | EachValue | None:
-    """The message, or array of messages, that a field holds, one and the same at each read; None for others."""
-    if run.interfaces is None or not value.key:
+def content(run: Run, value: MessageValue, name: str) -> Value:
+    """What a field of a message holds that the code has not set, one and the same at each read."""
+    known = run.messages.fields.get((value.key, name)) if value.key else None
+    if known is not None:
+        return known
+    kind = None if run.interfaces is None else run.interfaces.field_type(value.type, value.section_name, name)
+    inner = None if kind is None else _nested(run, value, kind)
+    held = inner or _plain(kind, f"the field '{name}' of a message")
+    if value.key:
+        run.messages.fields[(value.key, name)] = held
+    return held
+
+
+def _nested(run: Run, value: MessageValue, kind: FieldType) -> MessageValue | EachValue | None:
+    """The message, or the array of messages, in a field of this type."""
+    if not value.key or kind.is_primitive or run.interfaces is None or run.interfaces.get(kind.name) is None:
         return None
-    content = run.messages.fields.get((value.key, name))
-    if content is None:
-        kind = run.interfaces.field_type(value.type, value.section_name, name)
-        if kind is None or kind.is_primitive or run.interfaces.get(kind.name) is None:
-            return None
-        inner = MessageValue(kind.name, "", run.store.new_key())
-        run.messages.inside[inner.key] = value.key
-        if value.key in run.messages.made_in:
-            run.messages.made_in[inner.key] = run.messages.made_in[value.key]
-        if value.key in run.messages.delivered:
-            run.messages.delivered[inner.key] = run.messages.delivered[value.key]
-        content = run.messages.fields[(value.key, name)] = EachValue(inner) if kind.array else inner
-    return content
+    inner = MessageValue(kind.name, "", run.store.new_key())
+    run.messages.inside[inner.key] = value.key
+    if value.key in run.messages.made_in:
+        run.messages.made_in[inner.key] = run.messages.made_in[value.key]
+    if value.key in run.messages.delivered:
+        run.messages.delivered[inner.key] = run.messages.delivered[value.key]
+    return EachValue(inner) if kind.array else inner
+
+
+def _plain(kind: FieldType | None, why: str) -> Value:
+    """What is known of a field without a message in it: an array of numbers has items of their class, unless it is of
+    fixed size; then it is numpy's."""
+    cls = None if kind is None else _CLASSES.get(kind.name)
+    if kind is None or not kind.array:
+        return Unknown(why, never_none=True, of_class=cls)
+    if kind.array == "fixed" or cls not in ("int", "float"):
+        return Unknown(why, never_none=True)
+    return EachValue(Unknown(why, never_none=True, of_class=cls))
 
 
 def deliver(run: Run, arguments: Sequence[Value], creation: model.Creation) -> None:

@@ -47,7 +47,7 @@ def is_node(value: Value) -> bool:
     if isinstance(value, NodeValue):
         return not value.blueprint.caller_unknown
     cls = value.own_class
-    return cls is not None and node_classes.has_only(cls)
+    return cls is not None and node_classes.is_node(cls) and node_classes.has_only(cls)
 
 
 def place_of(run: Run, site: CallSite) -> Place | None:

@@ -8,6 +8,7 @@ float is then read as if it were one, which gives another number.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.interpreter.values import (
@@ -77,6 +78,20 @@ class Misfit:
     given: str
     effect: ValueEffect
     cure: str
+    of_items: bool = False
+    """Whether it is about what is in a list."""
+    checked: bool = True
+    """Whether humble's messages raise AssertionError."""
+
+
+def misfit_of_argument(run: Run, kind: FieldType, value: Value) -> Misfit | None:
+    """Why a constructor does not take a value for a field. It converts the items of an array of numbers itself,
+    before they are checked (rosidl_generator_py, ``_msg.py.em``)."""
+    wrong = misfit(run, kind, value)
+    numbers = kind.array and kind.name in _FLOATS | _INTEGERS
+    if wrong is None or not numbers or not wrong.of_items:
+        return wrong
+    return None if wrong.effect is ValueEffect.NONE else replace(wrong, checked=False)
 
 
 def misfit(run: Run, kind: FieldType, value: Value) -> Misfit | None:
@@ -190,7 +205,8 @@ def _of_list(run: Run, kind: FieldType, value: Value) -> Misfit | None:
         return None
     by_gravity = sorted(wrong, key=lambda row: _effect_in_array(kind, *row) is ValueEffect.NONE)
     item, fault = by_gravity[0]
-    return Misfit(_many(kind), f"{fault.given} in a list", _effect_in_array(kind, item, fault), fault.cure)
+    effect = _effect_in_array(kind, item, fault)
+    return Misfit(_many(kind), f"{fault.given} in a list", effect, fault.cure, of_items=True)
 
 
 def _effect_in_array(kind: FieldType, item: Value, fault: Misfit) -> ValueEffect:
@@ -222,6 +238,7 @@ _OF_CLASSES = {
     "int": _Shape(_What.INT, "an int"),
     "float": _Shape(_What.FLOAT, "a float"),
     "str": _Shape(_What.TEXT, "a string"),
+    "bool": _Shape(_What.BOOL, "a bool"),
     clocks.TIME: _Shape(_What.OBJECT, "a Time of rclpy", "add .to_msg()"),
     "rclpy.duration.Duration": _Shape(_What.OBJECT, "a Duration of rclpy", "add .to_msg()"),
     "rclpy.parameter.Parameter": _Shape(_What.OBJECT, "a Parameter", "add .value"),
@@ -270,4 +287,4 @@ def _wrong(wanted: str, shape: _Shape, effect: ValueEffect, cure: str) -> Misfit
     return Misfit(wanted, shape.words, effect, shape.cure or cure)
 
 
-__all__ = ["Misfit", "misfit"]
+__all__ = ["Misfit", "misfit", "misfit_of_argument"]
