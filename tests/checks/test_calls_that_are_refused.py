@@ -20,7 +20,7 @@ from rclpy.action import ActionClient, ActionServer
 from rclpy.node import Node
 from rclpy.qos import QoSProfile, qos_profile_sensor_data
 from std_msgs.msg import String
-from std_srvs.srv import Trigger
+from std_srvs.srv import Trigger, Trigger_Event
 
 
 class Robot(Node):
@@ -85,6 +85,9 @@ def test_a_call_that_is_refused(judge: Judge, call: str, wrong: str):
         "self.create_publisher(String, 'a', qos_profile_sensor_data, callback_group=None)",
         "self.create_subscription(String, 'a', self.listen, 10, raw=True)",
         "self.create_subscription(String, 'a', lambda message: None, 10)",
+        "self.create_subscription(Trigger.Event, 'a/_service_event', self.listen, 10)",
+        "self.create_subscription(Trigger_Event, 'a/_service_event', self.listen, 10)",
+        "self.create_publisher(Trigger.Request, 'a', 10)",
         "self.create_timer('1.0', self.tick)",
         "self.create_timer(1, self.tick, None)",
         "self.create_service(Trigger, 'a', lambda request, response: response)",

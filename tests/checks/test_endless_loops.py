@@ -22,6 +22,8 @@ class Robot(Node):
         self.data = None
         self.create_subscription(String, 'data', self.on_data, 10{group})
         self.create_timer(1.0, self.tick)
+        self.out = self.create_publisher(String, 'out', 10)
+        self.other = Other()
 
     def on_data(self, message):
         self.data = message
@@ -31,6 +33,17 @@ class Robot(Node):
 
     def helper(self):
         {helper}
+
+    def wait(self):
+        {wait}
+
+
+class Other:
+    def __init__(self):
+        self.data = 0
+
+    def work(self):
+        self.data = 1
 
 
 def main():
@@ -45,8 +58,8 @@ ONE_THREAD = "rclpy.spin(Robot())"
 THREADS = "executor = MultiThreadedExecutor()\n    executor.add_node(Robot())\n    executor.spin()"
 
 
-def robot(*lines: str, helper: str = "pass", spin: str = ONE_THREAD, group: str = "") -> str:
-    return NODE.format(body="\n        ".join(lines), helper=helper, spin=spin, group=group)
+def robot(*lines: str, helper: str = "pass", wait: str = "pass", spin: str = ONE_THREAD, group: str = "") -> str:
+    return NODE.format(body="\n        ".join(lines), helper=helper, wait=wait, spin=spin, group=group)
 
 
 @pytest.mark.parametrize(
@@ -56,8 +69,25 @@ def robot(*lines: str, helper: str = "pass", spin: str = ONE_THREAD, group: str 
         robot("while not self.data:  # here", "    pass"),
         robot("while rclpy.ok() and self.data is None:  # here", "    self.get_logger().info('waiting')"),
         robot("while self.data is None:  # here", "    time.sleep(0.1)", spin=THREADS),
+        robot("while True:  # here", "    if self.data is not None:", "        break", "    time.sleep(0.1)"),
+        robot("while rclpy.ok():  # here", "    if self.data:", "        return", "    time.sleep(0.1)"),
+        robot("while self.data is None:  # here", "    if not rclpy.ok():", "        return", "    time.sleep(0.1)"),
+        robot("while not self.data:  # here", "    self.out.publish(String(data='?'))", "    time.sleep(0.1)"),
+        robot("while not self.data:  # here", "    out = String()", "    out.data = '?'", "    self.out.publish(out)"),
+        robot("self.wait()", wait="while self.data is None:  # here\n            time.sleep(0.1)"),
     ],
-    ids=["sleeps", "busy", "while ROS runs", "several threads, one group"],
+    ids=[
+        "sleeps",
+        "busy",
+        "while ROS runs",
+        "several threads, one group",
+        "a break",
+        "a return",
+        "a return when ROS ends",
+        "publishes",
+        "publishes what it makes",
+        "a method that waits",
+    ],
 )
 def test_a_loop_that_keeps_out_what_would_end_it(judge: Judge, source: str):
     [finding] = judge("EXE009", source)
@@ -81,6 +111,14 @@ def test_a_loop_that_keeps_out_what_would_end_it(judge: Judge, source: str):
             group=", callback_group=ReentrantCallbackGroup()",
         ),
         robot("if self.data is None:", "    return"),
+        robot("while True:", "    if self.data:", "        break", "    if time.time() > 5:", "        return"),
+        robot("while True:", "    if self.data:", "        pass", "    elif time.time() > 5:", "        break"),
+        robot("end = time.time() + 5", "while self.data is None and time.time() < end:", "    time.sleep(0.1)"),
+        robot("while self.other.data < 1:", "    self.other.work()"),
+        robot("while self.data is None:", "    time.sleep(0.1)", wait="self.__dict__['data'] = 1"),
+        robot("while self.data is None:", "    time.sleep(0.1)", wait="setattr(self, 'data', 1)"),
+        robot("while self.data is None:", "    self.data = self.out.publish(String())"),
+        robot("self.other.wait()", wait="while self.data is None:\n            time.sleep(0.1)"),
     ],
     ids=[
         "it spins",
@@ -92,6 +130,14 @@ def test_a_loop_that_keeps_out_what_would_end_it(judge: Judge, source: str):
         "it waits for nothing",
         "another group",
         "no loop",
+        "a time in another test",
+        "a time in an elif",
+        "a time in its test",
+        "the attribute of another object",
+        "by a text in __dict__",
+        "by setattr",
+        "it assigns what publish() gives",
+        "a method of another object",
     ],
 )
 def test_a_loop_that_may_end(judge: Judge, source: str):
@@ -100,3 +146,165 @@ def test_a_loop_that_may_end(judge: Judge, source: str):
 
 def test_only_the_stronger_is_said_of_a_line(judge: Judge):
     judge("EXE003", robot("while self.data is None:", "    time.sleep(0.1)"))
+    judge(
+        "SRV008",
+        """
+        import time
+
+        import rclpy
+        from rclpy.node import Node
+        from std_msgs.msg import String
+        from std_srvs.srv import Trigger
+
+
+        class Robot(Node):
+            def __init__(self):
+                super().__init__('robot')
+                self.data = None
+                self.create_subscription(String, 'data', self.on_data, 10)
+                self.create_service(Trigger, 'wait', self.wait)
+
+            def on_data(self, message):
+                self.data = message
+
+            def wait(self, request, response):
+                while self.data is None:
+                    time.sleep(1.0)
+                return response
+
+
+        def main():
+            rclpy.init()
+            rclpy.spin(Robot())
+        """,
+    )
+
+
+AT_START = """
+import threading
+import time
+
+import rclpy
+from rclpy.executors import SingleThreadedExecutor
+from rclpy.node import Node
+from std_msgs.msg import String
+from std_srvs.srv import Trigger
+
+
+class Robot(Node):
+    def __init__(self):
+        super().__init__('robot')
+        self.data = self.answer = None
+        self.create_subscription(String, 'data', self.on_data, 10)
+        {constructor}
+
+    def on_data(self, message):
+        self.data = message
+
+    def spin(self):
+        rclpy.spin(self)
+
+    def done(self, future):
+        self.answer = future.result()
+
+
+class Scanner(threading.Thread):
+    def __init__(self, node):
+        super().__init__(daemon=True)
+        self.node = node
+
+    def run(self):
+        rclpy.spin(self.node)
+
+
+def main():
+    rclpy.init()
+    robot = Robot()
+    {main}
+
+
+if __name__ == '__main__':
+    main()
+"""
+
+
+def at_start(*lines: str, constructor: tuple[str, ...] = ("pass",)) -> str:
+    return AT_START.format(main="\n    ".join(lines), constructor="\n        ".join(constructor))
+
+
+ASKED = (
+    "future = self.create_client(Trigger, 'go').call_async(Trigger.Request())",
+    "future.add_done_callback(self.done)",
+)
+
+
+@pytest.mark.parametrize(
+    ("source", "advice"),
+    [
+        (
+            at_start("rclpy.spin(robot)", constructor=("while self.data is None:  # here", "    time.sleep(0.1)")),
+            "rclpy.spin_once(self, timeout_sec=0.1)",
+        ),
+        (
+            at_start("rclpy.spin(robot)", constructor=(*ASKED, "while not self.answer:  # here", "    pass")),
+            "rclpy.spin_once(self, timeout_sec=0.1)",
+        ),
+        (
+            at_start("while robot.data is None:  # here", "    time.sleep(0.1)", "rclpy.spin(robot)"),
+            "rclpy.spin_once(robot, timeout_sec=0.1)",
+        ),
+        (
+            at_start(
+                "rclpy.spin_once(robot)", "while not robot.data:  # here", "    print('waiting')", "rclpy.spin(robot)"
+            ),
+            "rclpy.spin_once(robot, timeout_sec=0.1)",
+        ),
+    ],
+    ids=["constructor", "an answer", "main", "after a spin"],
+)
+def test_a_loop_before_anybody_spins(judge: Judge, source: str, advice: str):
+    [finding] = judge("EXE009", source)
+    assert "once the program is in this loop, it never ends" in finding.message
+    assert finding.help == f"spin in the loop: {advice}"
+
+
+WAITS = ("while robot.data is None:", "    time.sleep(0.1)")
+
+
+@pytest.mark.parametrize(
+    "source",
+    [
+        at_start("while robot.data is None:", "    rclpy.spin_once(robot)"),
+        at_start("threading.Thread(target=rclpy.spin, args=(robot,), daemon=True).start()", *WAITS),
+        at_start("threading.Thread(target=lambda: rclpy.spin(robot)).start()", *WAITS),
+        at_start("threading.Thread(target=robot.spin).start()", *WAITS),
+        at_start("Scanner(robot).start()", *WAITS),
+        at_start(
+            "executor = SingleThreadedExecutor()",
+            "executor.add_node(robot)",
+            "threading.Thread(target=executor.spin).start()",
+            *WAITS,
+        ),
+        at_start("robot.data = 1", *WAITS),
+        at_start("rclpy.spin(robot)", constructor=("while self.data is None:", "    rclpy.spin_once(self)")),
+        at_start(
+            "rclpy.spin(robot)",
+            constructor=("threading.Thread(target=self.spin).start()", "while self.data is None:", "    pass"),
+        ),
+        at_start("other = robot", "robot = Scanner(other)", "while robot.data is None:", "    pass"),
+    ],
+    ids=[
+        "it spins",
+        "a thread",
+        "a lambda in a thread",
+        "a method in a thread",
+        "a class of threads",
+        "an executor in a thread",
+        "main changes it",
+        "the constructor spins",
+        "the constructor starts a thread",
+        "the variable is another object",
+    ],
+)
+def test_a_loop_while_somebody_spins(judge: Judge, source: str):
+    judge("EXE009", source)

@@ -41,13 +41,13 @@ def annotated_messages(system: System, callback: Callback) -> Iterator[Annotated
     for position, name in enumerate(signature.names):
         match by_name[name].annotation:
             case facts.Name(span=span) | facts.Attribute(span=span) as annotation:
-                interface, section_name = _interface_of(code, annotation.dotted)
+                interface, section_name = interface_of(code, annotation.dotted)
                 if interface is not None:
                     place = Place(function.place.file, *span)
                     yield AnnotatedMessage(position, name, place, interface, section_name)
 
 
-def _interface_of(code: facts.Facts, dotted: str) -> tuple[str | None, MessageClass]:
+def interface_of(code: facts.Facts, dotted: str) -> tuple[str | None, MessageClass]:
     """The interface, and which of its classes, that a name means by the imports of its file; None for anything else,
     and for a name that the file binds in several ways."""
     root, _, rest = dotted.partition(".")
@@ -77,4 +77,4 @@ def _bound_to(body: Sequence[facts.Stmt], name: str) -> Iterator[str | None]:
                     yield None
 
 
-__all__ = ["AnnotatedMessage", "annotated_messages"]
+__all__ = ["AnnotatedMessage", "annotated_messages", "interface_of"]

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 
 _WAIT = "threading.Event.wait"
 _SET = "threading.Event.set"
+ONLY_THREAD = "the executor's only thread is blocked in this callback"
 
 
 @dataclass(frozen=True)
@@ -71,7 +72,7 @@ def kept_out(waiting: Callback, setter: Callback, program: Program) -> str | Non
     if setter.role == Role.DONE or not runs_in_executor(setter) or setter.node is not waiting.node:
         return None  # what a done callback sets is judged with the client it belongs to
     if threads_of(waiting.node, program) == ONE:
-        return "the executor's only thread is blocked in this callback"
+        return ONLY_THREAD
     grouped = waiting.group is not None and setter.group is not None
     if grouped and group_relation(waiting.group, setter.group) == SAME:
         return "both are in the same mutually exclusive callback group"

@@ -9,6 +9,7 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from archlint.analysis.actions_beside import action_beside
+from archlint.analysis.attribute_loops import attribute_loops
 from archlint.analysis.conditions import conditions
 from archlint.analysis.loop_times import (
     around_future,
@@ -54,8 +55,11 @@ _Sleep = tuple["ApiCall", Stay]
 def long_running_service(system: System, options: Options) -> Iterator[Finding]:
     """Service handlers that sleep, once for long or again and again; one finding a handler."""
     code = source_code(system)
+    endless = {loop.loop for loop in attribute_loops(system)}
     handlers: dict[tuple[Program, Place], list[_Sleep]] = {}
     for program, call in judged_calls(system):
+        if not endless.isdisjoint(call.loops):
+            continue  # EXE009 says that the loop never ends
         stay = stay_of(code, call) if call.context.role == Role.SERVICE else None
         if stay is not None and stay.kind == "sleep" and not around_future(code, call):
             handlers.setdefault((program, call.context.place), []).append((call, stay))

@@ -26,14 +26,21 @@ def unanswerable_wait(system: System, options: Options) -> Iterator[Finding]:
 
 
 def _endless(system: System, loop: AttributeLoop) -> Finding:
-    callback, setter = loop.callback, loop.setter
+    setter, waiting = loop.setter, loop.waiting
+    who = "the program" if waiting is None else callback_words(waiting)
     return finding(
         "EXE009",
         loop.place,
-        f"once {callback_words(callback)} is in this loop, it never ends: only {setter.name} changes "
-        f"self.{loop.attribute}, and it cannot run meanwhile, since {loop.why}",
-        help=f"return instead, and go on in {setter.name}",
-        related=[Related(setter.place, f"{setter.name} changes self.{loop.attribute}")],
-        node=node_name(system, callback.node),
-        identity=(callback.name, loop.attribute),
+        f"once {who} is in this loop, it never ends: only {setter.name} changes {loop.attribute}, and it cannot run "
+        f"meanwhile, since {loop.why}",
+        help=_instead(loop),
+        related=[Related(setter.place, f"{setter.name} changes {loop.attribute}")],
+        node=node_name(system, loop.node),
+        identity=("" if waiting is None else waiting.name, loop.attribute.partition(".")[2]),
     )
+
+
+def _instead(loop: AttributeLoop) -> str:
+    if loop.waiting is None:
+        return f"spin in the loop: rclpy.spin_once({loop.attribute.partition('.')[0]}, timeout_sec=0.1)"
+    return f"return instead, and go on in {loop.setter.name}"
