@@ -113,9 +113,9 @@ def _is_publisher(attribute: str, code: facts.Facts) -> bool:
         for target in assignment.targets
         if isinstance(target, facts.Attribute) and target.attr == attribute
     ]
-    made = [value for value in values if not (isinstance(value, facts.Literal) and value.value is None)]
-    return bool(made) and all(
-        isinstance(value, facts.Call) and value.func.last_name in _CREATE_PUBLISHER for value in made
+    values = [value for value in values if not (isinstance(value, facts.Literal) and value.value is None)]
+    return bool(values) and all(
+        isinstance(value, facts.Call) and value.func.last_name in _CREATE_PUBLISHER for value in values
     )
 
 
