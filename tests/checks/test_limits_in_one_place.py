@@ -284,6 +284,7 @@ CORE = """
             self.core = core
             future = core.info.call_async(Trigger.Request())
             rclpy.spin_until_future_complete(self.core, future){mark}
+            rclpy.spin_once(self.core)
 
 
     def main():
@@ -312,5 +313,10 @@ def test_what_is_spun_is_no_node(judge: Judge, base: str, init: str, method: str
     judge("TMO003", text.replace("{mark}", "" if refused else "  # here"))
     findings = judge("API001", text.replace("{mark}", "  # here" if refused else ""))
     assert [finding.message for finding in findings] == (
-        ["spin_until_future_complete() fails: 'node' takes a node, not an object of class Core"] if refused else []
+        [
+            "spin_until_future_complete() fails: 'node' takes a node, not an object of class Core; "
+            "another call in this file fails in the same way"
+        ]
+        if refused
+        else []
     )

@@ -104,13 +104,15 @@ def _is_refused(call: RefusedCall, distros: tuple[str, ...]) -> bool:
 
 def _finding(call: RefusedCall) -> Finding:
     name = _name(call.api)
+    no_node = call.misuse is Misuse.KIND and call.parameters == ("node",)
     return finding(
         "API001",
         call.place,
         f"{name}() fails: {_what_is_wrong(call)}",
         help=_cure(name, call),
         identity=(call.api, str(call.misuse), *call.parameters),
-        group=(call.place.file, call.api, str(call.misuse), *call.parameters),
+        # What is no node is none for all calls.
+        group=(call.place.file, call.given if no_node else call.api, str(call.misuse), *call.parameters),
     )
 
 

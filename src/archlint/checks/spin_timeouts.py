@@ -73,13 +73,13 @@ def _may_be_meant_as_a_limit(code: SourceCode, call: ApiCall) -> bool:
 def _limitless_spin(system: System, program: Program, call: ApiCall) -> Finding:
     clients = creations_of(argument(call, "future"))
     client = clients[0] if len({creation.place for creation in clients}) == 1 else None
-    awaited = f"the response from {server_words(system, client)}" if client else "the future"
+    awaited = f"the response from {server_words(system, client)} arrives" if client else "the future is complete"
     if spins_for_own_future(call):
-        awaited = "the message that completes the future"
+        awaited = "the message that completes the future arrives"
     diagnostic = finding(
         "TMO003",
         call.place,
-        f"spins until {awaited} arrives, without a timeout: if it never does, the next line never runs",
+        f"spins until {awaited}, without a timeout: if that never happens, the next line never runs",
         help=_help(system, call),
         related=related_path(call, client),
         node=node_name(system, call.context.node),
