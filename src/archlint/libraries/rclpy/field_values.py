@@ -49,11 +49,12 @@ def _keep(run: Run, message: MessageValue, name: str, span: Span, wrong: Misfit 
     place = run.place(span)
     key = place, name
     noted = run.messages.values
-    if key not in noted:
-        noted[key] = None if wrong is None else _wrong_value(run, message, name, place, wrong)
-    elif wrong is None:
-        noted[key] = None
-    run.program.wrong_values[:] = [value for value in noted.values() if value is not None]
+    if key in noted and wrong is not None:
+        return
+    before = noted.get(key)
+    noted[key] = None if wrong is None else _wrong_value(run, message, name, place, wrong)
+    if noted[key] is not before:
+        run.program.wrong_values[:] = [value for value in noted.values() if value is not None]
 
 
 def _wrong_value(run: Run, message: MessageValue, name: str, place: Place, wrong: Misfit) -> WrongValue:

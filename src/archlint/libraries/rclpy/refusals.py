@@ -61,10 +61,10 @@ def place_of(run: Run, site: CallSite) -> Place | None:
 def keep(run: Run, place: Place, path: str, refused: model.RefusedCall | None) -> None:
     """Note what was found of a call; one of which two things were found is not refused each time."""
     noted = run.noted.refused
-    before = noted.setdefault((place, path), refused)
-    if before != refused:
-        noted[place, path] = None
-    if refused is not None or before is not None:
+    key = place, path
+    before = noted.get(key)
+    noted[key] = refused if key not in noted or before == refused else None
+    if noted[key] != before:
         run.program.refused_calls[:] = [call for call in noted.values() if call is not None]
 
 
