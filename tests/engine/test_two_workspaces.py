@@ -121,7 +121,6 @@ PURE = {
     "engine/own_code.py": {"own_code"},
     "engine/remote.py": {"identity"},
     "libraries/api_signatures.py": {"_table", "refusing_distros"},
-    "libraries/kinds_of_arguments.py": {"kinds_of"},
     "ros/packages.py": {"table"},
     "ros/standard_interfaces.py": {"table"},
     "rulebook.py": {"rules"},

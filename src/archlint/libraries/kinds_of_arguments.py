@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from enum import Enum
-from functools import cache
 
 from archlint.interpreter.values import (
     BoundMethod,
@@ -21,6 +20,7 @@ from archlint.libraries.tables import Api
 from archlint.libraries.values import EntityValue, MessageValue, NodeValue
 from archlint.model import EntityKind, Role
 from archlint.syntax import facts
+from archlint.syntax.parts import once_for
 
 
 class Kind(Enum):
@@ -58,7 +58,7 @@ _AS_A_NODE = frozenset({"__getattr__", "__getattribute__", "handle", "subscripti
 """Methods with which a class answers what executors ask a node."""
 
 
-@cache
+@once_for
 def kinds_of(api: Api) -> Mapping[str, Kind]:
     """What the parameters of an API take, as far as archlint judges it."""
     if not api.path.startswith(_JUDGED):

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from archlint import model
 from archlint.interpreter.values import Instance, Value, alternatives
 from archlint.libraries.api_signatures import distros, needed, refusing_distros
-from archlint.libraries.kinds_of_arguments import described, is_other, kinds_of
+from archlint.libraries.kinds_of_arguments import Kind, described, is_other, kinds_of
 from archlint.libraries.rclpy import names, node_classes, refusals
 from archlint.syntax import facts
 
@@ -27,8 +27,8 @@ _NEEDED_OF_ANY = {"message_filters.Subscriber": ("node", "msg_type", "topic")}
 
 def note(run: Run, api: Api, receiver: Value | None, site: CallSite, bound: Mapping[str, Value]) -> None:
     """Note a call that is refused each time that it is reached."""
-    place = refusals.place_of(run, site)
-    if place is None or not _is_known(api, receiver):
+    place = refusals.place_of(run, site) if _is_known(api, receiver) else None
+    if place is None:
         return
     if run.noted.refused.get((place, api.path), _UNSEEN) is not None:
         refused = _early(run, api, receiver, place) or _misfit(api, site, place)
@@ -89,13 +89,16 @@ def _lacking(api: Api, site: CallSite, place: Place) -> model.RefusedCall | None
 
 def _other_kind(api: Api, site: CallSite, bound: Mapping[str, Value], place: Place) -> model.RefusedCall | None:
     """A call that gives one parameter what it does not take, or two parameters what the other takes."""
-    kinds = kinds_of(api)
+    kinds = {name: kind for name, kind in kinds_of(api).items() if name in bound}
+    if not kinds:
+        return None
     written = _written(api, site)
-    other = [name for name in kinds if name in bound and _is_other(api, name, bound[name], written.get(name))]
+    other = [name for name, kind in kinds.items() if _is_other(api, kind, bound[name], written.get(name))]
     if not other:
         return None
     first = min(other, key=api.params.index)
-    swapped = next((name for name in other if name != first and _are_swapped(api, first, name, bound, written)), None)
+    others = (name for name in other if name != first)
+    swapped = next((name for name in others if _are_swapped(api, kinds, (first, name), bound, written)), None)
     value = alternatives(bound[first])[0]
     return model.RefusedCall(
         place,
@@ -109,18 +112,19 @@ def _other_kind(api: Api, site: CallSite, bound: Mapping[str, Value], place: Pla
     )
 
 
-def _is_other(api: Api, parameter: str, value: Value, written: facts.Expr | None) -> bool:
-    kind = kinds_of(api)[parameter]
+def _is_other(api: Api, kind: Kind, value: Value, written: facts.Expr | None) -> bool:
     return all(is_other(api, kind, option, written) for option in alternatives(value))
 
 
 def _are_swapped(
-    api: Api, first: str, second: str, bound: Mapping[str, Value], written: Mapping[str, facts.Expr]
+    api: Api,
+    kinds: Mapping[str, Kind],
+    pair: tuple[str, str],
+    bound: Mapping[str, Value],
+    written: Mapping[str, facts.Expr],
 ) -> bool:
-    return not (
-        _is_other(api, first, bound[second], written.get(second))
-        or _is_other(api, second, bound[first], written.get(first))
-    )
+    crossed = zip(pair, reversed(pair), strict=True)
+    return not any(_is_other(api, kinds[name], bound[taken], written.get(taken)) for name, taken in crossed)
 
 
 def _written(api: Api, site: CallSite) -> dict[str, facts.Expr]:
