@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
+from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
-from archlint.analysis.kept import once
+from archlint.analysis.kept import kept, once
 from archlint.model import EntityKind
 
 if TYPE_CHECKING:
@@ -31,31 +33,44 @@ def has_no_server_here(system: System, end: Endpoint) -> bool:
     package, name = end.type.partition("/")[0], end.type.rpartition("/")[2]
     if package not in workspace.packages or _is_served(system, workspace, end):
         return False
-    clients = {
-        other.place.file for each in (*workspace.systems, system) for other in each.endpoints if other.type == end.type
-    }
-    return _files_that_name(workspace, name) <= clients
+    ends, others = _ends_of_system(system), _ends_of_workspace(workspace)
+    files = kept(workspace, (_files_that_name, name), lambda: _files_that_name(workspace, name))
+    return files <= ends.files_of(end.type) | others.files_of(end.type)
 
 
 def _is_served(system: System, workspace: WorkspaceIndex, end: Endpoint) -> bool:
     kind = _SERVERS[EntityKind(end.kind)]
-    return any(
-        other.kind == kind and other.type in (end.type, None)
-        for each in (*workspace.systems, system)
-        for other in each.endpoints
-    )
+    wanted = {(kind, end.type), (kind, None)}
+    return any(not wanted.isdisjoint(ends.served) for ends in (_ends_of_system(system), _ends_of_workspace(workspace)))
 
 
-def _files_that_name(workspace: WorkspaceIndex, name: str) -> frozenset[str]:
-    return _named(workspace).setdefault(name, _search(workspace, name))
+class _Ends:
+    """What some systems serve, and which files create endpoints of a type."""
+
+    def __init__(self, systems: Iterable[System]) -> None:
+        self.served: set[tuple[str, str | None]] = set()
+        """The kinds of their servers, with the types; None for a type that is not known."""
+        self._files: defaultdict[str | None, set[str]] = defaultdict(set)
+        for end in (end for system in systems for end in system.endpoints):
+            self._files[end.type].add(end.place.file)
+            if end.kind in _SERVERS.values():
+                self.served.add((end.kind, end.type))
+
+    def files_of(self, type_: str) -> frozenset[str]:
+        return frozenset(self._files.get(type_, ()))
 
 
 @once
-def _named(workspace: WorkspaceIndex) -> dict[str, frozenset[str]]:
-    return {}
+def _ends_of_system(system: System) -> _Ends:
+    return _Ends([system])
 
 
-def _search(workspace: WorkspaceIndex, name: str) -> frozenset[str]:
+@once
+def _ends_of_workspace(workspace: WorkspaceIndex) -> _Ends:
+    return _Ends(workspace.systems)
+
+
+def _files_that_name(workspace: WorkspaceIndex, name: str) -> frozenset[str]:
     """The files with code in which a word stands."""
     paths = (path for path in workspace.tree.files_below("") if path.lower().endswith(_CODE))
     return frozenset(path for path in paths if workspace.code.mentions(path, name))
