@@ -65,6 +65,11 @@ def test_a_file_among_its_names_is_seen_from_its_own(folder: Path, monkeypatch: 
     assert key_there == Occurrence.of(here).key
 
 
+def test_so_is_a_file_of_the_workspace_that_it_shows_nowhere():
+    elsewhere = finding(3, "other/launch/b.launch", "speed", file="launch/a.launch.py")
+    assert Occurrence.of(elsewhere, {"other/launch/b.launch"}).what == "../other/launch/b.launch, speed"
+
+
 def test_a_baseline_holds_what_it_lists_as_often_as_it_lists_it():
     sieve = Sieve(holding(key(1, "plan"), key(1, "plan")))
     sifted = sieve.part([finding(line, "plan") for line in (30, 20, 10)])

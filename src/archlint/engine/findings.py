@@ -117,7 +117,7 @@ def _judged(inputs: Inputs, facts: FactsOfFiles, sieve: Sieve, ran: list[frozens
     ran.append(_ran(request, systems))
     stale = suppressions.stale(outcome.unused, ran[-1])
     kept = [*outcome.kept, *suppressions.apply(_wanted(stale, request.settings, workspace), by_file).kept]
-    sifted = sieve.part(dict.fromkeys(kept))
+    sifted = sieve.part(dict.fromkeys(kept), {file.relative for file in workspace.files})
     explained = uninstalled.with_reason(with_reason(folded(sifted.new), old), aside)
     findings = sorted(explained, key=lambda finding: finding.sort_key)
     shown = as_asked_for(request, systems[0], workspace)

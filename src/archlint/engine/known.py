@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import os
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Sequence, Set
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
@@ -72,11 +72,11 @@ class Sieve:
         self._before = Known((self._older or Counter()).elements())
         self._of_gone_files = Known(_anywhere(key) for key in before or () if not os.path.lexists(key.file))
 
-    def part(self, findings: Iterable[Finding]) -> Sifted:
-        """The findings of one workspace, known ones apart."""
+    def part(self, findings: Iterable[Finding], files: Set[str] = frozenset()) -> Sifted:
+        """The findings of one workspace, known ones apart; ``files`` are its files, as findings name them."""
         sifted = Sifted()
         for finding in sorted(findings, key=lambda finding: finding.sort_key):
-            occurrence = Occurrence.of(finding)
+            occurrence = Occurrence.of(finding, files)
             self.occurrences.append(occurrence)
             if finding.code in NEVER_HELD:
                 sifted.new.append(finding)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import posixpath
 import re
+from collections.abc import Set
 from dataclasses import dataclass
 
 from archlint.finding import Finding, Place
@@ -32,21 +33,21 @@ class Occurrence:
     """The names that it is about, safe to show and without line numbers."""
 
     @classmethod
-    def of(cls, finding: Finding) -> Occurrence:
-        return cls(finding.code, finding.place, _what(finding))
+    def of(cls, finding: Finding, files: Set[str] = frozenset()) -> Occurrence:
+        """``files`` are those of the workspace, as findings name them."""
+        return cls(finding.code, finding.place, _what(finding, files))
 
     @property
     def key(self) -> Key:
         return Key(self.code, visible(os.path.abspath(self.place.file)), self.what)
 
 
-def _what(finding: Finding) -> str:
+def _what(finding: Finding, files: Set[str]) -> str:
     """The names that a finding is about.  Files are named as seen from its own, wherever archlint was started."""
     parts = finding.identity or (finding.node or "", finding.message)
-    files = {finding.place.file, *(related.place.file for related in finding.related)}
-    files.update([] if finding.system is None else [finding.system])
+    own = {finding.place.file, finding.system, *(related.place.file for related in finding.related)}
     folder = posixpath.dirname(finding.place.file) or "."
-    shown = [posixpath.relpath(part, folder) if part in files else part for part in parts if part]
+    shown = [posixpath.relpath(part, folder) if part in own or part in files else part for part in parts if part]
     return _LINE_NUMBER.sub("line", visible(", ".join(shown))).strip()
 
 
