@@ -75,5 +75,5 @@ MODULES: tuple[str, ...] = (
 )
 """The modules of this package that register rules; a new theme is a new row."""
 
-MADE_BY_SESSION: tuple[str, ...] = ("LNT001", "LNT002", "LNT003", "LNT004")
+MADE_BY_SESSION: tuple[str, ...] = ("LNT001", "LNT002", "LNT003", "LNT004", "LNT005")
 """Rules that no module registers: they are about archlint's own run, so the session reports them."""

@@ -81,6 +81,9 @@ def parser() -> argparse.ArgumentParser:
     )
     levels.add_argument("--exit-zero", action="store_true", help="findings do not fail the run")
     add_baseline(parser)
+    suppressing = parser.add_argument_group("suppressions")
+    suppressing.add_argument("--add-ignores", action="store_true", help="suppress what is found where it stands")
+    suppressing.add_argument("--reason", metavar="TEXT", default="", help="with --add-ignores: why, for each comment")
     add_launch(parser)
     add_observed(parser)
     add_facts(parser)
@@ -142,6 +145,13 @@ def run(arguments: argparse.Namespace) -> int:
             outcome = mend(replace(request, monitor=monitor), report, arguments.unsafe_fixes)
         report, shown = outcome.report, []  # the files are others now
         done += [f"Fixed {outcome.count} finding{'s' if outcome.count > 1 else ''}."] if outcome.count else []
+    if arguments.add_ignores:
+        from archlint.cli.ignores import ignore  # as above
+
+        with watch as monitor:
+            ignored = ignore(replace(request, monitor=monitor), arguments.reason)
+        report, shown = ignored.report, []
+        done.append(ignored.said)
     if baseline is not None and (baseline.writes or baseline.prunes):
         report, said = baseline.written(report)
         done.append(said)
@@ -165,6 +175,11 @@ def _refuse_combinations(arguments: argparse.Namespace) -> None:
         raise UsageError("--diff writes nothing: leave it out to write the baseline")
     if arguments.new_only and (arguments.write_baseline or arguments.prune_baseline):
         raise UsageError("--new-only looks at a part of the findings: leave it out to write the baseline")
+    if arguments.add_ignores and (arguments.diff or arguments.facts or arguments.write_baseline):
+        other = "--diff" if arguments.diff else "--facts" if arguments.facts else "--write-baseline"
+        raise UsageError(f"--add-ignores does not go together with {other}")
+    if arguments.reason and not (arguments.add_ignores and arguments.reason.isprintable()):
+        raise UsageError("--reason is one line, and needs --add-ignores")
     if arguments.new_only and arguments.facts:
         raise UsageError("--new-only needs the sources: check them without --facts")
 
@@ -182,6 +197,7 @@ def _keeper(arguments: argparse.Namespace, baseline: UsedBaseline | None) -> Kee
         arguments.write_baseline,
         arguments.prune_baseline,
         arguments.new_only,
+        arguments.add_ignores,
     )
     says_more = arguments.statistics, arguments.verbose, not reports.FORMATS[arguments.format].lasting
     if any((*does_more, *says_more, arguments.no_cache)):

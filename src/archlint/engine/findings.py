@@ -116,7 +116,8 @@ def _judged(inputs: Inputs, facts: FactsOfFiles, sieve: Sieve, ran: list[frozens
     outcome = suppressions.apply(_wanted(candidates, request.settings, workspace), by_file)
     ran.append(_ran(request, systems))
     stale = suppressions.stale(outcome.unused, ran[-1])
-    kept = [*outcome.kept, *suppressions.apply(_wanted(stale, request.settings, workspace), by_file).kept]
+    about = _wanted([*stale, *suppressions.without_reason(by_file)], request.settings, workspace)
+    kept = [*outcome.kept, *suppressions.apply(about, by_file).kept]
     sifted = sieve.part(dict.fromkeys(kept), {file.relative for file in workspace.files})
     explained = uninstalled.with_reason(with_reason(folded(sifted.new), old), aside)
     findings = sorted(explained, key=lambda finding: finding.sort_key)

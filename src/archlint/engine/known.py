@@ -77,13 +77,12 @@ class Sieve:
         sifted = Sifted()
         for finding in sorted(findings, key=lambda finding: finding.sort_key):
             occurrence = Occurrence.of(finding, files)
-            self.occurrences.append(occurrence)
-            if finding.code in NEVER_HELD:
-                sifted.new.append(finding)
-                continue
             # Both are asked: what the baseline holds is no longer there for an equal finding that is new.
             baselined, older = self._baseline.takes(occurrence.key), self._is_older(occurrence.key)
+            if finding.code in NEVER_HELD:
+                baselined = older = False
             (sifted.baselined if baselined else sifted.older if older else sifted.new).append(finding)
+            self.occurrences.append(replace(occurrence, known=baselined or older))
         return sifted
 
     def _is_older(self, key: Key) -> bool:

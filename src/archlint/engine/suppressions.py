@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
@@ -93,6 +93,21 @@ def _stale(unused: list[Unused]) -> Finding:
         identity=(listed,),
         sites=_sites(file, comment, frozenset(codes)),
     )
+
+
+def without_reason(by_file: Mapping[str, Sequence[Suppression]]) -> Iterator[Finding]:
+    """The LNT005 findings for suppressions that do not say why."""
+    for file, suppressions in sorted(by_file.items()):
+        for comment in suppressions:
+            if comment.codes and not comment.reason:
+                listed = ", ".join(comment.codes)
+                yield finding(
+                    "LNT005",
+                    Place(file, comment.line, comment.column, comment.line, comment.end_column),
+                    f"this suppression of {listed} gives no reason",
+                    help=f"add the reason behind the bracket: `ignore[{listed}] <why>`",
+                    identity=(listed,),
+                )
 
 
 def _sites(file: str, comment: Suppression, idle: frozenset[str]) -> Sites | None:

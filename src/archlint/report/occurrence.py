@@ -31,6 +31,8 @@ class Occurrence:
     place: Place
     what: str
     """The names that it is about, safe to show and without line numbers."""
+    known: bool = False
+    """Whether a baseline or an earlier revision has it, too."""
 
     @classmethod
     def of(cls, finding: Finding, files: Set[str] = frozenset()) -> Occurrence:

@@ -22,6 +22,11 @@ def listed_at(match: re.Match[str], column: int) -> tuple[int, int] | None:
     return None if match[CODES] is None else (start + match.start(CODES) - 1, start + match.end(CODES) + 1)
 
 
+def gives_reason(rest: str) -> bool:
+    """Whether the words behind the codes of a suppression say something: those of another comment do not count."""
+    return re.search(r"\w", rest.partition("#")[0]) is not None
+
+
 _FAMILIES = "ACT|API|ARC|CBG|GRF|LCH|LNT|MSG|NME|OWN|PKG|PRM|QOS|SRV|TMO|TOP"
 """Those whose codes no other linter has: ruff knows an EXE001, too."""
 

@@ -78,7 +78,7 @@ from archlint.syntax.statements import (
     WithItem,
 )
 
-FACTS_VERSION = 9
+FACTS_VERSION = 10
 """Raised whenever the shape or the meaning of the facts changes: old cache entries are then misses."""
 
 
@@ -104,6 +104,8 @@ class Suppression(Base, frozen=True):
     """Whether it ends by itself, as comments of XML do; one with ``#`` goes on to the end of the line."""
     says_more: bool = False
     """Whether its author wrote more into a ``closed`` one than the codes."""
+    reason: bool = False
+    """Whether it says why, behind the codes."""
 
     def covers(self, line: int) -> bool:
         """Whether what stands on a line is meant."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from xml.parsers import expat
 
-from archlint.syntax.comment_words import SUPPRESSION, codes_in, listed_at, lookalike
+from archlint.syntax.comment_words import SUPPRESSION, codes_in, gives_reason, listed_at, lookalike
 from archlint.syntax.facts import Span, Suppression
 from archlint.syntax.launch_elements import DEPTH, ELEMENTS, Attribute, Element, LaunchFacts, TooLarge, failed
 
@@ -199,6 +199,7 @@ def _suppressions(text: str, root: Element) -> list[Suppression]:
                     listed=listed_at(match, match.start() + 1),
                     closed=True,
                     says_more=bool(match["words"].strip()),
+                    reason=gives_reason(match["words"]),
                 )
             )
     return suppressions

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING
 
-from archlint.syntax.comment_words import SUPPRESSION, codes_in, listed_at, lookalike
+from archlint.syntax.comment_words import SUPPRESSION, codes_in, gives_reason, listed_at, lookalike
 from archlint.syntax.facts import Suppression
 from archlint.syntax.launch_elements import DEPTH, ELEMENTS, Attribute, Element, LaunchFacts, Scalar, failed
 from archlint.syntax.safe_yaml import YamlError, YamlReader, scalar, span_of
@@ -115,6 +115,7 @@ def suppressions_of_lines(text: str) -> list[Suppression]:
                     codes_in(match),
                     "file" if match[1] else "line",
                     listed=listed_at(match, match.start() + 1),
+                    reason=gives_reason(line[match.end() :]),
                 )
             )
     return suppressions

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from bisect import bisect_left
 
-from archlint.syntax.comment_words import SUPPRESSION, codes_in, listed_at, lookalike
+from archlint.syntax.comment_words import SUPPRESSION, codes_in, gives_reason, listed_at, lookalike
 from archlint.syntax.facts import Suppression
 from archlint.syntax.python.positions import CommentPositions, LineTable
 
@@ -35,6 +35,7 @@ def find_suppressions(text: str, positions: CommentPositions, lines: LineTable) 
                     codes_in(match),
                     "file" if match[1] else "line",
                     listed=listed_at(match, column),
+                    reason=gives_reason(comment[match.end() :]),
                 )
             )
     return suppressions
