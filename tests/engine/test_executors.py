@@ -75,6 +75,7 @@ def workspace(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     monkeypatch.chdir(tmp_path / "workspace")
     monkeypatch.setattr(linker, "WORTH_IT", 0)
     monkeypatch.setattr(executors, "_WORTH_IT", 1)
+    monkeypatch.setattr(executors, "_BATCHES", 1)  # each task is a process that starts
     monkeypatch.setattr(compiler, "PARALLEL_BYTES", 0)
     return tmp_path / "workspace"
 
