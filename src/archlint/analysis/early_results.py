@@ -2,27 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
 from archlint.analysis.reach import creations_of, judged_calls, same_expression
 from archlint.analysis.source_code import SourceCode, source_code
+from archlint.analysis.straight_after import LOGS, follows_at_once
 from archlint.model.given import Future
 from archlint.syntax import facts
 from archlint.syntax.control_flow import graph_of
-from archlint.syntax.walk import called_name, calls_in, parts_of
+from archlint.syntax.walk import calls_in, parts_of
 
 if TYPE_CHECKING:
     from archlint.model import ApiCall, Creation, Program
-    from archlint.syntax.flow_graph import Graph
     from archlint.systems.model import System
 
 _RESULT = "rclpy.task.Future.result"
 _SENDS = frozenset({"call_async", "send_goal_async", "get_result_async", "cancel_goal_async"})
-_PASTIMES = frozenset({"get_logger", "debug", "info", "warn", "warning", "error", "print", "format", "str"})
-"""Calls that let no time pass."""
 
 
 @dataclass(frozen=True)
@@ -54,28 +51,12 @@ def _straight_after(code: SourceCode, call: ApiCall) -> bool:
     future = result.func.value
     if _sends(future):
         return True  # call_async(...).result()
-    name = future.dotted
-    return name != "" and _is_sent_just_before(graph_of(code.body(call)), name, result)
-
-
-def _is_sent_just_before(graph: Graph, name: str, result: facts.Call) -> bool:
-    """Whether every way to a result has sent the request, and nothing since that lets time pass."""
+    graph = graph_of(code.body(call))
     reads = graph.evaluating(result.span)
-    tests = {id(block.fact) for block in graph.blocks if isinstance(block.statement, facts.If)}
-
-    def step(sent: bool, fact: facts.Base) -> bool:
-        match fact:
-            case facts.Assign(value=value) if _binds(fact, name):
-                return _sends(value)
-            case facts.Assign() | facts.Expression():
-                # Whatever is awaited, the executor goes on meanwhile.
-                return sent and _idle(list(calls_in(fact))) and not any(parts_of(fact, facts.Await))
-        # A condition that asks the future, or anything by a call, may well have waited for it.
-        return sent and id(fact) in tests and not any(calls_in(fact)) and not _mentions(fact, name)
-
-    states = graph.states(False, step)
-    return bool(reads) and all(
-        states.get(block) == frozenset({True}) and not _awaits_beside(block.fact, result) for block in reads
+    return (
+        future.dotted != ""
+        and follows_at_once(graph, reads, future.dotted, _sends, LOGS)
+        and not any(_awaits_beside(block.fact, result) for block in reads)
     )
 
 
@@ -88,15 +69,3 @@ def _awaits_beside(statement: facts.Base | None, result: facts.Call) -> bool:
 
 def _sends(value: facts.Expr) -> bool:
     return isinstance(value, facts.Call) and value.func.attribute in _SENDS
-
-
-def _binds(statement: facts.Assign, name: str) -> bool:
-    return any(target.dotted == name for target in statement.targets)
-
-
-def _mentions(fact: facts.Base, name: str) -> bool:
-    return any(part.dotted == name for part in parts_of(fact))
-
-
-def _idle(calls: Sequence[facts.Call]) -> bool:
-    return all(called_name(call) in _PASTIMES for call in calls)

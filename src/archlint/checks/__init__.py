@@ -8,6 +8,7 @@ MODULES: tuple[str, ...] = (
     "callback_waits",
     "nested_spins",
     "foreign_awaits",
+    "discarded_entities",
     "goal_outcomes",
     "launch_arguments",
     "launch_attributes",

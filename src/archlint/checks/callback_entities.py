@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.analysis.callback_roles import callback_words, runs_in_executor
+from archlint.analysis.early_lookups import early_lookups
 from archlint.analysis.reach import calls_of, creations_of, node_name, one_for_each_place
 from archlint.analysis.taken_down import is_taken_down
 from archlint.checks.folding import folds, with_other_places
@@ -31,6 +32,7 @@ _LEAVES = tuple(
 )
 """What ends an endpoint and leaves it on its node, which rclpy warns of: it piles up, and of publishers and
 subscriptions the next spin raises."""
+_LISTENER = "tf2_ros.transform_listener.TransformListener"
 _PASSING = frozenset({"rclpy.wait_for_message.wait_for_message"})
 """Calls that take away what they create."""
 _AGAIN_AND_AGAIN = frozenset(
@@ -43,12 +45,15 @@ _AGAIN_AND_AGAIN = frozenset(
 def entity_created_in_callback(system: System, options: Options) -> Iterator[Finding]:
     """Create calls that a callback reaches each time it runs."""
     ended, left = _given_to(system, _ENDS), _given_to(system, _LEAVES)
+    listening = {(lookup.call.function, id(lookup.call.context)) for lookup in early_lookups(system)}
     yield from one_for_each_place(
         _created(system, creation, creation.context, id(creation) in left)
         for program in system.programs
         for node in program.nodes
         for creation in node.creations
         if creation.context is not None and _each_time(system, creation, creation.context, program, ended, left)
+        # That a new listener has heard nothing yet is told at the lookup.
+        if creation.api != _LISTENER or (creation.function, id(creation.context)) not in listening
     )
 
 

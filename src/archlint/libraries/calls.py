@@ -17,7 +17,7 @@ from archlint.libraries.rclpy import (
 )
 from archlint.libraries.rclpy.effects import answer
 from archlint.libraries.tables import Api
-from archlint.libraries.tables.event_loops import NEED_A_LOOP
+from archlint.libraries.tables.noted import NOTED
 from archlint.libraries.values import FutureValue
 from archlint.syntax import facts
 
@@ -38,9 +38,9 @@ def call_external(run: Run, offers: Offers, function: External, site: CallSite) 
         if _is_method(path) and site.args and api.node is None and api.effect != "qos_preset":
             receiver, site = site.args[0], replace(site, args=site.args[1:])  # Node.__init__(self, …) and the like
         return use(run, offers, api, receiver, site)
-    foreign = NEED_A_LOOP.get(path)
-    if foreign is not None and site.expression is not None:
-        watched_calls.note(run, foreign, None, bind_api(foreign, site.args, site.keywords)[0], site.expression)
+    noted = NOTED.get(path)
+    if noted is not None and site.expression is not None:
+        watched_calls.note(run, noted, None, bind_api(noted, site.args, site.keywords)[0], site.expression)
     plain = offers.plain.get(path)
     if plain is not None:
         return plain(run, site)
