@@ -56,12 +56,12 @@ def _made_just_before(code: SourceCode, call: ApiCall) -> Place | None:
     graph = graph_of(body)
     if not follows_at_once(graph, graph.evaluating(lookup.span), name, _is_new, _PASTIMES):
         return None
-    made = [
+    created = [
         statement.value
         for statement in statements_of(body, facts.Assign)
         if _is_new(statement.value) and any(target.dotted == name for target in statement.targets)
     ]
-    return Place.of(call.place.file, getattr(made[0], "span", lookup.span)) if len(made) == 1 else None
+    return Place.of(call.place.file, getattr(created[0], "span", lookup.span)) if len(created) == 1 else None
 
 
 def _is_new(value: facts.Expr) -> bool:

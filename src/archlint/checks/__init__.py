@@ -14,6 +14,7 @@ MODULES: tuple[str, ...] = (
     "launch_attributes",
     "launch_values",
     "launched_executables",
+    "lost_publications",
     "limitless_calls",
     "long_services",
     "malformed_substitutions",

@@ -1,0 +1,43 @@
+"""TOP006: messages that are published before anybody can receive them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from archlint.analysis.left_over import is_dead, is_never_made
+from archlint.analysis.lost_publications import LostPublication, lost_publications
+from archlint.analysis.reach import node_name, one_for_each_place
+from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
+from archlint.finding import Finding, Related
+from archlint.model import Role
+
+if TYPE_CHECKING:
+    from archlint.systems.model import System
+
+
+@rule("TOP006", scope=Scope.CODE)
+def lost_publication(system: System, options: Options) -> Iterator[Finding]:
+    """Messages that are sent once, as soon as their publisher is created."""
+    yield from one_for_each_place(
+        _finding(system, lost)
+        for lost in lost_publications(system)
+        if not is_dead(system.workspace, lost.program, lost.call) and not is_never_made(system.workspace, lost.call)
+    )
+
+
+def _finding(system: System, lost: LostPublication) -> Finding:
+    call, publisher = lost.call, lost.publisher
+    topic = f"'{publisher.name.text}'" if publisher.name.text else "its topic"
+    in_node = call.context.role == Role.INIT or call.function.endswith(".__init__")
+    return finding(
+        "TOP006",
+        call.place,
+        f"this is the only message on {topic}, and it is sent as soon as its publisher is created: subscriptions that "
+        "have not matched by then never get it",
+        help=f"publish it {'in a timer, ' if in_node else ''}once get_subscription_count() is above 0",
+        related=[Related(publisher.place, "the publisher is created here")],
+        node=node_name(system, publisher.node),
+        identity=(call.function, publisher.name.text or ""),
+    )
