@@ -15,6 +15,7 @@ from archlint.model import Role
 
 if TYPE_CHECKING:
     from archlint.systems.model import System
+    from archlint.systems.nodes import Endpoint
 
 
 @rule("TOP006", scope=Scope.CODE)
@@ -24,7 +25,16 @@ def lost_publication(system: System, options: Options) -> Iterator[Finding]:
         _finding(system, lost)
         for lost in lost_publications(system)
         if not is_dead(system.workspace, lost.program, lost.call) and not is_never_made(system.workspace, lost.call)
+        # That a subscription asks for what it missed, and does not get it, QOS002 tells.
+        if not any(user.qos is not None and user.qos.durability == "transient_local" for user in _users(system, lost))
     )
+
+
+def _users(system: System, lost: LostPublication) -> Iterator[Endpoint]:
+    """The subscriptions that are meant to get the message."""
+    for connection in system.topics.values():
+        if any(end.creation is lost.publisher for end in connection.providers):
+            yield from connection.users
 
 
 def _finding(system: System, lost: LostPublication) -> Finding:
