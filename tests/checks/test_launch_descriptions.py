@@ -91,3 +91,55 @@ def test_an_action_that_nothing_adds(findings):
 )
 def test_an_action_that_may_be_added_or_is_put_aside(findings, rest):
     assert findings("LCH008", **_file(rest)) == []
+
+
+# ------------------------------------------------------------------------------ the name that launch looks for
+
+
+@pytest.mark.parametrize("name", ["generate_launch_descriptions", "genrate_launch_description", "launch_setup", "main"])
+def test_a_function_that_launch_does_not_find(findings, name):
+    text = FILE.replace("generate_launch_description", name)
+    for rest in ("return LaunchDescription([talker])", "ld = LaunchDescription([talker])\n    return ld"):
+        (finding,) = findings("LCH008", **{"launch/py.launch.py": text.format(rest=rest, given="")})
+        assert finding.message == (
+            f"launch finds no generate_launch_description() in this file: the function is called '{name}'"
+        )
+        assert (finding.help, finding.place.line) == (f"rename '{name}' to generate_launch_description", 5)
+
+
+@pytest.mark.parametrize(
+    ("path", "more"),
+    [
+        ("launch/py.launch.py", "generate_launch_description = describe"),
+        ("launch/py.launch.py", "from robot.launches import generate_launch_description"),
+        ("launch/py.launch.py", "from robot.launches import *"),
+        ("launch/py.launch.py", "globals()['generate_launch_description'] = describe"),
+        ("launch/py.launch.py", "print(describe())"),
+        ("launch/py.launch.py", "def generate_launch_description():\n    return describe()"),
+        ("launch/helpers.py", ""),
+        ("test/it_launch.py", ""),
+    ],
+)
+def test_a_function_that_is_there_for_something_else(findings, path, more):
+    text = FILE.replace("generate_launch_description", "describe")
+    text = text.format(rest="return LaunchDescription([talker])", given="")
+    assert findings("LCH008", **{path: f"{text}\n\n{more}\n"}) == []
+
+
+def test_a_function_that_another_file_calls(findings):
+    text = FILE.replace("generate_launch_description", "describe")
+    other = "from robot.part_launch import describe\n\n\ndef generate_launch_description():\n    return describe()\n"
+    files = {"launch/part_launch.py": text.format(rest="return LaunchDescription([talker])", given="")}
+    assert len(findings("LCH008", **files)) == 1
+    assert findings("LCH008", **files, **{"launch/it.launch.py": other}) == []
+
+
+@pytest.mark.parametrize(("parameters", "count"), [("context", 1), ("context, *words", 1), ("a=1, *b, **c", 0)])
+def test_a_parameter_that_launch_does_not_pass(findings, parameters, count):
+    text = FILE.replace("description()", f"description({parameters})")
+    rows = findings(
+        "LCH008", **{"launch/py.launch.py": text.format(rest="return LaunchDescription([talker])", given="")}
+    )
+    assert [row.message for row in rows] == [
+        "generate_launch_description() wants 'context', and launch passes nothing: a TypeError stops it"
+    ] * count

@@ -6,7 +6,7 @@ import pytest
 
 from archlint.config.settings import load
 from archlint.engine.pipeline import Request, check
-from robot_package import CMAKE, CMAKE_TESTS, MANIFEST, SETUP, TALKER, node
+from robot_package import CMAKE, CMAKE_TESTS, MANIFEST, SETUP, TALKER, node, write_files
 
 
 @pytest.mark.parametrize(
@@ -283,3 +283,95 @@ def test_a_file_that_is_missing_beside_the_launch_file_says_where_it_is_looked_f
     (found,) = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
     assert found.message == "package 'robot' has no launch file 'launch/gone.launch.xml'"
     assert "relative to the installed folder of this launch file" in found.help
+
+
+# ------------------------------------------------------------------------- files that are named in other places
+
+SHARE = "$(find-pkg-share robot)"
+IN_PYTHON = """\
+import os
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch.actions import ExecuteProcess
+from launch.substitutions import Command
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    share = get_package_share_directory('robot')
+    path = os.path.join(share, 'urdf', 'robot.urdf')
+    return LaunchDescription([{action}])
+"""
+EVERYWHERE = [
+    "Node(package='robot', executable='talker', arguments=[path])",
+    "Node(package='robot', executable='talker', parameters=[{'model': path}])",
+    "Node(package='robot', executable='talker', parameters=[{'text': Command(['xacro ', path, ' a:=1'])}])",
+    "ExecuteProcess(cmd=['gz', 'sim', path])",
+    "Node(package='robot', executable='talker', parameters=[{'model': open(path).read()}])",
+]
+
+
+@pytest.mark.parametrize("action", EVERYWHERE)
+def test_a_file_wherever_it_is_named(findings, action):
+    launch = {"launch/py.launch.py": IN_PYTHON.format(action=action)}
+    (missing,) = findings("LCH004", **launch)
+    assert missing.message == "package 'robot' has no file 'urdf/robot.urdf'"
+    (left_out,) = findings("LCH004", **launch, **{"urdf/robot.urdf": ""})
+    assert left_out.message == "package 'robot' does not install the file 'urdf/robot.urdf'"
+    setup = SETUP.replace("data_files=[", "data_files=[('share/robot/urdf', glob('urdf/*')), ")
+    assert findings("LCH004", **launch, **{"urdf/robot.urdf": "", "setup.py": setup}) == []
+
+
+@pytest.mark.parametrize(
+    "action",
+    [
+        "Node(package='robot', executable='talker', arguments=[path + '.png'])",
+        "Node(package='robot', executable='talker', arguments=[path[:-5]])",
+        "Node(package='robot', executable='talker', arguments=[f'--file={path}'])",
+        "Node(package='robot', executable='talker', arguments=[os.path.join(share, os.environ['MODEL'], 'a.urdf')])",
+        "ExecuteProcess(cmd=['touch', '/tmp/robot.urdf'])",
+        "Node(package='robot', executable='talker', parameters=[{'map.output_file': path}])",
+        "Node(package='robot', executable='talker', parameters=[{'model': open(path, 'w').write('')}])",
+    ],
+)
+def test_a_path_that_need_not_be_there(findings, action):
+    assert findings("LCH004", **{"launch/py.launch.py": IN_PYTHON.format(action=action)}) == []
+
+
+def test_a_file_that_is_made_on_each_machine(findings):
+    launch = {"launch/py.launch.py": IN_PYTHON.format(action=EVERYWHERE[0])}
+    assert findings("LCH004", **launch, **{".gitignore": "*.urdf\n"}) == []
+
+
+def test_a_file_that_is_opened_in_a_try(findings):
+    action = EVERYWHERE[4].replace("open(path).read()", "read(path)")
+    read = "def read(path):\n    try:\n        return open(path).read()\n    except OSError:\n        return ''\n\n\n"
+    launch = IN_PYTHON.format(action=action).replace("def generate", f"{read}def generate")
+    assert findings("LCH004", **{"launch/py.launch.py": launch}) == []
+
+
+@pytest.mark.parametrize(
+    ("launch", "files", "help"),
+    [
+        (node('<param from="config/talk.yaml"/>'), ["config/talk.yaml"], f"write {SHARE}/config/talk.yaml"),
+        ('<include file="other.launch.xml"/>', ["launch/other.launch.xml"], f"write {SHARE}/launch/other.launch.xml"),
+    ],
+)
+def test_a_relative_path(tmp_path, monkeypatch, launch, files, help):
+    monkeypatch.chdir(tmp_path)
+    texts = {"src/robot/launch/it.launch.xml": f"<launch>{launch}</launch>", "src/robot/setup.py": SETUP}
+    texts |= {"src/robot/package.xml": MANIFEST.format(name="robot", type="ament_python", more="")}
+    texts |= {"src/robot/robot/talker.py": TALKER, **{f"src/robot/{file}": "<launch/>" for file in files}}
+    write_files(tmp_path, texts | {"archlint.toml": 'select = ["LCH004"]'})
+    (finding,) = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+    assert "has a relative path: it is looked for in the folder in which ros2 launch is started" in finding.message
+    assert finding.help == help
+
+
+@pytest.mark.parametrize("written", ["/opt/talk.yaml", "~/talk.yaml", "talk.yaml", "src/robot/config/talk.yaml"])
+def test_a_path_from_somewhere_that_is_known(tmp_path, monkeypatch, written):
+    monkeypatch.chdir(tmp_path)
+    launch = f"<launch>{node(f'<param from={written!r}/>')}</launch>"
+    texts = {"src/robot/launch/it.launch.xml": launch, "src/robot/config/talk.yaml": "", "src/robot/setup.py": SETUP}
+    texts |= {"src/robot/package.xml": MANIFEST.format(name="robot", type="ament_python", more="")}
+    write_files(tmp_path, texts | {"src/robot/robot/talker.py": TALKER, "archlint.toml": 'select = ["LCH004"]'})
+    assert check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings == []

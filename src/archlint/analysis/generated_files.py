@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import posixpath
 import re
+from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING
 
 from archlint.workspace.words import WORD
@@ -32,6 +33,16 @@ def is_generated(workspace: WorkspaceIndex | None, package: str, path: str) -> b
     files = workspace.tree.files_below(installs.folder)
     made_of = {f"{stem}{ending}" for stem in (name, posixpath.splitext(name)[0]) for ending in _TEMPLATES}
     return any(posixpath.basename(file) in made_of for file in files) or _is_written(workspace, name)
+
+
+def is_ignored(workspace: WorkspaceIndex, path: str) -> bool:
+    """Whether a pattern of some ``.gitignore`` above a file may be for it: it is made on each machine then."""
+    folders = [path]
+    while folders[-1]:
+        folders.append(posixpath.dirname(folders[-1]))
+    texts = (workspace.tree.text(posixpath.join(folder, ".gitignore")) for folder in folders[1:])
+    patterns = {line.strip("/ ").rpartition("/")[2] for text in texts for line in (text or "").splitlines()}
+    return any(fnmatchcase(part, pattern) for part in path.split("/") for pattern in patterns if pattern)
 
 
 def _is_written(workspace: WorkspaceIndex, name: str) -> bool:

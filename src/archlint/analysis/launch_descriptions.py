@@ -6,6 +6,7 @@ Source: ``LaunchDescription``, ``get_launch_description_from_python_launch_file`
 
 from __future__ import annotations
 
+import posixpath
 import re
 from collections import Counter
 from collections.abc import Iterator, Sequence
@@ -20,7 +21,7 @@ from archlint.syntax import facts
 from archlint.syntax.parts import everything_in, parts_of
 
 if TYPE_CHECKING:
-    from archlint.systems.model import System
+    from archlint.systems.model import System, WorkspaceIndex
 
 
 class Wrong(StringEnum):
@@ -34,6 +35,10 @@ class Wrong(StringEnum):
     """A list is wanted, and something else is given."""
     IN_LIST = "in list"
     """Something is in a list that does not belong there."""
+    MISNAMED = "misnamed"
+    """What makes the launch description has another name than launch looks for."""
+    PARAMETER = "parameter"
+    """It wants an argument, and launch passes none."""
     NOT_ADDED = "not added"
     """An action that nothing adds to the launch description."""
 
@@ -59,6 +64,61 @@ def wrong_descriptions(system: System) -> Iterator[tuple[str, WrongDescription]]
         for wrong in rows or ():
             if wrong.kind != Wrong.NOT_ADDED or not _is_put_aside(workspace.tree.text(file) or "", wrong.given):
                 yield file, wrong
+
+
+def misnamed_functions(workspace: WorkspaceIndex) -> Iterator[tuple[str, WrongDescription]]:
+    """Launch files by their names in which one function makes a launch description, under another name than launch asks
+    for, and nothing else calls it."""
+    for file, _ in workspace.code.asked_for():
+        path = file.relative
+        named = file.kind == "launch_python" and path.endswith("launch.py") and not workspace.roles.is_test(path)
+        wrong = _misnamed(workspace, path) if named and not workspace.launch_files.can_be_launched(path) else None
+        if wrong is not None and not _is_mentioned(workspace, path, wrong.given):
+            yield path, wrong
+
+
+def _is_mentioned(workspace: WorkspaceIndex, path: str, name: str) -> bool:
+    """Whether another file names both a launch file and a function: it may call that one."""
+    files = {*workspace.code.files_that_mention(name), *(file.relative for file, _ in workspace.code.asked_for())}
+    own = posixpath.basename(path).removesuffix(".py")
+    others = (other for other in sorted(files - {path}) if workspace.code.mentions(other, name))
+    return any(own in (workspace.tree.text(other) or "") for other in others)
+
+
+@once_for_each_file
+def _misnamed(file_facts: facts.Facts) -> WrongDescription | None:
+    code = _Code(file_facts.body)
+    if any(GENERATE in _words(part) for part in everything_in(file_facts.body)):
+        return None
+    functions = [function for function in _functions(file_facts.body) if code.describes(function)]
+    names = Counter(name.id for name in everything_in(file_facts.body, facts.Name))
+    match functions:
+        case [facts.Function(name=name, decorators=[], is_generator=False) as function] if not names[name]:
+            return WrongDescription(Wrong.MISNAMED, function.name_span, name)
+    return None
+
+
+def _words(part: facts.Base) -> tuple[str, ...]:
+    """The names by which a file may have a function that it does not define, and the texts in it."""
+    match part:
+        case facts.ImportFrom(names=names):
+            return tuple(GENERATE if bound == "*" else bound for _, bound in names)
+        case facts.Literal(value=str(text)):
+            return (text,)
+    return (part.last_name, GENERATE if part.last_name == "globals" else "")
+
+
+def _functions(body: Sequence[facts.Stmt]) -> Iterator[facts.Function]:
+    """The functions of a module that can be called without an argument."""
+    for statement in body:
+        match statement:
+            case facts.Function() if not _wanted(statement):
+                yield statement
+
+
+def _wanted(function: facts.Function) -> list[str]:
+    """The parameters that a call has to give."""
+    return [p.name for p in function.params if p.default is None and p.kind not in ("star", "double_star")]
 
 
 def _is_put_aside(text: str, name: str) -> bool:
@@ -99,6 +159,8 @@ class _Code:
             match statement:
                 case facts.Function(name=name, decorators=[]) if name == GENERATE and not statement.is_generator:
                     yield from self._returned(statement)
+                    for parameter in _wanted(statement)[:1]:
+                        yield WrongDescription(Wrong.PARAMETER, statement.name_span, parameter)
         for call in everything_in(self.body, facts.Call):
             kind = self.made(call)
             if kind in _NODES:
@@ -106,6 +168,21 @@ class _Code:
             elif kind == "LaunchDescription" and call.args and not call.args[0].star:
                 yield from self._entities(call.args[0].value)
         yield from self._not_added()
+
+    def describes(self, function: facts.Function) -> bool:
+        """Whether a function returns a launch description that it makes."""
+        variables = {
+            target.variable
+            for assign in parts_of(function, facts.Assign)
+            for target in assign.targets
+            if self.made(assign.value) == "LaunchDescription"
+        }
+        values = [r.value for s in function.body if not s.is_scope for r in parts_of(s, facts.Return)]
+        return any(
+            self.made(value) == "LaunchDescription" or (value.variable and value.variable in variables)
+            for value in values
+            if value is not None
+        )
 
     def _returned(self, function: facts.Function) -> Iterator[WrongDescription]:
         """What a launch file returns that is no launch description."""
@@ -191,4 +268,4 @@ def _argument_of_node(class_name: str, keyword: str, value: facts.Expr) -> Itera
             yield WrongDescription(Wrong.NO_LIST, value.span, what, of, "a list")
 
 
-__all__ = ["Wrong", "WrongDescription", "wrong_descriptions"]
+__all__ = ["Wrong", "WrongDescription", "misnamed_functions", "wrong_descriptions"]

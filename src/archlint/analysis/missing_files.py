@@ -6,7 +6,10 @@ import posixpath
 import re
 from typing import TYPE_CHECKING
 
+from archlint.launch.kinds import FileStatus
+
 if TYPE_CHECKING:
+    from archlint.launch.named_files import FileReference
     from archlint.systems.model import WorkspaceIndex
 
 
@@ -25,6 +28,26 @@ def names_beside(workspace: WorkspaceIndex, package: str, path: str) -> list[str
     named = re.compile(rf"(?<![\w.-]){re.escape(name)}(?![\w.-])")
     files = (file for file in workspace.tree.files_below(folder) if posixpath.dirname(file) == folder)
     return [posixpath.basename(file) for file in files if not named.search(workspace.tree.text(file) or "")]
+
+
+def lies_in(workspace: WorkspaceIndex, reference: FileReference) -> tuple[str, str] | None:
+    """The package, and the path below its share folder, of a file that a launch file names by a relative path: it lies
+    beside that launch file, or there from the folder of its package on, and not where all packages are seen from."""
+    written, file = reference.written or "", reference.place.file
+    package = workspace.package_of(file)
+    installs = workspace.installs.get(package or "")
+    is_path = reference.status == FileStatus.EXTERNAL and reference.package is None and _RELATIVE.fullmatch(written)
+    if package is None or installs is None or reference.conditional or not is_path:
+        return None
+    for folder in (installs.folder, posixpath.dirname(file)):
+        path = posixpath.normpath(posixpath.join(folder, written))
+        start = "" if installs.folder == "." else f"{installs.folder}/"
+        if path.startswith(start) and workspace.tree.is_file(path) and not workspace.tree.is_file(written):
+            return package, path.removeprefix(start)
+    return None
+
+
+_RELATIVE = re.compile(r"(?![~$/])(?!\w+:)[\w./ -]+\.\w+")
 
 
 def _folder(workspace: WorkspaceIndex, package: str, path: str) -> str | None:

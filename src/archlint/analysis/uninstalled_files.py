@@ -10,10 +10,10 @@ import posixpath
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
-from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_aside
+from archlint.analysis.generated_files import is_ignored
 from archlint.analysis.kept import once
 from archlint.analysis.launch_code import writes_files
 from archlint.launch.kinds import FileStatus
@@ -148,7 +148,7 @@ def listed_in_vain(workspace: WorkspaceIndex) -> Iterator[ListedInVain]:
             if (
                 not _is_pattern(row)
                 and not workspace.tree.is_file(row.source)
-                and not _is_ignored(workspace, row.source)
+                and not is_ignored(workspace, row.source)
             ):
                 below = row.source if installs.folder == "." else row.source[len(installs.folder) + 1 :]
                 yield ListedInVain(row.place or at, below, posixpath.normpath(row.destination) == _MARKERS)
@@ -156,16 +156,6 @@ def listed_in_vain(workspace: WorkspaceIndex) -> Iterator[ListedInVain]:
 
 def _is_pattern(row: InstalledFiles) -> bool:
     return row.folder or any(sign in row.source for sign in "*?[")
-
-
-def _is_ignored(workspace: WorkspaceIndex, path: str) -> bool:
-    """Whether a pattern of some ``.gitignore`` above a file may be for it: it is made on each machine then."""
-    folders = [path]
-    while folders[-1]:
-        folders.append(posixpath.dirname(folders[-1]))
-    texts = (workspace.tree.text(posixpath.join(folder, ".gitignore")) for folder in folders[1:])
-    patterns = {line.strip("/ ").rpartition("/")[2] for text in texts for line in (text or "").splitlines()}
-    return any(fnmatchcase(part, pattern) for part in path.split("/") for pattern in patterns if pattern)
 
 
 __all__ = ["LaunchFilesLeftOut", "ListedInVain", "launch_files_left_out", "listed_in_vain"]

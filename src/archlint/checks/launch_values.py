@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.analysis.launch_descriptions import Wrong, WrongDescription, wrong_descriptions
+from archlint.analysis.launch_descriptions import Wrong, WrongDescription, misnamed_functions, wrong_descriptions
 from archlint.checks.folding import folds, with_other_places
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -43,6 +43,9 @@ def launch_description(system: System, options: Options) -> Iterator[Finding]:
         yield _without_context(failing)
     for file, wrong in wrong_descriptions(system):
         yield _of_description(file, wrong)
+    if system.launched is None and system.workspace is not None:
+        for file, wrong in misnamed_functions(system.workspace):
+            yield _of_description(file, wrong)
 
 
 def _of_description(file: str, wrong: WrongDescription) -> Finding:
@@ -66,6 +69,14 @@ def _said(wrong: WrongDescription) -> tuple[str, str]:
         case Wrong.LIST:
             text = f"generate_launch_description() returns {wrong.given}: launch stops with an AttributeError"
             return text, "write return LaunchDescription([…]), with the actions in the list"
+        case Wrong.MISNAMED:
+            text = f"launch finds no generate_launch_description() in this file: the function is called '{wrong.given}'"
+            return text, f"rename '{wrong.given}' to generate_launch_description"
+        case Wrong.PARAMETER:
+            text = (
+                f"generate_launch_description() wants '{wrong.given}', and launch passes nothing: a TypeError stops it"
+            )
+            return text, f"remove the parameter '{wrong.given}', or give it a default"
         case Wrong.NOT_ADDED:
             text = f"nothing adds '{wrong.given}' to the launch description, so that launch never runs this {wrong.of}"
             return text, f"put '{wrong.given}' into the list of LaunchDescription()"

@@ -8,9 +8,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.analysis.generated_files import is_generated
+from archlint.analysis.generated_files import is_generated, is_ignored
 from archlint.analysis.launch_code import writes_files
-from archlint.analysis.missing_files import is_folder_missing, names_beside
+from archlint.analysis.missing_files import is_folder_missing, lies_in, names_beside
 from archlint.checks.folding import folds, with_places
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -27,17 +27,25 @@ _WHAT = {
     FileKind.LAUNCH: "launch file",
     FileKind.PARAMETERS: "parameter file",
     FileKind.RVIZ: "RViz configuration",
+    FileKind.OTHER: "file",
 }
+_READ = (".lua", ".sdf", ".srdf", ".urdf", ".world", ".xacro")
+"""What nodes are given to read: another file that is not there may be one that they write."""
 
 
 @rule("LCH004", scope=Scope.LAUNCH_FILE, in_use=True)
 def missing_launch_file(system: System, options: Options) -> Iterator[Finding]:
     """Included files, parameter files and RViz configurations that are not where the launch file looks."""
+    yield from _relative_paths(system)
     uses: dict[tuple[Place, str | None], list[FileReference]] = {}
     for reference in system.launched.references if system.launched is not None else ():
         if reference.status in (FileStatus.MISSING, FileStatus.NOT_INSTALLED) and not reference.optional:
             uses.setdefault((_decided_at(reference), reference.written), []).append(reference)
-    for (place, written), [reference, *others] in uses.items():
+    for (place, written), references in uses.items():
+        [reference, *others] = sorted(references, key=lambda use: use.kind == FileKind.OTHER)
+        other = reference.kind == FileKind.OTHER and reference.status == FileStatus.MISSING
+        if other and not _is_read(system, reference, written or ""):
+            continue
         files = {place.file, reference.place.file, *(other.place.file for other in others)}
         if reference.status == FileStatus.MISSING and any(writes_files(system.workspace, file) for file in files):
             continue
@@ -66,6 +74,36 @@ def missing_launch_file(system: System, options: Options) -> Iterator[Finding]:
         )
 
 
+def _relative_paths(system: System) -> Iterator[Finding]:
+    """Files that launch looks for in the folder where it runs, and that lie in a package instead."""
+    references = system.launched.references if system.launched is not None and system.workspace is not None else ()
+    for reference in references:
+        beside = None if system.workspace is None else lies_in(system.workspace, reference)
+        if beside is None:
+            continue
+        written, frontend = reference.written or "", not reference.place.file.endswith(".py")
+        start = "$(find-pkg-share {0})/{1}" if frontend else "os.path.join(get_package_share_directory('{0}'), '{1}')"
+        yield finding(
+            "LCH004",
+            _decided_at(reference),
+            f"the {_WHAT[reference.kind]} '{written}' has a relative path: it is looked for in the folder in which "
+            "ros2 launch is started",
+            help=f"write {start.format(*beside)}",
+            identity=(beside[0], written),
+            group=("relative", beside[0], written),
+        )
+
+
+def _is_read(system: System, reference: FileReference, written: str) -> bool:
+    """Whether a missing file of no known kind is one that has to be there: nothing makes it on each machine."""
+    path = _in_package(system, reference, _below_package(written))
+    installs = None if system.workspace is None else system.workspace.installs.get(reference.package or "")
+    if system.workspace is None or installs is None:
+        return False
+    is_meant = path.endswith(_READ) or _did_you_mean_file(system.workspace, installs.package, path) != ""
+    return is_meant and not is_ignored(system.workspace, posixpath.normpath(posixpath.join(installs.folder, path)))
+
+
 def _below_package(written: str) -> str:
     return re.sub(r"^\$\((?:find-pkg-share [\w.-]+|workspace)\)/?", "", written)
 
@@ -86,7 +124,7 @@ def _of_one_cause(several: Sequence[Finding]) -> Finding:
     is not there or not installed."""
     first, *others = several
     names = list(dict.fromkeys(_below_package(diagnostic.identity[1]) for diagnostic in several))
-    if len(names) == 1:
+    if len(names) == 1:  # as of those with one relative path
         return with_places(several, "it is named here, too")
     status, package, folder = first.group
     places = [Related(other.place, f"'{_below_package(other.identity[1])}' is named here") for other in others]

@@ -11,6 +11,8 @@ class FileKind(StringEnum):
     LAUNCH = "launch"
     PARAMETERS = "parameters"
     RVIZ = "rviz"
+    OTHER = "other"
+    """Whatever else is named by a path in the share folder of a package."""
 
 
 class FileStatus(StringEnum):

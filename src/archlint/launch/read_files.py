@@ -23,6 +23,7 @@ from archlint.interpreter.values import (
 )
 from archlint.launch.kinds import FileKind, FileStatus
 from archlint.launch.objects import argument, known_text
+from archlint.launch.shared_paths import note_paths
 from archlint.syntax.safe_yaml import YamlError, YamlReader
 
 if TYPE_CHECKING:
@@ -35,6 +36,8 @@ if TYPE_CHECKING:
 def _open(run: LaunchRun, site: CallSite) -> Value:
     """``open(path)`` in a launch file: the file, for whoever loads YAML from it."""
     if site.args and isinstance(site.args[0], Known):
+        if len(site.args) == 1 and not site.keywords.keys() - {"encoding"} and not run.activation.tries:
+            note_paths(run, site.args, run.place_now)
         return opened(run, site.args[0])
     return Unknown(reason(*site.args) if site.args else "a file")
 

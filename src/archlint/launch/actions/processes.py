@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import shlex
+from collections.abc import Sequence
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
@@ -17,8 +18,9 @@ from archlint.launch.context import absolute, prefix_namespace
 from archlint.launch.kinds import FileKind, StartedKind
 from archlint.launch.mistakes import UnknownAttribute
 from archlint.launch.objects import LaunchObject, argument, class_name, kind_of, known_text
-from archlint.launch.parameter_sources import OpenParameters
+from archlint.launch.parameter_sources import OpenParameters, ParameterSetting
 from archlint.launch.parameters import Parameter, file_use, parameters_of
+from archlint.launch.shared_paths import is_written, note_paths
 from archlint.launch.started import Remap, Started
 from archlint.launch.tables import LaunchClass
 from archlint.libraries.texts import text_of_value
@@ -87,10 +89,21 @@ def _started(run: LaunchRun, entity: LaunchObject, kind: StartedKind) -> Started
     ]
     if entity.open:
         started.parameters.append(OpenParameters("arguments that are passed by **", run.place_now))
+    _note_files(run, started, words)
+    return started
+
+
+def _note_files(run: LaunchRun, started: Started, words: Sequence[Value]) -> None:
+    """Note the files that the command line and the parameters of a node name."""
+    place = started.places.get("arguments", run.place_now)
     for word in words:
         if (known_text(word) or "").endswith(".rviz"):
-            run.reference(FileKind.RVIZ, word, started.places.get("arguments", run.place_now))
-    return started
+            run.reference(FileKind.RVIZ, word, place)
+    note_paths(run, words, place)
+    for parameter in started.parameters:
+        match parameter:
+            case ParameterSetting(name, str(text), place, shared=False) if not is_written(name):
+                note_paths(run, [Known(text)], place)
 
 
 def _package(run: LaunchRun, value: Value | None) -> Text:
@@ -197,6 +210,7 @@ def load(run: LaunchRun, entity: LaunchObject) -> None:
 def process(run: LaunchRun, entity: LaunchObject) -> None:
     """``ros2 run package executable arguments…`` and the path of an executable are nodes like any other."""
     words, all_known = _words(run, entity.argument("cmd"))
+    note_paths(run, [Known(word) for word in words[1:] if word is not None], run.place_now)
     if len(words) == 1 and words[0] and " " in words[0]:
         words = [*_split(words[0])]
     if len(words) > 1 and words[0] in _PYTHON and words[1] and _INSTALLED.match(words[1]):

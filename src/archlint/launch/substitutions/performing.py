@@ -20,6 +20,7 @@ from archlint.interpreter.values import (
 )
 from archlint.launch.functions import ask
 from archlint.launch.objects import LaunchObject, made_by_base, own_method
+from archlint.launch.shared_paths import note_paths_in_command
 from archlint.launch.substitutions import logic, nav2, paths, texts
 from archlint.launch.tables import LaunchClass
 
@@ -84,6 +85,13 @@ def _value(run: LaunchRun, value: LaunchObject) -> Value:
     return run.perform(value.argument("value"))
 
 
+def _command(run: LaunchRun, value: LaunchObject) -> Value:
+    """The output of a command is not known; the files that it is given are."""
+    parts = [run.perform(part) for part in run.items(value.argument("command"))]
+    note_paths_in_command(run, parts, value.place or run.place_now)
+    return Unknown("the output of a command")
+
+
 def _not_here(what: str) -> Callable[[LaunchRun, LaunchObject], Value]:
     return lambda run, value: Unknown(what)
 
@@ -115,7 +123,7 @@ SUBSTITUTIONS: dict[LaunchClass, Callable[[LaunchRun, LaunchObject], Value]] = {
     LaunchClass.REPLACE_STRING: nav2.replaced_string,
     LaunchClass.HAS_NODE_PARAMS: nav2.has_node,
     LaunchClass.LAUNCH_CONFIG_AS_BOOL: nav2.as_bool,
-    LaunchClass.COMMAND: _not_here("the output of a command"),
+    LaunchClass.COMMAND: _command,
     LaunchClass.FIND_EXECUTABLE: _not_here("the path of an executable"),
     LaunchClass.FILE_CONTENT: _not_here("the content of a file"),
     LaunchClass.LOCAL_SUBSTITUTION: _not_here("the argument of an event handler"),

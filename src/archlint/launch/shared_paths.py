@@ -1,0 +1,48 @@
+"""Files that a launch names by their paths in the share folder of a package, whatever they are for."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
+
+from archlint.interpreter.values import Known, Value
+from archlint.launch.kinds import FileKind
+from archlint.launch.objects import known_text
+
+if TYPE_CHECKING:
+    from archlint.finding import Place
+    from archlint.launch.run import LaunchRun
+
+_SHARED = re.compile(r"\$\(find-pkg-share [\w.-]+\)/[^\s'\"\0]*\.\w+(?=$|[\s'\"])")
+"""A file, by its path; where a name ends that is not known in full, nothing is."""
+_HOLE = "\0"
+
+
+_WRITTEN = frozenset(
+    {"dump", "export", "log", "logs", "out", "output", "record", "result", "results", "save", "saved"}
+) | {
+    *("storage", "store", "write"),
+}
+
+
+def is_written(parameter: str | None) -> bool:
+    """Whether a parameter, by a word of its name, is for a file that the node makes, or its name is not known."""
+    return parameter is None or not _WRITTEN.isdisjoint(re.split(r"[\W_]+", parameter.lower()))
+
+
+def note_paths(run: LaunchRun, values: Iterable[Value], place: Place) -> None:
+    """Note the values that are paths of files, but for those of RViz, which are noted as such."""
+    for value in values:
+        text = known_text(value) or ""
+        if _SHARED.fullmatch(text) and not text.endswith(".rviz"):
+            run.reference(FileKind.OTHER, value, place)
+
+
+def note_paths_in_command(run: LaunchRun, parts: Iterable[Value], place: Place) -> None:
+    """Note the paths of files in a command line that several texts make."""
+    line = "".join(known_text(part) or _HOLE for part in parts)
+    note_paths(run, (Known(path[0]) for path in _SHARED.finditer(line)), place)
+
+
+__all__ = ["is_written", "note_paths", "note_paths_in_command"]
