@@ -113,9 +113,29 @@ def test_a_read_of_a_name_that_is_almost_assigned(judge: Judge):
                 self.publsher.publish(String())  # here
         """,
     )
-    assert finding.message == "nothing assigns 'publsher' of class Talker; did you mean 'publisher'?"
+    assert finding.message == (
+        "nothing assigns 'publsher' of class Talker: this line fails with an AttributeError; did you mean 'publisher'?"
+    )
     assert finding.help == "write self.publisher"
     assert [row.place.line for row in finding.related] == [7]
+
+
+def test_a_near_name_that_was_hardly_meant(judge: Judge):
+    (finding,) = judge(
+        "API002",
+        """
+        from rclpy.node import Node
+
+        class Planner(Node):
+            def start(self):
+                self.obstacle_threshold = 1.0
+
+            def plan(self, speed):
+                return speed < self.obstacle_velocity_threshold  # here
+        """,
+    )
+    assert finding.message.endswith("this line fails with an AttributeError")
+    assert finding.help == "assign self.obstacle_velocity_threshold in __init__(), or define it"
 
 
 def test_private_names_and_methods(judge: Judge):
@@ -137,7 +157,8 @@ def test_private_names_and_methods(judge: Judge):
                 return self.__count
         """,
     )
-    assert "'__cuont' of class Counter; did you mean '__count'?" in first.message
+    assert first.message.startswith("nothing assigns '__cuont' of class Counter")
+    assert first.message.endswith("; did you mean '__count'?")
     assert second.help == "write self.publish_state"
 
 

@@ -104,6 +104,33 @@ def test_a_right_or_unknown_argument(judge: Judge, line: str):
     judge("TOP005", NODE.format(line=line))
 
 
+@pytest.mark.parametrize(
+    ("line", "given"),
+    [
+        ("flags.publish(node.get_parameter('flag'))", "an object of rclpy.parameter.Parameter"),
+        ("flags.publish(client.call_async(SetBool.Request()))", "a future"),
+        ("flags.publish(node)", "a node"),
+        ("flags.publish(Duration(seconds=1))", "a Duration of rclpy"),
+        ("client.call_async(node.get_parameter('flag'))", "an object of rclpy.parameter.Parameter"),
+    ],
+)
+def test_an_object_of_rclpy(judge: Judge, line: str, given: str):
+    declared = f"node.declare_parameter('flag', True); from rclpy.duration import Duration; {line}"
+    [finding] = judge("TOP005", NODE.format(line=declared + "  # here"))
+    assert finding.message.startswith(f"{line.split('(')[0].split('.')[1]}() is called with {given}, but expects")
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "flags.publish(node.get_parameter('flag').value)",
+        "flags.publish(Bool(data=node.get_parameter('flag').value))",
+    ],
+)
+def test_what_an_object_of_rclpy_holds(judge: Judge, line: str):
+    judge("TOP005", NODE.format(line=f"node.declare_parameter('flag', os.environ['FLAG']); {line}"))
+
+
 def test_one_of_two_publishers_fits(judge: Judge):
     judge(
         "TOP005",

@@ -21,7 +21,7 @@ from archlint.analysis.class_chains import (
 from archlint.libraries.api_signatures import attributes_of
 from archlint.libraries.rclpy.names import NODE_CLASSES
 from archlint.place import Place
-from archlint.suggestions import nearest
+from archlint.suggestions import distance, nearest
 from archlint.syntax import facts
 from archlint.syntax.parts import Itself, everything_in
 from archlint.syntax.walk import statements_of
@@ -36,6 +36,8 @@ READ_ONLY = frozenset(
 """The properties of a node that refuse to be assigned."""
 _PLAIN = frozenset({"object", "abc.ABC"})
 """Foreign bases that bring nothing that code would ask for."""
+_SLIP = 2
+"""By how many letters a name with one word more may differ from the one that was meant."""
 _ANY_NAME = frozenset({"setattr", "vars", "__dict__", "__getattr__", "__getattribute__", "locals"})
 """What may give an object an attribute of any name."""
 
@@ -58,6 +60,12 @@ class Unassigned:
     name: str
     near: str
     near_at: Place
+
+    @property
+    def is_slip(self) -> bool:
+        """Whether the near name is probably the one that was meant: it has the same words, or is off by a letter."""
+        alike = self.name.count("_") == self.near.count("_")
+        return alike or distance(self.name, self.near, _SLIP) <= _SLIP
 
 
 def overwritten_properties(workspace: WorkspaceIndex) -> Iterator[Overwritten]:

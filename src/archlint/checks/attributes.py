@@ -13,6 +13,7 @@ from archlint.analysis.unassigned_attributes import (
 )
 from archlint.checks.registry import finding
 from archlint.finding import Finding, Related
+from archlint.suggestions import meant
 
 if TYPE_CHECKING:
     from archlint.systems.model import System
@@ -48,14 +49,15 @@ def _overwritten(assignment: Overwritten) -> Finding:
 
 def _unassigned(read: Unassigned) -> Finding:
     name, near = (_as_written(each, read.cls) for each in (read.name, read.near))
+    message = f"nothing assigns '{name}' of class {read.cls}: this line fails with an AttributeError"
     return finding(
         "API002",
         read.place,
-        f"nothing assigns '{name}' of class {read.cls}; did you mean '{near}'?",
-        help=f"write self.{near}",
+        message + (meant(f"'{near}'") if read.is_slip else ""),
+        help=f"write self.{near}" if read.is_slip else f"assign self.{name} in __init__(), or define it",
         related=[Related(read.near_at, f"'{near}' is defined here")],
         identity=(read.cls, name),
-        meant=near,
+        meant=near if read.is_slip else "",
     )
 
 

@@ -12,7 +12,18 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related
 from archlint.libraries.rclpy.names import canonical, interface_and_section
-from archlint.model.given import Collection, Constant, ForeignClass, Given, GoalHandle, Message
+from archlint.model.given import (
+    Collection,
+    Constant,
+    Duration,
+    ForeignClass,
+    Future,
+    Given,
+    GoalHandle,
+    Message,
+    Node,
+    Object,
+)
 
 if TYPE_CHECKING:
     from archlint.model import ApiCall, Creation
@@ -85,6 +96,20 @@ def _wrong(given: Given, type_: str, section_name: MessageClass) -> str | None:
             return repr(given.value)
         case Collection():
             return f"a {given.kind}"
+    return _object_of_rclpy(given)
+
+
+def _object_of_rclpy(given: Given) -> str | None:
+    """What rclpy makes and what is no message, in words."""
+    match given:
+        case Object(foreign_class=str(path)) if path.startswith("rclpy."):
+            return f"an object of {path}"
+        case Future():
+            return "a future"
+        case Node():
+            return "a node"
+        case Duration():
+            return "a Duration of rclpy"
     return None
 
 
