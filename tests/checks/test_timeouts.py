@@ -416,6 +416,15 @@ class TestSpinWithoutTimeout:
         [of_result] = judge("TMO003", script("\n        ".join(left)))
         assert "cancel the goal" in of_result.help and "cancel the goal" not in found.help
 
+    def test_a_loop_until_the_future_is_done_asks_already(self, judge: Judge):
+        lines = (
+            f"future = {FUTURE}",
+            "while rclpy.ok() and not future.done():",
+            "    rclpy.spin_until_future_complete(node, future)  # here",
+        )
+        [spin] = judge("TMO003", script("\n        ".join(lines)))
+        assert spin.help == "set timeout_sec, and end the loop after some attempts"
+
     def test_a_future_that_the_code_completes_itself_is_no_answer(self, judge: Judge):
         judge("TMO003", script("rclpy.spin_until_future_complete(node, Future())"))
 

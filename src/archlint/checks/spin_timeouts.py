@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.asking_scripts import is_step_of_asking_script
 from archlint.analysis.left_over import is_dead, is_never_made
 from archlint.analysis.limit_sites import sites_of_spin, spins_for_a_result
+from archlint.analysis.loop_times import is_retried
 from archlint.analysis.own_futures import spins_for_a_message, spins_for_own_future
 from archlint.analysis.reach import (
     argument,
@@ -98,6 +99,8 @@ def _help(system: System, call: ApiCall) -> str:
         return passed_on(call)
     if spins_for_a_result(system.workspace, call.place):
         return "set a timeout_sec that is longer than any goal takes, and cancel the goal when it is over"
+    if is_retried(source_code(system), call):
+        return "set timeout_sec, and end the loop after some attempts"
     return "set timeout_sec, and check future.done() afterwards"
 
 
