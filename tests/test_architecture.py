@@ -25,6 +25,7 @@ TIMED = re.compile(r'("elapsed_s": |\btime=")[0-9.]+')
 
 OF_ANOTHER_FOLDER = {
     "fixtures": "fixtures",
+    "histories": "benchmarks/histories",
     "mutations": "benchmarks/mutations",
     "oracle": "benchmarks/accuracy/oracle",
     "structure": "benchmarks/structure",
