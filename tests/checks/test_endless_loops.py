@@ -308,3 +308,123 @@ WAITS = ("while robot.data is None:", "    time.sleep(0.1)")
 )
 def test_a_loop_while_somebody_spins(judge: Judge, source: str):
     judge("EXE009", source)
+
+
+QUEUE = """
+import queue
+import threading
+from queue import Queue
+
+import rclpy
+from rclpy.callback_groups import ReentrantCallbackGroup
+from rclpy.executors import MultiThreadedExecutor
+from rclpy.node import Node
+from std_msgs.msg import String
+
+
+class Robot(Node):
+    def __init__(self):
+        super().__init__('robot')
+        self.data = queue.Queue()
+        self.names = {{}}
+        self.ready = threading.Event()
+        {constructor}
+        self.create_subscription(String, 'data', self.on_data, 10{group})
+        self.create_timer(1.0, self.tick)
+
+    def on_data(self, message):
+        self.data.put(message)
+        self.ready.set()
+
+    def tick(self):
+        {body}
+
+    def helper(self):
+        {helper}
+
+
+def main():
+    rclpy.init()
+    {spin}
+
+
+if __name__ == '__main__':
+    main()
+"""
+
+
+def with_queue(
+    *lines: str, constructor: str = "pass", helper: str = "pass", spin: str = ONE_THREAD, group: str = ""
+) -> str:
+    body = "\n        ".join(lines) or "pass"
+    return QUEUE.format(body=body, constructor=constructor, helper=helper, spin=spin, group=group)
+
+
+@pytest.mark.parametrize(
+    ("source", "says"),
+    [
+        (
+            with_queue("self.data.get()  # here"),
+            "get() never returns where self.data is empty: only Robot.on_data puts",
+        ),
+        (with_queue("message = self.data.get(True)  # here"), "since the executor's only thread is blocked"),
+        (with_queue("self.data.get()  # here", constructor="self.data = Queue()"), "get() never returns"),
+        (with_queue("self.data.get()  # here", spin=THREADS), "both are in the same mutually exclusive callback group"),
+        (with_queue("pass", constructor="self.data.get()  # here"), "since nothing spins the node while this thread"),
+        (
+            with_queue("pass", constructor="self.ready.wait()  # here"),
+            "wait() never returns where self.ready is not set",
+        ),
+    ],
+    ids=["get", "by position", "another import", "one group", "constructor", "an event in the constructor"],
+)
+def test_a_queue_that_nobody_fills_meanwhile(judge: Judge, source: str, says: str):
+    [finding] = judge("EXE009", source)
+    assert says in finding.message
+
+
+@pytest.mark.parametrize(
+    "source",
+    [
+        with_queue("self.data.get(timeout=1.0)"),
+        with_queue("self.data.get(True, 1.0)"),
+        with_queue("self.data.get(False)"),
+        with_queue("self.data.get_nowait()"),
+        with_queue("if not self.data.empty():", "    self.data.get()"),
+        with_queue("while self.data.qsize():", "    self.data.get()"),
+        with_queue("if self.ready.is_set():", "    self.data.get()"),
+        with_queue("if not self.names:", "    return", "self.data.get()"),
+        with_queue("self.data.put(1)", "self.data.get()"),
+        with_queue("self.on_data(1)", "self.data.get()"),
+        with_queue("self.data.get()", constructor="self.data.put(1)"),
+        with_queue("self.data.get()", helper="self.data.put(1)"),
+        with_queue("self.data.get()", constructor="threading.Thread(target=work, args=(self.data,)).start()"),
+        with_queue("self.data.get()", constructor="self.data = open_queue()"),
+        with_queue("self.names.get('a')"),
+        with_queue("self.data.get()", spin=THREADS, group=", callback_group=ReentrantCallbackGroup()"),
+        with_queue("pass", constructor="self.ready.wait(1.0)"),
+        with_queue("pass", constructor="threading.Thread(target=rclpy.spin, args=(self,)).start(); self.ready.wait()"),
+    ],
+    ids=[
+        "a timeout",
+        "a timeout by position",
+        "without waiting",
+        "get_nowait",
+        "it asks first",
+        "as many as there are",
+        "behind an event",
+        "behind another attribute",
+        "it puts something in",
+        "it calls what puts something in",
+        "the constructor puts something in",
+        "a method that nobody is seen to call",
+        "somebody else has it",
+        "an unknown queue",
+        "a dict",
+        "another group",
+        "an event with a timeout",
+        "a thread spins",
+    ],
+)
+def test_a_queue_that_may_be_filled(judge: Judge, source: str):
+    judge("EXE009", source)

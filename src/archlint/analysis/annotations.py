@@ -50,10 +50,16 @@ def annotated_messages(system: System, callback: Callback) -> Iterator[Annotated
 def interface_of(code: facts.Facts, dotted: str) -> tuple[str | None, MessageClass]:
     """The interface, and which of its classes, that a name means by the imports of its file; None for anything else,
     and for a name that the file binds in several ways."""
+    path = imported_as(code, dotted)
+    return (None, "") if path is None else interface_and_section(canonical(path))
+
+
+def imported_as(code: facts.Facts, dotted: str) -> str | None:
+    """What a dotted name means by the imports of its file; None where the file binds it otherwise, too."""
     root, _, rest = dotted.partition(".")
     paths = set(_bound_to(code.body, root)) if root else set()
     path = paths.pop() if len(paths) == 1 else None
-    return (None, "") if path is None else interface_and_section(canonical(f"{path}.{rest}" if rest else path))
+    return f"{path}.{rest}" if path is not None and rest else path
 
 
 def _bound_to(body: Sequence[facts.Stmt], name: str) -> Iterator[str | None]:
@@ -77,4 +83,4 @@ def _bound_to(body: Sequence[facts.Stmt], name: str) -> Iterator[str | None]:
                     yield None
 
 
-__all__ = ["AnnotatedMessage", "annotated_messages", "interface_of"]
+__all__ = ["AnnotatedMessage", "annotated_messages", "imported_as", "interface_of"]

@@ -23,7 +23,12 @@ _BY_TEXT = frozenset({"setattr", "__setattr__", "__dict__", "vars"})
 
 
 def changing_callbacks(
-    system: System, program: Program, node: Blueprint, file: str, attribute: str, own: Collection[Place]
+    system: System,
+    program: Program,
+    node: Blueprint,
+    file: str,
+    attribute: str,
+    own: Collection[Place],
 ) -> list[Callback]:
     """The callbacks of a node that change an attribute of an object after its constructor; none where something else
     may change it. ``file`` waits for that; ``own`` are the classes of the object, none where they are not known."""
@@ -74,6 +79,34 @@ def _changing_functions(
     return functions
 
 
+def is_used_otherwise(
+    system: System, file: str, attribute: str, methods: Collection[str], own: Collection[Place]
+) -> bool:
+    """Whether code does anything with an attribute but assign it and call some methods of what it holds."""
+    workspace = system.workspace
+    if workspace is None:
+        return True
+    paths = dict.fromkeys((file, *(cls.file for cls in sorted(own)), *workspace.code.files_that_mention(attribute)))
+    return any(_uses_otherwise(workspace.facts_at(path), path, attribute, methods, own) for path in paths)
+
+
+def _uses_otherwise(
+    code: facts.Facts | None, path: str, attribute: str, methods: Collection[str], own: Collection[Place]
+) -> bool:
+    if code is None or not _BY_TEXT.isdisjoint(names_in(code.body)):
+        return True
+    known = set(_of_other_objects(code, path, own)) if own else set()
+    for part in everything_in(code.body):
+        match part:
+            case facts.Call(func=facts.Attribute(value=facts.Attribute(attr=name) as held, attr=method)):
+                if name == attribute and method in methods:
+                    known.add(id(held))
+            case facts.Assign():
+                known.update(id(target) for target in part.targets)
+    mentions = everything_in(code.body, facts.Attribute)
+    return any(id(part) not in known for part in mentions if part.attr == attribute)
+
+
 def _of_other_objects(code: facts.Facts, path: str, own: Collection[Place]) -> Iterator[int]:
     """The ids of the attributes of ``self`` in classes that are none of the object's."""
     for cls in everything_in(code.body, facts.Class):
@@ -105,4 +138,4 @@ def _stored(targets: Sequence[facts.Base], attribute: str) -> Iterator[facts.Bas
         yield from (part for part in everything_in(target, facts.Attribute) if part.attr == attribute)
 
 
-__all__ = ["changing_callbacks"]
+__all__ = ["changing_callbacks", "is_used_otherwise"]

@@ -7,24 +7,17 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.attribute_changes import changing_callbacks
-from archlint.analysis.blocking import ONE
-from archlint.analysis.callback_roles import runs_in_executor
-from archlint.analysis.deadlock import threads_of
-from archlint.analysis.event_waits import ONLY_THREAD, kept_out
 from archlint.analysis.kept import once
 from archlint.analysis.loop_tests import awaited_attribute
 from archlint.analysis.source_code import source_code
+from archlint.analysis.waiting_functions import Waiting, classes_of, waiting_functions, why_kept_out
 from archlint.finding import Place
-from archlint.model import ExecutorKind, Role
 from archlint.syntax import facts
-from archlint.syntax.parts import everything_in
 from archlint.syntax.walk import statements_of
 
 if TYPE_CHECKING:
-    from archlint.model import Blueprint, Callback, Frame, Program
+    from archlint.model import Blueprint, Callback, Program
     from archlint.systems.model import System
-
-_NOBODY_SPINS = "nothing spins the node while this thread waits"
 
 
 @dataclass(frozen=True)
@@ -44,25 +37,13 @@ class AttributeLoop:
     """Why the setter cannot run meanwhile."""
 
 
-@dataclass(frozen=True)
-class _Waiting:
-    """A function in which loops may wait, and which of its variables is the node."""
-
-    function: facts.Function
-    file: str
-    variable: str
-    node: Blueprint
-    callback: Callback | None
-
-
 @once
 def attribute_loops(system: System) -> list[AttributeLoop]:
     """The loops that wait for attributes of a node, and that nothing ends."""
     rows = [
         loop
         for program in system.programs
-        for waiting in (*_in_callbacks(system, program), *_at_start(system, program))
-        if not system.roles.is_test(waiting.file)
+        for waiting in waiting_functions(system, program)
         for loop in _loops_of(system, program, waiting)
     ]
     first = {loop.place: loop for loop in sorted(rows, key=_by_place, reverse=True)}
@@ -73,140 +54,26 @@ def _by_place(loop: AttributeLoop) -> tuple[Place, bool, Place]:
     return loop.place, loop.waiting is None, loop.setter.place if loop.waiting is None else loop.waiting.place
 
 
-# ------------------------------------------------------------------------------------------------- functions
-
-
-def _in_callbacks(system: System, program: Program) -> Iterator[_Waiting]:
-    """The callbacks that an executor runs, and the methods in which they sleep."""
-    code = source_code(system)
-    for callback in program.callbacks:
-        function = code.definition(callback)
-        if function is not None and runs_in_executor(callback) and callback.bound_arguments == 1:
-            yield from _method(function, callback.file, callback.node, callback)
-    for call in program.calls:
-        if call.api != "time.sleep" or not call.loops or not call.chain or not runs_in_executor(call.context):
-            continue
-        function = code.function_at(call.place)
-        if function is not None and call.context.bound_arguments == 1 and _on_itself(system, call.chain):
-            yield from _method(function, call.file, call.context.node, call.context)
-
-
-def _method(
-    function: facts.Function, file: str, node: Blueprint | None, callback: Callback | None
-) -> Iterator[_Waiting]:
-    if node is not None and function.params and not function.decorators:
-        yield _Waiting(function, file, function.params[0].name, node, callback)
-
-
-def _on_itself(system: System, chain: tuple[Frame, ...]) -> bool:
-    """Whether each call of a chain is of a method of the object that the caller is a method of."""
-    code = source_code(system)
-    for frame in chain:
-        call, caller = code.call_at(frame.place), code.function_at(frame.place)
-        if call is None or caller is None or not caller.params:
-            return False
-        if not isinstance(call.func, facts.Attribute) or call.func.value.variable != caller.params[0].name:
-            return False
-    return True
-
-
-def _at_start(system: System, program: Program) -> Iterator[_Waiting]:
-    """The constructors of nodes, and the functions that make nodes, of a program in which no other thread spins
-    these."""
-    for node in program.nodes:
-        if program.executable and not program.exhausted and _is_spun_by_this_thread(program, node):
-            for cls in node.classes:
-                yield from _constructor(system, cls.place, node)
-            yield from _maker(system, node)
-
-
-def _is_spun_by_this_thread(program: Program, node: Blueprint) -> bool:
-    """Whether it is known who spins a node, and that is no other thread: one may be made in a way that is not seen."""
-    if node.caller_unknown or node.escapes or not node.complete or node.executor == ExecutorKind.UNKNOWN:
-        return False
-    if any(use.in_thread or use.astray for use in program.executors if node in use.nodes or use.astray):
-        return False
-    here = {call.place for call in program.calls if call.context.role in (Role.INIT, Role.MAIN, Role.MODULE)}
-    spins = [use.spins_at(node) for use in program.executors_of(node)]
-    return bool(spins) and here.issuperset(spins)
-
-
-def _constructor(system: System, place: Place, node: Blueprint) -> Iterator[_Waiting]:
-    code = source_code(system).facts_at(place.file)
-    for cls in everything_in([] if code is None else code.body, facts.Class):
-        if Place.of(place.file, cls.name_span) == place:
-            for method in cls.body:
-                if isinstance(method, facts.Function) and method.name == "__init__":
-                    yield from _method(method, place.file, node, None)
-
-
-def _maker(system: System, node: Blueprint) -> Iterator[_Waiting]:
-    """``main``, where it makes the node and keeps it in a variable."""
-    if node.made_at is None or node.made_by is None or node.made_by.role not in (Role.MAIN, Role.MODULE):
-        return
-    code = source_code(system)
-    function, statement = code.function_at(node.made_at), code.statement_at(node.made_at)
-    match function, statement:
-        case facts.Function(), facts.Assign(targets=[facts.Name(id=variable)], value=facts.Call()):
-            stores = [
-                target
-                for assignment in everything_in(function.body, facts.Assign)
-                for target in assignment.assigned
-                if target.variable == variable
-            ]
-            if len(stores) == 1:
-                yield _Waiting(function, node.made_at.file, variable, node, None)
-
-
-# ----------------------------------------------------------------------------------------------------- loops
-
-
-def _loops_of(system: System, program: Program, waiting: _Waiting) -> Iterator[AttributeLoop]:
+def _loops_of(system: System, program: Program, waiting: Waiting) -> Iterator[AttributeLoop]:
     code = source_code(system).facts_at(waiting.file)
     for loop in [] if code is None else statements_of(waiting.function.body, facts.While):
         attribute = None if code is None else awaited_attribute(loop, waiting.variable, code)
         if attribute is None:
             continue
         own = Place.of(waiting.file, waiting.function.name_span)
-        classes = _classes(system, waiting)
+        classes = classes_of(system, waiting)
         callbacks = changing_callbacks(system, program, waiting.node, waiting.file, attribute, classes)
         setters = [setter for setter in callbacks if setter.place != own]
-        reasons = [_why(waiting, setter, program) for setter in setters]
+        reasons = [why_kept_out(waiting, setter, program) for setter in setters]
         if reasons and all(reasons):
             test, whole = Place.of(waiting.file, _span_of(loop)), Place.of(waiting.file, loop.span)
             name = f"{waiting.variable}.{attribute}"
             yield AttributeLoop(test, whole, waiting.callback, waiting.node, name, setters[0], reasons[0] or "")
 
 
-def _classes(system: System, waiting: _Waiting) -> set[Place]:
-    """The classes of the node, where the function is a method of one or has the node in a variable; none where the
-    object may be another."""
-    classes = {cls.place for cls in waiting.node.classes}
-    if waiting.callback is None:
-        return classes
-    code = source_code(system).facts_at(waiting.file)
-    own = {
-        Place.of(waiting.file, cls.name_span)
-        for cls in everything_in([] if code is None else code.body, facts.Class)
-        if any(method is waiting.function for method in cls.body)
-    }
-    return classes if own and own <= classes else set()
-
-
 def _span_of(loop: facts.While) -> facts.Span:
     """The test of a loop; all of it where the test has no place of its own."""
     return getattr(loop.test, "span", loop.span)
-
-
-def _why(waiting: _Waiting, setter: Callback, program: Program) -> str | None:
-    """Why what changes the attribute cannot run while the loop goes on; None where it may."""
-    if waiting.callback is not None and setter.role == Role.DONE:
-        alone = setter.node is waiting.node and setter.creation is not None and threads_of(waiting.node, program) == ONE
-        return ONLY_THREAD if alone else None
-    if waiting.callback is not None:
-        return kept_out(waiting.callback, setter, program)
-    # Code that sets parameters calls what it is asked for, itself.
-    return _NOBODY_SPINS if runs_in_executor(setter) and setter.role != Role.PARAMETER else None
 
 
 __all__ = ["AttributeLoop", "attribute_loops"]

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.attribute_loops import AttributeLoop, attribute_loops
 from archlint.analysis.callback_roles import callback_words
+from archlint.analysis.queue_waits import QueueWait, queue_waits
 from archlint.analysis.reach import node_name, one_for_each_place
 from archlint.checks.limitless_calls import unanswerable_calls
 from archlint.checks.registry import Options, finding, rule
@@ -23,6 +24,8 @@ def unanswerable_wait(system: System, options: Options) -> Iterator[Finding]:
     yield from one_for_each_place(unanswerable_calls(system, options))
     for loop in attribute_loops(system):
         yield _endless(system, loop)
+    for wait in queue_waits(system):
+        yield _empty(system, wait)
 
 
 def _endless(system: System, loop: AttributeLoop) -> Finding:
@@ -37,6 +40,21 @@ def _endless(system: System, loop: AttributeLoop) -> Finding:
         related=[Related(setter.place, f"{setter.name} changes {loop.attribute}")],
         node=node_name(system, loop.node),
         identity=("" if waiting is None else waiting.name, loop.attribute.partition(".")[2]),
+    )
+
+
+def _empty(system: System, wait: QueueWait) -> Finding:
+    setter, waiting, name = wait.setter, wait.waiting, wait.attribute
+    fills, state = ("puts something into", "is empty") if wait.method == "get" else ("sets", "is not set")
+    return finding(
+        "EXE009",
+        wait.place,
+        f"{wait.method}() never returns where {name} {state}: only {setter.name} {fills} it, and it cannot run "
+        f"meanwhile, since {wait.why}",
+        help=f"go on in {setter.name}" if waiting is not None else "spin until it is there, instead of waiting",
+        related=[Related(setter.place, f"{setter.name} {fills} {name}")],
+        node=node_name(system, wait.node),
+        identity=("" if waiting is None else waiting.name, name.partition(".")[2], wait.method),
     )
 
 
