@@ -7,6 +7,7 @@ import pytest
 from checks.judging import Judge
 
 NODE = """
+import math
 import time
 
 import rclpy
@@ -20,6 +21,7 @@ class Robot(Node):
     def __init__(self):
         super().__init__('robot')
         self.data = None
+        self.goal = 1.0
         self.create_subscription(String, 'data', self.on_data, 10{group})
         self.create_timer(1.0, self.tick)
         self.out = self.create_publisher(String, 'out', 10)
@@ -75,6 +77,10 @@ def robot(*lines: str, helper: str = "pass", wait: str = "pass", spin: str = ONE
         robot("while not self.data:  # here", "    self.out.publish(String(data='?'))", "    time.sleep(0.1)"),
         robot("while not self.data:  # here", "    out = String()", "    out.data = '?'", "    self.out.publish(out)"),
         robot("self.wait()", wait="while self.data is None:  # here\n            time.sleep(0.1)"),
+        robot("while abs(self.goal - self.data.x) > 0.1:  # here", "    self.out.publish(String())"),
+        robot("end = 5.0", "while self.data.x < end:  # here", "    time.sleep(0.1)"),
+        robot("far = True", "while far:  # here", "    far = math.hypot(self.data.x, self.data.y) > 0.1"),
+        robot("while True:  # here", "    error = self.goal - self.data.x", "    if error < 0.1:", "        break"),
     ],
     ids=[
         "sleeps",
@@ -87,6 +93,10 @@ def robot(*lines: str, helper: str = "pass", wait: str = "pass", spin: str = ONE
         "publishes",
         "publishes what it makes",
         "a method that waits",
+        "a distance",
+        "a limit",
+        "a variable",
+        "an error",
     ],
 )
 def test_a_loop_that_keeps_out_what_would_end_it(judge: Judge, source: str):
@@ -118,6 +128,13 @@ def test_a_loop_that_keeps_out_what_would_end_it(judge: Judge, source: str):
         robot("while self.data is None:", "    time.sleep(0.1)", wait="self.__dict__['data'] = 1"),
         robot("while self.data is None:", "    time.sleep(0.1)", wait="setattr(self, 'data', 1)"),
         robot("while self.data is None:", "    self.data = self.out.publish(String())"),
+        robot("far = True", "while far:", "    far = self.data is None and time.time() < 5"),
+        robot("x = 0.0", "while self.data.x > x:", "    x = x + 0.1"),
+        robot("x = 0.0", "while self.data.x > x:", "    x += 0.1"),
+        robot("names = []", "while not names and not self.data:", "    time.sleep(0.1)"),
+        robot("other = self.other", "while self.data.x > other.x:", "    time.sleep(0.1)"),
+        robot("while self.data.x > self.step():", "    time.sleep(0.1)"),
+        robot("while self.data.x > self.goal:", "    time.sleep(0.1)", helper="self.goal = 1.0"),
         robot("self.other.wait()", wait="while self.data is None:\n            time.sleep(0.1)"),
     ],
     ids=[
@@ -137,6 +154,13 @@ def test_a_loop_that_keeps_out_what_would_end_it(judge: Judge, source: str):
         "by a text in __dict__",
         "by setattr",
         "it assigns what publish() gives",
+        "a time in a variable",
+        "a variable that grows",
+        "a variable that is added to",
+        "a list that something else may fill",
+        "an object that something else may change",
+        "a method in its test",
+        "a second attribute that may change",
         "a method of another object",
     ],
 )

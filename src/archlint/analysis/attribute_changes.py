@@ -29,12 +29,12 @@ def changing_callbacks(
     file: str,
     attribute: str,
     own: Collection[Place],
-) -> list[Callback]:
-    """The callbacks of a node that change an attribute of an object after its constructor; none where something else
+) -> list[Callback] | None:
+    """The callbacks of a node that change an attribute of an object after its constructor; None where something else
     may change it. ``file`` waits for that; ``own`` are the classes of the object, none where they are not known."""
     workspace = system.workspace
     if workspace is None or not node.complete:
-        return []
+        return None
     callbacks: dict[Place, list[Callback]] = {}
     for callback in program.callbacks:
         if callback.function is not None:
@@ -45,11 +45,11 @@ def changing_callbacks(
         code = workspace.facts_at(path)
         functions = None if code is None else _changing_functions(code, path, attribute, own)
         if functions is None:
-            return []
+            return None
         for function in functions:
             registered = callbacks.get(Place.of(path, function.name_span), [])
             if not registered or any(callback.node is not node for callback in registered):
-                return []
+                return None
             changing += registered
     return changing
 

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.attribute_changes import changing_callbacks
 from archlint.analysis.kept import once
-from archlint.analysis.loop_tests import awaited_attribute
+from archlint.analysis.loop_tests import awaited_attributes
 from archlint.analysis.source_code import source_code
 from archlint.analysis.waiting_functions import Waiting, classes_of, waiting_functions, why_kept_out
 from archlint.finding import Place
@@ -57,18 +57,29 @@ def _by_place(loop: AttributeLoop) -> tuple[Place, bool, Place]:
 def _loops_of(system: System, program: Program, waiting: Waiting) -> Iterator[AttributeLoop]:
     code = source_code(system).facts_at(waiting.file)
     for loop in [] if code is None else statements_of(waiting.function.body, facts.While):
-        attribute = None if code is None else awaited_attribute(loop, waiting.variable, code)
-        if attribute is None:
-            continue
-        own = Place.of(waiting.file, waiting.function.name_span)
-        classes = classes_of(system, waiting)
-        callbacks = changing_callbacks(system, program, waiting.node, waiting.file, attribute, classes)
-        setters = [setter for setter in callbacks if setter.place != own]
-        reasons = [why_kept_out(waiting, setter, program) for setter in setters]
+        attributes = () if code is None else awaited_attributes(loop, waiting.variable, code)
+        setters = _setters(system, program, waiting, attributes)
+        reasons = [why_kept_out(waiting, setter, program) for _, setter in setters]
         if reasons and all(reasons):
             test, whole = Place.of(waiting.file, _span_of(loop)), Place.of(waiting.file, loop.span)
+            attribute, setter = setters[0]
             name = f"{waiting.variable}.{attribute}"
-            yield AttributeLoop(test, whole, waiting.callback, waiting.node, name, setters[0], reasons[0] or "")
+            yield AttributeLoop(test, whole, waiting.callback, waiting.node, name, setter, reasons[0] or "")
+
+
+def _setters(
+    system: System, program: Program, waiting: Waiting, attributes: Sequence[str]
+) -> list[tuple[str, Callback]]:
+    """What changes the attributes, each with one of them; none where something else may do so."""
+    own = Place.of(waiting.file, waiting.function.name_span)
+    classes = classes_of(system, waiting) if attributes else set()
+    setters: list[tuple[str, Callback]] = []
+    for attribute in attributes:
+        callbacks = changing_callbacks(system, program, waiting.node, waiting.file, attribute, classes)
+        if callbacks is None:
+            return []
+        setters += [(attribute, callback) for callback in callbacks if callback.place != own]
+    return setters
 
 
 def _span_of(loop: facts.While) -> facts.Span:

@@ -1,11 +1,11 @@
-"""What a loop waits for: the attribute of an object that must change for it to end."""
+"""What a loop waits for: the attributes of an object that must change for it to end."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from archlint.analysis.annotations import interface_of
+from archlint.analysis.annotations import imported_as, interface_of
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in
 from archlint.syntax.walk import calls_in, statements_of
@@ -20,19 +20,22 @@ _LOGS = frozenset({"debug", "info", "warn", "warning", "error", "fatal"})
 _OF_CLOCKS = frozenset({"get_clock", "now", "to_msg"})
 _ASKS = frozenset({"is_set", "empty", "qsize", "keys", "values", "items"})
 """Methods that say what an attribute holds."""
+_PURE_MODULES = frozenset({"math", "numpy"})
+_ORDERS = frozenset({"<", "<=", ">", ">="})
 _CREATE_PUBLISHER = frozenset({"create_publisher", "create_lifecycle_publisher"})
 _Leaving = (facts.Return, facts.Raise)
 
 
-def awaited_attribute(loop: facts.While, owner: str, code: facts.Facts) -> str | None:
-    """The one attribute of ``owner`` that the tests of a loop ask for, those that leave it among them, where nothing in
-    the loop changes anything or leaves it otherwise."""
+def awaited_attributes(loop: facts.While, owner: str, code: facts.Facts) -> tuple[str, ...]:
+    """The attributes of ``owner`` that alone decide whether a loop goes on, by its test and those that leave it, where
+    nothing in the loop changes anything or leaves it otherwise; empty where something else decides, too."""
     leaving = [s for s in statements_of(loop.body, facts.If) if s in loop.body and _leaves(s.body)]
     if loop.orelse or not _only_passes_time(loop, leaving, owner, code):
-        return None
-    asked = [_asked(test, owner) for test in (loop.test, *(statement.test for statement in leaving))]
-    names = {name for attributes in asked if attributes is not None for name in attributes}
-    return names.pop() if None not in asked and len(names) == 1 else None
+        return ()
+    asking = _Asking(loop, owner, code)
+    asked = [asking.attributes_of(test) for test in (loop.test, *(statement.test for statement in leaving))]
+    known = [attributes for attributes in asked if attributes is not None]
+    return tuple(sorted(set().union(*known))) if len(known) == len(asked) else ()
 
 
 def _leaves(body: Sequence[facts.Stmt]) -> bool:
@@ -45,18 +48,67 @@ def _exits(body: Sequence[facts.Stmt]) -> Iterator[facts.Base]:
             yield part
 
 
-def _asked(test: Expr, owner: str) -> set[str] | None:
-    """The attributes that a test depends on; None where it depends on something else, too."""
-    attributes = {part.attr for part in everything_in(test, facts.Attribute) if part.value.variable == owner}
-    variables = {part.id for part in everything_in(test, facts.Name)} - {owner, "rclpy"} - _PURE
-    return None if variables or not all(_only_asks(call, owner) for call in calls_in(test)) else attributes
+class _Asking:
+    """What expressions in a loop depend on."""
+
+    def __init__(self, loop: facts.While, owner: str, code: facts.Facts) -> None:
+        self.owner = owner
+        self.code = code
+        self.values: dict[str, list[Expr | None]] = {}
+        """What the loop assigns to variables; None where it changes one otherwise."""
+        for statement in statements_of(loop.body):
+            match statement:
+                case facts.Assign(targets=[facts.Name(id=name)], value=value):
+                    self.values.setdefault(name, []).append(value)
+                case facts.Assign() | facts.Augmented():
+                    for target in statement.assigned:
+                        for part in everything_in(target, facts.Name):
+                            self.values.setdefault(part.id, []).append(None)
+
+    def attributes_of(self, test: Expr, through: frozenset[str] = frozenset()) -> set[str] | None:
+        """The attributes that an expression depends on, also by variables that the loop sets; None where it depends on
+        something else, too."""
+        if not all(self._only_asks(call) for call in calls_in(test)):
+            return None
+        attributes = {part.attr for part in everything_in(test, facts.Attribute) if part.value.variable == self.owner}
+        for name in sorted(self._variables(test)):
+            values = self.values.get(name, [])
+            if name in through or None in values or (not values and not _is_limit(test, name)):
+                return None
+            for value in values:
+                inner = None if value is None else self.attributes_of(value, through | {name})
+                if inner is None:
+                    return None
+                attributes |= inner
+        return attributes
+
+    def _variables(self, test: Expr) -> set[str]:
+        """The variables that an expression uses, but for functions and modules."""
+        functions = {id(part) for call in calls_in(test) for part in everything_in(call.func, facts.Name)}
+        names = {part.id for part in everything_in(test, facts.Name) if id(part) not in functions}
+        modules = {name for name in names if imported_as(self.code, name) in _PURE_MODULES}
+        return names - modules - {self.owner}
+
+    def _only_asks(self, call: facts.Call) -> bool:
+        match call.func:
+            case facts.Attribute(attr=name, value=facts.Attribute(value=asked)) if asked.variable == self.owner:
+                return name in _ASKS and not call.args
+        if call.func.dotted == "rclpy.ok" or call.func.variable in _PURE:
+            return True
+        path = imported_as(self.code, call.func.dotted) if call.func.dotted else None
+        return path is not None and path.partition(".")[0] in _PURE_MODULES and "random" not in path
 
 
-def _only_asks(call: facts.Call, owner: str) -> bool:
-    match call.func:
-        case facts.Attribute(attr=name, value=facts.Attribute(value=asked)) if asked.variable == owner:
-            return name in _ASKS and not call.args
-    return call.func.dotted == "rclpy.ok" or call.func.variable in _PURE
+def _is_limit(test: Expr, name: str) -> bool:
+    """Whether a variable that the loop does not set is a number that is only reckoned and compared with."""
+    numbers: set[int] = set()
+    for part in everything_in(test):
+        match part:
+            case facts.Compare(left=left, ops=ops, comparators=sides) if _ORDERS.issuperset(ops):
+                numbers.update(map(id, (left, *sides)))
+            case facts.Binary(left=left, op="-" | "*" | "/", right=right):
+                numbers.update(map(id, (left, right)))
+    return all(id(part) in numbers for part in everything_in(test, facts.Name) if part.id == name)
 
 
 def _only_passes_time(loop: facts.While, leaving: Sequence[facts.If], owner: str, code: facts.Facts) -> bool:
@@ -93,6 +145,8 @@ def _is_local(target: Expr, owner: str) -> bool:
 def _passes_time(call: facts.Call, owner: str, code: facts.Facts) -> bool:
     if call.func.dotted in _PASTIMES or call.func.variable in _PURE:
         return True
+    if (imported_as(code, call.func.dotted) or "").partition(".")[0] in _PURE_MODULES:
+        return True
     match call.func:
         case facts.Attribute(attr=name, value=facts.Call(func=logger)) if name in _LOGS:
             return logger.last_name == "get_logger"
@@ -119,4 +173,4 @@ def _is_publisher(attribute: str, code: facts.Facts) -> bool:
     )
 
 
-__all__ = ["awaited_attribute"]
+__all__ = ["awaited_attributes"]

@@ -117,7 +117,7 @@ def _only_setter(system: System, program: Program, waiting: Waiting, attribute: 
     classes = classes_of(system, waiting)
     if is_used_otherwise(system, waiting.file, attribute, _METHODS, classes) or _is_filled_at_first(system, waiting):
         return None, ""
-    setters = changing_callbacks(system, program, waiting.node, waiting.file, attribute, classes)
+    setters = changing_callbacks(system, program, waiting.node, waiting.file, attribute, classes) or []
     called = {call.func.last_name for call in calls_in(waiting.function.body)}
     if any(setter.name.rpartition(".")[2] in called for setter in setters):
         return None, ""
