@@ -70,6 +70,18 @@ def main():
         ("rclpy.spin_until_future_complete(rclpy.task.Future(), timeout_sec=1.0)", "'future' is missing"),
         ("self.declare_parameter()", "'name' is missing"),
         ("self.get_parameter('a', 1)", "it takes at most 1 argument by position"),
+        (
+            "self.create_timer(self.declare_parameter('period', 1.0), self.tick)",
+            "create_timer() fails: 'timer_period_sec' takes a number of seconds, not a Parameter without .value",
+        ),
+        (
+            "self.declare_parameter('name', 'a'); self.create_publisher(String, self.get_parameter('name'), 10)",
+            "'topic' takes a text, not a Parameter without .value",
+        ),
+        (
+            "self.declare_parameter('depth', 10); self.create_publisher(String, 'a', self.get_parameter('depth'))",
+            "'qos_profile' takes a QoSProfile or a queue depth, not a Parameter without .value",
+        ),
     ],
 )
 def test_a_call_that_is_refused(judge: Judge, call: str, wrong: str):
@@ -89,6 +101,7 @@ def test_a_call_that_is_refused(judge: Judge, call: str, wrong: str):
         "self.create_subscription(Trigger_Event, 'a/_service_event', self.listen, 10)",
         "self.create_publisher(Trigger.Request, 'a', 10)",
         "self.create_timer('1.0', self.tick)",
+        "self.create_timer(self.declare_parameter('period', 1.0).value, self.tick)",
         "self.create_timer(1, self.tick, None)",
         "self.create_service(Trigger, 'a', lambda request, response: response)",
         "self.create_client(Trigger, 'a').call_async(Trigger.Request())",

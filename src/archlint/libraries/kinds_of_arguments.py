@@ -79,6 +79,8 @@ def kinds_of(api: Api) -> Mapping[str, Kind]:
 def is_other(api: Api, kind: Kind, value: Value, written: facts.Expr | None) -> bool:
     """Whether a value is certainly not what a parameter of this kind takes; ``written`` is the argument as it stands
     in the code."""
+    if _is_parameter(value):
+        return True
     if value.via:
         return False  # a parameter may have another value where the node runs
     if kind in _SECTIONS:
@@ -104,6 +106,14 @@ def _passes_as_node(cls: ClassValue) -> bool:
     return any(base.ir.decorators for base in cls.classes) or any(
         isinstance(item, facts.Function) and item.name in _AS_A_NODE for item in defined
     )
+
+
+def _is_parameter(value: Value) -> bool:
+    """Whether it is what ``get_parameter()`` gives: the value is in it."""
+    match value:
+        case Instance(cls=External(path="rclpy.parameter.Parameter")):
+            return True
+    return False
 
 
 def _is_no_interface(value: Value, section: str) -> bool:
@@ -214,6 +224,8 @@ def described(value: Value, written: facts.Expr | None) -> str:
             return str(constant)
         case Known(value=int() | float() as number):
             return f"the number {number}"
+        case Instance(cls=External(path="rclpy.parameter.Parameter")):
+            return "a Parameter without .value"
         case External(path=path):
             interface, part = names.interface_and_section(names.canonical(path))
             name = (interface or path.replace(".", "/")).rpartition("/")[2]
