@@ -82,6 +82,8 @@ def main():
             "self.declare_parameter('depth', 10); self.create_publisher(String, 'a', self.get_parameter('depth'))",
             "'qos_profile' takes a QoSProfile or a queue depth, not a Parameter without .value",
         ),
+        ("self.create_publisher(String, 'a', 10)(String())", "calling a publisher fails: it is no function"),
+        ("self.create_client(Trigger, 'a')(Trigger.Request())", "calling a client fails: it is no function"),
     ],
 )
 def test_a_call_that_is_refused(judge: Judge, call: str, wrong: str):
@@ -101,6 +103,9 @@ def test_a_call_that_is_refused(judge: Judge, call: str, wrong: str):
         "self.create_subscription(Trigger_Event, 'a/_service_event', self.listen, 10)",
         "self.create_publisher(Trigger.Request, 'a', 10)",
         "self.create_timer('1.0', self.tick)",
+        "self.create_publisher(String, 'a', 10).publish(String())",
+        "send = self.create_publisher(String, 'a', 10).publish; send(String())",
+        "send = self.tick if rclpy.ok() else self.create_client(Trigger, 'a'); send()",
         "self.create_timer(self.declare_parameter('period', 1.0).value, self.tick)",
         "self.create_timer(1, self.tick, None)",
         "self.create_service(Trigger, 'a', lambda request, response: response)",

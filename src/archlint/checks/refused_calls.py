@@ -108,7 +108,7 @@ def _finding(call: RefusedCall) -> Finding:
     return finding(
         "API001",
         call.place,
-        f"{name}() fails: {_what_is_wrong(call)}",
+        f"{_subject(name, call)} fails: {_what_is_wrong(call)}",
         help=_cure(name, call),
         identity=(call.api, str(call.misuse), *call.parameters),
         # What is no node is none for all calls.
@@ -128,6 +128,10 @@ def _name(api: str) -> str:
     return owner.rpartition(".")[2] if name == "__init__" else name
 
 
+def _subject(name: str, call: RefusedCall) -> str:
+    return f"calling {call.given}" if call.misuse is Misuse.NO_FUNCTION else f"{name}()"
+
+
 def _what_is_wrong(call: RefusedCall) -> str:
     names = _quoted(call.parameters)
     match call.misuse:
@@ -143,6 +147,8 @@ def _what_is_wrong(call: RefusedCall) -> str:
             return f"there is no {names}"
         case Misuse.BEFORE_INIT | Misuse.EARLY:
             return "the node is not initialised"
+        case Misuse.NO_FUNCTION:
+            return "it is no function"
         case Misuse.SWAPPED:
             return f"{names} are swapped"
         case Misuse.KIND:
@@ -152,6 +158,8 @@ def _what_is_wrong(call: RefusedCall) -> str:
 def _cure(name: str, call: RefusedCall) -> str:
     if call.api.startswith(LOGGER):
         return _cure_of_logger(name, call)
+    if call.misuse is Misuse.NO_FUNCTION:
+        return f"call its {call.wanted}"
     if call.misuse is Misuse.KIND:
         if call.parameters == ("executor",) and call.api.endswith("spin_until_future_complete"):
             return "give the timeout by name, timeout_sec=…: the executor comes before it"

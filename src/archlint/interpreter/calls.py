@@ -71,6 +71,7 @@ def call(machine: Machine, function: Value, site: CallSite) -> Value:
             bound = method_of(machine, function, "__call__")
             if bound is not None:
                 return call(machine, bound, site)
+    machine.library.note_uncallable(function, site)
     machine.library.given_away(site)
     if isinstance(function, Unknown):
         return Unknown(function.reason, function.parameter)

@@ -44,6 +44,9 @@ class Library:
         """Whether a foreign method certainly raises a TypeError for so many positional arguments and these keywords."""
         return False
 
+    def note_uncallable(self, value: Value, site: CallSite) -> None:
+        """What is called is no function, no class, and no object of a class of ours that can be called."""
+
     def is_made_plainly(self, cls: ClassValue) -> bool:
         """Whether no foreign base of a class changes how its objects are made."""
         return False

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from archlint.interpreter.library import Library
 from archlint.interpreter.values import ApiMethod, Builtin, External, ForeignValue, Instance, Known, Value
-from archlint.libraries import calls, classes, interest
+from archlint.libraries import calls, classes, interest, refused_calls
 from archlint.libraries.api_signatures import attributes_of
 from archlint.libraries.offers import OFFERS
 from archlint.libraries.python import command_line, environment, tasks
@@ -187,6 +187,9 @@ class RosLibrary(Library):
 
     def escaped(self, values: Iterable[Value], reason: str, at: facts.Call | None = None) -> None:
         escapes.escape(self.run, values, reason, at)
+
+    def note_uncallable(self, value: Value, site: CallSite) -> None:
+        refused_calls.note_uncallable(self.run, value, site)
 
     def given_away(self, site: CallSite) -> None:
         escapes.to_call(self.run, site.values, "", site.expression)

@@ -7,10 +7,12 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from archlint import model
+from archlint.branches import ChoiceOfCallee
 from archlint.interpreter.values import Instance, Value, alternatives
 from archlint.libraries.api_signatures import distros, needed, refusing_distros
 from archlint.libraries.kinds_of_arguments import Kind, described, is_other, kinds_of
 from archlint.libraries.rclpy import names, node_classes, refusals
+from archlint.libraries.values import EntityValue
 from archlint.syntax import facts
 
 if TYPE_CHECKING:
@@ -40,6 +42,27 @@ def _may_be_of_subclass(run: Run, value: Value) -> bool:
     """Whether a value is ``self`` in a class that nothing here makes an object of: another may derive from it and from
     Node."""
     return not run.program.executable and any(activation.self_value is value for activation in run.activations)
+
+
+_METHODS = {
+    "rclpy.publisher.Publisher": "publish()",
+    "rclpy.client.Client": "call_async()",
+    "rclpy.action.client.ActionClient": "send_goal_async()",
+}
+"""What people mean who call an endpoint itself."""
+
+
+def note_uncallable(run: Run, value: Value, site: CallSite) -> None:
+    """Note that a publisher or a client is called like a function."""
+    path = value.path if isinstance(value, EntityValue) else ""
+    place = refusals.place_of(run, site) if path in _METHODS else None
+    # Where one of several objects is called, code may have asked which it is.
+    if place is not None and not any(isinstance(branch, ChoiceOfCallee) for branch, _ in run.branch_arms):
+        given, wanted = described(value, None), _METHODS[path]
+        misuse = model.Misuse.NO_FUNCTION
+        refusals.keep(
+            run, place, path, model.RefusedCall(place, path, misuse, given=given, wanted=wanted, distros=distros())
+        )
 
 
 def _is_known(api: Api, receiver: Value | None) -> bool:
@@ -138,4 +161,4 @@ def _written(api: Api, site: CallSite) -> dict[str, facts.Expr]:
     return dict(zip(api.positional, own, strict=False)) | by_name
 
 
-__all__ = ["note"]
+__all__ = ["note", "note_uncallable"]

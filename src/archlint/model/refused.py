@@ -29,6 +29,8 @@ class Misuse(StringEnum):
     """There is no function or method of that name."""
     SWAPPED = "swapped"
     """Two parameters are given what the other takes."""
+    NO_FUNCTION = "no function"
+    """An object is called that has methods for that."""
 
 
 @dataclass(frozen=True)
