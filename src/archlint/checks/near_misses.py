@@ -81,8 +81,8 @@ def _misses(system: System, provider: Endpoint, user: Endpoint) -> bool:
     # One node that reads and writes two like names distinguishes them on purpose.
     return (
         provider.node is not user.node
-        and not is_left_over(system.workspace, provider)
         and (nearly_equal(provider.name or "", user.name or "") or _namespace_slip(system, provider, user))
+        and not is_left_over(system.workspace, provider)  # reads code, where names of most pairs say no
         and coexist(system, provider, user)
     )
 
@@ -105,9 +105,9 @@ def _namespace_slip(system: System, provider: Endpoint, user: Endpoint) -> bool:
 
 def nearly_equal(name: str, other: str) -> bool:
     """Whether two full names differ by a slip in one of their parts, or in what stands between two."""
-    mine, yours = name.split("/"), other.split("/")
-    if len(mine) != len(yours):
+    if name.count("/") != other.count("/"):
         return name.replace("/", "_") == other.replace("/", "_")
+    mine, yours = name.split("/"), other.split("/")
     differing = [(left, right) for left, right in zip(mine, yours, strict=True) if left != right]
     return len(differing) == 1 and _slip(*differing[0])
 
