@@ -99,6 +99,7 @@ def test_a_lookup_in_the_constructor(judge: Judge):
         f"{LISTEN}buffer = self.buffer\nbuffer.{LOOKUP}",
         f"buffer = self.buffer\nbuffer.{LOOKUP}",
         f"buffer = hand_over()\nbuffer.{LOOKUP}",
+        f"{LISTEN}buffer.lookup_transform()",
         LISTEN,
         f"{LISTEN}buffer.lookup_transform('map', 'base', Time(), Duration(seconds=1.0))",
     ],

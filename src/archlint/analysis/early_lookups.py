@@ -40,7 +40,8 @@ def early_lookups(system: System) -> list[EarlyLookup]:
     """The lookups without a timeout in a buffer that the same run of a function has just created."""
     lookups, code = [], source_code(system)
     for program, call in calls_of(system, _LOOKUPS):
-        buffer = None if argument(call, "timeout") is not None else _made_just_before(code, call)
+        asks = argument(call, "source_frame") is not None and argument(call, "timeout") is None
+        buffer = _made_just_before(code, call) if asks else None
         if buffer is not None:
             lookups.append(EarlyLookup(call, buffer, program))
     return lookups
