@@ -152,7 +152,10 @@ def test_a_folder_of_launch_files_that_nothing_installs(findings):
     assert finding.message == (
         "package 'robot' does not install the launch file 'it.launch.xml': ros2 launch does not find it"
     )
-    assert (finding.place.line, finding.help) == (5, "add ('share/robot/launch', glob('launch/*')) to data_files=")
+    assert (finding.place.line, finding.help) == (
+        5,
+        "add ('share/robot/launch', ['launch/it.launch.xml']) to data_files=",
+    )
 
 
 def test_what_cmake_does_not_install(findings):

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import posixpath
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -36,6 +36,7 @@ class LaunchFilesLeftOut:
     place: Place
     """Where the build should install them."""
     files: tuple[str, ...]
+    """By their paths below the folder of the package."""
     told_at: tuple[Place, ...] = ()
 
 
@@ -53,7 +54,12 @@ def launch_files_left_out(workspace: WorkspaceIndex) -> Iterator[LaunchFilesLeft
             missing = [file for file in missing if told[file]]
         if missing:
             places = tuple(place for file in missing for place in told[file])
-            yield LaunchFilesLeftOut(installs.package, place, tuple(missing), places)
+            yield LaunchFilesLeftOut(installs.package, place, tuple(_below(installs, missing)), places)
+
+
+def _below(installs: Installs, files: Iterable[str]) -> Iterator[str]:
+    """Paths as they are from the folder of a package on."""
+    return (file if installs.folder == "." else file.removeprefix(f"{installs.folder}/") for file in files)
 
 
 def _understood(workspace: WorkspaceIndex) -> Iterator[Installs]:
@@ -150,7 +156,7 @@ def listed_in_vain(workspace: WorkspaceIndex) -> Iterator[ListedInVain]:
                 and not workspace.tree.is_file(row.source)
                 and not is_ignored(workspace, row.source)
             ):
-                below = row.source if installs.folder == "." else row.source[len(installs.folder) + 1 :]
+                [below] = _below(installs, [row.source])
                 yield ListedInVain(row.place or at, below, posixpath.normpath(row.destination) == _MARKERS)
 
 

@@ -112,10 +112,13 @@ def _launch_files(row: LaunchFilesLeftOut) -> Finding:
         message = f"package '{row.package}' does not install the launch file '{names[0]}'"
     else:
         message = f"package '{row.package}' does not install these {len(names)} launch files: {listed(names)}"
+    # The files by their names: not every setup.py imports glob.
+    listing = f"[{', '.join(map(repr, row.files[:_SHOWN]))}]"
+    more = "" if len(row.files) <= _SHOWN else ", and so the others,"
     line = (
         "write install(DIRECTORY launch DESTINATION share/${PROJECT_NAME}) before ament_package()"
         if cmake
-        else f"add ('share/{row.package}/launch', glob('launch/*')) to data_files="
+        else f"add ('share/{row.package}/launch', {listing}){more} to data_files="
     )
     return finding(
         "PKG004",
