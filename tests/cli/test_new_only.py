@@ -222,6 +222,35 @@ def test_where_the_fork_is_not_in_the_clone_the_revision_itself_counts(say, tmp_
     assert "(this clone is shallow), so it is compared with FETCH_HEAD" in result.err
 
 
+def test_a_partial_clone_fetches_nothing_and_says_what_it_lacks(say, tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    write_files(Path(), {"docs/arm.dae": "a mesh\n", "docs/notes.md": "notes\n"})
+    commit()
+    git("rm", "-qr", "docs")
+    commit()
+    git("config", "uploadpack.allowFilter", "true")
+    git("clone", "-q", "--filter=blob:none", f"file://{tmp_path}/ws", str(tmp_path / "clone"))
+    monkeypatch.chdir(tmp_path / "clone")
+    assert say("--new-only", "HEAD~1").status == 0, "of these files only the names count"
+    monkeypatch.chdir(tmp_path / "ws")
+    change_type()
+    commit()
+    git("clone", "-q", "--filter=blob:none", f"file://{tmp_path}/ws", str(tmp_path / "other"))
+    monkeypatch.chdir(tmp_path / "other")
+    lacking = say("--new-only", "HEAD~1")
+    assert lacking.status == 2
+    assert "the content of robot/talker.py is not in this partial clone; `git archive" in lacking.err
+    git(*lacking.err.split("`git ")[1].split("`")[0].split())
+    [new] = say("--new-only", "HEAD~1").findings
+    assert new.endswith("TOP001")
+
+
+def test_a_hook_may_run_it(say, monkeypatch: pytest.MonkeyPatch):
+    change_type()
+    for name, value in (("GIT_DIR", "elsewhere"), ("GIT_INDEX_FILE", "no-index"), ("GIT_WORK_TREE", "/")):
+        monkeypatch.setenv(name, value)
+    assert len(say("--new-only", "HEAD").findings) == 1
+
+
 @pytest.mark.parametrize(
     ("revision", "said"),
     [

@@ -474,7 +474,10 @@ NODE_TAG = '<node pkg="demo_nodes_py" exec="talker"/>'
         ("it.launch.xml", f"  <!-- archlint: ignore[LCH005] -->\n  {NODE_TAG}\n", f"  {NODE_TAG}\n"),
         ("it.launch.xml", f"{NODE_TAG} <!-- archlint: ignore[LCH005] -->\n", f"{NODE_TAG}\n"),
         ("it.launch.xml", f"<!-- archlint: ignore[LCH005] --> {NODE_TAG}\n", f"{NODE_TAG}\n"),
-        ("it.launch.xml", f"<!-- archlint: ignore[LCH005] why -->\n{NODE_TAG}\n", None),
+        ("it.launch.xml", f"<!-- archlint: ignore[LCH005] why -->\n{NODE_TAG}\n",
+         f"<!-- why -->\n{NODE_TAG}\n"),
+        ("it.launch.xml", f"{NODE_TAG} <!-- archlint: ignore[LCH005,SRV003] why -->\n",
+         f"{NODE_TAG} <!-- archlint: ignore[SRV003] why -->\n"),
         ("it.launch.xml", f"<!-- archlint: ignore[LCH005, SRV003] -->\n{NODE_TAG}\n",
          f"<!-- archlint: ignore[SRV003] -->\n{NODE_TAG}\n"),
         ("it.launch.xml", f"{NODE_TAG} <!--archlint: ignore [ LCH005,SRV003 ]-->\n",
@@ -484,14 +487,14 @@ NODE_TAG = '<node pkg="demo_nodes_py" exec="talker"/>'
     ],
 )  # fmt: skip
 def test_a_suppression_in_a_launch_file_goes(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, file: str, before: str, after: str | None
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, file: str, before: str, after: str
 ):
     monkeypatch.chdir(tmp_path)
     whole = "<launch>\n{}</launch>\n" if file.endswith(".xml") else "launch:\n{}"
     (tmp_path / file).write_text(whole.format(before), encoding="utf-8")
     left = main(["check", "--fix", "--select", "LCH005,LNT001", "--no-cache"])
-    assert (tmp_path / file).read_text("utf-8") == whole.format(before if after is None else after)
-    assert left == (1 if after is None else 0)
+    assert (tmp_path / file).read_text("utf-8") == whole.format(after)
+    assert left == 0
 
 
 def test_a_dependency_is_declared(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):

@@ -33,18 +33,20 @@ _QUIET = {
 }
 
 
+_PARTIAL = r"^(remote\..*\.promisor|extensions\.partialclone)$"
+
+
 class GitError(Exception):
     """What git cannot say; ``str()`` is the reason, for people."""
 
 
 @dataclass(frozen=True)
 class TreeEntry:
-    """A file, a symbolic link or a submodule of a tree; ``size`` in bytes."""
+    """A file, a symbolic link or a submodule of a tree."""
 
     path: str
     mode: str
     object: str
-    size: int
 
     @property
     def is_link(self) -> bool:
@@ -93,17 +95,25 @@ class Repository:
 
     def tree(self, commit: str) -> list[TreeEntry]:
         """All that a commit has, by path from the root."""
-        rows = self._said("ls-tree", "-r", "-z", "-l", "--full-tree", commit).split(b"\0")
+        rows = self._said("ls-tree", "-r", "-z", "--full-tree", commit).split(b"\0")
         return [entry for row in rows if row and (entry := _entry(row)) is not None]
 
-    def contents(self, objects: Sequence[str]) -> Iterator[bytes]:
-        """The bytes of each of some files, in order.  Raises :class:`GitError` for one that is not in this clone."""
+    def missing(self, commit: str) -> frozenset[str]:
+        """The files of a commit whose content is not in this clone, which is a partial one then."""
+        if self._run("config", "--get-regexp", _PARTIAL).returncode != 0:
+            return frozenset()
+        rows = self._said("rev-list", "--objects", "--missing=print", f"{commit}^{{tree}}").decode("ascii", "replace")
+        return frozenset(row[1:] for row in rows.split("\n") if row.startswith("?"))
+
+    def contents(self, objects: Sequence[str], most: int) -> Iterator[bytes]:
+        """The bytes of each of some files, in order, and of a larger one the first ``most``.  Raises
+        :class:`GitError`."""
         with tempfile.TemporaryFile() as wanted:
             wanted.write("".join(f"{name}\n" for name in objects).encode())
             wanted.seek(0)
             with self._started(wanted) as stream:
-                for name in objects:
-                    yield _content(stream, name)
+                for _ in objects:
+                    yield _content(stream, most)
 
     @contextmanager
     def _started(self, wanted: IO[bytes]) -> Iterator[IO[bytes]]:
@@ -160,20 +170,24 @@ def _shown(folder: str) -> str:
 def _entry(row: bytes) -> TreeEntry | None:
     """A row of ``ls-tree``; None for a path that no checkout would write."""
     about, _, path = row.partition(b"\t")
-    mode, _, name, size = about.decode("ascii", "replace").split()
+    mode, _, name = about.decode("ascii", "replace").split()
     decoded = os.fsdecode(path)
     if any(part in ("", ".", "..") or part.lower() == ".git" for part in decoded.split("/")):
         return None
     if os.sep != "/" and (os.sep in decoded or ":" in decoded):
         return None
-    return TreeEntry(decoded, mode, name, int(size) if size.isdecimal() else 0)
+    return TreeEntry(decoded, mode, name)
 
 
-def _content(stream: IO[bytes], name: str) -> bytes:
+def _content(stream: IO[bytes], most: int) -> bytes:
     header = stream.readline().split()
     if len(header) != 3 or not header[2].isdigit():
-        raise GitError(f"the object {name} is not in this clone: `git fetch --refetch` brings it")
-    data = stream.read(int(header[2]))
+        raise GitError("git does not have all files of the revision: `git fsck` says more")
+    size = int(header[2])
+    data = stream.read(min(size, most))
+    left = size - len(data)
+    while left and (skipped := stream.read(min(left, most))):
+        left -= len(skipped)
     if stream.read(1) != b"\n":
         raise GitError("git ended in the middle of a file")
     return data

@@ -20,6 +20,7 @@ from typing import TYPE_CHECKING
 
 from archlint.engine.git import GitError, Repository, TreeEntry
 from archlint.workspace.around import ROOT_MARKS
+from archlint.workspace.kinds import kind_of
 from archlint.workspace.pruning import COLCON_FOLDERS
 from archlint.workspace.tree import TEXT_LIMIT
 
@@ -31,6 +32,8 @@ _NO_TEXT = (
     *(".pcd", ".pdf", ".pgm", ".ply", ".png", ".pt", ".so", ".stl", ".svg", ".tif", ".webp", ".zip"),
 )
 """Of these files only the name counts."""
+_MOST = TEXT_LIMIT + 1
+"""Bytes: a file that has so many is too large to be read, whatever else it has."""
 
 
 class OldTree:
@@ -62,14 +65,18 @@ class OldTree:
         entries = repository.tree(commit)
         plain = [entry for entry in entries if not entry.is_link and not entry.is_submodule]
         os.makedirs(self.place(os.path.join(repository.root, ".git")), exist_ok=True)
-        read = [entry for entry in plain if _is_text(entry)]
-        for entry, data in zip(read, repository.contents([entry.object for entry in read]), strict=True):
+        missing = repository.missing(commit)
+        read = [entry for entry in plain if _is_text(entry) and entry.object not in missing]
+        for entry, data in zip(read, repository.contents([entry.object for entry in read], _MOST), strict=True):
             self._add(repository, entry, data)
         for entry in plain:
-            if not _is_text(entry):
-                self._add(repository, entry, b"", entry.size if entry.size > TEXT_LIMIT else 0)
-        links = [entry for entry in entries if entry.is_link]
-        targets = repository.contents([entry.object for entry in links])
+            if entry.object in missing and _is_read(entry):
+                fetch = f"git archive --output={os.devnull} {commit}"
+                raise GitError(f"the content of {entry.path} is not in this partial clone; `{fetch}` brings it")
+            if entry.object in missing or not _is_text(entry):
+                self._add(repository, entry, b"")
+        links = [entry for entry in entries if entry.is_link and entry.object not in missing]
+        targets = repository.contents([entry.object for entry in links], _MOST)
         rows = [
             (self.place(os.path.join(repository.root, entry.path)), os.fsdecode(data))
             for entry, data in zip(links, targets, strict=True)
@@ -79,15 +86,13 @@ class OldTree:
                 rows += self._submodule(os.path.join(repository.root, entry.path), entry.object)
         return rows
 
-    def _add(self, repository: Repository, entry: TreeEntry, data: bytes, size: int = 0) -> None:
-        """A file that is not there yet; one that is too large to be read has only its ``size``."""
+    def _add(self, repository: Repository, entry: TreeEntry, data: bytes) -> None:
+        """A file that is not there yet."""
         target = self.place(os.path.join(repository.root, entry.path))
         with contextlib.suppress(FileExistsError, NotADirectoryError):  # names that a file system takes for the same
             os.makedirs(os.path.dirname(target), exist_ok=True)
             with open(target, "xb") as stream:
                 stream.write(data)
-                if size:
-                    stream.truncate(size)
             if entry.is_executable:
                 os.chmod(target, 0o755)
 
@@ -177,7 +182,13 @@ def _removed_on_termination() -> Iterator[None]:
 
 
 def _is_text(entry: TreeEntry) -> bool:
-    return entry.size <= TEXT_LIMIT and not entry.path.lower().endswith(_NO_TEXT)
+    return not entry.path.lower().endswith(_NO_TEXT)
+
+
+def _is_read(entry: TreeEntry) -> bool:
+    """Whether archlint reads what is in a file, and not only that it is there."""
+    folder, name = os.path.split(entry.path)
+    return "." not in name or kind_of(name, os.path.basename(folder)) is not None
 
 
 def _is_below(path: str, folder: str) -> bool:

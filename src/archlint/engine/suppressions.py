@@ -111,8 +111,8 @@ def without_reason(by_file: Mapping[str, Sequence[Suppression]]) -> Iterator[Fin
 
 
 def _sites(file: str, comment: Suppression, idle: frozenset[str]) -> Sites | None:
-    """What to edit for the codes that hide nothing; None for a comment that says more, which is left to its author."""
-    if comment.says_more or comment.listed is None:
+    """What to edit for the codes that hide nothing."""
+    if comment.listed is None:
         return None
     start, end = comment.listed
     suppression = IdleSuppression(

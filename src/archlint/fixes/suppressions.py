@@ -32,6 +32,9 @@ def _removal(idle: IdleSuppression, source: Source) -> Edit:
     line = source.line(place.line)
     rest = line[place.end_column - 1 :]
     behind = place.end_column + len(rest) - len(rest.lstrip())
+    words = line[idle.listed.end_column - 1 : place.end_column - 1].removesuffix("-->").strip()
+    if idle.closed and words:
+        return Edit(place, f"<!-- {words} -->")
     if not rest.strip():
         start = len(line[: place.column - 1].rstrip()) + 1
         if start == 1:  # nothing else stands on the line

@@ -78,7 +78,7 @@ from archlint.syntax.statements import (
     WithItem,
 )
 
-FACTS_VERSION = 10
+FACTS_VERSION = 11
 """Raised whenever the shape or the meaning of the facts changes: old cache entries are then misses."""
 
 
@@ -102,8 +102,6 @@ class Suppression(Base, frozen=True):
     """First and last column (exclusive) of the codes with their brackets; None for a refused one."""
     closed: bool = False
     """Whether it ends by itself, as comments of XML do; one with ``#`` goes on to the end of the line."""
-    says_more: bool = False
-    """Whether its author wrote more into a ``closed`` one than the codes."""
     reason: bool = False
     """Whether it says why, behind the codes."""
 

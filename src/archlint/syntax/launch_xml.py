@@ -198,7 +198,6 @@ def _suppressions(text: str, root: Element) -> list[Suppression]:
                     "file" if match[1] else "line",
                     listed=listed_at(match, match.start() + 1),
                     closed=True,
-                    says_more=bool(match["words"].strip()),
                     reason=gives_reason(match["words"]),
                 )
             )
