@@ -62,8 +62,8 @@ def workspace(folder: Path, files: dict[str, str]) -> Path:
     return folder
 
 
-def found(folder: Path, monkeypatch: pytest.MonkeyPatch, path: str = ".") -> list[tuple[str, int]]:
-    monkeypatch.chdir(folder)
+def found(folder: Path, monkeypatch: pytest.MonkeyPatch, path: str = ".", start: str = ".") -> list[tuple[str, int]]:
+    monkeypatch.chdir(folder / start)
     report = check(Request((path,), load(folder), cached=False, jobs=1))
     return [(finding.place.file, finding.place.line) for finding in report.findings]
 
@@ -90,6 +90,13 @@ def test_a_client_of_a_type_that_nothing_serves(tmp_path, monkeypatch):
 )
 def test_somebody_may_serve_it(tmp_path, monkeypatch, files):
     assert found(workspace(tmp_path, files), monkeypatch) == []
+
+
+@pytest.mark.parametrize(("start", "path"), [("driver", ".."), ("driver/driver", "../.."), ("..", "ws")])
+def test_so_it_is_from_any_folder(tmp_path, monkeypatch, start, path):
+    cpp = {"firmware/src/main.cpp": "#include <motor_msgs/srv/set_motor.hpp>\nusing motor_msgs::srv::SetMotor;\n"}
+    assert found(workspace(tmp_path / "ws", cpp), monkeypatch, path, start) == []
+    assert len(found(workspace(tmp_path / "ws", {"firmware/src/main.cpp": ""}), monkeypatch, path, start)) == 1
 
 
 def test_a_part_of_a_workspace_does_not_show_who_serves(tmp_path, monkeypatch):

@@ -72,7 +72,7 @@ def _ends_of_workspace(workspace: WorkspaceIndex) -> _Ends:
 
 def _files_that_name(workspace: WorkspaceIndex, name: str) -> frozenset[str]:
     """The files with code in which a word stands."""
-    paths = (path for path in workspace.tree.files_below("") if path.lower().endswith(_CODE))
+    paths = (path for path in workspace.tree.files_below(workspace.tree.top) if path.lower().endswith(_CODE))
     return frozenset(path for path in paths if workspace.code.mentions(path, name))
 
 

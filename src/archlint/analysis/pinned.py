@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import posixpath
 import re
 from typing import TYPE_CHECKING
 
@@ -44,8 +45,11 @@ def _named(workspace: WorkspaceIndex) -> frozenset[str]:
 
 
 def _texts(tree: Tree) -> Iterator[str]:
-    below = [path for folder in PINNING_FOLDERS for path in tree.files_below(folder) if _READ.search(path)]
-    for path in (*below, *PINNING_FILES):
+    folders, files = (
+        [posixpath.normpath(f"{tree.top}/{name}") for name in names] for names in (PINNING_FOLDERS, PINNING_FILES)
+    )
+    below = [path for folder in folders for path in tree.files_below(folder) if _READ.search(path)]
+    for path in (*below, *files):
         text = tree.text(path)
         if text is not None:
             yield text

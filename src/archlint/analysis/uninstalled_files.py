@@ -112,7 +112,7 @@ _COMMAND = re.compile(r"\bros2[ \t]+launch[ \t]+([\w./~${}-]+)(?:[ \t]+([\w./-]+
 def _commands(workspace: WorkspaceIndex) -> list[tuple[str, str, Place]]:
     """The two words after each ``ros2 launch`` in the documents and scripts of a workspace, and where that is."""
     rows = []
-    for path in workspace.tree.files_below("."):
+    for path in workspace.tree.files_below(workspace.tree.top):
         text = workspace.tree.text(path) if _TEXTS.fullmatch(posixpath.basename(path)) else None
         for number, line in enumerate(text.splitlines() if text is not None and "ros2" in text else (), 1):
             for call in _COMMAND.finditer(line):

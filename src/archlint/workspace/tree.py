@@ -34,6 +34,9 @@ class Tree(Protocol):
     @property
     def words(self) -> Words: ...
 
+    @property
+    def top(self) -> str: ...
+
     def text(self, path: str) -> str | None: ...
 
     def unreadable(self, path: str) -> str | None: ...
@@ -55,6 +58,10 @@ class _NoFiles:
     @property
     def words(self) -> Words:
         return Words(lambda path: None)
+
+    @property
+    def top(self) -> str:
+        return "."
 
     def text(self, path: str) -> str | None:
         return None
@@ -95,6 +102,11 @@ class SourceTree:
         """Every answer that was given, by question and path, for whoever keeps what follows from them."""
         self.words = Words(lambda path: self._text(path, "words"))
         self._tell: Callable[[Question, str | None], None] | None = None
+
+    @property
+    def top(self) -> str:
+        """The folder of all the files: not the working directory where that is above it or below."""
+        return os.path.relpath(self._within, os.path.realpath(self.base)).replace(os.sep, "/")
 
     def _real(self, path: str) -> Path | None:
         if "\0" in path:
