@@ -9,6 +9,9 @@ import pytest
 from checks.judging import Judge
 
 SCRIPT = """
+import threading
+import time
+
 import rclpy
 from example_interfaces.action import Fibonacci
 from example_interfaces.srv import AddTwoInts
@@ -29,6 +32,8 @@ if __name__ == '__main__':
     main()
 """
 NODE = """
+import time
+
 import rclpy
 from example_interfaces.srv import AddTwoInts
 from rclpy.node import Node
@@ -183,11 +188,33 @@ def test_a_result_that_cannot_be_there_yet(judge: Judge, lines: str):
     assert "the service 'add' has not responded yet, so it is None" in finding.message
 
 
+def test_sleeping_does_not_help(judge: Judge):
+    [finding] = judge("TMO006", script("time.sleep(1.0)\nprint(future.result())  # here"))
+    assert "nothing takes the response from the service 'add' meanwhile, so it is None" in finding.message
+
+
+def test_sleeping_does_not_help_a_callback(judge: Judge):
+    methods = """
+def tick(self):
+    future = self.client.call_async(AddTwoInts.Request())
+    time.sleep(1.0)
+    print(future.result())  # here
+
+def more(self, request, response):
+    return response
+"""
+    [finding] = judge("EXE002", node(methods))
+    assert "no response from the service 'add' is taken meanwhile, so it is None" in finding.message
+
+
 @pytest.mark.parametrize(
     "lines",
     [
         "rclpy.spin_until_future_complete(node, future)\nprint(future.result())",
+        "threading.Thread(target=rclpy.spin, args=(node,)).start()\nfuture = client.call_async(AddTwoInts.Request())\n"
+        "time.sleep(1.0)\nprint(future.result())",
         "while not future.done():\n    rclpy.spin_once(node)\nprint(future.result())",
+        "node.sleep(1.0)\nprint(future.result())",
         "keep(node)\nprint(future.result())",
     ],
 )

@@ -5,21 +5,27 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from archlint.analysis import blocking
+from archlint.analysis.callback_roles import runs_in_executor
+from archlint.analysis.deadlock import threads_of
 from archlint.analysis.kept import once
 from archlint.analysis.reach import creations_of, judged_calls, same_expression
 from archlint.analysis.source_code import SourceCode, source_code
 from archlint.analysis.straight_after import LOGS, follows_at_once
+from archlint.model import ExecutorKind, Role
 from archlint.model.given import Future
 from archlint.syntax import facts
 from archlint.syntax.control_flow import graph_of
-from archlint.syntax.walk import calls_in, parts_of
+from archlint.syntax.walk import called_name, calls_in, parts_of
 
 if TYPE_CHECKING:
-    from archlint.model import ApiCall, Creation, Program
+    from archlint.model import ApiCall, Blueprint, Creation, Program
     from archlint.systems.model import System
 
 _RESULT = "rclpy.task.Future.result"
 _SENDS = frozenset({"call_async", "send_goal_async", "get_result_async", "cancel_goal_async"})
+
+_SLEEPS = LOGS | {"sleep"}
 
 
 @dataclass(frozen=True)
@@ -29,6 +35,8 @@ class EarlyResult:
     call: ApiCall
     client: Creation
     program: Program
+    slept: bool = False
+    """Whether the code sleeps before, on the only thread that could take the answer."""
 
 
 @once
@@ -39,12 +47,30 @@ def early_results(system: System) -> list[EarlyResult]:
         if call.api != _RESULT or not isinstance(call.receiver, Future):
             continue
         clients = creations_of(call.receiver)
-        if clients and _straight_after(code, call):
+        if clients and _straight_after(code, call, LOGS):
             results.append(EarlyResult(call, clients[0], program))
+        elif clients and _only_sleeps(code, call) and _takes_nothing(program, call, clients[0].node):
+            results.append(EarlyResult(call, clients[0], program, slept=True))
     return results
 
 
-def _straight_after(code: SourceCode, call: ApiCall) -> bool:
+def _only_sleeps(code: SourceCode, call: ApiCall) -> bool:
+    """Whether nothing but Python's own sleep is between the request and its result."""
+    sleeps = [inner for inner in calls_in(code.body(call)) if called_name(inner) in _SLEEPS - LOGS]
+    return all(inner.func.dotted == "time.sleep" for inner in sleeps) and _straight_after(code, call, _SLEEPS)
+
+
+def _takes_nothing(program: Program, call: ApiCall, node: Blueprint) -> bool:
+    """Whether the thread that reads the result is the only one that could take the answer."""
+    if node.caller_unknown or node.escapes or program.exhausted:
+        return False
+    if runs_in_executor(call.context):
+        return call.context.node is node and threads_of(node, program) == blocking.ONE
+    alone = not any(use.in_thread for use in program.executors_of(node)) and node.executor is not ExecutorKind.UNKNOWN
+    return alone and program.executable and call.context.role in (Role.INIT, Role.MAIN, Role.MODULE)
+
+
+def _straight_after(code: SourceCode, call: ApiCall, pastimes: frozenset[str]) -> bool:
     result = code.expression(call)
     if result is None or not isinstance(result.func, facts.Attribute):
         return False
@@ -55,7 +81,7 @@ def _straight_after(code: SourceCode, call: ApiCall) -> bool:
     reads = graph.evaluating(result.span)
     return (
         future.dotted != ""
-        and follows_at_once(graph, reads, future.dotted, _sends, LOGS)
+        and follows_at_once(graph, reads, future.dotted, _sends, pastimes)
         and not any(_awaits_beside(block.fact, result) for block in reads)
     )
 

@@ -110,12 +110,18 @@ def _no_answer_yet(system: System, early: EarlyResult) -> Finding:
         system,
         early.program,
         early.call,
-        f"{callback_words(early.call.context)} reads result() right after call_async(): "
-        f"{endpoint_words(early.client)} has not responded yet, so it is None",
+        f"{callback_words(early.call.context)} {_reads(early)}",
         help="future.add_done_callback(...) and read the result there",
         client=early.client,
         identity=(early.client.name.text or "", "result"),
     )
+
+
+def _reads(early: EarlyResult) -> str:
+    asked = endpoint_words(early.client)
+    if early.slept:
+        return f"sleeps and then reads result(): no response from {asked} is taken meanwhile, so it is None"
+    return f"reads result() right after call_async(): {asked} has not responded yet, so it is None"
 
 
 def _deaf(system: System, wait: EventWait) -> Finding:

@@ -76,14 +76,20 @@ def _too_early(system: System, early: EarlyResult) -> Finding:
     return finding(
         "TMO006",
         call.place,
-        f"reads result() right after the request is sent: {endpoint_words(early.client)} has not responded yet, so it "
-        "is None",
+        _too_early_words(early),
         help="wait first: rclpy.spin_until_future_complete(node, future, timeout_sec=5.0)",
         related=related_path(call, early.client),
         node=node_name(system, call.context.node),
         identity=(call.function, name_of(early.client), "early"),
         group=(call.place.file, call.function, "early"),
     )
+
+
+def _too_early_words(early: EarlyResult) -> str:
+    asked = endpoint_words(early.client)
+    if early.slept:
+        return f"sleeps and then reads result(): nothing takes the response from {asked} meanwhile, so it is None"
+    return f"reads result() right after the request is sent: {asked} has not responded yet, so it is None"
 
 
 _HELD = {

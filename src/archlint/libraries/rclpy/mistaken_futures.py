@@ -29,10 +29,12 @@ _ASK = frozenset({"hasattr", "getattr", "isinstance", "type", "callable"})
 
 def note_read(run: Run, value: Value, name: str, span: Span) -> None:
     """Note that the code reads an attribute of a future that only its result can have."""
+    if not run.noted.futures and not any(
+        isinstance(option, (FutureValue, ApiMethod)) for option in alternatives(value)
+    ):
+        return  # as nearly always
     options = [option for option in alternatives(value) if not option.is_none]
     futures = [future for option in options if (future := _future_in(option, name)) is not None]
-    if not futures and not run.noted.futures:
-        return
     key = run.place(span), name
     certain = len(futures) == len(options) and not any(future.creations != futures[0].creations for future in futures)
     if certain and futures and is_certain(run) and not _asks(run):
