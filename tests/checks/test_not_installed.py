@@ -240,3 +240,52 @@ def test_several_files_of_one_list(findings):
 )
 def test_a_file_that_may_be_made_before_the_build(findings, files):
     assert findings("PKG004", **{"setup.py": listing("a.yaml"), "resource/robot": ""} | files) == []
+
+
+# --------------------------------------------------------------------------------------- files that nodes open
+
+OPENS = """\
+import os
+from ament_index_python.packages import get_package_share_directory
+
+def load():
+    {lines}
+"""
+JOINED = "return open(os.path.join(get_package_share_directory('robot'), 'data', 'words.json'))"
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        JOINED,
+        "share = get_package_share_directory('robot')\n    return open(os.path.join(share, 'data/words.json'))",
+    ],
+)
+def test_a_file_that_a_node_looks_for(findings, lines):
+    files = {"robot/words.py": OPENS.format(lines=lines), "data/words.json": "{}"}
+    (finding,) = findings("PKG004", **files)
+    assert finding.message == (
+        "package 'robot' does not install the file 'data/words.json', which robot/words.py looks for in its share "
+        "folder"
+    )
+    assert (finding.place.file, finding.help) == (
+        "setup.py",
+        "add ('share/robot/data', ['data/words.json']) to data_files=",
+    )
+    installed = SETUP.replace("data_files=[", "data_files=[('share/robot/data', ['data/words.json']), ")
+    assert findings("PKG004", **files, **{"setup.py": installed}) == []
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        JOINED.replace("'data'", "folder"),
+        JOINED.replace("'robot'", "package"),
+        JOINED.replace("'robot'", "'elsewhere'"),
+        JOINED.replace("words.json", "others.json"),
+        "path = " + JOINED.removeprefix("return ") + "\n    return path if os.path.exists('x') else None",
+        "share = get_package_share_directory('robot')\n    share = '/'\n    os.path.join(share, 'data/words.json')",
+    ],
+)
+def test_a_file_that_may_be_elsewhere(findings, lines):
+    assert findings("PKG004", **{"robot/words.py": OPENS.format(lines=lines), "data/words.json": "{}"}) == []

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import posixpath
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -43,8 +43,8 @@ class LaunchFilesLeftOut:
 def launch_files_left_out(workspace: WorkspaceIndex) -> Iterator[LaunchFilesLeftOut]:
     """Of a package that installs none of the launch files in its folder ``launch``, these; of any other package, those
     that a text of the workspace says to start by ``ros2 launch PACKAGE FILE``."""
-    for installs in _understood(workspace):
-        place = _mended_at(workspace, installs)
+    for installs in understood(workspace).values():
+        place = mended_at(workspace, installs)
         own = _launch_files(workspace, installs)
         missing = [file for file in own if not any(installs.places_of(file)) and file not in _told_already(workspace)]
         if place is None or not missing:
@@ -62,16 +62,19 @@ def _below(installs: Installs, files: Iterable[str]) -> Iterator[str]:
     return (file if installs.folder == "." else file.removeprefix(f"{installs.folder}/") for file in files)
 
 
-def _understood(workspace: WorkspaceIndex) -> Iterator[Installs]:
+@once
+def understood(workspace: WorkspaceIndex) -> Mapping[str, Installs]:
     """What packages of ROS 2 install, where all of it is known and there is one package of the name."""
-    for name in sorted(workspace.installs):
-        installs, package = workspace.installs[name], workspace.manifests.get(workspace.installs[name].folder)
-        known = bool(installs.build_files) and not installs.open_files
-        if known and package is not None and not package.ros1 and not is_aside(workspace, package.manifest.relative):
-            yield installs
+    return {name: workspace.installs[name] for name in sorted(workspace.installs) if _is_understood(workspace, name)}
 
 
-def _mended_at(workspace: WorkspaceIndex, installs: Installs) -> Place | None:
+def _is_understood(workspace: WorkspaceIndex, name: str) -> bool:
+    installs, package = workspace.installs[name], workspace.manifests.get(workspace.installs[name].folder)
+    known = bool(installs.build_files) and not installs.open_files
+    return known and package is not None and not package.ros1 and not is_aside(workspace, package.manifest.relative)
+
+
+def mended_at(workspace: WorkspaceIndex, installs: Installs) -> Place | None:
     """Where a package says which files it installs."""
     if installs.data_files_at is not None:
         return installs.data_files_at
@@ -146,7 +149,7 @@ class ListedInVain:
 
 def listed_in_vain(workspace: WorkspaceIndex) -> Iterator[ListedInVain]:
     """Each such file that nothing makes before the build."""
-    for installs in _understood(workspace):
+    for installs in understood(workspace).values():
         at = installs.data_files_at
         if at is None or writes_files(workspace, at.file):
             continue
@@ -164,4 +167,4 @@ def _is_pattern(row: InstalledFiles) -> bool:
     return row.folder or any(sign in row.source for sign in "*?[")
 
 
-__all__ = ["LaunchFilesLeftOut", "ListedInVain", "launch_files_left_out", "listed_in_vain"]
+__all__ = ["LaunchFilesLeftOut", "ListedInVain", "launch_files_left_out", "listed_in_vain", "mended_at", "understood"]

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.left_out_code import LeftOut, has_init, left_out_code
+from archlint.analysis.uninstalled_data import DataLeftOut, data_left_out
 from archlint.analysis.uninstalled_files import (
     LaunchFilesLeftOut,
     ListedInVain,
@@ -40,6 +41,10 @@ def not_installed(system: System, options: Options) -> Iterator[Finding]:
     for package, rows in needed.items():
         yield _code(workspace, package, rows)
     yield from map(_launch_files, launch_files_left_out(workspace))
+    named: dict[str, list[DataLeftOut]] = {}
+    for named_row in data_left_out(workspace):
+        named.setdefault(named_row.package, []).append(named_row)
+    yield from map(_data, named.values())
     yield from map(_in_vain, listed_in_vain(workspace))
 
 
@@ -127,6 +132,25 @@ def _launch_files(row: LaunchFilesLeftOut) -> Finding:
         help=line,
         related=[Related(place, "it is to be started like this") for place in row.told_at[:_SHOWN]],
         identity=(row.package, "launch", *names),
+    )
+
+
+def _data(rows: Sequence[DataLeftOut]) -> Finding:
+    [first, *_] = rows
+    files = list(dict.fromkeys(row.file for row in rows))
+    folder = posixpath.dirname(first.file)
+    alike = [file for file in files if posixpath.dirname(file) == folder][:_SHOWN]
+    below = f"share/{first.package}/{folder}".rstrip("/")
+    what = f"the file '{first.file}'" if len(files) == 1 else f"these {len(files)} files: {listed(files)}"
+    cmake = f"write install(FILES {' '.join(alike)} DESTINATION share/${{PROJECT_NAME}}/{folder})"
+    setup = f"add ('{below}', {alike}) to data_files="
+    return finding(
+        "PKG004",
+        first.place,
+        f"package '{first.package}' does not install {what}, which {first.named_at.file} looks for in its share folder",
+        help=cmake if first.place.file.endswith("CMakeLists.txt") else setup,
+        related=[Related(row.named_at, f"'{row.file}' is named here") for row in rows[:_SHOWN]],
+        identity=(first.package, *files),
     )
 
 
