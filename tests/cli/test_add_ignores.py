@@ -51,6 +51,15 @@ def test_what_no_comment_can_suppress_is_told(capsys: pytest.CaptureFixture[str]
     assert "No comment can suppress the 1 that is left.\n" in said
 
 
+def test_a_rule_that_reports_the_first_place_is_suppressed_at_each(capsys: pytest.CaptureFixture[str]):
+    imports = "".join(f"from sensor_msgs.msg import {name}\n" for name in ("Imu", "Image", "Range", "Joy", "NavSatFix"))
+    text = MOTOR.read_text("utf-8")
+    MOTOR.write_text(imports + text, "utf-8")
+    status, lines, _ = check(capsys, "--add-ignores", "--select", "PKG001")
+    assert (status, lines) == (0, [])
+    assert MOTOR.read_text("utf-8") == imports.replace("\n", "  # archlint: ignore[PKG001]\n") + text
+
+
 def test_a_read_only_file_ends_it_before_anything_is_written(capsys: pytest.CaptureFixture[str]):
     MOTOR.chmod(0o444)
     status, _, said = check(capsys, "--add-ignores")

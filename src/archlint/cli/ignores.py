@@ -14,8 +14,9 @@ if TYPE_CHECKING:
     from archlint.engine.pipeline import Request
     from archlint.report.model import Report
 
-PASSES = 4
-"""How often it is looked what is still found: a finding may hide another one at its place."""
+PASSES = 50
+"""How often it is looked what is still found: where a rule reports the first of several places, each pass shows the
+next one."""
 
 
 @dataclass(frozen=True)
