@@ -137,24 +137,9 @@ def run(arguments: argparse.Namespace) -> int:
     failing = Severity.parse(arguments.severity)
     if arguments.diff:
         return _show_difference(report, arguments)
-    done: list[str] = []
-    if arguments.fix:
-        from archlint.cli.fix import mend  # with what takes files apart, which most checks do without
-
-        with watch as monitor:
-            outcome = mend(replace(request, monitor=monitor), report, arguments.unsafe_fixes)
-        report, shown = outcome.report, []  # the files are others now
-        done += [f"Fixed {outcome.count} finding{'s' if outcome.count > 1 else ''}."] if outcome.count else []
-    if arguments.add_ignores:
-        from archlint.cli.ignores import ignore  # as above
-
-        with watch as monitor:
-            ignored = ignore(replace(request, monitor=monitor), arguments.reason)
-        report, shown = ignored.report, []
-        done.append(ignored.said)
-    if baseline is not None and (baseline.writes or baseline.prunes):
-        report, said = baseline.written(report)
-        done.append(said)
+    report, done = _after_changes(report, request, baseline, watch, arguments)
+    if arguments.fix or arguments.add_ignores:
+        shown = []  # the files are others now
     folder = folder_in_repository(Path.cwd(), os.environ)
     text = _written(replace(report, failing=failing, folder=folder), arguments)
     warnings, notes = ("", "") if arguments.quiet else _remarks(report, done, request, shown, arguments)
@@ -164,6 +149,31 @@ def run(arguments: argparse.Namespace) -> int:
     if request.keeper is not None:
         request.keeper.keep(answer)
     return status
+
+
+def _after_changes(
+    report: Report, request: Request, baseline: UsedBaseline | None, watch: Watch, arguments: argparse.Namespace
+) -> tuple[Report, list[str]]:
+    """Change the files that the command is to change; returns the report on what is left, and what was done."""
+    done: list[str] = []
+    if arguments.fix:
+        from archlint.cli.fix import mend  # with what takes files apart, which most checks do without
+
+        with watch as monitor:
+            fixed = mend(replace(request, monitor=monitor), report, arguments.unsafe_fixes)
+        report = fixed.report
+        done += [f"Fixed {fixed.count} finding{'s' if fixed.count > 1 else ''}."] if fixed.count else []
+    if arguments.add_ignores:
+        from archlint.cli.ignores import ignore  # as above
+
+        with watch as monitor:
+            ignored = ignore(replace(request, monitor=monitor), arguments.reason)
+        report = ignored.report
+        done.append(ignored.said)
+    if baseline is not None and (baseline.writes or baseline.prunes):
+        report, said = baseline.written(report)
+        done.append(said)
+    return report, done
 
 
 def _refuse_combinations(arguments: argparse.Namespace) -> None:
