@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from archlint.engine.known import Baseline, Entry, Sieve
+from archlint.engine.known import Baseline, Entry, Older, Sieve
 from archlint.finding import Finding, Place, Related, Severity
 from archlint.report.occurrence import Key, Occurrence
 
@@ -31,6 +31,10 @@ def key(*arguments: int | str, **words: str) -> Key:
 
 def holding(*keys: Key) -> Baseline:
     return Baseline("known.txt", tuple(Entry(number, one) for number, one in enumerate(keys, 3)))
+
+
+def older(*keys: Key, severity: Severity = Severity.ERROR) -> list[Older]:
+    return [Older(one, severity) for one in keys]
 
 
 def test_its_line_does_not_matter_but_its_rule_its_file_and_its_names_do():
@@ -96,25 +100,31 @@ def test_a_failure_of_ours_is_never_held(code: str):
 
 
 def test_what_an_earlier_revision_has_is_not_new():
-    sieve = Sieve(before=[key(1, "plan")])
+    sieve = Sieve(before=older(key(1, "plan")))
     sifted = sieve.part([finding(10, "plan"), finding(20, "plan"), finding(30, "map")])
     assert [one.place.line for one in sifted.older] == [10]
     assert [one.place.line for one in sifted.new] == [20, 30]
 
 
+def test_what_weighs_more_than_before_is_new():
+    assert len(Sieve(before=older(key(1, "plan"), severity=Severity.INFO)).part([finding(10, "plan")]).new) == 1
+    less = replace(finding(10, "plan"), severity=Severity.INFO)
+    assert len(Sieve(before=older(key(1, "plan"), severity=Severity.WARNING)).part([less]).older) == 1
+
+
 def test_the_finding_of_a_file_that_is_gone_may_be_in_another_one_now():
-    sieve = Sieve(before=[key(1, "plan", file="src/gone.py"), key(1, "map")])
+    sieve = Sieve(before=older(key(1, "plan", file="src/gone.py"), key(1, "map")))
     sifted = sieve.part([finding(10, name, file="src/new.py") for name in ("plan", "map")])
     assert [len(sifted.older), len(sifted.new)] == [1, 1]
 
 
 def test_what_the_baseline_holds_does_not_hide_an_equal_finding_that_is_new():
-    sieve = Sieve(holding(key(1, "plan")), before=[key(1, "plan")])
+    sieve = Sieve(holding(key(1, "plan")), before=older(key(1, "plan")))
     sifted = sieve.part([finding(10, "plan"), finding(20, "plan")])
     assert (len(sifted.baselined), len(sifted.older), len(sifted.new)) == (1, 0, 1)
 
 
 def test_with_an_earlier_revision_only_an_entry_that_the_change_makes_idle_counts():
-    sieve = Sieve(holding(key(1, "plan"), key(1, "map")), before=[key(1, "plan")])
+    sieve = Sieve(holding(key(1, "plan"), key(1, "map")), before=older(key(1, "plan")))
     sieve.part([])
     assert [entry.key.what for entry in sieve.idle()] == ["plan"]

@@ -14,7 +14,7 @@ from archlint.report.model import recounted
 
 if TYPE_CHECKING:
     from archlint.config.settings import Settings
-    from archlint.engine.known import Baseline
+    from archlint.engine.known import Baseline, Older
     from archlint.engine.request import Request
     from archlint.report.model import Report
     from archlint.report.occurrence import Key
@@ -80,7 +80,7 @@ class UsedBaseline:
             raise UsageError(str(error)) from None
 
 
-def findings_before(request: Request, revision: str | None) -> tuple[tuple[Key, ...] | None, Sequence[str]]:
+def findings_before(request: Request, revision: str | None) -> tuple[tuple[Older, ...] | None, Sequence[str]]:
     """The findings of the revision of ``--new-only``, None without one, and what is to be said of the comparison.
 
     Raises :class:`UsageError` where they are not known, and ``NothingToDo``.
@@ -95,7 +95,7 @@ def findings_before(request: Request, revision: str | None) -> tuple[tuple[Key, 
         raise UsageError(f"--new-only: {error}") from None
     except OSError as error:
         raise UsageError(f"--new-only: the earlier revision cannot be read: {error.strerror}") from None
-    return before.keys, before.notices
+    return before.findings, before.notices
 
 
 def baseline_of(arguments: argparse.Namespace, settings: Settings) -> UsedBaseline | None:

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from archlint.report.occurrence import Key, Occurrence
 
 if TYPE_CHECKING:
-    from archlint.finding import Finding
+    from archlint.finding import Finding, Severity
 
 NEVER_HELD = ("LNT003", "LNT004")
 """A failure of ours, and an entry that nothing matches, are news each time."""
@@ -48,6 +48,31 @@ class Known:
         return True
 
 
+@dataclass(frozen=True)
+class Older:
+    """A finding of an earlier revision, and how much it weighs there."""
+
+    key: Key
+    severity: Severity
+
+
+class Earlier:
+    """The findings of an earlier revision.  One that weighs more now is new: the change has made it matter."""
+
+    def __init__(self, findings: Iterable[Older]) -> None:
+        self._left: dict[Key, list[Severity]] = {}
+        for finding in findings:
+            self._left.setdefault(finding.key, []).append(finding.severity)
+
+    def takes(self, key: Key, severity: Severity) -> bool:
+        """Whether a finding was there, and weighed as much at least; it is used up."""
+        left = self._left.get(key, [])
+        enough = [weight for weight in left if weight >= severity]
+        if enough:
+            left.remove(min(enough))
+        return bool(enough)
+
+
 @dataclass
 class Sifted:
     """The findings of one workspace."""
@@ -64,13 +89,15 @@ class Sieve:
     ``before`` are the findings of an earlier revision, None where it is not compared with one.
     """
 
-    def __init__(self, baseline: Baseline | None = None, before: Sequence[Key] | None = None) -> None:
+    def __init__(self, baseline: Baseline | None = None, before: Sequence[Older] | None = None) -> None:
         self.occurrences: list[Occurrence] = []
         self._entries = () if baseline is None else baseline.entries
-        self._older = None if before is None else Counter(before)
+        self._older = None if before is None else Counter(older.key for older in before)
         self._baseline = Known(entry.key for entry in self._entries)
-        self._before = Known((self._older or Counter()).elements())
-        self._of_gone_files = Known(_anywhere(key) for key in before or () if not os.path.lexists(key.file))
+        self._before = Earlier(before or ())
+        self._of_gone_files = Earlier(
+            Older(_anywhere(older.key), older.severity) for older in before or () if not os.path.lexists(older.key.file)
+        )
 
     def part(self, findings: Iterable[Finding], files: Set[str] = frozenset()) -> Sifted:
         """The findings of one workspace, known ones apart; ``files`` are its files, as findings name them."""
@@ -78,16 +105,17 @@ class Sieve:
         for finding in sorted(findings, key=lambda finding: finding.sort_key):
             occurrence = Occurrence.of(finding, files)
             # Both are asked: what the baseline holds is no longer there for an equal finding that is new.
-            baselined, older = self._baseline.takes(occurrence.key), self._is_older(occurrence.key)
+            baselined, older = self._baseline.takes(occurrence.key), self._is_older(occurrence)
             if finding.code in NEVER_HELD:
                 baselined = older = False
             (sifted.baselined if baselined else sifted.older if older else sifted.new).append(finding)
             self.occurrences.append(replace(occurrence, known=baselined or older))
         return sifted
 
-    def _is_older(self, key: Key) -> bool:
+    def _is_older(self, occurrence: Occurrence) -> bool:
         """Whether the earlier revision has a finding, too, perhaps in a file that was renamed since."""
-        return self._before.takes(key) or self._of_gone_files.takes(_anywhere(key))
+        key, severity = occurrence.key, occurrence.severity
+        return self._before.takes(key, severity) or self._of_gone_files.takes(_anywhere(key), severity)
 
     def idle(self) -> list[Entry]:
         """The entries of the baseline that no finding matches; with an earlier revision those that one did there."""
@@ -104,4 +132,4 @@ def _anywhere(key: Key) -> Key:
     return replace(key, file="")
 
 
-__all__ = ["NEVER_HELD", "Baseline", "Entry", "Known", "Sieve", "Sifted"]
+__all__ = ["NEVER_HELD", "Baseline", "Entry", "Known", "Older", "Sieve", "Sifted"]

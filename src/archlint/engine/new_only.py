@@ -15,9 +15,11 @@ from typing import TYPE_CHECKING
 
 from archlint.engine.git import GitError, Repository, repository_of
 from archlint.engine.inputs import find_files
+from archlint.engine.known import Older
 from archlint.engine.old_tree import OldTree, old_tree
 from archlint.engine.own_code import own_code
 from archlint.engine.pipeline import NothingToDo, Request, check, store_of
+from archlint.finding import Severity
 from archlint.report.occurrence import Key
 from archlint.suggestions import did_you_mean
 from archlint.syntax.cache import NullStore
@@ -36,7 +38,7 @@ __all__ = ["Before", "GitError", "findings_before"]
 class Before:
     """The findings of an earlier revision, and what is to be said of the comparison."""
 
-    keys: tuple[Key, ...]
+    findings: tuple[Older, ...]
     notices: tuple[str, ...]
 
 
@@ -63,12 +65,13 @@ def findings_before(request: Request, revision: str) -> Before:
             for folder in tree.kept
         ]
     store.close()
-    keys = () if report is None else tuple(occurrence.key for occurrence in report.occurrences)
+    occurrences = () if report is None else report.occurrences
+    findings = tuple(Older(occurrence.key, occurrence.severity) for occurrence in occurrences)
     failures = [] if report is None else [finding for finding in report.findings if finding.code == "LNT003"]
     notices += [f"--new-only: at {revision}, {failure.place.file}: {failure.message}" for failure in failures]
     if not failures:
-        kept.save(keys)
-    return Before(keys, tuple(notices))
+        kept.save(findings)
+    return Before(findings, tuple(notices))
 
 
 def _folder(path: str) -> str:
@@ -156,15 +159,17 @@ class _Kept:
         decisive = [own_code(), commit, here, repository.root, asked, surroundings.rows()]
         self._key = f"before-{hashlib.sha256(json.dumps(decisive).encode()).hexdigest()}"
 
-    def load(self) -> tuple[Key, ...] | None:
+    def load(self) -> tuple[Older, ...] | None:
         payload = self._store.get_run(self._key)
         try:
-            return None if payload is None else tuple(Key(*map(str, row)) for row in json.loads(payload))
-        except (ValueError, TypeError, RecursionError):
+            rows = None if payload is None else json.loads(payload)
+            return None if rows is None else tuple(Older(Key(*map(str, row[1:])), Severity(row[0])) for row in rows)
+        except (ValueError, TypeError, LookupError, RecursionError):
             return None
 
-    def save(self, keys: Sequence[Key]) -> None:
-        self._store.put_run(self._key, json.dumps([[key.code, key.file, key.what] for key in keys]).encode())
+    def save(self, findings: Sequence[Older]) -> None:
+        rows = [[older.severity, older.key.code, older.key.file, older.key.what] for older in findings]
+        self._store.put_run(self._key, json.dumps(rows).encode())
 
 
 class _FactsOnly(NullStore):

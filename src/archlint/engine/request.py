@@ -11,10 +11,9 @@ if TYPE_CHECKING:
     from archlint.config.settings import Settings
     from archlint.engine.executors import ExecutorPool
     from archlint.engine.keeper import Keeper
-    from archlint.engine.known import Baseline
+    from archlint.engine.known import Baseline, Older
     from archlint.engine.linked_facts import LinkedFacts
     from archlint.observed.model import Observed
-    from archlint.report.occurrence import Key
     from archlint.syntax.cache import NullStore, Store
 
 
@@ -40,7 +39,7 @@ class Request:
     """Whether the findings are to have their fixes."""
     baseline: Baseline | None = None
     """The findings that are held back."""
-    before: tuple[Key, ...] | None = None
+    before: tuple[Older, ...] | None = None
     """The findings of an earlier revision, which are not to be reported again; None to report all."""
     occurrences: bool = False
     """Whether the report is to list all findings, known or not, before they are folded."""

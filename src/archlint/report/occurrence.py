@@ -8,7 +8,7 @@ import re
 from collections.abc import Set
 from dataclasses import dataclass
 
-from archlint.finding import Finding, Place
+from archlint.finding import Finding, Place, Severity
 from archlint.visible import visible
 
 _LINE_NUMBER = re.compile(r"\bline \d+")
@@ -31,13 +31,14 @@ class Occurrence:
     place: Place
     what: str
     """The names that it is about, safe to show and without line numbers."""
+    severity: Severity
     known: bool = False
     """Whether a baseline or an earlier revision has it, too."""
 
     @classmethod
     def of(cls, finding: Finding, files: Set[str] = frozenset()) -> Occurrence:
         """``files`` are those of the workspace, as findings name them."""
-        return cls(finding.code, finding.place, _what(finding, files))
+        return cls(finding.code, finding.place, _what(finding, files), finding.severity)
 
     @property
     def key(self) -> Key:
