@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 from archlint.place import Place
 from archlint.syntax import facts
+from archlint.syntax.parts import everything_in
 
 if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
@@ -61,7 +62,7 @@ def _imported_from(workspace: WorkspaceIndex, start: str, seen: set[str]) -> Ite
         if file in seen or file_facts is None:
             continue
         seen.add(file)
-        if _changes_path(workspace, file):
+        if _changes_path(file_facts):
             continue
         for statement in _certain_imports(file_facts.body):
             for imported in _files_of(workspace, file, statement):
@@ -86,9 +87,13 @@ def _installs_of(workspace: WorkspaceIndex, file: str) -> Installs | None:
     return installs if inside else None
 
 
-def _changes_path(workspace: WorkspaceIndex, file: str) -> bool:
-    """Whether a file may say itself where Python looks for modules."""
-    return "sys.path" in (workspace.tree.text(file) or "")
+def _changes_path(file_facts: facts.Facts) -> bool:
+    """Whether a file may say itself where Python looks for modules, with ``sys.path``.  Its text is not asked: an edit
+    of a comment would be a reason to judge the workspace again."""
+    names = {i.alias or "sys" for i in everything_in(file_facts.body, facts.Import) if i.module == "sys"}
+    from_sys = any(i.module == "sys" for i in everything_in(file_facts.body, facts.ImportFrom))
+    paths = (a for a in everything_in(file_facts.body, facts.Attribute) if a.attr == "path")
+    return from_sys or any(a.value.variable in names for a in paths)
 
 
 def _certain_imports(body: Sequence[facts.Stmt]) -> Iterator[facts.Import | facts.ImportFrom]:
