@@ -1,7 +1,7 @@
 """Calls of a ROS logger that it refuses: it takes one text, and no ``%s`` arguments as Python's own logging does.
 
 Source: ``RcutilsLogger.log`` and ``get_filters_from_kwargs`` in rclpy/impl/rcutils_logger.py, and
-``rclpy_logging_rcutils_log``, which takes a text; tried with each rclpy.
+``rclpy_logging_rcutils_log``, which takes a text; tried with rclpy of jazzy and kilted.
 """
 
 from __future__ import annotations
