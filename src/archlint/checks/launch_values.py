@@ -79,7 +79,7 @@ def _said(wrong: WrongDescription) -> tuple[str, str]:
             return text, f"remove the parameter '{wrong.given}', or give it a default"
         case Wrong.NOT_ADDED:
             text = f"nothing adds '{wrong.given}' to the launch description, so that launch never runs this {wrong.of}"
-            return text, f"put '{wrong.given}' into the list of LaunchDescription()"
+            return text, f"put '{wrong.given}' into the list of LaunchDescription(), or delete it"
         case Wrong.NO_LIST:
             return f"{wrong.of} is given {wrong.given}, and launch wants {wrong.wanted}", "put it into a list: […]"
     advice = f"write {wrong.wanted}" if wrong.wanted != "actions" else "put the actions themselves into the list"
