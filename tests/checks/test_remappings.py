@@ -14,6 +14,8 @@ from robot_package import TALKER, node
         '<remap from="~/get_parameters" to="x"/>',
         '<remap from="/tf" to="tf"/>',
         '<remap from="/rosout" to="x"/>',
+        '<remap from="/imu" to="/imu"/>',  # a note of what the node uses
+        '<remap from="params_file" to="src/a-b/c.yaml"/>',  # rcl ends the process: NME002
     ],
 )
 def test_live_remappings(findings, remap):

@@ -119,7 +119,7 @@ def _bad_names(started: Started) -> Iterator[_BadName]:
             (key, shown),
         )
     for remap in started.remaps:
-        refused = _refused(remap)
+        refused = rejection_of(remap)
         if refused is not None:
             message, rejected = refused
             yield _BadName(
@@ -138,7 +138,7 @@ def _bad_names(started: Started) -> Iterator[_BadName]:
             )
 
 
-def _refused(remap: Remap) -> tuple[str, tuple[str, str]] | None:
+def rejection_of(remap: Remap) -> tuple[str, tuple[str, str]] | None:
     """Why ROS rejects a remapping, and what of it."""
     source, target = remap.source, remap.target
     if source.text is None or target.text is None or not (_is_known(source) and _is_known(target)):

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.completeness import is_complete
 from archlint.analysis.kept import once
 from archlint.checks.folding import folds, with_places
+from archlint.checks.launched_names import rejection_of
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
@@ -77,7 +78,8 @@ def _dead(remap: Remap, nodes: list[Node], started: Started) -> Iterator[Finding
     source = remap.source.text
     if source is None or remap.source.resolution != "exact" or not _PLAIN_SOURCE.fullmatch(source):
         return
-    if source.startswith("__"):
+    # One that says the name again is a note, and what rcl rejects ends the process: NME002 tells of it.
+    if source.startswith("__") or source == remap.target.text or rejection_of(remap) is not None:
         return
     known: set[str] = set()
     expanded = ""
