@@ -150,3 +150,7 @@ def test_a_link_into_a_submodule_that_is_not_checked_out(run, tmp_path):
     link.unlink()
     link.symlink_to("external/xx/gamestate.py")
     assert told() == [("is a broken symbolic link", "", "WARNING")]
+    link.unlink()
+    (tmp_path / "src").mkdir()
+    (tmp_path / "src" / "CMakeLists.txt").symlink_to("/opt/ros/no-such/share/catkin/cmake/toplevel.cmake")
+    assert told() == []  # catkin makes it in every workspace

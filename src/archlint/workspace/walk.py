@@ -230,6 +230,10 @@ def _is_python_script(entry: os.DirEntry[str], folder_name: str, status: os.stat
     )
 
 
+_OF_CATKIN = "/catkin/cmake/toplevel.cmake"
+"""What catkin links into the source folder of each workspace: of ROS 1, and with nothing of the workspace in it."""
+
+
 def _why_unreadable(entry: os.DirEntry[str], error: OSError) -> tuple[str, str | None] | None:
     """What to say of a file whose status cannot be had, and what brings it; None for one that has just been removed."""
     if error.errno == errno.ENOENT:
@@ -237,6 +241,8 @@ def _why_unreadable(entry: os.DirEntry[str], error: OSError) -> tuple[str, str |
         if submodule is not None:
             message = f"is a symbolic link into the git submodule '{submodule}', which is not checked out"
             return message, "git submodule update --init"
+        if entry.is_symlink() and os.readlink(entry.path).endswith(_OF_CATKIN):
+            return None
         return ("is a broken symbolic link", None) if entry.is_symlink() else None
     if error.errno == errno.ELOOP:
         return "is a symbolic link that leads back to itself", None
