@@ -85,8 +85,17 @@ def test_a_client_of_a_type_that_nothing_serves(tmp_path, monkeypatch):
         {"firmware/src/main.cpp": "#include <motor_msgs/srv/set_motor.hpp>\nusing motor_msgs::srv::SetMotor;\n"},
         {"driver/driver/helper.py": "def serve(node, name):\n    from motor_msgs.srv import SetMotor\n"},
         {"driver/driver/node.py": CLIENT.replace("motor_msgs", "vendor_msgs")},
+        {"driver/driver/node.py": CLIENT.replace("SetMotor", "SetMotors")},
+        {"motor_msgs/CMakeLists.txt": CMAKE.replace("SetMotor.srv", "Other.srv")},
     ],
-    ids=["served under another name", "C++ names it", "other code names it", "a type from elsewhere"],
+    ids=[
+        "served under another name",
+        "C++ names it",
+        "other code names it",
+        "a type from elsewhere",
+        "a type that is not there",
+        "a type that is not built",
+    ],
 )
 def test_somebody_may_serve_it(tmp_path, monkeypatch, files):
     assert found(workspace(tmp_path, files), monkeypatch) == []

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import kept, once
 from archlint.model import EntityKind
+from archlint.ros.interfaces import parts_of_type
 
 if TYPE_CHECKING:
     from archlint.systems.model import System, WorkspaceIndex
@@ -30,12 +31,18 @@ def has_no_server_here(system: System, end: Endpoint) -> bool:
     workspace = system.workspace
     if workspace is None or workspace.is_subset or workspace.cut_short() or end.type is None:
         return False
-    package, name = end.type.partition("/")[0], end.type.rpartition("/")[2]
-    if package not in workspace.packages or _is_served(system, workspace, end):
+    if not _is_defined(workspace, end.type) or _is_served(system, workspace, end):
         return False
+    name = end.type.rpartition("/")[2]
     ends, others = _ends_of_system(system), _ends_of_workspace(workspace)
     files = kept(workspace, (_files_that_name, name), lambda: _files_that_name(workspace, name))
     return files <= ends.files_of(end.type) | others.files_of(end.type)
+
+
+def _is_defined(workspace: WorkspaceIndex, interface: str) -> bool:
+    """Whether an interface is there, and not only its package: without it the import fails, which MSG002 tells."""
+    table = workspace.interfaces
+    return table is not None and table.file(interface) is not None and bool(table.defines(*parts_of_type(interface)))
 
 
 def _is_served(system: System, workspace: WorkspaceIndex, end: Endpoint) -> bool:
