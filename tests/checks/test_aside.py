@@ -85,6 +85,7 @@ def named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
         "robot/quick_tests/imu.py",
         "robot/fake/lidar.py",
         "robot/imu_test.py",
+        "robot/mock2.py",
     ],
 )
 def test_a_stand_in_or_a_trial(named, path: str):

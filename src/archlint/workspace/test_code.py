@@ -45,8 +45,8 @@ class FileRoles:
 
     def is_trial(self, path: str) -> bool:
         """Whether a file is test code, or replaces something (a mock), or tries it out, by a word in its own name or in
-        that of a folder of the workspace: ``mock_robot.py``, ``quick_tests/``."""
-        words = (re.split(r"[\W_]+", part.lower()) for part in self._parts(path.removesuffix(".py")))
+        that of a folder of the workspace: ``mock_robot.py``, ``quick_tests/``, ``test2.py``."""
+        words = (re.split(r"\d*[\W_]+|\d*$", part.lower()) for part in self._parts(path.removesuffix(".py")))
         return self.is_test(path) or any(not _TRIES_OUT.isdisjoint(each) for each in words)
 
     def is_put_aside(self, path: str) -> bool:
