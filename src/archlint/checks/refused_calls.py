@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.logger_calls import LOGGER, refused_logger_calls
 from archlint.analysis.own_names import is_defined_somewhere
 from archlint.analysis.reach import judged_notes
+from archlint.checks.absent_imports import OF_MODULE, absent_import_findings
 from archlint.checks.attributes import OF_CLASS, attribute_findings
 from archlint.checks.folding import folds, with_others
 from archlint.checks.registry import Options, finding, rule
@@ -37,10 +38,12 @@ def refused_call(system: System, options: Options) -> Iterator[Finding]:
 @rule("API002", scope=Scope.CODE)
 def unknown_attribute(system: System, options: Options) -> Iterator[Finding]:
     """Calls of functions and methods that rclpy does not have, and attributes that a class does not have or take."""
+    absent = [call for call in _judged(system) if call.misuse is Misuse.ABSENT]
     yield from attribute_findings(system)
-    for call in _judged(system):
+    yield from absent_import_findings(system, {(call.place.file, call.place.line) for call in absent})
+    for call in absent:
         [name, *_] = call.parameters or ("",)
-        if call.misuse is Misuse.ABSENT and not is_defined_somewhere(system, call.place.file, name):
+        if not is_defined_somewhere(system, call.place.file, name):
             yield finding(
                 "API002",
                 call.place,
@@ -54,9 +57,12 @@ def unknown_attribute(system: System, options: Options) -> Iterator[Finding]:
 
 @folds("API002")
 def absent_in_one_file(findings: Sequence[Finding]) -> Finding:
-    """The first call of a file for all of the same name, or the first line of a class that assigns a property."""
+    """The first call of a file for all of the same name, its first line that asks a module for one, or the first
+    line of a class that assigns a property."""
     if findings[0].group[0] == OF_CLASS:
         return with_others(findings, "another line of the class does", "more lines of the class do", "the same")
+    if findings[0].group[0] == OF_MODULE:
+        return with_others(findings, "another line of the file does", "more lines of the file do", "the same")
     return with_others(findings, "another call in this file does", "more calls in this file do", "the same")
 
 

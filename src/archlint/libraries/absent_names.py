@@ -74,6 +74,11 @@ _INSTEAD = {
 _OF_NODES = frozenset().union(*filter(None, map(attributes_of, (names.NODE, names.LIFECYCLE_NODE))))
 
 
+def instead_of(path: str) -> str:
+    """What rclpy has instead of a function that rospy has, in words; empty for any other name."""
+    return _OF_ROS_1.get(path, "")
+
+
 def note_function(run: Run, path: str, site: CallSite) -> None:
     """Note a call of a function of rospy in rclpy's name."""
     if path in _OF_ROS_1:
@@ -105,4 +110,4 @@ def _note(run: Run, path: str, instead: str, site: CallSite) -> None:
     )
 
 
-__all__ = ["note_function", "note_method"]
+__all__ = ["instead_of", "note_function", "note_method"]

@@ -1,0 +1,157 @@
+"""Names that code takes from modules of launch, launch_ros and rclpy, and that none has had there since Foxy."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Union
+
+from archlint.analysis.kept import once_for_each_file
+from archlint.libraries.module_names import is_known, is_module, lacks
+from archlint.place import Place
+from archlint.syntax import facts
+from archlint.syntax.parts import Itself, everything_in
+
+if TYPE_CHECKING:
+    from archlint.systems.model import WorkspaceIndex
+
+_Import = Union[facts.Import, facts.ImportFrom]
+_TOLERANT = frozenset({"AttributeError", "BaseException", "Exception", "ImportError", "ModuleNotFoundError"})
+"""What an ``except`` names that goes on without a name."""
+
+
+@dataclass(frozen=True)
+class Absent:
+    """A name that a module does not have, or a module that is not there: ``name`` is empty then, or what the code would
+    have of it."""
+
+    module: str
+    name: str
+    is_import: bool
+    """Whether an import asks for it, and not an attribute of the module: ``rclpy.name``."""
+    in_function: bool
+    span: facts.Span
+
+    @property
+    def is_module(self) -> bool:
+        """Whether the module itself is what is not there."""
+        return not is_module(self.module)
+
+    def place(self, file: str) -> Place:
+        """Where it stands."""
+        return Place(file, *self.span)
+
+
+def absent_imports(workspace: WorkspaceIndex) -> Iterator[tuple[str, Absent]]:
+    """Each such name in the files that were asked for, with its file; not in test code, nor where the workspace has
+    modules of that name itself."""
+    for file, _ in workspace.code.asked_for():
+        if workspace.roles.is_test(file.relative):
+            continue
+        for absent in _absent(workspace, file.relative) or ():
+            top = absent.module.partition(".")[0]
+            if top not in workspace.code.top_modules and workspace.code.path_of_import(file.relative, top) is None:
+                yield file.relative, absent
+
+
+@once_for_each_file
+def _absent(file_facts: facts.Facts) -> list[Absent]:
+    code = _Code(file_facts)
+    if not any(is_known(statement.module) for statement in code.statements):
+        return []
+    code.note_names()
+    return sorted((*code.imports(), *code.attributes()), key=lambda absent: absent.span)
+
+
+class _Code:
+    """What one file imports, and which of its names are certainly modules."""
+
+    def __init__(self, file_facts: facts.Facts) -> None:
+        self._body = file_facts.body
+        self.statements: list[_Import] = [
+            *everything_in(file_facts.body, facts.Import),
+            *everything_in(file_facts.body, facts.ImportFrom),
+        ]
+        self._forgiven = {Itself(part) for block in _forgiving(file_facts) for part in everything_in(block)}
+        functions = everything_in(file_facts.body, facts.Function)
+        self._in_functions = {Itself(part) for function in functions for part in everything_in(function.body)}
+        self._bound: dict[str, set[str]] = {}
+
+    def note_names(self) -> None:
+        """Note what every name of the file is bound to."""
+        for part in everything_in(self._body):
+            self._note(part)
+
+    def imports(self) -> Iterator[Absent]:
+        """The names and modules that imports ask for in vain."""
+        for statement in self.statements:
+            if Itself(statement) not in self._forgiven:
+                for module, name in _asked_for(statement):
+                    yield Absent(module, name, True, Itself(statement) in self._in_functions, statement.span)
+
+    def attributes(self) -> Iterator[Absent]:
+        """The attributes of modules that the code reads in vain."""
+        for part in everything_in(self._body, facts.Attribute):
+            module = self._module(part.value.dotted)
+            if module and lacks(module, part.attr) and Itself(part) not in self._forgiven:
+                yield Absent(module, part.attr, False, Itself(part) in self._in_functions, part.span)
+
+    def _module(self, path: str) -> str:
+        """The module that a dotted name means; empty where it is none, or perhaps something else."""
+        head, dot, rest = path.partition(".")
+        meant = self._bound.get(head, set()) if head else set()
+        module = f"{next(iter(meant))}{dot}{rest}" if len(meant) == 1 else ""
+        return module if is_module(module) else ""
+
+    def _note(self, part: facts.Base) -> None:
+        """Note which modules a name stands for; the empty one where it stands for something else."""
+        match part:
+            case facts.Import(module=module, alias=alias):
+                top = module.partition(".")[0]
+                self._bind(alias or top, module if alias else top)
+            case facts.ImportFrom(module=module, level=level, names=names):
+                for name, bound in names:
+                    self._bind(bound, "" if level else f"{module}.{name}")
+            case facts.Function(name=name) | facts.Class(name=name) | facts.Param(name=name):
+                self._bind(name, "")
+            case facts.Handler(name=str(name)):
+                self._bind(name, "")
+        for target in part.assigned:
+            for inner in everything_in(target):
+                self._bind(inner.variable, "")
+
+    def _bind(self, name: str, module: str) -> None:
+        self._bound.setdefault(name, set()).add(module)
+
+
+def _asked_for(statement: _Import) -> Iterator[tuple[str, str]]:
+    """The modules that a statement imports and that are not there, and the names that modules do not have."""
+    match statement:
+        case facts.Import(module=module) if _is_absent(module):
+            yield module, ""
+        case facts.ImportFrom(module=module, level=0, names=[(name, _), *_]) if _is_absent(module):
+            yield module, "" if name == "*" else name
+        case facts.ImportFrom(module=module, level=0, names=names):
+            yield from ((module, name) for name, _ in names if name != "*" and lacks(module, name))
+
+
+def _is_absent(module: str) -> bool:
+    private = any(part.startswith("_") for part in module.split("."))
+    return is_known(module) and not is_module(module) and not private
+
+
+def _forgiving(file_facts: facts.Facts) -> Iterator[list[facts.Stmt]]:
+    """The blocks of code that may ask for what is not there: tried ones, and those for type checkers alone."""
+    for statement in everything_in(file_facts.body, facts.Statement):
+        match statement:
+            case facts.Try(body=body, handlers=handlers) if any(map(_is_tolerant, handlers)):
+                yield body
+            case facts.If(test=test, body=body) if test.last_name == "TYPE_CHECKING":
+                yield body
+
+
+def _is_tolerant(handler: facts.Handler) -> bool:
+    return handler.type is None or any(part.last_name in _TOLERANT for part in everything_in(handler.type))
+
+
+__all__ = ["Absent", "absent_imports"]

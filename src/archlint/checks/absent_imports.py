@@ -1,0 +1,85 @@
+"""API002 about modules of launch, launch_ros and rclpy: names that they do not have, and modules that are not there."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator
+from typing import TYPE_CHECKING
+
+from archlint.analysis.absent_imports import Absent, absent_imports
+from archlint.analysis.own_names import is_defined_somewhere
+from archlint.checks.registry import finding
+from archlint.finding import Finding
+from archlint.libraries.absent_names import instead_of
+from archlint.libraries.module_names import modules_with, near_module, near_name
+from archlint.suggestions import meant
+
+if TYPE_CHECKING:
+    from archlint.systems.model import System
+
+OF_MODULE = "module"
+"""The group of findings that are about one name of a module."""
+
+
+def absent_import_findings(system: System, told: Collection[tuple[str, int]]) -> Iterator[Finding]:
+    """The findings about names of modules, but for the lines (file and number) of which something is said already."""
+    if system.workspace is None:
+        return
+    for file, absent in absent_imports(system.workspace):
+        if (file, absent.span[0]) not in told and (absent.is_import or not _is_told_or_given(system, file, absent)):
+            yield _no_module(file, absent) if absent.is_module else _no_name(file, absent)
+
+
+def _is_told_or_given(system: System, file: str, absent: Absent) -> bool:
+    """Whether an attribute is one of rospy, whose calls are noted while the code is followed, or the workspace adds it
+    to the module."""
+    of_ros_1 = bool(instead_of(f"{absent.module}.{absent.name}"))
+    return of_ros_1 or is_defined_somewhere(system, file, absent.name)
+
+
+def _no_name(file: str, absent: Absent) -> Finding:
+    module, name = absent.module, absent.name
+    moved = modules_with(name, module)[:1]
+    near = "" if moved else near_name(module, name)
+    instead = instead_of(f"{module}.{name}")
+    hint = f"; it is in {moved[0]}" if moved and not instead else meant(f"'{near}'" if near and not instead else "")
+    return finding(
+        "API002",
+        absent.place(file),
+        f"{module} has no '{name}'{hint}",
+        help=f"use {instead}" if instead else _cure(absent, moved[0] if moved else module, name if moved else near),
+        identity=(f"{module}.{name}",),
+        group=(OF_MODULE, file, f"{module}.{name}"),
+        meant=moved[0] if moved else near,
+    )
+
+
+def _no_module(file: str, absent: Absent) -> Finding:
+    offering = modules_with(absent.name, absent.module) if absent.name else []
+    near = near_module(absent.module)
+    module = near if near in offering or not offering else offering[0]
+    return finding(
+        "API002",
+        absent.place(file),
+        f"there is no module {absent.module}{meant(module)}",
+        help=_cure(absent, module, absent.name) if module and (offering or not absent.name) else _failing(absent),
+        identity=(absent.module,),
+        group=(OF_MODULE, file, absent.module),
+        meant=module,
+    )
+
+
+def _cure(absent: Absent, module: str, name: str) -> str:
+    """The line to write, if there is something else to write."""
+    if absent.is_import and name:
+        return f"write `from {module} import {name}`"
+    if name:
+        return f"write {module}.{name}" if module == absent.module else f"import {module} and write {module}.{name}"
+    return f"write `import {module}`" if absent.is_module and absent.is_import else _failing(absent)
+
+
+def _failing(absent: Absent) -> str:
+    what = "the import" if absent.is_import else "the line"
+    return f"{what} fails when {'that function runs' if absent.in_function else 'the file is loaded'}"
+
+
+__all__ = ["OF_MODULE", "absent_import_findings"]

@@ -1,0 +1,149 @@
+"""API002: names that modules of launch, launch_ros and rclpy do not have, and modules that are none."""
+
+from __future__ import annotations
+
+from textwrap import dedent
+
+import pytest
+
+from checks.judging import Judge
+
+FILE = """
+import rclpy
+import launch
+import launch.actions as actions
+from launch import LaunchDescription
+from rclpy.node import Node
+
+
+{line}
+
+
+def generate_launch_description():
+    return LaunchDescription([])
+"""
+
+
+@pytest.mark.parametrize(
+    ("line", "message", "help"),
+    [
+        (
+            "from launch import get_logger",
+            "launch has no 'get_logger'; it is in launch.logging",
+            "write `from launch.logging import get_logger`",
+        ),
+        (
+            "from launch.actions import LaunchConfiguration",
+            "launch.actions has no 'LaunchConfiguration'; it is in launch.substitutions",
+            "write `from launch.substitutions import LaunchConfiguration`",
+        ),
+        (
+            "from launch.actions import GroupAction, Node as RosNode",
+            "launch.actions has no 'Node'; it is in launch_ros.actions",
+            "write `from launch_ros.actions import Node`",
+        ),
+        (
+            "from launch.actions import DeclareLaunchArgumnet",
+            "launch.actions has no 'DeclareLaunchArgumnet'; did you mean 'DeclareLaunchArgument'?",
+            "write `from launch.actions import DeclareLaunchArgument`",
+        ),
+        (
+            "from rclpy import MultiThreadedExecutor",
+            "rclpy has no 'MultiThreadedExecutor'; it is in rclpy.executors",
+            "write `from rclpy.executors import MultiThreadedExecutor`",
+        ),
+        ("from rclpy import loginfo", "rclpy has no 'loginfo'", "use get_logger().info() of a node"),
+        ("from rclpy import teleport", "rclpy has no 'teleport'", "the import fails when the file is loaded"),
+        (
+            "from launch.substitution import LaunchConfiguration as Argument",
+            "launch.substitution has no 'LaunchConfiguration'; it is in launch.substitutions",
+            "write `from launch.substitutions import LaunchConfiguration`",
+        ),
+        (
+            "from launch_ros.action import LifecycleNode",
+            "there is no module launch_ros.action; did you mean launch_ros.actions?",
+            "write `from launch_ros.actions import LifecycleNode`",
+        ),
+        (
+            "from rclpy.executor import teleport",
+            "there is no module rclpy.executor; did you mean rclpy.executors?",
+            "the import fails when the file is loaded",
+        ),
+        (
+            "import rclpy.callback_group",
+            "there is no module rclpy.callback_group; did you mean rclpy.callback_groups?",
+            "write `import rclpy.callback_groups`",
+        ),
+        (
+            "rclpy.spin_until_future_comple(None, None)",
+            "rclpy has no 'spin_until_future_comple'; did you mean 'spin_until_future_complete'?",
+            "write rclpy.spin_until_future_complete",
+        ),
+        (
+            "group = rclpy.ReentrantCallbackGroup()",
+            "rclpy has no 'ReentrantCallbackGroup'; it is in rclpy.callback_groups",
+            "import rclpy.callback_groups and write rclpy.callback_groups.ReentrantCallbackGroup",
+        ),
+        (
+            "include = actions.IncludeLaunchDescripton",
+            "launch.actions has no 'IncludeLaunchDescripton'; did you mean 'IncludeLaunchDescription'?",
+            "write launch.actions.IncludeLaunchDescription",
+        ),
+        (
+            "found = launch.actions.FindPackageShare",
+            "launch.actions has no 'FindPackageShare'; it is in launch_ros.substitutions",
+            "import launch_ros.substitutions and write launch_ros.substitutions.FindPackageShare",
+        ),
+    ],
+)
+def test_what_no_distribution_has(judge: Judge, line: str, message: str, help: str):
+    [finding] = judge("API002", FILE.format(line=f"{line}  # here"))
+    assert (finding.message, finding.help) == (message, help)
+
+
+def test_an_import_in_a_function(judge: Judge):
+    [finding] = judge("API002", FILE.format(line="def later():\n    from rclpy import teleport  # here"))
+    assert finding.help == "the import fails when that function runs"
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "from launch.actions import DeclareLaunchArgument, OpaqueFunction",
+        "from launch.logging import get_logger",
+        "from launch_ros.actions.node import Node as RosNode",  # a module below the package
+        "from launch_ros.actions import PushRosNamespace, PushROSNamespace",  # one of which is new
+        "from launch_ros.actions import node",
+        "from launch.conditions import LaunchConfigurationEquals",  # which newer distributions lack
+        "from rclpy.qos import qos_profile_sensor_data, QoSPresetProfiles",
+        "from rclpy.node import ParameterDescriptor",  # imported there
+        "from rclpy.utilities import *",
+        "from rclpy.impl.implementation_singleton import rclpy_implementation",
+        "from rclpy import _rclpy_pybind11",
+        "import rclpy.action",
+        "from .launch import get_logger",
+        "from launch_pal.arg_utils import LaunchArgumentsBase",
+        "rclpy.executors.MultiThreadedExecutor()",
+        "launch.substitutions.LaunchConfiguration('x')",
+        "rclpy.__version__",
+        "rclpy.teleport = print",
+        "def run(rclpy):\n    rclpy.teleport()",
+        "hasattr(rclpy, 'teleport') and rclpy.teleport()",
+        "try:\n    from launch.actions import Node as N\nexcept ImportError:\n    N = None",
+        "try:\n    import rclpy.teleport\nexcept Exception:\n    pass",
+        "from typing import TYPE_CHECKING\nif TYPE_CHECKING:\n    from rclpy import Duration",
+    ],
+)
+def test_what_some_distribution_has_or_is_not_asked_for(judge: Judge, line: str):
+    judge("API002", FILE.format(line=line))
+
+
+def test_several_lines_that_ask_for_one_name_are_one_finding(judge: Judge):
+    [finding] = judge("API002", FILE.format(line="rclpy.teleport()  # here\nrclpy.teleport()"))
+    assert finding.message == "rclpy has no 'teleport'; another line of the file does the same"
+
+
+def test_a_workspace_with_a_module_of_that_name(judge: Judge):
+    (judge.folder / "launch").mkdir()
+    (judge.folder / "launch" / "__init__.py").write_text("def get_logger(): ...\n", encoding="utf-8")
+    judge("API002", dedent(FILE).format(line="from launch import get_logger"))
