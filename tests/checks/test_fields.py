@@ -800,3 +800,32 @@ def test_a_misspelt_interface_keeps_its_advice(judge: Judge):
         "std_srvs defines no services 'SetBol' and 'Triger'; did you mean 'SetBool' by 'SetBol'?; did you mean "
         "'Trigger' by 'Triger'?"
     )
+
+
+@pytest.mark.parametrize(
+    ("line", "renamed"),
+    [
+        ("from mavros_msgs.msg import VFR_HUD", "VfrHud"),
+        ("from my_robot_interfaces.srv import Set_led_panel", "SetLedPanel"),
+        ("from some_srvs.srv import Pose_V", "PoseV"),
+        ("from some_msgs.action import Drive_TO as DriveTo", "DriveTo"),
+    ],
+)
+def test_a_name_that_no_interface_has(judge: Judge, line: str, renamed: str):
+    [finding] = judge("MSG002", f"import rclpy\n{line}  # here\nrclpy.create_node('x')\n")
+    assert finding.help == f"look for {renamed}: the names of interfaces have no '_'"
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "from mavros_msgs.msg import VfrHud, State",
+        "from mavros_msgs.msg import _vfr_hud",
+        "from some_srvs.srv import Blink_Request",
+        "from some_tools.msg import make_message, Pose_V",
+        "import mavros_msgs.msg",
+        "try:\n    from mavros_msgs.msg import VFR_HUD\nexcept ImportError:\n    from mavros_msgs.msg import VfrHud",
+    ],
+)
+def test_a_name_that_an_interface_or_other_code_may_have(judge: Judge, line: str):
+    judge("MSG002", f"import rclpy\n{line}\nrclpy.create_node('x')\n")

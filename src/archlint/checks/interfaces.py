@@ -11,6 +11,7 @@ from archlint.checks.folding import folds
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
+from archlint.ros.interfaces import is_interface_name
 from archlint.suggestions import listed, nearest
 
 if TYPE_CHECKING:
@@ -101,6 +102,12 @@ def _file(interface: UnknownInterface) -> str:
     return f"{interface.kind}/{interface.name}.{interface.kind}"
 
 
+def _renamed(name: str) -> str:
+    """How an interface of ROS 2 would be called that is called otherwise in ROS 1: ``VfrHud`` for ``VFR_HUD``."""
+    words = filter(None, name.split("_"))
+    return "".join(word.capitalize() if word.isupper() else word[:1].upper() + word[1:] for word in words)
+
+
 def _cure(interface: UnknownInterface, names: Sequence[str]) -> str:
     """The import line to write where the interface is found elsewhere, what the build lacks, or what there is."""
     if interface.left_out:
@@ -112,5 +119,7 @@ def _cure(interface: UnknownInterface, names: Sequence[str]) -> str:
         return f"write `from {elsewhere[0]}.{interface.kind} import {interface.name}`: that package defines it"
     if elsewhere:
         return f"import it from a package that defines it: {listed(elsewhere, shown=_SHOWN)}"
+    if not names and not is_interface_name(interface.name):
+        return f"look for {_renamed(interface.name)}: the names of interfaces have no '_'"
     when = "that function runs" if interface.in_function else "the node starts"
     return f"the import fails when {when}; {interface.package}.{interface.kind} has {listed(names, shown=_SHOWN)}"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Collection, Iterable, Mapping
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Literal
@@ -68,6 +69,13 @@ def parts_of_type(interface: str) -> tuple[str, InterfaceKind, str]:
     return package, KIND_OF_SUFFIX[kind], name
 
 
+def is_interface_name(name: str) -> bool:
+    """Whether an interface can have a name, or the module that it is in (``_name``).
+
+    Source: ``VALID_MESSAGE_NAME_PATTERN`` in rosidl_adapter/parser.py."""
+    return name.startswith("_") or re.fullmatch("[A-Z][A-Za-z0-9]*", name) is not None
+
+
 def type_of_file(file: SourceFile) -> str | None:
     """``package/msg/Name`` of an interface file; None where it lies in no package."""
     path = file.path.replace("\\", "/")
@@ -77,6 +85,8 @@ def type_of_file(file: SourceFile) -> str | None:
     return f"{file.package}/{kind}/{stem}"
 
 
+_OF_INTERFACES = ("_msgs", "_srvs", "_interfaces")
+"""How packages are called that hold interfaces and nothing else."""
 _MADE_BY_CMAKE = frozenset(
     {"configure_file", "add_custom_command", "execute_process", "foreach", "add_subdirectory", "include", "macro"}
 )
@@ -176,7 +186,7 @@ class InterfaceTable:
             return False
         standard = standard_interfaces.table()
         if package not in standard.packages:
-            return None
+            return False if package.endswith(_OF_INTERFACES) and not is_interface_name(name) else None
         return f"{package}/{kind}/{name}" in standard.interfaces
 
     def is_left_out(self, package: str, kind: InterfaceKind, name: str) -> bool:
