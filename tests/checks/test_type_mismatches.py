@@ -217,3 +217,40 @@ def test_two_nodes_of_which_each_has_its_launch_file(tmp_path: Path, monkeypatch
     write_robot(tmp_path, node_xml(exec=launched) if launched else "", **files)
     told = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
     assert [one.severity.label for one in told] == severities
+
+
+FILTER = """import time
+
+import rclpy
+from rclpy.node import Node
+
+
+class Filter(Node):
+    def __init__(self, type_):
+        super().__init__('filter_' + str(time.time_ns()))
+        self.subscription = self.create_subscription(type_, '/in', print, 10)
+"""
+START = """import rclpy
+from std_msgs.msg import Int32, String
+from robot.filter import Filter
+
+
+def main():
+    rclpy.init()
+    rclpy.spin(Filter({}))
+"""
+
+
+def test_a_class_that_each_program_gives_another_type(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    both = START.replace("rclpy.spin(Filter({}))", "nodes = [Filter(String), Filter(Int32)]\n    rclpy.spin(nodes[0])")
+    setup = SETUP.replace("'talker = robot.talker:main'", "'texts = robot.texts:main', 'numbers = robot.numbers:main'")
+    monkeypatch.chdir(tmp_path)
+
+    def places(texts: str) -> list[str]:
+        programs = {"robot/texts.py": texts, "robot/numbers.py": START.format("Int32"), "robot/filter.py": FILTER}
+        write_robot(tmp_path, **programs, **{"setup.py": setup, "archlint.toml": 'select = ["TOP001"]'})
+        findings = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+        return [finding.place.file for finding in findings]
+
+    assert places(START.format("String")) == []
+    assert places(both) == ["robot/filter.py"]

@@ -13,6 +13,7 @@ from archlint.analysis.coexistence import (
     known_to_coexist,
     launched_separately,
 )
+from archlint.analysis.kept import once
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related, Severity
@@ -21,6 +22,7 @@ from archlint.model import (
 )
 
 if TYPE_CHECKING:
+    from archlint.place import Place
     from archlint.systems.model import System
     from archlint.systems.nodes import Connection, Endpoint
 
@@ -59,7 +61,8 @@ def _mismatches(code: str, system: System, connections: Mapping[str, Connection]
             continue
         pairs: dict[tuple[str, str], list[tuple[Endpoint, Endpoint]]] = {}
         there = [end for end in all_endpoints(connection) if end.type not in missing]
-        conflicts = list(conflicting_pairs(system, there, _one_type))
+        pairs_of_types = conflicting_pairs(system, there, _one_type)
+        conflicts = [pair for pair in pairs_of_types if not _are_of_several_programs(system, *pair)]
         torn = _with_several_types(conflicts)
         for ends in torn.values():
             yield _several_types(connection, in_source_order(ends))
@@ -75,6 +78,27 @@ def _mismatches(code: str, system: System, connections: Mapping[str, Connection]
             diagnostic = _mismatch(code, connection, together or pairs[types])
             unsure = not together or _are_at_home(system, connection, together)
             yield _if_both_run(diagnostic) if unsure else diagnostic
+
+
+def _are_of_several_programs(system: System, endpoint: Endpoint, other: Endpoint) -> bool:
+    """Whether two ends of one node are never in one process: several programs start its class, each with a type of its
+    own, say."""
+    if endpoint.node is not other.node:
+        return False
+    programs = _programs_with(system)
+    own = programs.get((endpoint.place, endpoint.type), set())
+    others = programs.get((other.place, other.type), set())
+    return bool(own and others) and own.isdisjoint(others)
+
+
+@once
+def _programs_with(system: System) -> dict[tuple[Place, str | None], set[int]]:
+    """The programs that make an end of a type at a place, by their numbers."""
+    programs: dict[tuple[Place, str | None], set[int]] = {}
+    for number, program in enumerate(system.programs):
+        for creation in (creation for node in program.nodes for creation in node.creations):
+            programs.setdefault((creation.place, creation.type), set()).add(number)
+    return programs
 
 
 _OwnEnds = dict[tuple[int, EntityKind], list["Endpoint"]]
