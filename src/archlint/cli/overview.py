@@ -17,6 +17,7 @@ commands:
   explain CODE        a rule's page: what it finds, why it matters, what to write instead
   rules               the table of rules
   config [PATH]       the effective configuration, and the origin of each value
+  init [PATH]         a commented configuration, a pre-commit hook and a CI job to start with
 
 options:
   -V, --version       print the version
