@@ -1,4 +1,4 @@
-"""``archlint config``: the effective configuration, and the origin of each value."""
+"""``archlint config``: the effective configuration, and the origin of each value; or what one may hold."""
 
 from __future__ import annotations
 
@@ -23,10 +23,16 @@ def parser() -> argparse.ArgumentParser:
     parser = Parser("config", "Print the effective configuration as TOML, with the origin of each value.")
     add_paths(parser)
     add_configuration(parser)
+    parser.add_argument("--schema", action="store_true", help="print the JSON Schema of a configuration file instead")
     return parser
 
 
 def run(arguments: argparse.Namespace) -> int:
+    if arguments.schema:
+        from archlint.config.json_schema import json_schema  # with all rules, which this command does without
+
+        sys.stdout.write(json.dumps(json_schema(), indent=2) + "\n")
+        return CLEAN
     settings = settings_of(arguments, paths_of(arguments)[0])
     origins = settings.origins
     rows = [(visible(f"{key} = {_toml(value)}"), origins.get(key, "default")) for key, value in _values(settings)]

@@ -16,7 +16,8 @@ commands:
                       `graph --observed FILE` compare it with the source
   explain CODE        a rule's page: what it finds, why it matters, what to write instead
   rules               the table of rules
-  config [PATH]       the effective configuration, and the origin of each value
+  config [PATH]       the effective configuration, and the origin of each value;
+                      `config --schema` prints the JSON Schema of a configuration file
   init [PATH]         a commented configuration, a pre-commit hook and a CI job to start with
 
 options:
