@@ -168,6 +168,40 @@ def test_what_cmake_does_not_install(findings):
     assert findings("PKG004", LAUNCH, **{"package.xml": CMAKE, "setup.py": "", "CMakeLists.txt": mended}) == []
 
 
+SHARE = "${CMAKE_INSTALL_PREFIX}/share/${PROJECT_NAME}"
+LINK_EACH = f"""\
+file(GLOB FILES "${{CMAKE_CURRENT_SOURCE_DIR}}/launch/*")
+foreach(FILE ${{FILES}})
+  get_filename_component(NAME ${{FILE}} NAME)
+  execute_process(COMMAND ${{CMAKE_COMMAND}} -E create_symlink ${{FILE}} "{SHARE}/launch/${{NAME}}")
+endforeach()
+"""
+
+
+@pytest.mark.parametrize(
+    ("command", "count"),
+    [
+        (LINK_EACH, 0),
+        (f"file(COPY launch DESTINATION {SHARE})\n", 0),
+        (f"set(TO {SHARE})\nadd_custom_target(all_files ALL COMMAND cp -r launch ${{TO}})\n", 0),
+        ('install(CODE "file(COPY launch DESTINATION /opt)")\n', 0),
+        ("install(SCRIPT copy.cmake)\n", 0),
+        # These put nothing below the prefix.
+        (f"message(STATUS {SHARE})\n", 1),
+        (f"file(GLOB FILES ${{CMAKE_CURRENT_SOURCE_DIR}}/*.msg)\nset(RPATH {SHARE})\n", 1),
+        ("execute_process(COMMAND git rev-parse HEAD OUTPUT_VARIABLE HASH)\n", 1),
+        ("file(COPY launch DESTINATION ${CMAKE_CURRENT_BINARY_DIR})\n", 1),
+    ],
+)
+def test_a_build_that_puts_files_into_its_install_folder_by_itself(findings, command, count):
+    cmake = f"project(robot)\n{command}ament_package()\n"
+    files = {"package.xml": CMAKE, "setup.py": "", "CMakeLists.txt": cmake}
+    assert len(findings("PKG004", LAUNCH, **files)) == count
+    assert len(findings("LCH001", node(executable="other"), **files)) == count
+    include = '<include file="$(find-pkg-share robot)/launch/other.launch.xml"/>'
+    assert len(findings("LCH004", include, **files)) == count
+
+
 def test_one_launch_file_of_several_may_be_put_aside(findings):
     some = SETUP.replace("glob('launch/*')", "['launch/it.launch.xml']")
     files = {"setup.py": some, "launch/other.launch.xml": f"<launch>{LAUNCH}</launch>"}

@@ -86,7 +86,9 @@ def read_cmake(installs: Installs, path: str, tree: CMakeTree) -> None:
 
 def _read_step(installs: Installs, step: Step, tree: CMakeTree, targets: TargetNames) -> None:
     command, arguments, texts = step.command, step.command.arguments, step.command.texts
-    if command.name in ("install", "catkin_install_python"):
+    if _puts_files_there_itself(installs, step):
+        installs.open_executables = installs.open_files = True
+    elif command.name in ("install", "catkin_install_python"):
         _install(installs, step, tree)
     elif "add_executable" in command.name and arguments:
         _target(installs, arguments[0], step.file, targets)
@@ -103,6 +105,28 @@ def _read_step(installs: Installs, step: Step, tree: CMakeTree, targets: TargetN
         installs.mentioned |= frozenset(texts)
     if "EXECUTABLE" in texts[:-1]:
         _target(installs, arguments[texts.index("EXECUTABLE") + 1], step.file, targets)
+
+
+_RUNS_SOMETHING = frozenset({"execute_process", "exec_program", "add_custom_command", "add_custom_target", "file"})
+_PREFIX = "CMAKE_INSTALL_PREFIX"
+
+
+def _puts_files_there_itself(installs: Installs, step: Step) -> bool:
+    """Whether a command may write below the install prefix by other means than a list of files: what it puts there
+    nobody can say.  The prefix may come in a variable that another command has set."""
+    command = step.command
+    if command.name == "install":
+        return not {"CODE", "SCRIPT"}.isdisjoint(_groups(command))
+    unknown = any(argument.open for argument in command.arguments)
+    return command.name in _RUNS_SOMETHING and unknown and _PREFIX in installs.words and _writes(command)
+
+
+def _writes(command: Command) -> bool:
+    """Whether it is no ``file(…)`` that only reads."""
+    return command.name != "file" or command.texts[0].upper() not in _READS
+
+
+_READS = frozenset({"GLOB", "GLOB_RECURSE", "READ", "STRINGS", "RELATIVE_PATH", "TO_CMAKE_PATH", "TO_NATIVE_PATH"})
 
 
 def _console_scripts(installs: Installs, step: Step, tree: CMakeTree) -> None:
@@ -147,7 +171,7 @@ def _install(installs: Installs, step: Step, tree: CMakeTree) -> None:
     groups = _groups(step.command)
     where = groups.get("DESTINATION") or []
     destination = _destination(where[0].text) if where else None
-    if not {"TARGETS", "CODE", "SCRIPT", "EXPORT"}.isdisjoint(groups):
+    if not {"TARGETS", "EXPORT"}.isdisjoint(groups):
         return
     if destination is None or "$" in destination:
         installs.open_executables = installs.open_files = True
