@@ -276,6 +276,58 @@ def test_a_file_that_may_be_made_before_the_build(findings, files):
     assert findings("PKG004", **{"setup.py": listing("a.yaml"), "resource/robot": ""} | files) == []
 
 
+BUILD = """project(robot)
+find_package(ament_cmake REQUIRED)
+{}
+ament_package()
+"""
+OF_CMAKE = {"package.xml": CMAKE, "launch/it.launch.xml": "<launch/>"}
+INSTALL = "install(DIRECTORY launch rviz DESTINATION share/${PROJECT_NAME})"
+
+
+@pytest.mark.parametrize(
+    ("line", "message"),
+    [
+        (INSTALL, "install() lists a folder that is not there: the build stops at 'rviz'"),
+        (
+            "install(FILES robot.yaml DESTINATION share/${PROJECT_NAME})",
+            "install() lists a file that is not there: the build stops at 'robot.yaml'",
+        ),
+        (
+            'rosidl_generate_interfaces(${PROJECT_NAME} "msg/Speed.msg" DEPENDENCIES std_msgs)',
+            "rosidl_generate_interfaces() lists a file that is not there: the build stops at 'msg/Speed.msg'",
+        ),
+    ],
+)
+def test_what_cmake_lists_and_is_not_there(findings, line, message):
+    (finding,) = findings("PKG004", **OF_CMAKE, **{"CMakeLists.txt": BUILD.format(line)})
+    assert finding.message == message
+    assert (finding.place.file, finding.place.line) == ("CMakeLists.txt", 3)
+
+
+@pytest.mark.parametrize(
+    ("line", "files"),
+    [
+        (INSTALL, {"rviz/robot.rviz": ""}),
+        (INSTALL, {".gitignore": "rviz/\n"}),
+        (INSTALL, {".gitmodules": '[submodule "r"]\n\tpath = rviz\n\turl = https://example.org/r\n'}),
+        (INSTALL.replace("DIRECTORY launch rviz", "FILES librobot.so"), {}),
+        (INSTALL.replace(" DESTINATION", " OPTIONAL DESTINATION").replace(")", " OPTIONAL)"), {}),
+        (f"if(WITH_PICTURES)\n  {INSTALL}\nendif()", {}),
+        (f"file(MAKE_DIRECTORY rviz)\n{INSTALL}", {}),
+        (f"execute_process(COMMAND make_pictures)\n{INSTALL}", {}),
+        (INSTALL.replace("rviz", "${CMAKE_CURRENT_BINARY_DIR}/rviz"), {}),
+        (INSTALL.replace("rviz", "/usr/share/rviz"), {}),
+    ],
+    ids=[
+        *("there", "ignored by git", "a submodule", "a library", "optional", "under a condition", "made"),
+        *("made by a command", "built", "elsewhere"),
+    ],
+)
+def test_what_cmake_may_find(findings, line, files):
+    assert findings("PKG004", **OF_CMAKE, **{"CMakeLists.txt": BUILD.format(line)}, **files) == []
+
+
 # --------------------------------------------------------------------------------------- files that nodes open
 
 OPENS = """\

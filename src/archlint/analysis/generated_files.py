@@ -45,6 +45,18 @@ def is_ignored(workspace: WorkspaceIndex, path: str) -> bool:
     return any(fnmatchcase(part, pattern) for part in path.split("/") for pattern in patterns if pattern)
 
 
+def is_in_submodule(workspace: WorkspaceIndex, path: str) -> bool:
+    """Whether a path is, or lies in, a submodule of git, which may not be checked out."""
+    folder = path
+    while folder:
+        folder = posixpath.dirname(folder)
+        text = workspace.tree.text(posixpath.join(folder, ".gitmodules")) or ""
+        modules = (posixpath.join(folder, module) for module in re.findall(r"^\s*path\s*=\s*(\S+)", text, re.MULTILINE))
+        if any(path == module or path.startswith(f"{module}/") for module in modules):
+            return True
+    return False
+
+
 def _is_written(workspace: WorkspaceIndex, name: str) -> bool:
     quoted = re.escape(name)
     writes = re.compile("|".join(form.format(name=quoted) for form in (_OPENED, _WRITTEN)))

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_aside
-from archlint.analysis.generated_files import is_ignored
+from archlint.analysis.generated_files import is_ignored, is_in_submodule
 from archlint.analysis.kept import once
 from archlint.analysis.launch_code import writes_files
 from archlint.launch.kinds import FileStatus
@@ -139,17 +139,21 @@ def _is_started_by_path(workspace: WorkspaceIndex, file: str) -> bool:
 
 @dataclass(frozen=True)
 class ListedInVain:
-    """A file that ``data_files=`` lists and that is not there, so that the build stops."""
+    """A file or folder that the build lists and that is not there, so that it stops."""
 
     place: Place
     file: str
     """Its path below the folder of the package."""
     marker: bool = False
+    command: str = "data_files="
+    """What lists it: ``data_files=`` of a setup.py, or a command of CMake."""
+    folder: bool = False
 
 
 def listed_in_vain(workspace: WorkspaceIndex) -> Iterator[ListedInVain]:
     """Each such file that nothing makes before the build."""
     for installs in understood(workspace).values():
+        yield from _needed_in_vain(workspace, installs)
         at = installs.data_files_at
         if at is None or writes_files(workspace, at.file):
             continue
@@ -161,6 +165,22 @@ def listed_in_vain(workspace: WorkspaceIndex) -> Iterator[ListedInVain]:
             ):
                 [below] = _below(installs, [row.source])
                 yield ListedInVain(row.place or at, below, posixpath.normpath(row.destination) == _MARKERS)
+
+
+_BUILT = (".so", ".a", ".onnx", ".pt", ".pth", ".engine")
+"""Libraries and models of a vendor or of a training, which are often fetched by hand."""
+
+
+def _needed_in_vain(workspace: WorkspaceIndex, installs: Installs) -> Iterator[ListedInVain]:
+    """What CMake files list and is not there; git keeps no empty folder, so that a new clone does not have one."""
+    for needed in installs.needed:
+        is_there = workspace.tree.is_folder if needed.folder else workspace.tree.is_file
+        inside = installs.folder == "." or needed.path.startswith(f"{installs.folder}/")
+        if not inside or needed.path.endswith(_BUILT) or is_there(needed.path):
+            continue
+        if not is_ignored(workspace, needed.path) and not is_in_submodule(workspace, needed.path):
+            [below] = _below(installs, [needed.path])
+            yield ListedInVain(needed.place, below, command=f"{needed.command}()", folder=needed.folder)
 
 
 def _is_pattern(row: InstalledFiles) -> bool:

@@ -155,20 +155,21 @@ def _data(rows: Sequence[DataLeftOut]) -> Finding:
 
 
 def _in_vain(row: ListedInVain) -> Finding:
-    what = "the marker of the package" if row.marker else "a file"
+    kind = "folder" if row.folder else "file"
+    what = "the marker of the package" if row.marker else f"a {kind}"
     return finding(
         "PKG004",
         row.place,
-        f"data_files= lists {what} that is not there: the build stops at '{row.file}'",
-        help=f"add an empty file '{row.file}'" if row.marker else "add the file, or take it off the list",
+        f"{row.command} lists {what} that is not there: the build stops at '{row.file}'",
+        help=f"add an empty file '{row.file}'" if row.marker else f"add the {kind}, or take it off the list",
         identity=(row.file,),
-        group=(row.place.file,),
+        group=(row.place.file, row.command),
     )
 
 
 @folds("PKG004")
-def _of_one_setup_file(findings: Sequence[Finding]) -> Finding:
-    """One finding for all files that one setup.py lists in vain."""
+def _of_one_list(findings: Sequence[Finding]) -> Finding:
+    """One finding for all files that one setup.py, or one kind of command of a CMake file, lists in vain."""
     return with_others(findings, "another file of the list is", "more files of the list are", "not there, either")
 
 

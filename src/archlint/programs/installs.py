@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import posixpath
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Protocol
 
 from archlint.finding import Place
 from archlint.programs.cmake_targets import TargetNames
 from archlint.syntax.entry_point_tables import ScriptEntry, entries_of_setup_cfg
 from archlint.workspace.cmake import Argument, Command
-from archlint.workspace.cmake_run import CMakeRun, Step
-from archlint.workspace.installed import Executable, InstalledFiles, Installs
+from archlint.workspace.cmake_run import CMakeRun, Step, without_source
+from archlint.workspace.installed import Executable, InstalledFiles, Installs, NeededSource
 
 
 class CMakeTree(Protocol):
@@ -81,6 +81,7 @@ def read_cmake(installs: Installs, path: str, tree: CMakeTree) -> None:
     targets = TargetNames(run.steps)
     for step in run.steps:
         _read_step(installs, step, tree, targets)
+        installs.needed += [] if step.conditional or _makes_sources(installs) else _needed(step)
     installs.generates_nothing = not run.open and not installs.mentioned and _GENERATES not in installs.words
 
 
@@ -127,6 +128,31 @@ def _writes(command: Command) -> bool:
 
 
 _READS = frozenset({"GLOB", "GLOB_RECURSE", "READ", "STRINGS", "RELATIVE_PATH", "TO_CMAKE_PATH", "TO_NATIVE_PATH"})
+
+
+_MAKERS = frozenset(
+    {"MAKE_DIRECTORY", "make_directory", "configure_file", "add_custom_command", "add_custom_target", "execute_process"}
+    | {"ExternalProject_Add", "FetchContent_Declare", "FetchContent_MakeAvailable", "GENERATE", "COPY", "DOWNLOAD"}
+)
+
+
+def _makes_sources(installs: Installs) -> bool:
+    """Whether the CMake files may make something themselves that they then install."""
+    return not _MAKERS.isdisjoint(installs.words)
+
+
+def _needed(step: Step) -> Iterator[NeededSource]:
+    """What a command stops at where it is not there.  Source: ``file(INSTALL)`` of CMake cannot find it, and
+    ``rosidl_generate_interfaces`` asks for each file with an extension."""
+    rows: list[tuple[Argument, bool]] = []
+    groups = _groups(step.command) if step.command.name == "install" else {}
+    if "OPTIONAL" not in groups:
+        rows = [(a, kind == "DIRECTORY") for kind in ("FILES", "DIRECTORY") for a in groups.get(kind, [])]
+    if step.command.name == _GENERATES:
+        rows = [(a, False) for a in step.command.arguments if a.text.endswith((".msg", ".srv", ".action"))]
+    for argument, folder in rows:
+        if not re.search(r"[$<>:]", argument.text) and not posixpath.isabs(without_source(argument.text)):
+            yield NeededSource(step.path(argument.text), step.command.name, _place(argument, step.file), folder)
 
 
 def _console_scripts(installs: Installs, step: Step, tree: CMakeTree) -> None:

@@ -45,6 +45,16 @@ class InstalledFiles:
 
 
 @dataclass(frozen=True)
+class NeededSource:
+    """A file or folder without which a CMake command that always runs stops the build: its shown path."""
+
+    path: str
+    command: str
+    place: Place
+    folder: bool = False
+
+
+@dataclass(frozen=True)
 class PythonCode:
     """The modules that a ``setup.py`` installs: all that lie in some ``folders`` themselves, and single ``modules``,
     by their shown paths.  ``place`` is that of ``packages=``; ``searched`` is true where ``find_packages()`` finds the
@@ -86,6 +96,8 @@ class Installs:
     data_files_at: Place | None = None
     """Where the ``data_files=`` of a setup.py is written, or else its call of ``setup()``; None where there is none."""
 
+    needed: list[NeededSource] = field(default_factory=list)
+    """What the CMake files install or generate from, in any case."""
     generates_nothing: bool = False
     """True where no command of the build can generate interfaces."""
 
