@@ -48,6 +48,8 @@ def _values(settings: Settings) -> Iterator[tuple[str, object]]:
     selects = [layer.select for layer in layers if layer.select is not None]
     if selects:
         yield "select", selects[-1]
+    if settings.preset is not None:
+        yield "preset", settings.preset
     yield "extend-select", [code for layer in layers for code in layer.extend_select]
     yield "ignore", [code for layer in layers for code in layer.ignore]
     yield "severity", settings.severity

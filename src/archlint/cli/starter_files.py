@@ -44,6 +44,10 @@ def configuration(seen: Seen, held: bool) -> str:
 # all, `archlint check --prune-baseline` removes what is mended, and `archlint check --write-baseline` writes the file.
 {"" if held else "#"}baseline = "{BASELINE}"
 
+# Where to start from.  "course": errors fail, warnings only inform.  "team": errors and warnings fail, and a
+# suppression needs a reason.  "safety": every finding fails, and most rules that are off by default run.
+#preset = "team"
+
 # Rules by code, prefix, name or "ALL".  NME, for example, are the rules about names.
 #extend-select = ["NME"]
 #ignore = ["OWN001"]

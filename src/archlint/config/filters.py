@@ -6,6 +6,7 @@ from dataclasses import replace
 from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING
 
+from archlint.config.presets import PRESETS
 from archlint.config.selection import NEVER_OFF
 from archlint.rulebook import codes_of
 
@@ -27,13 +28,14 @@ class Filters:
         self._by_file = [(glob, _codes(selectors)) for glob, selectors in settings.per_file_ignores.items()]
         self._by_package = [(name, _codes(selectors)) for name, selectors in settings.per_package_ignores.items()]
         self._severities = _severities(settings)
+        self._preset = PRESETS[settings.preset]
         self._files = {file.relative: file for file in workspace.files}
 
     def apply(self, finding: Finding) -> Finding | None:
         """The finding as it is to be shown; None where it is not wanted."""
         if finding.code != NEVER_OFF and self._drops(finding):
             return None
-        severity = self._severities.get(finding.code, finding.severity)
+        severity = self._severities.get(finding.code, self._preset.severity(finding))
         return finding if severity == finding.severity else replace(finding, severity=severity)
 
     def _drops(self, finding: Finding) -> bool:

@@ -36,6 +36,7 @@ DESCRIPTIONS: Mapping[str, str] = {
     "owners": "The only nodes that may publish a topic or serve a name (OWN003).",
     "per-file-ignores": "Rules that do not run for the files that match a pattern.",
     "per-package-ignores": "Rules that do not run for a package.",
+    "preset": "Which rules run and which findings fail, to start from: for a course, a team or a safety case.",
     "rules": "The options of a rule, by its code or name.",
     "select": "The only rules that run, by code, prefix, name or ALL.",
     "severity": "How severe the findings of a rule are; the rule by code, prefix or name.",

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, cast
 import msgspec
 
 from archlint.architecture import ContractKind
+from archlint.config.preset_names import PresetName
 from archlint.finding import Severity
 from archlint.ros.distros import DISTROS
 
@@ -112,6 +113,7 @@ class ConfigurationFile(Table, frozen=True):
     owners: dict[str, OneOrMore] | None = None
     per_file_ignores: dict[str, Texts] | None = None
     per_package_ignores: dict[str, Texts] | None = None
+    preset: PresetName | None = None
     rules: dict[str, dict[str, Any]] | None = None
     """The options of each rule, which :func:`options_of` has the type of."""
     select: Texts | None = None

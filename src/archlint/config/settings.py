@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from archlint.config.files import find, read_source
+from archlint.config.presets import PRESETS
 from archlint.config.selection import Layer, Selection, resolve
 from archlint.config.source import ConfigurationError
 from archlint.globs import Glob
@@ -22,6 +23,7 @@ from archlint.syntax.signed import CACHE_FOLDER
 if TYPE_CHECKING:
     from archlint.architecture import Contract, Layers
     from archlint.checks.registry import OptionValue
+    from archlint.config.preset_names import PresetName
     from archlint.config.source import Source
     from archlint.finding import Severity
 
@@ -33,6 +35,7 @@ class Settings:
     """The effective configuration.  ``origins`` says where a key that is not at its default was set."""
 
     layers: tuple[Layer, ...] = ()
+    preset: PresetName | None = None
     severity: Mapping[str, Severity] = field(default_factory=dict)
     exclude: tuple[Glob, ...] = ()
     per_file_ignores: Mapping[Glob, tuple[str, ...]] = field(default_factory=dict)
@@ -58,7 +61,7 @@ class Settings:
 
     @property
     def selection(self) -> Selection:
-        return resolve(self.layers)
+        return resolve((PRESETS[self.preset].layer, *self.layers))
 
     @property
     def cache_folder(self) -> str:
