@@ -6,7 +6,7 @@ import pytest
 
 from archlint.config.settings import load
 from archlint.engine.pipeline import Request, check
-from robot_package import CMAKE, CMAKE_TESTS, MANIFEST, SCRIPTS, SETUP, TALKER, node
+from robot_package import CMAKE, CMAKE_TESTS, SCRIPTS, SETUP, TALKER, manifest, node
 
 
 @pytest.mark.parametrize(
@@ -32,6 +32,29 @@ def test_what_a_build_with_cmake_leaves_open(findings, cmake, found):
 
 def test_an_executable_of_another_workspace(findings):
     assert findings("LCH001", node(pkg="nav2_amcl", exec="amcl")) == []
+
+
+def test_a_package_that_was_renamed(findings):
+    (finding,) = findings("LCH001", node(pkg="robto", exec="talker"))
+    assert finding.message == "there is no package 'robto'; did you mean 'robot', which installs 'talker'?"
+    assert finding.help == "start it from package 'robot'"
+
+
+@pytest.mark.parametrize(
+    ("package", "executable"),
+    [
+        ("robto", "listener"),  # which no package here installs
+        ("lighthouse", "talker"),  # called otherwise
+        ("robot", "talker"),
+    ],
+)
+def test_a_package_from_elsewhere(findings, package, executable):
+    assert findings("LCH001", node(pkg=package, exec=executable)) == []
+
+
+def test_a_package_that_a_manifest_declares_is_somewhere(findings):
+    declared = manifest(more="<exec_depend>robto</exec_depend>")
+    assert findings("LCH001", node(pkg="robto", exec="talker"), **{"package.xml": declared}) == []
 
 
 def test_an_unknown_executable_is_named_with_the_near_one(findings):
@@ -64,7 +87,7 @@ def test_an_executable_of_another_package_of_the_workspace(tmp_path, monkeypatch
     launch = f"<launch>{node(exec='grip')}</launch>"
     texts = {"archlint.toml": 'select = ["LCH001"]', "robot/launch/it.launch.xml": launch}
     for name, executable in (("robot", "talker"), ("arm", "grip")):
-        texts[f"{name}/package.xml"] = MANIFEST.format(name=name, type="ament_python", more="")
+        texts[f"{name}/package.xml"] = manifest(name)
         texts[f"{name}/setup.py"] = SETUP.replace("talker = robot.talker", f"{executable} = {name}.{executable}")
         texts[f"{name}/{name}/{executable}.py"] = TALKER
     for name, text in texts.items():

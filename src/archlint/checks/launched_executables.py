@@ -11,9 +11,11 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding
 from archlint.launch.kinds import StartedKind
-from archlint.suggestions import did_you_mean, listed
+from archlint.ros import packages
+from archlint.suggestions import did_you_mean, listed, nearest
 
 if TYPE_CHECKING:
+    from archlint.launch.started import Started
     from archlint.systems.model import System, WorkspaceIndex
     from archlint.workspace.installed import Executable, Installs
 
@@ -26,9 +28,14 @@ def unknown_executable(system: System, options: Options) -> Iterator[Finding]:
     for started in system.launched.started:
         installs = system.workspace.installs.get(started.package.text or "")
         name = started.executable.text
-        if installs is None or name is None or started.kind not in (StartedKind.NODE, StartedKind.CONTAINER):
+        if name is None or started.kind not in (StartedKind.NODE, StartedKind.CONTAINER):
             continue
-        if started.executable.resolution != "exact" or name in installs.executables:
+        if started.executable.resolution != "exact":
+            continue
+        if installs is None:
+            yield from _from_no_package(system.workspace, started, name)
+            continue
+        if name in installs.executables:
             continue
         if posixpath.isabs(name):
             continue  # launch_ros starts that file, and asks the package only for its folder: a Python of its own, say
@@ -51,6 +58,27 @@ def unknown_executable(system: System, options: Options) -> Iterator[Finding]:
 def _of_one_executable(several: Sequence[Finding]) -> Finding:
     """One finding for an executable that is not there, however many launch actions start it."""
     return with_places(several, "it is started here, too")
+
+
+def _from_no_package(workspace: WorkspaceIndex, started: Started, name: str) -> Iterator[Finding]:
+    """The finding for a package that is nowhere, if one of almost the same name installs the executable."""
+    package = started.package.text
+    if package is None or started.package.resolution != "exact":
+        return
+    declared = {d.name for own in workspace.packages.values() for d in own.dependencies}
+    if package in declared | workspace.packages.keys() | packages.table().names:
+        return
+    near = nearest(package, [own for own, installs in workspace.installs.items() if name in installs.executables])
+    if near is not None:
+        yield finding(
+            "LCH001",
+            started.places.get("package", started.place),
+            f"there is no package '{package}'; did you mean '{near}', which installs '{name}'?",
+            help=f"start it from package '{near}'",
+            identity=(package, name),
+            group=(package, name),
+            meant=near,
+        )
 
 
 def _instead(installs: Installs, name: str, workspace: WorkspaceIndex) -> tuple[str, str]:
