@@ -39,6 +39,7 @@ def main():
 LAUNCH = """\
 import json
 import os
+import yaml
 from ament_index_python.packages import get_package_share_directory
 from launch import LaunchDescription
 from launch_ros.actions import Node
@@ -58,7 +59,7 @@ def generate_launch_description():
         ),
     ])
 """
-FIRST = 17
+FIRST = 18
 
 
 @pytest.fixture
@@ -501,3 +502,28 @@ def test_a_node_of_cpp_in_the_same_process_takes_parameters_too(findings, makes:
     talker = TALKER.replace("import rclpy\n", "import rclpy\nfrom moveit.planning import MoveItPy\n", 1)
     talker = talker.replace("    rclpy.spin", f"    planner = {makes}\n    rclpy.spin")
     assert len(findings("{'robot_description': 'x'}", talker=talker)) == told
+
+
+READS_IT = """
+import os
+import yaml
+
+def gains(folder):
+    with open(os.path.join(folder, 'FILE')) as file:
+        return yaml.safe_load(file)['talker']['ros__parameters'].get('pose')
+"""
+
+
+@pytest.mark.parametrize(
+    ("read", "count"), [(READS_IT.replace("FILE", "p.yaml"), 0), (READS_IT.replace("FILE", "q.yaml"), 1), ("", 1)]
+)
+def test_a_node_may_read_its_parameter_file_itself(findings, read: str, count: int):
+    yaml = "talker:\n  ros__parameters:\n    gain: 2.0\n    pose: [0.0]\n"
+    assert len(findings("file", yaml=yaml, talker=TALKER + read)) == count
+
+
+@pytest.mark.parametrize(("key", "count"), [("pose", 0), ("gain", 1)])
+def test_a_launch_file_reads_the_keys_that_it_asks_for(findings, key: str, count: int):
+    taken = f"yaml.safe_load(open(file))['talker']['ros__parameters']['{key}']"
+    yaml = "talker:\n  ros__parameters:\n    gain: 2.0\n    pose: [0.0]\n"
+    assert len(findings("file", f", {{'gain': {taken}}}", yaml=yaml)) == count

@@ -106,3 +106,28 @@ def test_a_section_for_a_python_node_of_the_package_that_is_run_by_hand(findings
     # Here it runs, and under another name than the section's.
     renamed = node(LOAD_IT) + node(LOAD_IT, exec="heavy", name="weight")
     assert len(findings("PRM005", renamed, **files)) == 1
+
+
+READS_A_SECTION = """\
+import os
+import yaml
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    file = os.path.join(get_package_share_directory('robot'), 'config', 'p.yaml')
+    section = yaml.safe_load(open(file))['SECTION']
+    return LaunchDescription([
+        Node(package='robot', executable='talker', parameters=[file]),
+        Node(package='robot', executable='talker', name='other', parameters=[{'rate': 2.0}]),
+    ])
+"""
+
+
+@pytest.mark.parametrize(("section", "count"), [("map_server", 0), ("talker", 1)])
+def test_a_section_that_a_launch_file_reads_itself(findings, section, count):
+    files = {"launch/read.launch.py": READS_A_SECTION.replace("SECTION", section)}
+    told = findings("PRM005", **files, **{"config/p.yaml": f"talker: {RATE}\nmap_server: {RATE}\n"})
+    # What gets no file is not among those that load it.
+    assert [one.help for one in told] == ["nodes that load this file: /talker"] * count

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.chosen_names import executable_is_chosen
 from archlint.analysis.declared_parameters import always_declared, declared_by, followed
+from archlint.analysis.files_read_in_code import is_read_in_code
 from archlint.analysis.kept import once
 from archlint.analysis.set_parameters import (
     called,
@@ -58,6 +59,10 @@ def unknown_parameter_override(system: System, options: Options) -> Iterator[Fin
             if node_meant(system, node, setting, siblings) is not node:
                 continue
             if setting.written is not None:
+                if system.workspace is not None and is_read_in_code(
+                    system.workspace, setting.place.file, setting.name.partition(".")[0]
+                ):
+                    continue
                 section = setting.place.file, setting.key
                 if section not in every:
                     every[section] = _every_declared(system, *section)

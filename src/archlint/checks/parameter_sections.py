@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.chosen_names import may_get_any_file, name_is_chosen, namespace_is_chosen
 from archlint.analysis.cpp_nodes import names_cpp_node
 from archlint.analysis.declared_parameters import followed
+from archlint.analysis.files_read_in_code import is_read_in_code
 from archlint.analysis.set_parameters import (
     files_of,
     files_of_process,
@@ -80,6 +81,8 @@ def _judged(
 ) -> Finding | None:
     """What is said of a section that no node beside it is started for; ``unmet`` are those without a section."""
     file = place.file
+    if is_read_in_code(workspace, file, key.strip("/")):
+        return None
     namespace, _, last = key.rpartition("/")
     namesakes = [node for node in started if node.last == last]
     right = sorted({node.name for node in unmet if node.last == last})
@@ -98,8 +101,14 @@ def _judged(
     near = nearest(key, [node.name for node in unmet if not node.other_name]) or ""
     if not near and (_may_hold_more_nodes(workspace, file) or any(node.other_name for node in started)):
         return None
-    help = f"nodes that load this file: {listed(sorted({node.name for node in started}))}"
+    loaders = {node.name for node in started if _loads(node, file)}
+    help = f"nodes that load this file: {listed(sorted(loaders or {node.name for node in started}))}"
     return _finding(place, key, near, help)
+
+
+def _loads(loader: _Loader, file: str) -> bool:
+    """Whether the launch gives a file to the process of a node, not only to another one beside it."""
+    return loader.node.started is not None and file in files_of_process(loader.node.started)
 
 
 def _finding(place: Place, key: str, right: str, help: str) -> Finding:

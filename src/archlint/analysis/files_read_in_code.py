@@ -1,0 +1,49 @@
+"""Parameter files that Python code reads itself: what stands there is used, though no node declares it."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from archlint.analysis.kept import once_for_each_file
+from archlint.syntax import facts
+from archlint.syntax.parts import everything_in
+from archlint.syntax.walk import called_name
+
+if TYPE_CHECKING:
+    from archlint.systems.model import WorkspaceIndex
+
+_LOADERS = frozenset({"safe_load", "full_load", "unsafe_load", "load"})
+
+
+def is_read_in_code(workspace: WorkspaceIndex, file: str, key: str) -> bool:
+    """Whether code that names a YAML file loads YAML, and so may use what is there: a node all of it, a launch file
+    what it asks for by ``key``."""
+    name = posixpath.basename(file)
+    readers = (path for path in workspace.code.files_that_mention("yaml") if workspace.code.mentions(path, name))
+    if any(_keys_asked_for(workspace, path) is not None for path in readers):
+        return True
+    launches = (path for path in workspace.launch_files.all() if path.endswith(".py"))
+    return any(
+        key in (_keys_asked_for(workspace, path) or ()) for path in launches if workspace.code.mentions(path, name)
+    )
+
+
+@once_for_each_file
+def _keys_asked_for(file_facts: facts.Facts) -> frozenset[str] | None:
+    """The texts with which a file takes something out of a mapping; None for a file that loads no YAML."""
+    if not any(called_name(call) in _LOADERS for call in everything_in(file_facts.body, facts.Call)):
+        return None
+    return frozenset(text for key in _keys(file_facts) if (text := key.text) is not None)
+
+
+def _keys(file_facts: facts.Facts) -> Iterator[facts.Expr]:
+    for part in everything_in(file_facts.body, facts.Subscript):
+        yield part.index
+    for call in everything_in(file_facts.body, facts.Call):
+        if called_name(call) == "get" and call.args:
+            yield call.args[0].value
+
+
+__all__ = ["is_read_in_code"]
