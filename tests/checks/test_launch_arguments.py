@@ -406,3 +406,41 @@ def test_what_a_scoped_include_does_not_take_is_gone_after_it(findings):
     launch = launch.replace("GIVEN", "").replace("NAMESPACE", "$(var ns)")
     (found,) = findings("LCH003", launch, **{"launch/view.launch.xml": f"<launch>{node(exec='viewer')}</launch>"})
     assert found.help.startswith("the value has no effect") and not found.related
+
+
+LATE_IN_THE_LIST = """\
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument
+from launch.substitutions import LaunchConfiguration
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    side = DeclareLaunchArgument('side', default_value='left')
+    talker = Node(package='robot', executable='talker', namespace=LaunchConfiguration('side'))
+    return LaunchDescription([
+        talker,
+        side,
+    ])
+"""
+
+
+def test_a_declaration_that_comes_late_in_the_list_has_to_move_there(findings):
+    (told,) = findings("LCH003", **{"launch/a.launch.py": LATE_IN_THE_LIST})
+    assert told.help == "put 'side' before 'talker' in the LaunchDescription: actions run in that order"
+    assert [(row.place.line, row.message) for row in told.related] == [
+        (7, "it is declared here"),
+        (11, "'side' is in the list here"),
+        (10, "'talker' comes before it"),
+    ]
+    in_order = LATE_IN_THE_LIST.replace("        talker,\n        side,", "        side,\n        talker,")
+    assert findings("LCH003", **{"launch/a.launch.py": in_order}) == []
+
+
+@pytest.mark.parametrize(
+    ("own", "severity"), [("", Severity.INFO), ('<arg name="other" default="a"/>', Severity.WARNING)]
+)
+def test_a_file_that_only_forwards_what_an_include_requires(findings, own, severity):
+    inner = f'<launch><arg name="x"/>{node(name="$(var x)")}</launch>'
+    outer = own + '<include file="$(dirname)/inner.launch.xml"><arg name="x" value="$(var x)"/></include>'
+    (told,) = findings("LCH003", outer, **{"launch/inner.launch.xml": inner})
+    assert (told.severity, told.place.file) == (severity, "launch/it.launch.xml")

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once, once_for_each_file
+from archlint.place import Place
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in
 from archlint.syntax.walk import called_name
@@ -60,6 +61,25 @@ def has_action_for(workspace: WorkspaceIndex, package: str | None, executable: s
         workspace.code.mentions(path, executable) and workspace.code.mentions(path, "launch_ros")
         for path in workspace.code.files_of(package or "")
     )
+
+
+def listed_as(workspace: WorkspaceIndex, at: Place) -> tuple[str, Place] | None:
+    """The variable that the action made at a place is kept in, and where ``LaunchDescription([…])`` lists it; None
+    where either is not written so."""
+    file_facts = workspace.facts_at(at.file)
+    body = [] if file_facts is None else file_facts.body
+    names = [
+        assign.targets[0].variable
+        for assign in everything_in(body, facts.Assign)
+        if len(assign.targets) == 1 and assign.span[:2] <= at.span[:2] and at.span[2:] <= assign.span[2:]
+    ]
+    for call in everything_in(body, facts.Call):
+        if called_name(call) == "LaunchDescription" and len(names) == 1 and names[0]:
+            listed = (part for argument in call.args for part in everything_in([argument.value], facts.Name))
+            entry = next((part for part in listed if part.id == names[0]), None)
+            if entry is not None:
+                return entry.id, Place.of(at.file, entry.span)
+    return None
 
 
 def may_read_argument(workspace: WorkspaceIndex, file: str, name: str) -> bool:
@@ -118,6 +138,7 @@ def _displayed(value: facts.Expr) -> Iterator[facts.Expr]:
 __all__ = [
     "has_action_for",
     "is_for_several_distros",
+    "listed_as",
     "may_read_argument",
     "names_from_launch",
     "words_of_launch_code",

@@ -8,7 +8,7 @@ from dataclasses import replace
 from itertools import groupby
 from typing import TYPE_CHECKING
 
-from archlint.analysis.launch_code import may_read_argument
+from archlint.analysis.launch_code import listed_as, may_read_argument
 from archlint.checks.folding import folds, with_places
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -62,18 +62,42 @@ def _undeclared_uses(system: System, launched: Launched) -> Iterator[Finding]:
         if left_out is not None:
             yield _never_added(use, left_out)
             continue
-        if not places:
+        if not places or (alone and not _declares(launched) and _is_required_by_include(launched, use)):
             plain.setdefault(use.file, []).append(use)
             continue
         message = f"no launch argument '{use.name}' is declared at this point, and nothing sets it"
         help = f"declare it before it is read: {_declaration(use)}"
+        related = [Related(place, "it is declared here" if later else "declared here, later") for place in places[:1]]
         if later:
             message = f"the launch argument '{use.name}' is read before it is declared"
-            help = "move the declaration before this line: actions run in order"
-        related = [Related(place, "it is declared here" if later else "declared here, later") for place in places[:1]]
+            help, entries = _the_right_order(system.workspace, use, places[0])
+            related.extend(entries)
         yield finding("LCH003", use.place, message, help=help, related=related, identity=(use.file, use.name))
     for uses in plain.values():
         yield _never_declared(launched, uses)
+
+
+def _the_right_order(
+    workspace: WorkspaceIndex | None, use: UndeclaredUse, declared: Place
+) -> tuple[str, list[Related]]:
+    """What to move where, and the entries of the list that it is about: a declaration may be created early, and yet
+    come late in the ``LaunchDescription``."""
+    if workspace is None or declared.span > use.place.span:
+        return "move the declaration before this line: actions run in order", []
+    entry, reader = listed_as(workspace, declared), listed_as(workspace, use.place)
+    if entry is None or reader is None:
+        return "put the declaration before what reads it in the LaunchDescription: actions run in that order", []
+    rows = [
+        Related(entry[1], f"'{entry[0]}' is in the list here"),
+        Related(reader[1], f"'{reader[0]}' comes before it"),
+    ]
+    return f"put '{entry[0]}' before '{reader[0]}' in the LaunchDescription: actions run in that order", rows
+
+
+def _is_required_by_include(launched: Launched, use: UndeclaredUse) -> bool:
+    """Whether an included file wants a value of the argument anyway: ``--show-args`` lists it."""
+    rows = [argument for argument in launched.declared if argument.name == use.name]
+    return all(argument.default is None and argument.file != use.file for argument in rows)
 
 
 def _never_declared(launched: Launched, uses: Sequence[UndeclaredUse]) -> Finding:
