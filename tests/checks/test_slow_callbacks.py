@@ -767,6 +767,11 @@ def test_the_waits_that_one_callback_gets_to_are_one_finding(run: Run):
     ]
 
 
+def test_lines_that_wait_for_other_things_do_not_do_the_same(run: Run):
+    [told] = run(source(TIMER, MAKES.replace("time.sleep(2.0)", "input()")))
+    assert "waits for keyboard input, and blocks at another line of Robot.tick: " in told.message
+
+
 def test_what_is_allowed_at_one_place_leaves_the_others(run: Run):
     [found] = run(source(TIMER, MAKES.replace("time.sleep(2.0)", "time.sleep(2.0)  # archlint: ignore[EXE003]")))
     assert "waits for a process in subprocess.run()" in found.message and "too" not in found.message

@@ -210,7 +210,7 @@ def _slow(system: System, rows: Sequence[_Row], only_network: bool) -> Finding:
     else:
         end = _of_loop(source_code(system), call, stay)
     if others:
-        end += f", as {'does another line' if len(others) == 1 else f'do {len(others)} more lines'} of {call.function}"
+        end += _other_lines(call, stay, others)
     waiting = {who_waits(source_code(system), row[1], row[0]) for row in rows}
     elsewhere = _where_harmless(system)
     mild = all(row[1].place in elsewhere for row in rows)
@@ -232,6 +232,14 @@ def _slow(system: System, rows: Sequence[_Row], only_network: bool) -> Finding:
         group=_cause(callback, only_network),
     )
     return replace(diagnostic, severity=Severity.INFO) if mild else diagnostic
+
+
+def _other_lines(call: ApiCall, stay: Stay, others: Sequence[_Row]) -> str:
+    """What is said of the other lines of a function: whether they wait for the same kind of thing."""
+    several = len(others) > 1
+    if all(other.kind == stay.kind for _, _, other in others):
+        return f", as {f'do {len(others)} more lines' if several else 'does another line'} of {call.function}"
+    return f", and blocks at {f'{len(others)} more lines' if several else 'another line'} of {call.function}"
 
 
 def _is_minor(code: SourceCode, call: ApiCall, stay: Stay) -> bool:
