@@ -54,8 +54,7 @@ def is_dead(workspace: WorkspaceIndex | None, program: Program, call: ApiCall) -
         return False
     code, file, function = workspace.code, callback.place.file, code_of(workspace).definition(callback)
     uses = _uses(workspace, file)
-    package = workspace.package_of(file)
-    if uses is None or package is None or function is None:
+    if uses is None or function is None:
         return False
     name = function.name
     return not uses.by_name and name in uses.idle and all(other == file for other in code.files_that_mention(name))

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.asking_scripts import is_step_of_asking_script
 from archlint.analysis.callback_roles import runs_in_executor
-from archlint.analysis.left_over import is_never_made
+from archlint.analysis.left_over import is_dead, is_never_made
 from archlint.analysis.limit_sites import sites_of_wait
 from archlint.analysis.reach import (
     calls_of,
@@ -60,7 +60,14 @@ def wait_without_timeout(system: System, options: Options) -> Iterator[Finding]:
         # Below zero a client does not wait at all; wait_for_message() then waits forever.
         and waits_for_ever(source_code(system), call, _LIMIT[call.api], negative=call.api == WAIT_FOR_MESSAGE)
         and not is_never_made(system.workspace, call)
+        and not _is_unused_part_of_script(system, program, call)
     )
+
+
+def _is_unused_part_of_script(system: System, program: Program, call: ApiCall) -> bool:
+    """Whether a call is in a method that no file names, of a script in no package, from which nobody imports it."""
+    workspace = system.workspace
+    return workspace is not None and workspace.package_of(call.file) is None and is_dead(workspace, program, call)
 
 
 class _Cure(StringEnum):
