@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from archlint.finding import Finding
+from archlint.finding import Finding, Severity
 from robot_package import SETUP, TALKER, node
 
 
@@ -374,3 +374,47 @@ def test_an_undeclared_parameter_in_a_property(findings, uses: str, severity: st
     )
     (found,) = findings("PRM003", **{"robot/talker.py": text.replace("def main", f"{prop}{tick}def main")})
     assert found.severity.label == severity
+
+
+FOUR = TALKER.replace(
+    "        self.declare_parameter('rate', 1.0)\n",
+    "".join(
+        f"        self.declare_parameter('{name}', {default})\n"
+        for name, default in (("rate", "1.0"), ("gain", "2.0"), ("label", "'none'"), ("steps", "3"))
+    ),
+)
+
+
+def _of_file(findings, *lines: str) -> list[Finding]:
+    loaded = node('<param from="$(find-pkg-share robot)/config/a.yaml"/>')
+    yaml = "".join(("talker:\n", "  ros__parameters:\n", *(f"    {line}\n" for line in lines)))
+    given = {"robot/talker.py": FOUR, "config/a.yaml": yaml, "launch/other.launch.xml": f"<launch>{loaded}</launch>"}
+    return findings("PRM002", loaded, **given)
+
+
+def test_values_of_a_file_that_are_wrong_in_the_same_way_are_one_finding(findings):
+    (one,) = _of_file(findings, "rate: 5", "gain: 1")
+    assert one.place.line == 3 and "'rate'" in one.message
+    assert one.message.endswith("; another value is of type integer instead of double, too")
+    assert [row.place.line for row in one.related if row.place.file == one.place.file] == [4]
+
+
+def test_values_of_a_file_that_are_wrong_in_different_ways(findings):
+    both = _of_file(findings, "rate: 5", "steps: 3.5")
+    assert [row.place.line for row in both] == [3, 4] and not any("too" in row.message for row in both)
+
+
+@pytest.mark.parametrize(
+    "written", ["__RATE__", "'@RATE@'", "<RATE>", "${RATE}", "'{{ rate }}'", "'{{ robots[0].rate | float }}'"]
+)
+def test_a_parameter_file_with_placeholders_gives_one_information(findings, written: str):
+    (one,) = _of_file(findings, f"rate: {written}", "gain: __GAIN__", "label: __LABEL__", "steps: '@STEPS@'")
+    assert one.severity is Severity.INFO and one.place.line == 3
+    assert f"'{written.strip(chr(39))}' is a placeholder" in one.message
+    assert one.message.endswith("; 2 more values are placeholders, too")
+
+
+@pytest.mark.parametrize("written", ["'5'", "fast", "'<rate>'", "__rate__", "__RATE__s"])
+def test_a_text_that_is_no_placeholder(findings, written: str):
+    (one,) = _of_file(findings, f"rate: {written}")
+    assert one.severity is Severity.ERROR and "of type string" in one.message

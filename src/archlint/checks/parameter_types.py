@@ -2,19 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.declarations import may_be_dynamic
 from archlint.analysis.set_parameters import called, set_nodes
+from archlint.checks.folding import folds
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
-from archlint.finding import Finding, Related
+from archlint.finding import Finding, Related, Severity
 from archlint.ros.parameter_types import ParameterType, type_of
 
 if TYPE_CHECKING:
     from archlint.model import ParameterDeclaration
     from archlint.systems.model import System
+    from archlint.systems.nodes import Node
+    from archlint.systems.overrides import Setting
 
 
 @rule("PRM002", scope=Scope.SYSTEM)
@@ -34,16 +39,71 @@ def parameter_type_mismatch(system: System, options: Options) -> Iterator[Findin
                 continue
             if rows[0].ignore_override or rows[0].conditional or rows[0].name.resolution != "exact":
                 continue
-            yield finding(
-                "PRM002",
-                setting.value_place or setting.place,
-                f"parameter '{setting.name}' of {called(node)} is declared as {rows[0].type} and set to "
-                f"{_shown(setting.value)}, of type {given}{_for_want_of_quotes(setting.unquoted)}",
-                help=_write(setting.value, rows[0].type) if setting.unquoted is None else _IN_A_FILE,
-                related=[Related(rows[0].place, "it is declared here")],
-                node=node.name,
-                identity=(node.name or "", setting.name),
-            )
+            template = _placeholder(setting)
+            if template is None:
+                yield _of_another_type(node, setting, rows[0], given)
+            else:
+                yield _not_filled_in(node, setting, template)
+
+
+def _of_another_type(node: Node, setting: Setting, declared: ParameterDeclaration, given: ParameterType) -> Finding:
+    place = setting.value_place or setting.place
+    return finding(
+        "PRM002",
+        place,
+        f"parameter '{setting.name}' of {called(node)} is declared as {declared.type} and set to "
+        f"{_shown(setting.value)}, of type {given}{_for_want_of_quotes(setting.unquoted)}",
+        help=_write(setting.value, declared.type) if setting.unquoted is None else _IN_A_FILE,
+        related=[Related(declared.place, "it is declared here")],
+        node=node.name,
+        identity=(node.name or "", setting.name),
+        group=(place.file, str(declared.type), given) if _is_in_a_file(setting) else (),
+    )
+
+
+_PLACEHOLDER = re.compile(r"__[A-Z][A-Z0-9_]*__|@[A-Z][A-Z0-9_]*@|<[A-Z][A-Z0-9_]*>|\$\{[A-Z][A-Z0-9_]*\}|\{\{.*\}\}")
+"""How the templates of usual tools (sed, CMake, a shell, Jinja) write what is to be filled in."""
+
+
+def _is_in_a_file(setting: Setting) -> bool:
+    """Whether a value stands in a parameter file."""
+    return setting.written is not None and setting.value_place is None
+
+
+def _placeholder(setting: Setting) -> str | None:
+    """The value of a parameter file that is nothing but a placeholder."""
+    match setting.value:
+        case str(text) if _is_in_a_file(setting) and _PLACEHOLDER.fullmatch(text.strip()):
+            return text.strip()
+    return None
+
+
+def _not_filled_in(node: Node, setting: Setting, template: str) -> Finding:
+    said = finding(
+        "PRM002",
+        setting.place,
+        f"'{template}' is a placeholder, and a launch file loads this file as it is",
+        help="load the file in which the placeholders are filled in",
+        node=node.name,
+        identity=(node.name or "", setting.name),
+        group=(setting.place.file, "", ""),
+    )
+    return replace(said, severity=Severity.INFO)
+
+
+@folds("PRM002", across_systems=True)
+def _of_one_cause(several: Sequence[Finding]) -> Finding:
+    """One finding for the values of a parameter file that are wrong in the same way."""
+    first = several[0]
+    others = {other.place: other for other in several if other.place != first.place}.values()
+    related = (*first.related, *(Related(other.place, other.message) for other in others))
+    if not others:
+        return first
+    _, wanted, given = first.group
+    another = "another value is" if len(others) == 1 else f"{len(others)} more values are"
+    rest = f"{another} of type {given} instead of {wanted}, too" if wanted else f"{another} placeholders, too"
+    rest = rest.replace("is placeholders", "is one")
+    return replace(first, message=f"{first.message}; {rest}", related=related)
 
 
 _IN_A_FILE = "set it in a parameter file, where quotes keep it a string"
