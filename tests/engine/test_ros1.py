@@ -52,6 +52,15 @@ def test_nodes_for_ros_1_get_no_findings(run):
     assert said(report) == ([], ["2 Python files are for ROS 1 and skipped"])
 
 
+def test_an_installed_script_for_ros_1_gets_no_findings(run):
+    install = "install(PROGRAMS scripts/one.py DESTINATION lib/${PROJECT_NAME})\n"
+    sends = "from std_msgs.msg import Bool\nprint(Bool(False), Bool(date=True))\n"
+    needs = "<exec_depend>std_msgs</exec_depend>" + AMENT
+    files = {"CMakeLists.txt": install, "scripts/one.py": f"import rospy\n{sends}"}
+    assert said(run(needs, **files)) == ([], ["scripts/one.py is for ROS 1 and skipped"])
+    assert said(run(needs, **files | {"scripts/one.py": f"import rclpy\n{sends}"})) == (["MSG003", "MSG001"], [])
+
+
 def test_one_sentence_for_all_of_it(run):
     launch = '<launch><node pkg="robot" type="one.py" name="one"/></launch>'
     report = run(CATKIN, **{"scripts/one.py": OLD_NODE, "launch/one.launch": launch, "launch/two.launch": launch})

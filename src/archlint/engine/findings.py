@@ -110,6 +110,8 @@ def _judged(inputs: Inputs, facts: FactsOfFiles, sieve: Sieve, ran: list[frozens
     candidates.extend(unreadable(*problem) for problem in launch_files.problems())
     by_file.update(launch_files.suppressions())
     candidates.extend(failure(fault) for fault in faults.by_place())
+    skipped = {file.relative for file in python_files(workspace) if facts.is_ros1(file)}
+    candidates = [candidate for candidate in candidates if candidate.place.file not in skipped]
     old = half_ported(workspace, known, facts)
     aside = uninstalled.files_of(index, candidates)
     candidates = uninstalled.as_information(as_information(candidates, old), aside)
