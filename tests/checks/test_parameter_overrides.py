@@ -307,7 +307,14 @@ def generate_launch_description():
 
 
 @pytest.mark.parametrize(
-    ("executable", "told"), [("LaunchConfiguration('which').perform(context)", 0), ("'talk' + 'er_2'", 1)]
+    ("executable", "told"),
+    [
+        ("LaunchConfiguration('which').perform(context)", 0),
+        ("['talker_2', 'walker'][0]", 0),
+        ("{'talk': 'talker_2', 'walk': 'walker'}['talk']", 0),
+        ("'talker_2' if True else 'walker'", 0),
+        ("'talk' + 'er_2'", 1),
+    ],
 )
 def test_a_value_for_the_other_executable_that_an_argument_may_choose(
     findings, tmp_path: Path, executable: str, told: int

@@ -9,12 +9,17 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING
 
+from archlint.analysis.kept import once_for_each_file
 from archlint.launch.kinds import FileStatus
 from archlint.launch.parameter_sources import files_among
+from archlint.place import Place
+from archlint.syntax import facts
+from archlint.syntax.parts import everything_in
 
 if TYPE_CHECKING:
     from archlint.launch.model import Launched
     from archlint.launch.started import Started
+    from archlint.systems.model import WorkspaceIndex
 
 _BETWEEN = re.compile(r"[,;\s]+")
 
@@ -38,6 +43,27 @@ def executable_is_chosen(launched: Launched, started: Started) -> bool:
     (``f'planner_{version}'``)."""
     name = started.executable.text or ""
     return any(word and (name == word or name.endswith(f"_{word}")) for word in _words(launched))
+
+
+def executable_is_picked(workspace: WorkspaceIndex, started: Started) -> bool:
+    """Whether a launch file picks the executable out of several that it lists, by a switch that people change there:
+    ``executable=DRIVERS[driver]``, ``executable='real' if REAL else 'fake'``."""
+    spans = _picked_executables(workspace, started.place.file) or ()
+    return any(_is_inside(Place.of(started.place.file, span), started.place) for span in spans)
+
+
+def _is_inside(inner: Place, outer: Place) -> bool:
+    return outer.span[:2] <= inner.span[:2] and inner.span[2:] <= outer.span[2:]
+
+
+@once_for_each_file
+def _picked_executables(file_facts: facts.Facts) -> list[tuple[int, int, int, int]]:
+    return [
+        argument.value.span
+        for call in everything_in(file_facts.body, facts.Call)
+        for argument in call.args
+        if argument.keyword == "executable" and isinstance(argument.value, (facts.Subscript, facts.Conditional))
+    ]
 
 
 def _words(launched: Launched) -> frozenset[str]:

@@ -17,9 +17,11 @@ if TYPE_CHECKING:
 _LOADERS = frozenset({"safe_load", "full_load", "unsafe_load", "load"})
 
 
-def is_read_in_code(workspace: WorkspaceIndex, file: str, key: str) -> bool:
+def is_read_in_code(workspace: WorkspaceIndex | None, file: str, key: str) -> bool:
     """Whether code that names a YAML file loads YAML, and so may use what is there: a node all of it, a launch file
     what it asks for by ``key``."""
+    if workspace is None:
+        return False
     name = posixpath.basename(file)
     readers = (path for path in workspace.code.files_that_mention("yaml") if workspace.code.mentions(path, name))
     if any(_keys_asked_for(workspace, path) is not None for path in readers):

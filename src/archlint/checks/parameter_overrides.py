@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import astuple, replace
 from typing import TYPE_CHECKING
 
-from archlint.analysis.chosen_names import executable_is_chosen
+from archlint.analysis.chosen_names import executable_is_chosen, executable_is_picked
 from archlint.analysis.declared_parameters import always_declared, declared_by, followed
 from archlint.analysis.files_read_in_code import is_read_in_code
 from archlint.analysis.kept import once
@@ -59,9 +59,7 @@ def unknown_parameter_override(system: System, options: Options) -> Iterator[Fin
             if node_meant(system, node, setting, siblings) is not node:
                 continue
             if setting.written is not None:
-                if system.workspace is not None and is_read_in_code(
-                    system.workspace, setting.place.file, setting.name.partition(".")[0]
-                ):
+                if is_read_in_code(system.workspace, setting.place.file, setting.name.partition(".")[0]):
                     continue
                 section = setting.place.file, setting.key
                 if section not in every:
@@ -98,10 +96,12 @@ def _by_default(system: System, node: Node, name: str) -> bool:
 
 
 def _is_for_another_choice(system: System, node: Node, name: str) -> bool:
-    """Whether a launch argument chooses which executable of a package it is, and another one of them declares a
-    name."""
-    started, launched = node.started, system.launched
-    if started is None or launched is None or not executable_is_chosen(launched, started):
+    """Whether a launch argument, or a switch in the launch file, chooses which executable of a package it is, and
+    another one of them declares a name."""
+    started, launched, workspace = node.started, system.launched, system.workspace
+    if started is None or launched is None or workspace is None:
+        return False
+    if not executable_is_chosen(launched, started) and not executable_is_picked(workspace, started):
         return False
     return name in _names_in(system.workspace, started.package.text)
 
