@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 _OF_PROCESS = ("subprocess.Popen.wait", "subprocess.Popen.communicate")
 _ENDS = frozenset({"terminate", "kill", "send_signal"})
 _KILLS = frozenset({"kill"})
-_SHUTDOWNS = frozenset({"rclpy.shutdown", "rclpy.try_shutdown"})
+_SHUTDOWNS = frozenset({"rclpy.shutdown", "rclpy.try_shutdown", "self.destroy_node"})
 _KILLING: frozenset[object] = frozenset({"SIGKILL", 9})
 _ENDING = _KILLING | {"SIGINT", 2, "SIGTERM", 15, "SIGHUP", 1, "SIGQUIT", 3}
 """Signals that end a process: always, or unless it does otherwise."""
@@ -76,8 +76,8 @@ def _signals(call: facts.Call, process: str, numbers: AbstractSet[str], certainl
 
 
 def ends_with_the_node(code: SourceCode, call: ApiCall, stay: Stay) -> bool:
-    """Whether a limited wait for a process is part of the way out: every way on shuts ROS down, and nothing
-    that would have to wait ever comes."""
+    """Whether a limited wait for a process is part of the way out: every way on shuts ROS down or destroys the node,
+    and nothing that would have to wait ever comes."""
     if call.api not in _OF_PROCESS or stay.seconds is None or call.looped:
         return False
     graph = graph_of(code.body(call))

@@ -12,7 +12,7 @@ from archlint.analysis.reach import argument, calls_of, one_for_each_place
 from archlint.analysis.sleeps import longest
 from archlint.analysis.spins import spun_node
 from archlint.checks.callback_findings import finding_in_callback
-from archlint.checks.folding import folds, with_places
+from archlint.checks.folding import class_around, folds, with_places
 from archlint.checks.registry import Options, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding
@@ -44,7 +44,7 @@ def blocking_tf_lookup(system: System, options: Options) -> Iterator[Finding]:
                 "MultiThreadedExecutor"
             ),
             identity=(call.api,),
-            group=(call.file, call.function, call.context.name),
+            group=(call.file, class_around(call.function), call.context.name),
         )
         for program, call in calls_of(system, _LOOKUPS)
         if runs_in_executor(call.context)
@@ -63,8 +63,9 @@ def _in_spite_of(threaded: Sequence[tuple[Program, Blueprint | None]], program: 
 
 
 @folds("EXE007")
-def _of_one_function(findings: Sequence[Finding]) -> Finding:
-    """The finding for all lookups of a function: whether a transform is there, and then what it is."""
+def _of_one_class(findings: Sequence[Finding]) -> Finding:
+    """The finding for all lookups of a class that one callback gets to: whether a transform is there, and then what it
+    is.  What comes after a lookup that has succeeded hardly waits."""
     return with_places(findings, "it looks up a transform here, too")
 
 
