@@ -93,3 +93,23 @@ def test_an_include_takes_arguments_and_nothing_else(findings):
     (told,) = findings("LCH005", f"<include file='$(find-pkg-share robot)/launch/other.launch.xml'>{inner}</include>")
     assert told.message == "<include> has no element 'param'"
     assert told.help == "launch rejects this file before anything is started"
+
+
+@pytest.mark.parametrize(
+    ("inner", "said"),
+    [
+        ("<rosparam command='load' file='$(arg f)'/>", "<node> has no element 'rosparam'; write '<param from=\"…\"/>'"),
+        ("<parm name='rate' value='$(arg f)'/>", "<node> has no element 'parm'; did you mean 'param'?"),
+    ],
+)
+def test_an_element_that_a_node_does_not_have(findings, inner: str, said: str):
+    launch = f"<arg name='f' default='a.yaml'/><node pkg='robot' exec='talker'>{inner}</node>" + node(name="b")
+    (told,) = findings("LCH005", launch)
+    assert told.message == said and told.help == "launch rejects this file before anything is started"
+    assert findings("LCH007", launch) == []  # launch refuses the element before it parses its texts
+
+
+def test_elements_that_a_node_has(findings):
+    inner = "<param name='rate' value='2.0'/><remap from='a' to='b'/><env name='A' value='1'/>"
+    assert findings("LCH005", f"<node pkg='robot' exec='talker'>{inner}</node>") == []
+    assert len(findings("LCH007", "<node pkg='robot' exec='talker'><param name='rate' value='$(arg f)'/></node>")) == 1

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from archlint.launch.frontends.tables import SUBSTITUTIONS
+from archlint.launch.frontends.tables import NESTED, SUBSTITUTIONS
 from archlint.launch.frontends.texts import closing, unquoted, words_of
 from archlint.string_enum import StringEnum
 from archlint.suggestions import nearest
@@ -71,8 +71,10 @@ def _of_element(element: Element, arguments: frozenset[str]) -> Iterator[Malform
         for text in _texts(attribute) if is_parsed else ():
             known = frozenset() if name in _FOR_A_SHELL else arguments
             yield from _of_text(text, attribute.span, known)
+    nested = NESTED.get(element.tag)
     for child in element.children:
-        yield from _of_element(child, arguments)
+        if nested is None or child.tag in nested:  # launch refuses others before it parses their texts
+            yield from _of_element(child, arguments)
 
 
 def _texts(attribute: Attribute) -> list[str]:

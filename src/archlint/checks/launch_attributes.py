@@ -28,6 +28,9 @@ _RENAMED = {
     "launch_description_sources": "launch_description_source",
 }
 
+_OF_ROS_1 = {"rosparam": '<param from="…"/>'}
+"""Elements of ROS 1, and how ROS 2 writes them."""
+
 
 @rule("LCH005", scope=Scope.LAUNCH_FILE, in_use=True)
 def unknown_launch_attribute(system: System, options: Options) -> Iterator[Finding]:
@@ -37,6 +40,7 @@ def unknown_launch_attribute(system: System, options: Options) -> Iterator[Findi
             continue
         renamed = _RENAMED.get(wrong.name)
         hint = f"; it is called '{renamed}'" if renamed in wrong.known else did_you_mean(wrong.name, wrong.known)
+        hint = f"; write '{_OF_ROS_1[wrong.name]}'" if wrong.name in _OF_ROS_1 and "param" in wrong.known else hint
         kind = "element" if wrong.nested else "attribute" if wrong.of_element else "argument"
         why = "launch rejects this file" if wrong.of_element else "this call raises TypeError"
         diagnostic = finding(

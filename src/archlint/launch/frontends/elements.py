@@ -9,7 +9,7 @@ from archlint.interpreter import containers
 from archlint.interpreter.values import Known, Unknown, Value
 from archlint.launch.frontends.objects import Frontend
 from archlint.launch.frontends.parameters import read_parameter, set_parameter
-from archlint.launch.frontends.tables import ATTRIBUTES, HARMLESS
+from archlint.launch.frontends.tables import ATTRIBUTES, HARMLESS, NESTED
 from archlint.launch.frontends.texts import shell_words
 from archlint.launch.mistakes import UnknownAttribute
 from archlint.launch.objects import PAIR_PLACE, LaunchObject
@@ -49,13 +49,18 @@ def _condition(frontend: Frontend, element: Element, entity: LaunchObject) -> No
 
 
 def _check(frontend: Frontend, element: Element) -> None:
+    action, nested = f"<{element.tag}>", NESTED.get(element.tag)
+    for child in element.children:
+        if nested is not None and child.tag not in nested:
+            wrong = UnknownAttribute(action, child.tag, nested, frontend.place(child.span), True, nested=True)
+            frontend.run.note_unknown_attribute(wrong)
     known = ATTRIBUTES.get(element.tag)
     if known is None:
         return
     for name, attribute in element.attributes.items():
         if name not in known and name not in ("if", "unless"):
             frontend.run.note_unknown_attribute(
-                UnknownAttribute(f"<{element.tag}>", name, tuple(known), frontend.place(attribute.span), True)
+                UnknownAttribute(action, name, tuple(known), frontend.place(attribute.span), True)
             )
 
 
@@ -146,20 +151,12 @@ def _components(frontend: Frontend, element: Element) -> Value:
     return frontend.list(values)
 
 
-_OF_INCLUDE = ("arg", "let")
-
-
 def _include(frontend: Frontend, element: Element) -> LaunchObject:
-    for child in element.children:
-        if child.tag not in _OF_INCLUDE:
-            place = frontend.place(child.span)
-            wrong = UnknownAttribute("<include>", child.tag, _OF_INCLUDE, place, of_element=True, nested=True)
-            frontend.run.note_unknown_attribute(wrong)
     file = element.attributes.get("file")
     place = frontend.place(file.span if file is not None else element.span)
     location = frontend.text(file) if file is not None else Unknown("an include without a file")
     source = frontend.make(LaunchClass.ANY_LAUNCH_DESCRIPTION_SOURCE, place, {"launch_file_path": location})
-    rows = [_pair(frontend, child, "name", "value") for child in element.of(*_OF_INCLUDE)]
+    rows = [_pair(frontend, child, "name", "value") for child in element.of(*NESTED["include"])]
     given = {"launch_description_source": source, "launch_arguments": frontend.list(rows)}
     return frontend.make(LaunchClass.INCLUDE_LAUNCH_DESCRIPTION, place, given, {"launch_description_source": place})
 

@@ -43,6 +43,13 @@ ATTRIBUTES: dict[str, list[str]] = {
     "timer": ["period"],
 }
 
+NESTED: dict[str, tuple[str, ...]] = {
+    "node": ("param", "remap", "env"),
+    "lifecycle_node": ("param", "remap", "env"),
+    "include": ("arg", "let"),
+}
+"""What an element may hold, of those that hold no actions: launch refuses anything else."""
+
 SUBSTITUTIONS: dict[str, tuple[LaunchClass, tuple[str, ...]]] = {
     "var": (LaunchClass.LAUNCH_CONFIGURATION, ("variable_name", "default")),
     "env": (LaunchClass.ENVIRONMENT_VARIABLE, ("name", "default_value")),
