@@ -632,6 +632,7 @@ def test_a_method_of_a_script_in_no_package_that_nothing_calls(
     text = UNUSED.format(line=f"pass\n        {line}", main=MAIN)
     more = "    def blink(self):\n        self.lamp.wait_for_service()\n"
     (tmp_path / "panel.py").write_text(text.replace("    def blink(self):\n", more), encoding="utf-8")
+    (tmp_path / "lamp.py").write_text("class Lamp:\n    def blink(self):\n        pass\n", encoding="utf-8")
     (tmp_path / "archlint.toml").write_text('select = ["TMO001", "TMO003", "TMO004"]', encoding="utf-8")
     monkeypatch.chdir(tmp_path)
     assert len(check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings) == count

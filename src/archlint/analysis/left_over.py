@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import posixpath
 from collections import Counter
 from itertools import chain
 from typing import TYPE_CHECKING
@@ -57,7 +58,11 @@ def is_dead(workspace: WorkspaceIndex | None, program: Program, call: ApiCall) -
     if uses is None or function is None:
         return False
     name = function.name
-    return not uses.by_name and name in uses.idle and all(other == file for other in code.files_that_mention(name))
+    others = [other for other in code.files_that_mention(name) if other != file]
+    if workspace.package_of(file) is None:
+        module = posixpath.basename(file).removesuffix(".py")
+        others = [other for other in others if code.mentions(other, module)]  # others have a method of that name, too
+    return not uses.by_name and name in uses.idle and not others
 
 
 def is_never_made(workspace: WorkspaceIndex | None, call: ApiCall) -> bool:
