@@ -102,9 +102,10 @@ def test_what_is_asked_once_finds_nothing_more_in_a_launched_system(examples: li
 def test_what_is_of_the_workspace_needs_no_nodes_and_what_is_of_code_does(examples: list[Judged]):
     found = [row for row in examples if row.open]
     alike = {row.code for row in found if row.open == row.without_nodes}
-    assert alike == {"PKG001", "PKG002", "PKG003", "PKG004", "LCH008"}
-    # A launch file in which launch finds nothing makes no system: LCH008 asks the open one for it.
-    assert {registered()[code].scope for code in alike - {"LCH008"}} == {Scope.WORKSPACE}
+    assert alike == {"API002", "PKG001", "PKG002", "PKG003", "PKG004", "LCH008"}
+    # A launch file in which launch finds nothing makes no system: LCH008 asks the open one for it.  API002 judges the
+    # imports of each file, too, beside the calls of its programs.
+    assert {registered()[code].scope for code in alike - {"API002", "LCH008"}} == {Scope.WORKSPACE}
 
 
 # --- when a rule is asked
