@@ -122,6 +122,7 @@ PURE = {
     "engine/own_code.py": {"own_code"},
     "engine/remote.py": {"identity"},
     "libraries/api_signatures.py": {"_table", "refusing_distros"},
+    "libraries/module_names.py": {"_table"},
     "ros/packages.py": {"table"},
     "ros/standard_interfaces.py": {"table"},
     "rulebook.py": {"rules"},
