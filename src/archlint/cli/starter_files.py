@@ -27,13 +27,7 @@ class Seen:
     """Topics that one node publishes and others read, each with that node."""
 
 
-def configuration(seen: Seen, held: bool) -> str:
-    """An ``archlint.toml``; ``held`` says whether a baseline holds back what is found today."""
-    distro = f'distro = "{seen.distro}"' if seen.distro else '#distro = "jazzy"'
-    why = "as $ROS_DISTRO was when this file was written" if seen.distro else "unset: for all that are supported"
-    launch = ", ".join(map(json.dumps, seen.launch_files)) or '"**/bringup.launch.py"'
-    owners = "\n".join(f"#{json.dumps(topic)} = {json.dumps(node)}" for topic, node in seen.owners)
-    return f"""\
+_CONFIGURATION = """\
 # What archlint checks here.  `archlint config` prints all values and where each comes from, `archlint rules` lists the
 # rules, and `archlint explain CODE` prints the page of one.  To switch on a line that starts with #, remove the #.
 
@@ -42,7 +36,7 @@ def configuration(seen: Seen, held: bool) -> str:
 
 # The findings that are there already are held back: only what is new fails.  `archlint check --no-baseline` shows them
 # all, `archlint check --prune-baseline` removes what is mended, and `archlint check --write-baseline` writes the file.
-{"" if held else "#"}baseline = "{BASELINE}"
+{held}baseline = "{baseline}"
 
 # Where to start from.  "course": errors fail, warnings only inform.  "team": errors and warnings fail, and a
 # suppression needs a reason.  "safety": every finding fails, and most rules that are off by default run.
@@ -77,7 +71,7 @@ def configuration(seen: Seen, held: bool) -> str:
 
 # The only nodes that may publish a topic (OWN003).
 [owners]
-{owners or '#"/cmd_vel" = "/safety_mux"'}
+{owners}
 
 # What must be connected, and what must not be (ARC001 and ARC003).
 #[[contracts]]
@@ -86,6 +80,19 @@ def configuration(seen: Seen, held: bool) -> str:
 #from = "/planner"
 #to = "/motor"
 """
+
+
+def configuration(seen: Seen, held: bool) -> str:
+    """An ``archlint.toml``; ``held`` says whether a baseline holds back what is found today."""
+    owners = "\n".join(f"#{json.dumps(topic)} = {json.dumps(node)}" for topic, node in seen.owners)
+    return _CONFIGURATION.format(
+        why="as $ROS_DISTRO was when this file was written" if seen.distro else "unset: for all that are supported",
+        distro=f'distro = "{seen.distro}"' if seen.distro else '#distro = "jazzy"',
+        held="" if held else "#",
+        baseline=BASELINE,
+        launch=", ".join(map(json.dumps, seen.launch_files)) or '"**/bringup.launch.py"',
+        owners=owners or '#"/cmd_vel" = "/safety_mux"',
+    )
 
 
 def hook(folder: str) -> str:
