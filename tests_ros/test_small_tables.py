@@ -195,7 +195,9 @@ def test_parameters_of_another_type(asked: Asked, monkeypatch: pytest.MonkeyPatc
     write_package(asked.folder, "".join(declared))
     monkeypatch.chdir(asked.folder)
     request = Request((".",), load(asked.folder), cached=False, jobs=1, launch="all.launch.xml")
-    said = {one.message.split("'")[1] for one in check(request).findings if one.code == "PRM002"}
+    found = [finding for finding in check(request).findings if finding.code == "PRM002"]
+    texts = [text for finding in found for text in (finding.message, *(row.message for row in finding.related))]
+    said = {text.split("'")[1] for text in texts if text.startswith("parameter '")}  # one finding may be for several
     refused = {name for name, value in asked.answer["parameters"].items() if value.startswith("<")}
     assert said == refused
     assert len(asked.answer["parameters"]) == len(DEFAULTS) * len(IN_FILE)

@@ -101,8 +101,8 @@ def _of_one_cause(several: Sequence[Finding]) -> Finding:
         return first
     _, wanted, given = first.group
     another = "another value is" if len(others) == 1 else f"{len(others)} more values are"
-    rest = f"{another} of type {given} instead of {wanted}, too" if wanted else f"{another} placeholders, too"
-    rest = rest.replace("is placeholders", "is one")
+    placeholders = "one" if len(others) == 1 else "placeholders"
+    rest = f"{another} {f'of type {given} instead of {wanted}' if wanted else placeholders}, too"
     return replace(first, message=f"{first.message}; {rest}", related=related)
 
 
