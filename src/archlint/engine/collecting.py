@@ -13,6 +13,7 @@ from archlint.analysis.pinned import PINNING_FILES, PINNING_FOLDERS
 from archlint.disk import read_regular
 from archlint.engine.facts_file import FileRow, ProblemRow, PythonRow, Shard
 from archlint.engine.facts_folder import FactsError
+from archlint.workspace.around import is_below
 from archlint.workspace.model import PYTHON_KINDS
 from archlint.workspace.pruning import is_pruned_by_content, is_pruned_by_name
 from archlint.workspace.snapshot import TOO_LARGE, Entry
@@ -182,7 +183,7 @@ class _Collecting:
         folder = os.path.dirname(path)
         if folder not in self._inside:
             real = os.path.realpath(folder)
-            self._inside[folder] = all(_is_below(real, os.path.realpath(around)) for around in (self.base, self.root))
+            self._inside[folder] = all(is_below(real, os.path.realpath(around)) for around in (self.base, self.root))
         return self._inside[folder]
 
     def _link(self, path: str) -> Entry | None:
@@ -190,7 +191,7 @@ class _Collecting:
         real = os.path.realpath(path)
         base = os.path.realpath(self.base)
         is_folder = os.path.isdir(path)
-        if not os.path.exists(path) or not _is_below(real, base) or not _is_below(real, os.path.realpath(self.root)):
+        if not os.path.exists(path) or not is_below(real, base) or not is_below(real, os.path.realpath(self.root)):
             return None if is_folder else Entry(link="")
         return Entry(link=str(self.base / os.path.relpath(real, base)) + "/" * is_folder)
 
@@ -227,10 +228,6 @@ def _names(folder: str) -> frozenset[str]:
         return frozenset(os.listdir(folder))
     except OSError:
         return frozenset()
-
-
-def _is_below(path: str, folder: str) -> bool:
-    return path == folder or path.startswith(folder.rstrip(os.sep) + os.sep)
 
 
 __all__ = ["shards_of"]

@@ -23,6 +23,7 @@ from archlint.finding import Severity
 from archlint.report.occurrence import Key
 from archlint.suggestions import did_you_mean
 from archlint.syntax.cache import NullStore
+from archlint.workspace.around import is_below
 from archlint.workspace.discovery import PathNotFound
 
 if TYPE_CHECKING:
@@ -114,12 +115,12 @@ class _Surroundings:
 
     def add_to(self, tree: OldTree) -> None:
         written = {folder for folder in tree.written if folder != self._root}
-        files = [file for file in self._files if not any(_is_below(file.path, folder) for folder in written)]
+        files = [file for file in self._files if not any(is_below(file.path, folder) for folder in written)]
         tree.surround(files, self._folders, self._root)
         for file in self._configuration:
             tree.copy(file)
         for folder in self._folders:
-            if os.path.isdir(folder) and not _is_below(folder, self._root):
+            if os.path.isdir(folder) and not is_below(folder, self._root):
                 os.makedirs(tree.place(folder), exist_ok=True)
 
     def rows(self) -> list[object]:
@@ -127,7 +128,7 @@ class _Surroundings:
         return [(file.relative, *file.stamp) for file in self._files]
 
     def _is_foreign(self, path: str) -> bool:
-        if not _is_below(path, self._root):
+        if not is_below(path, self._root):
             return True
         return self._has_other_master(os.path.dirname(path))
 
@@ -237,7 +238,3 @@ def _working_in(folder: str) -> Iterator[None]:
         yield
     finally:
         os.chdir(before)
-
-
-def _is_below(path: str, folder: str) -> bool:
-    return path == folder or path.startswith(folder.rstrip(os.sep) + os.sep)

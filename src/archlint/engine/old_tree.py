@@ -19,7 +19,7 @@ from types import FrameType
 from typing import TYPE_CHECKING
 
 from archlint.engine.git import GitError, Repository, TreeEntry
-from archlint.workspace.around import ROOT_MARKS
+from archlint.workspace.around import ROOT_MARKS, has, is_below
 from archlint.workspace.kinds import kind_of
 from archlint.workspace.pruning import COLCON_FOLDERS
 from archlint.workspace.tree import TEXT_LIMIT
@@ -110,7 +110,7 @@ class OldTree:
     def _link(self, path: str, target: str) -> None:
         with contextlib.suppress(OSError, ValueError):  # a name that is no path, a system without links
             os.makedirs(os.path.dirname(path), exist_ok=True)
-            if not os.path.isabs(target) and _is_below(os.path.realpath(os.path.dirname(path)), self.base):
+            if not os.path.isabs(target) and is_below(os.path.realpath(os.path.dirname(path)), self.base):
                 os.symlink(target, path)
 
     def _remove_ways_out(self, root: str) -> None:
@@ -119,7 +119,7 @@ class OldTree:
         for folder, folders, names in os.walk(top):
             for name in (*folders, *names):
                 path = os.path.join(folder, name)
-                if os.path.islink(path) and not _is_below(os.path.realpath(path), top):
+                if os.path.islink(path) and not is_below(os.path.realpath(path), top):
                     os.unlink(path)
 
     def surround(self, files: Iterable[SourceFile], folders: Iterable[str], root: str) -> None:
@@ -129,7 +129,7 @@ class OldTree:
             self.copy(file.path)
         for folder in folders:
             for above in _upwards(folder):
-                self._mark(above, is_outside=not _is_below(above, root))
+                self._mark(above, is_outside=not is_below(above, root))
 
     def copy(self, path: str) -> None:
         """Add a file as it is now, in place of the one that is there."""
@@ -143,7 +143,7 @@ class OldTree:
 
     def _mark(self, folder: str, is_outside: bool) -> None:
         for name in (".git", "src", *sorted(COLCON_FOLDERS)):
-            if os.path.isdir(os.path.join(folder, name)) or (name == ".git" and _has(folder, name)):
+            if os.path.isdir(os.path.join(folder, name)) or (name == ".git" and has(folder, name)):
                 with contextlib.suppress(OSError):
                     os.makedirs(self.place(os.path.join(folder, name)), exist_ok=True)
         outside = (*ROOT_MARKS, ".gitignore", "package.xml") if is_outside else ()
@@ -189,14 +189,6 @@ def _is_read(entry: TreeEntry) -> bool:
     """Whether archlint reads what is in a file, and not only that it is there."""
     folder, name = os.path.split(entry.path)
     return "." not in name or kind_of(name, os.path.basename(folder)) is not None
-
-
-def _is_below(path: str, folder: str) -> bool:
-    return path == folder or path.startswith(folder.rstrip(os.sep) + os.sep)
-
-
-def _has(folder: str, name: str) -> bool:
-    return os.path.lexists(os.path.join(folder, name))
 
 
 def _upwards(folder: str) -> Iterator[str]:

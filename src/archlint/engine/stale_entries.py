@@ -11,6 +11,7 @@ from archlint.checks.registry import finding
 from archlint.engine.inputs import is_subset
 from archlint.finding import Place
 from archlint.rulebook import find_rule
+from archlint.workspace.around import is_below
 
 if TYPE_CHECKING:
     from archlint.engine.inputs import Inputs
@@ -49,8 +50,9 @@ class _Scope:
         self._configuration = () if is_subset(request, inputs.workspace) else request.settings.read
 
     def holds(self, file: str) -> bool:
-        below = (file == path or file.startswith(path.rstrip(os.sep) + os.sep) for path in self._asked)
-        return any(below) or any(file == os.path.abspath(path) for path in self._configuration)
+        return any(is_below(file, path) for path in self._asked) or any(
+            file == os.path.abspath(path) for path in self._configuration
+        )
 
 
 def stale_entry(entry: Entry, baseline: str) -> Finding:
