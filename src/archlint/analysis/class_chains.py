@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.kept import kept
 from archlint.libraries.rclpy.names import canonical
 from archlint.syntax import facts
-from archlint.syntax.parts import Itself, everything_in
+from archlint.syntax.parts import Itself, everything_in, targets_in
 from archlint.syntax.walk import statements_of
 
 if TYPE_CHECKING:
@@ -154,16 +154,4 @@ def targets_of(body: Sequence[facts.Stmt] | facts.Stmt) -> Iterator[facts.Base]:
             yield from targets_in(target)
 
 
-def targets_in(target: facts.Base) -> Iterator[facts.Base]:
-    """A target, or the parts of a tuple of targets."""
-    match target:
-        case facts.Sequence(elements=elements):
-            for element in elements:
-                yield from targets_in(element)
-        case facts.Starred(value=value):
-            yield from targets_in(value)
-        case _:
-            yield target
-
-
-__all__ = ["Chain", "ClassInFile", "chain_of", "classes_of", "files_with", "methods_of", "targets_in", "targets_of"]
+__all__ = ["Chain", "ClassInFile", "chain_of", "classes_of", "files_with", "methods_of", "targets_of"]

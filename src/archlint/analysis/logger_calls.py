@@ -10,13 +10,13 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from archlint.analysis.class_chains import classes_of, files_with, methods_of, targets_in
+from archlint.analysis.class_chains import classes_of, files_with, methods_of
 from archlint.analysis.kept import once_for_each_file
 from archlint.libraries.api_signatures import distros
 from archlint.model import Misuse, RefusedCall
 from archlint.place import Place
 from archlint.syntax import facts
-from archlint.syntax.parts import Itself, everything_in, parts_of
+from archlint.syntax.parts import Itself, everything_in, parts_of, targets_in
 
 if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex

@@ -92,4 +92,16 @@ def names_in(ir: Source) -> frozenset[str]:
     return frozenset(name for item in everything_in(ir) if (name := item.last_name))
 
 
-__all__ = ["Itself", "everything_in", "names_in", "once_for", "parts_of"]
+def targets_in(target: facts.Expr) -> Iterator[facts.Expr]:
+    """What an assignment to a target sets: the target, or the parts of a tuple of targets."""
+    match target:
+        case facts.Sequence(elements=elements):
+            for element in elements:
+                yield from targets_in(element)
+        case facts.Starred(value=value):
+            yield from targets_in(value)
+        case _:
+            yield target
+
+
+__all__ = ["Itself", "everything_in", "names_in", "once_for", "parts_of", "targets_in"]

@@ -8,6 +8,7 @@ from functools import cached_property
 from typing import TypeVar, cast
 
 from archlint.syntax import facts
+from archlint.syntax.parts import targets_in
 
 _Fact = TypeVar("_Fact", bound=facts.Base)
 
@@ -96,7 +97,7 @@ class Tree:
     def stored(self) -> Sequence[tuple[facts.Base, facts.Expr]]:
         """What is stored in or deleted, with the statement (or part of an expression) that does it: the names,
         attributes and items, those inside of a tuple each by itself."""
-        return [(fact, expression) for fact, target in self._targets() for expression in _single(target)]
+        return [(fact, expression) for fact, target in self._targets() for expression in targets_in(target)]
 
     def _targets(self) -> Iterator[tuple[facts.Base, facts.Expr]]:
         yield from ((fact, target) for fact in self.of_kind(facts.Assign) for target in fact.targets)
@@ -127,17 +128,6 @@ def _lists(fact: facts.Base) -> Iterator[list[object]]:
         match getattr(fact, name):
             case list() as block:
                 yield block
-
-
-def _single(target: facts.Expr) -> Iterator[facts.Expr]:
-    match target:
-        case facts.Sequence(elements=elements):
-            for element in elements:
-                yield from _single(element)
-        case facts.Starred(value=value):
-            yield from _single(value)
-        case _:
-            yield target
 
 
 _NOWHERE: facts.Span = (0, 0, 0, 0)
