@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from archlint.analysis.own_names import is_defined_somewhere
+from archlint.analysis.reach import judged_notes
 from archlint.analysis.source_code import source_code
 from archlint.finding import Place
 from archlint.model import Misuse
@@ -18,24 +19,19 @@ if TYPE_CHECKING:
 
 def mistaken_futures(system: System) -> list[MistakenFuture]:
     """The futures that are used as answers, outside of test code, in the order of the source."""
-    is_test = system.roles.is_test
-    programs = [program for program in system.programs if not is_test(program.file)]
-    absent = {
-        (call.place.file, call.place.line, call.place.column)
-        for program in programs
-        for call in program.refused_calls
-        if call.misuse is Misuse.ABSENT
-    }
+    refused = judged_notes(system, lambda program: program.refused_calls)
+    absent = {_start(call.place) for call in refused if call.misuse is Misuse.ABSENT}
     uses = {
         (use.place, use.attribute): use
-        for program in programs
-        for use in program.mistaken_futures
-        if not is_test(use.place.file)
+        for use in judged_notes(system, lambda program: program.mistaken_futures)
         # Of methods that a future has not, API002 tells.
-        and (use.place.file, use.place.line, use.place.column) not in absent
-        and not _may_be_set(system, use)
+        if _start(use.place) not in absent and not _may_be_set(system, use)
     }
     return [uses[key] for key in sorted(uses)]
+
+
+def _start(place: Place) -> tuple[str, int, int]:
+    return place.file, place.line, place.column
 
 
 def _may_be_set(system: System, use: MistakenFuture) -> bool:

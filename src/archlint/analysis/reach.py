@@ -21,7 +21,7 @@ from archlint.syntax import facts
 if TYPE_CHECKING:
     from archlint.analysis.source_code import SourceCode
     from archlint.finding import Place
-    from archlint.model import ApiCall, Blueprint, Program, RefusedCall, WrongValue
+    from archlint.model import ApiCall, Blueprint, MistakenFuture, Program, RefusedCall, WrongValue
     from archlint.model.given import Given
     from archlint.systems.model import System
 
@@ -39,7 +39,7 @@ def judged_calls(system: System) -> list[tuple[Program, ApiCall]]:
     return sorted(judged, key=lambda row: (row[1].place, row[1].api, len(row[1].chain)))
 
 
-_Noted = TypeVar("_Noted", "RefusedCall", "WrongValue")
+_Noted = TypeVar("_Noted", "RefusedCall", "WrongValue", "MistakenFuture")
 
 
 def judged_notes(system: System, notes: Callable[[Program], Iterable[_Noted]]) -> Iterator[_Noted]:
