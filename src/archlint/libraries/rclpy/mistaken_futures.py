@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from archlint import model
 from archlint.interpreter.values import ApiMethod, Value, alternatives
 from archlint.libraries.api_signatures import attributes_of
+from archlint.libraries.rclpy.agreement import note_if_same
 from archlint.libraries.rclpy.effects import answer
 from archlint.libraries.rclpy.message_uses import is_certain
 from archlint.libraries.values import EntityValue, FutureValue, MessageValue
@@ -39,15 +40,15 @@ def note_read(run: Run, value: Value, name: str, span: Span) -> None:
     certain = len(futures) == len(options) and not any(future.creations != futures[0].creations for future in futures)
     if certain and futures and is_certain(run) and not _asks(run):
         _keep(run, _mistaken(run, futures[0], options[0], name, span))
-    elif key in run.noted.futures:
-        run.noted.futures[key] = None
+    elif key in run.noted.futures and note_if_same(run.noted.futures, key, None):
         _show(run)
 
 
 def note_set(run: Run, target: Value, name: str) -> None:
     """Note that the code gives a future an attribute."""
-    if any(isinstance(option, FutureValue) for option in alternatives(target)):
-        run.noted.set_on_futures.add(name)
+    known = run.noted.set_on_futures
+    if name not in known and any(isinstance(option, FutureValue) for option in alternatives(target)):
+        known.add(name)
         _show(run)
 
 
@@ -102,10 +103,8 @@ def _has(run: Run, answers: Sequence[Value], name: str) -> bool | None:
 
 def _keep(run: Run, mistaken: model.MistakenFuture) -> None:
     """Note it; what differs from one run of the code to another is not always so."""
-    key = mistaken.place, mistaken.attribute
-    if run.noted.futures.setdefault(key, mistaken) != mistaken:
-        run.noted.futures[key] = None
-    _show(run)
+    if note_if_same(run.noted.futures, (mistaken.place, mistaken.attribute), mistaken):
+        _show(run)
 
 
 def _show(run: Run) -> None:

@@ -12,6 +12,7 @@ from archlint import model
 from archlint.interpreter.values import ApiMethod, Value
 from archlint.libraries import tables
 from archlint.libraries.rclpy import names, node_classes, signatures
+from archlint.libraries.rclpy.agreement import note_if_same
 from archlint.libraries.values import EntityValue, ExecutorValue, FutureValue, NodeValue
 
 if TYPE_CHECKING:
@@ -61,10 +62,7 @@ def place_of(run: Run, site: CallSite) -> Place | None:
 def keep(run: Run, place: Place, path: str, refused: model.RefusedCall | None) -> None:
     """Note what was found of a call; one of which two things were found is not refused each time."""
     noted = run.noted.refused
-    key = place, path
-    before = noted.get(key)
-    noted[key] = refused if key not in noted or before == refused else None
-    if noted[key] != before:
+    if note_if_same(noted, (place, path), refused):
         run.program.refused_calls[:] = [call for call in noted.values() if call is not None]
 
 
