@@ -8,6 +8,7 @@ from itertools import chain
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import kept
+from archlint.analysis.own_names import BY_NAME
 from archlint.analysis.source_code import code_of
 from archlint.analysis.surrounding_code import tree_of
 from archlint.model import (
@@ -23,9 +24,6 @@ if TYPE_CHECKING:
     from archlint.syntax.tree import Tree
     from archlint.systems.model import WorkspaceIndex
     from archlint.systems.nodes import Endpoint
-
-_BY_NAME = frozenset({"getattr", "vars", "__dict__"})
-"""With one of these an attribute may be used that is not written out, unless ``getattr`` is given a literal."""
 
 
 def is_left_over(workspace: WorkspaceIndex | None, endpoint: Endpoint) -> bool:
@@ -129,8 +127,8 @@ class _Uses:
         self.count: dict[str, int] = Counter(attributes)
         self.names = set(names)
         self.kept: dict[tuple[int, int], str] = {}
-        unwritten = sum(name in _BY_NAME for name in chain(names, attributes))
-        for call in tree.of_kind(facts.Call):
+        unwritten = sum(name in BY_NAME for name in chain(names, attributes))
+        for call in tree.of_kind(facts.Call):  # a literal that ``getattr`` is given is written out
             if (
                 len(call.args) > 1
                 and call.func.variable == "getattr"

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.analysis.annotations import imported_as, interface_of
+from archlint.analysis.own_names import assigned_values
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in
 from archlint.syntax.walk import calls_in, statements_of
@@ -162,12 +163,10 @@ def _passes_time(call: facts.Call, owner: str, code: facts.Facts) -> bool:
 def _is_publisher(attribute: str, code: facts.Facts) -> bool:
     """Whether all that a file assigns to an attribute is publishers."""
     values = [
-        assignment.value
-        for assignment in everything_in(code.body, facts.Assign)
-        for target in assignment.targets
-        if isinstance(target, facts.Attribute) and target.attr == attribute
+        value
+        for value in assigned_values(code, attribute)
+        if not (isinstance(value, facts.Literal) and value.value is None)
     ]
-    values = [value for value in values if not (isinstance(value, facts.Literal) and value.value is None)]
     return bool(values) and all(
         isinstance(value, facts.Call) and value.func.last_name in _CREATE_PUBLISHER for value in values
     )

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.completeness import in_sight
 from archlint.analysis.kept import once
+from archlint.analysis.own_names import is_named_only
 from archlint.analysis.reach import calls_of
 from archlint.analysis.source_code import SourceCode, source_code
 from archlint.analysis.straight_after import LOGS, follows_at_once
@@ -15,7 +16,7 @@ from archlint.finding import Place
 from archlint.model import EntityKind, Role
 from archlint.syntax import facts
 from archlint.syntax.control_flow import graph_of
-from archlint.syntax.parts import everything_in, names_in, once_for
+from archlint.syntax.parts import everything_in, once_for
 
 if TYPE_CHECKING:
     from archlint.model import ApiCall, Creation, Program
@@ -24,8 +25,6 @@ if TYPE_CHECKING:
 _PUBLISH = "rclpy.publisher.Publisher.publish"
 _AT_START = frozenset({Role.INIT, Role.MAIN, Role.MODULE})
 _QUICK = LOGS | {"to_msg", "now", "get_clock", "get_name", "float", "int", "bool", "len", "round", "list", "dict"}
-_BY_NAME = frozenset({"getattr", "vars", "__dict__"})
-"""With one of these an attribute may be used that is not written out."""
 
 
 @dataclass(frozen=True)
@@ -91,9 +90,7 @@ def _is_used_here_alone(system: System, code: SourceCode, call: ApiCall, name: s
     if attribute == name:
         body = code.body(call)
         return sum(part.variable == name for part in everything_in(body)) == 2 and body is not read.body
-    uses = sum(part.attribute == attribute for part in everything_in(read.body))
-    others = [file for file in workspace.code.files_that_mention(attribute) if file != call.place.file]
-    return uses == 2 and not others and names_in(read.body).isdisjoint(_BY_NAME)
+    return is_named_only(workspace, call.place.file, attribute, times=2)
 
 
 @once_for

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.annotations import imported_as
 from archlint.analysis.attribute_changes import changing_callbacks, is_used_otherwise
 from archlint.analysis.kept import once
+from archlint.analysis.own_names import assigned_values
 from archlint.analysis.source_code import source_code
 from archlint.analysis.waiting_functions import Waiting, classes_of, waiting_functions, why_kept_out
 from archlint.finding import Place
@@ -101,11 +102,7 @@ def _is_made(code: facts.Facts, waiting: Waiting, attribute: str, method: str) -
     it is EXE002 that judges those."""
     if method == "wait" and waiting.callback is not None:
         return False
-    values = [
-        assignment.value
-        for assignment in everything_in(code.body, facts.Assign)
-        if any(isinstance(target, facts.Attribute) and target.attr == attribute for target in assignment.targets)
-    ]
+    values = assigned_values(code, attribute)
     classes = _QUEUES if method == "get" else _EVENTS
     return bool(values) and all(
         isinstance(value, facts.Call) and imported_as(code, value.func.dotted) in classes for value in values
