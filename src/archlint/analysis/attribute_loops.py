@@ -10,42 +10,27 @@ from archlint.analysis.attribute_changes import changing_callbacks
 from archlint.analysis.kept import once
 from archlint.analysis.loop_tests import awaited_attributes
 from archlint.analysis.source_code import source_code
-from archlint.analysis.waiting_functions import Waiting, classes_of, waiting_functions, why_kept_out
+from archlint.analysis.waiting_functions import EndlessWait, Waiting, classes_of, waiting_functions, why_kept_out
 from archlint.finding import Place
 from archlint.syntax import facts
 from archlint.syntax.walk import statements_of
 
 if TYPE_CHECKING:
-    from archlint.model import Blueprint, Callback, Program
+    from archlint.model import Callback, Program
     from archlint.systems.model import System
 
 
-@dataclass(frozen=True)
-class AttributeLoop:
-    """A loop that nothing ends once it is entered."""
+@dataclass(frozen=True, kw_only=True)
+class AttributeLoop(EndlessWait):
+    """A loop that nothing ends once it is entered; its place is that of its test."""
 
-    place: Place
-    """Its test."""
     loop: Place
-    waiting: Callback | None
-    """The callback that waits; None where a program does so at its start."""
-    node: Blueprint
-    attribute: str
-    """With the variable that is the node: ``self.pose``."""
-    setter: Callback
-    why: str
-    """Why the setter cannot run meanwhile."""
 
 
 @once
 def attribute_loops(system: System) -> list[AttributeLoop]:
     """The loops that wait for attributes of a node, and that nothing ends."""
-    rows = [
-        loop
-        for program in system.programs
-        for waiting in waiting_functions(system, program)
-        for loop in _loops_of(system, program, waiting)
-    ]
+    rows = [loop for program, waiting in waiting_functions(system) for loop in _loops_of(system, program, waiting)]
     first = {loop.place: loop for loop in sorted(rows, key=_by_place, reverse=True)}
     return [first[place] for place in sorted(first)]
 
@@ -56,15 +41,23 @@ def _by_place(loop: AttributeLoop) -> tuple[Place, bool, Place]:
 
 def _loops_of(system: System, program: Program, waiting: Waiting) -> Iterator[AttributeLoop]:
     code = source_code(system).facts_at(waiting.file)
-    for loop in [] if code is None else statements_of(waiting.function.body, facts.While):
-        attributes = () if code is None else awaited_attributes(loop, waiting.variable, code)
+    if code is None:
+        return
+    for loop in statements_of(waiting.function.body, facts.While):
+        attributes = awaited_attributes(loop, waiting.variable, code)
         setters = _setters(system, program, waiting, attributes)
         reasons = [why_kept_out(waiting, setter, program) for _, setter in setters]
         if reasons and all(reasons):
-            test, whole = Place.of(waiting.file, _span_of(loop)), Place.of(waiting.file, loop.span)
             attribute, setter = setters[0]
-            name = f"{waiting.variable}.{attribute}"
-            yield AttributeLoop(test, whole, waiting.callback, waiting.node, name, setter, reasons[0] or "")
+            yield AttributeLoop(
+                place=Place.of(waiting.file, _span_of(loop)),
+                loop=Place.of(waiting.file, loop.span),
+                waiting=waiting.callback,
+                node=waiting.node,
+                attribute=f"{waiting.variable}.{attribute}",
+                setter=setter,
+                why=reasons[0] or "",
+            )
 
 
 def _setters(

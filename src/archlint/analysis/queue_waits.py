@@ -11,7 +11,7 @@ from archlint.analysis.attribute_changes import changing_callbacks, is_used_othe
 from archlint.analysis.kept import once
 from archlint.analysis.own_names import assigned_values
 from archlint.analysis.source_code import source_code
-from archlint.analysis.waiting_functions import Waiting, classes_of, waiting_functions, why_kept_out
+from archlint.analysis.waiting_functions import EndlessWait, Waiting, classes_of, waiting_functions, why_kept_out
 from archlint.finding import Place
 from archlint.syntax import facts
 from archlint.syntax.control_flow import graph_of
@@ -19,7 +19,7 @@ from archlint.syntax.parts import everything_in, parts_of
 from archlint.syntax.walk import calls_in
 
 if TYPE_CHECKING:
-    from archlint.model import Blueprint, Callback, Program
+    from archlint.model import Callback, Program
     from archlint.systems.model import System
 
 _QUEUES = frozenset({"queue.Queue", "queue.LifoQueue", "queue.PriorityQueue", "queue.SimpleQueue"})
@@ -29,50 +29,44 @@ _ASKS = frozenset({"empty", "qsize", "full", "is_set"})
 _METHODS = _FILLS | _ASKS | {"get", "get_nowait", "task_done", "wait", "clear"}
 
 
-@dataclass(frozen=True)
-class QueueWait:
+@dataclass(frozen=True, kw_only=True)
+class QueueWait(EndlessWait):
     """A wait that nothing ends, as long as there is nothing in the queue, or the event is not set."""
 
-    place: Place
-    waiting: Callback | None
-    """The callback that waits; None where a program does so at its start."""
-    node: Blueprint
-    attribute: str
-    """With the variable that is the node: ``self.poses``."""
     method: str
     """``get`` or ``wait``."""
-    setter: Callback
-    why: str
-    """Why the setter cannot run meanwhile."""
 
 
 @once
 def queue_waits(system: System) -> list[QueueWait]:
     """The waits for queues, and those for events at the start of a program, that nothing ends."""
-    rows = [
-        wait
-        for program in system.programs
-        for waiting in waiting_functions(system, program)
-        for wait in _waits_of(system, program, waiting)
-    ]
+    rows = [wait for program, waiting in waiting_functions(system) for wait in _waits_of(system, program, waiting)]
     first = {wait.place: wait for wait in reversed(rows)}
     return [first[place] for place in sorted(first)]
 
 
 def _waits_of(system: System, program: Program, waiting: Waiting) -> Iterator[QueueWait]:
     code = source_code(system).facts_at(waiting.file)
+    if code is None:
+        return
     for call in parts_of(waiting.function.body, facts.Call):
         match call.func:
             case facts.Attribute(attr="get" | "wait" as method, value=facts.Attribute(attr=attribute, value=owner)):
-                if code is None or owner.variable != waiting.variable or not _is_endless(call):
+                if owner.variable != waiting.variable or not _is_endless(call):
                     continue
                 if _is_asked_before(waiting, call, attribute) or not _is_made(code, waiting, attribute, method):
                     continue
                 setter, why = _only_setter(system, program, waiting, attribute)
                 if setter is not None:
-                    name = f"{waiting.variable}.{attribute}"
-                    place = Place.of(waiting.file, call.span)
-                    yield QueueWait(place, waiting.callback, waiting.node, name, method, setter, why)
+                    yield QueueWait(
+                        place=Place.of(waiting.file, call.span),
+                        waiting=waiting.callback,
+                        node=waiting.node,
+                        attribute=f"{waiting.variable}.{attribute}",
+                        method=method,
+                        setter=setter,
+                        why=why,
+                    )
 
 
 def _is_endless(call: facts.Call) -> bool:

@@ -10,6 +10,7 @@ from archlint.analysis.blocking import ONE
 from archlint.analysis.callback_roles import runs_in_executor
 from archlint.analysis.deadlock import threads_of
 from archlint.analysis.event_waits import ONLY_THREAD, kept_out
+from archlint.analysis.kept import once
 from archlint.analysis.source_code import source_code
 from archlint.finding import Place
 from archlint.model import ExecutorKind, Role
@@ -34,11 +35,30 @@ class Waiting:
     callback: Callback | None
 
 
-def waiting_functions(system: System, program: Program) -> Iterator[Waiting]:
-    """Those of a program, outside of test code."""
-    for waiting in (*_in_callbacks(system, program), *_at_start(system, program)):
-        if not system.roles.is_test(waiting.file):
-            yield waiting
+@dataclass(frozen=True, kw_only=True)
+class EndlessWait:
+    """A wait for what only a callback does that cannot run meanwhile."""
+
+    place: Place
+    waiting: Callback | None
+    """The callback that waits; None where a program does so at its start."""
+    node: Blueprint
+    attribute: str
+    """With the variable that is the node: ``self.pose``."""
+    setter: Callback
+    why: str
+    """Why the setter cannot run meanwhile."""
+
+
+@once
+def waiting_functions(system: System) -> list[tuple[Program, Waiting]]:
+    """Those of each program, outside of test code."""
+    return [
+        (program, waiting)
+        for program in system.programs
+        for waiting in (*_in_callbacks(system, program), *_at_start(system, program))
+        if not system.roles.is_test(waiting.file)
+    ]
 
 
 def _in_callbacks(system: System, program: Program) -> Iterator[Waiting]:
@@ -149,4 +169,4 @@ def why_kept_out(waiting: Waiting, setter: Callback, program: Program) -> str | 
     return _NOBODY_SPINS if runs_in_executor(setter) and setter.role != Role.PARAMETER else None
 
 
-__all__ = ["Waiting", "classes_of", "waiting_functions", "why_kept_out"]
+__all__ = ["EndlessWait", "Waiting", "classes_of", "waiting_functions", "why_kept_out"]
