@@ -151,7 +151,7 @@ def _forgiving(file_facts: facts.Facts) -> Iterator[list[facts.Stmt]]:
 
 
 def _is_tolerant(handler: facts.Handler) -> bool:
-    return handler.type is None or any(part.last_name in _TOLERANT for part in everything_in(handler.type))
+    return handler.type is None or not handler.caught.isdisjoint(_TOLERANT)
 
 
 __all__ = ["Absent", "absent_imports"]

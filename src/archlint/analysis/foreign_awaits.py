@@ -29,7 +29,6 @@ _RUN_A_LOOP = frozenset(
 )
 """Calls in whose files somebody may run asyncio's loop around the executor, or a callback in it."""
 _NO_LOOP = frozenset({"subprocess.run"})
-_EXPECTED = frozenset({"RuntimeError"})
 
 
 def foreign_awaits(system: System) -> Iterator[tuple[Program, ApiCall]]:
@@ -87,13 +86,9 @@ def _is_expected(code: SourceCode, call: ApiCall) -> bool:
     """Whether a ``try`` around it is there for the exception."""
     return any(
         any(Place.of(call.place.file, inner.span) == call.place for inner in calls_in(attempt.body))
-        and any(_names(handler.type) & _EXPECTED for handler in attempt.handlers)
+        and any("RuntimeError" in handler.caught for handler in attempt.handlers)
         for attempt in statements_of(code.body(call), facts.Try)
     )
-
-
-def _names(classes: facts.Expr | None) -> set[str]:
-    return set() if classes is None else {cls.last_name for cls in classes.unpacked}
 
 
 __all__ = ["foreign_awaits"]

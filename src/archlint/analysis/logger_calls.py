@@ -26,6 +26,9 @@ _LEVELS = frozenset({"info", "warn", "warning", "error", "fatal"})
 """Not ``debug``: nobody sees it by default, and what is not logged is not looked at."""
 _KEYWORDS = frozenset({"message", "name", "once", "skip_first", "throttle_duration_sec", "throttle_time_source_type"})
 
+_REFUSALS = frozenset({"AttributeError", "TypeError"})
+"""What an ``except`` names that is there for a call that is refused."""
+
 
 def refused_logger_calls(workspace: WorkspaceIndex) -> Iterator[RefusedCall]:
     """Every such call in the files that use rclpy; none where the workspace has loggers of its own."""
@@ -98,7 +101,7 @@ class _Code:
         self._tried = {
             Itself(call)
             for attempt in everything_in(body, facts.Try)
-            if any(_catches_refusals(handler) for handler in attempt.handlers)
+            if not all(handler.caught.isdisjoint(_REFUSALS) for handler in attempt.handlers)
             for call in everything_in(attempt.body, facts.Call)
         }
 
@@ -170,11 +173,6 @@ class _Code:
             case facts.Mapping():
                 return "a dict"
         return ""
-
-
-def _catches_refusals(handler: facts.Handler) -> bool:
-    types = everything_in(handler.type) if handler.type is not None else ()
-    return any(part.last_name in ("TypeError", "AttributeError") for part in types)
 
 
 def _is_call(value: facts.Expr | None) -> bool:

@@ -242,17 +242,14 @@ def _of_self(body: Sequence[facts.Base]) -> Iterator[facts.Attribute]:
                 continue
             case facts.Function(params=params) | facts.Lambda(params=params) if any(p.name == "self" for p in params):
                 continue
-            case facts.Try(handlers=handlers, orelse=orelse, final=final) if any(map(_catches, handlers)):
+            case facts.Try(handlers=handlers, orelse=orelse, final=final) if any(
+                "AttributeError" in handler.caught for handler in handlers
+            ):
                 stack += reversed([*handlers, *orelse, *final])
                 continue
             case facts.Attribute(value=facts.Name(id="self")):
                 yield part
         stack += reversed(part.children())
-
-
-def _catches(handler: facts.Handler) -> bool:
-    names = {part.last_name for part in everything_in(handler.type)} if handler.type is not None else set()
-    return "AttributeError" in names
 
 
 # ------------------------------------------------------------------------------------- what else gives an attribute

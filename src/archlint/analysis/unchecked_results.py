@@ -237,8 +237,7 @@ def _chooses(fact: facts.Base) -> bool:
 
 
 def _catches_all(handler: facts.Handler) -> bool:
-    classes = [] if handler.type is None else handler.type.unpacked
-    return not classes or any(cls.last_name in _CATCH_ALL for cls in classes)
+    return handler.type is None or not handler.caught.isdisjoint(_CATCH_ALL)
 
 
 __all__ = ["UncheckedResult", "unchecked_results"]

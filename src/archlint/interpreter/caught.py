@@ -32,8 +32,7 @@ def may_expect_missing_attribute(handler: facts.Handler) -> bool:
 
 def expects_refusal(handler: facts.Handler) -> bool:
     """Whether a handler is there for a call that Python rejects: it names ``TypeError`` or ``AttributeError``."""
-    classes = [] if handler.type is None else handler.type.unpacked
-    return any(cls.last_name in _REFUSALS for cls in classes)
+    return not handler.caught.isdisjoint(_REFUSALS)
 
 
 def only_goes_on(handler: facts.Handler) -> bool:

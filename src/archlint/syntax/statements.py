@@ -173,6 +173,15 @@ class Handler(Base, frozen=True):
     span: Span
 
     @property
+    def caught(self) -> frozenset[str]:
+        """The names that its type consists of, each without what it is an attribute of: those of its classes, wherever
+        they stand in it, and those of modules.  There are none for a bare ``except``, which is for all."""
+        parts: list[Base] = [] if self.type is None else [self.type]
+        for part in parts:
+            parts += part.children()
+        return frozenset(part.last_name for part in parts) - {""}
+
+    @property
     def statements(self) -> list[Base]:
         return [*self.body]
 
