@@ -311,17 +311,19 @@ def test_what_cmake_lists_and_is_not_there(findings, line, message):
         (INSTALL, {"rviz/robot.rviz": ""}),
         (INSTALL, {".gitignore": "rviz/\n"}),
         (INSTALL, {".gitmodules": '[submodule "r"]\n\tpath = rviz\n\turl = https://example.org/r\n'}),
+        (INSTALL.replace("rviz", '"our maps"'), {".gitmodules": '[submodule "m"]\n\tpath = our maps\n'}),
         (INSTALL.replace("DIRECTORY launch rviz", "FILES librobot.so"), {}),
         (INSTALL.replace(" DESTINATION", " OPTIONAL DESTINATION").replace(")", " OPTIONAL)"), {}),
         (f"if(WITH_PICTURES)\n  {INSTALL}\nendif()", {}),
         (f"file(MAKE_DIRECTORY rviz)\n{INSTALL}", {}),
         (f"execute_process(COMMAND make_pictures)\n{INSTALL}", {}),
+        (f"exec_program(make_pictures)\n{INSTALL}", {}),
         (INSTALL.replace("rviz", "${CMAKE_CURRENT_BINARY_DIR}/rviz"), {}),
         (INSTALL.replace("rviz", "/usr/share/rviz"), {}),
     ],
     ids=[
-        *("there", "ignored by git", "a submodule", "a library", "optional", "under a condition", "made"),
-        *("made by a command", "built", "elsewhere"),
+        *("there", "ignored by git", "a submodule", "one with a space", "a library", "optional", "under a condition"),
+        *("made", "made by a command", "by an old command", "built", "elsewhere"),
     ],
 )
 def test_what_cmake_may_find(findings, line, files):

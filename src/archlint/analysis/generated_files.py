@@ -7,6 +7,7 @@ import re
 from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING
 
+from archlint.workspace.submodules import paths_of_submodules
 from archlint.workspace.words import WORD
 
 if TYPE_CHECKING:
@@ -51,7 +52,7 @@ def is_in_submodule(workspace: WorkspaceIndex, path: str) -> bool:
     while folder:
         folder = posixpath.dirname(folder)
         text = workspace.tree.text(posixpath.join(folder, ".gitmodules")) or ""
-        modules = (posixpath.join(folder, module) for module in re.findall(r"^\s*path\s*=\s*(\S+)", text, re.MULTILINE))
+        modules = (posixpath.join(folder, module) for module in paths_of_submodules(text))
         if any(path == module or path.startswith(f"{module}/") for module in modules):
             return True
     return False

@@ -79,9 +79,10 @@ def read_cmake(installs: Installs, path: str, tree: CMakeTree) -> None:
     installs.open_executables |= run.open
     installs.open_files |= run.open
     targets = TargetNames(run.steps)
+    makes_sources = not _MAKERS.isdisjoint(installs.words)
     for step in run.steps:
         _read_step(installs, step, tree, targets)
-        installs.needed += [] if step.conditional or _makes_sources(installs) else _needed(step)
+        installs.needed += [] if step.conditional or makes_sources else _needed(step)
     installs.generates_nothing = not run.open and not installs.mentioned and _GENERATES not in installs.words
 
 
@@ -108,7 +109,7 @@ def _read_step(installs: Installs, step: Step, tree: CMakeTree, targets: TargetN
         _target(installs, arguments[texts.index("EXECUTABLE") + 1], step.file, targets)
 
 
-_RUNS_SOMETHING = frozenset({"execute_process", "exec_program", "add_custom_command", "add_custom_target", "file"})
+_RUN_SOMETHING = frozenset({"execute_process", "exec_program", "add_custom_command", "add_custom_target"})
 _PREFIX = "CMAKE_INSTALL_PREFIX"
 
 
@@ -119,26 +120,23 @@ def _puts_files_there_itself(installs: Installs, step: Step) -> bool:
     if command.name == "install":
         return not {"CODE", "SCRIPT"}.isdisjoint(_groups(command))
     unknown = any(argument.open for argument in command.arguments)
-    return command.name in _RUNS_SOMETHING and unknown and _PREFIX in installs.words and _writes(command)
+    return unknown and _PREFIX in installs.words and _writes(command)
 
 
 def _writes(command: Command) -> bool:
-    """Whether it is no ``file(…)`` that only reads."""
-    return command.name != "file" or command.texts[0].upper() not in _READS
+    """Whether a command may write files: what runs something, and a ``file(…)`` that does more than read."""
+    of_files = command.name == "file" and command.texts[0].upper() not in _READS
+    return of_files or command.name in _RUN_SOMETHING
 
 
 _READS = frozenset({"GLOB", "GLOB_RECURSE", "READ", "STRINGS", "RELATIVE_PATH", "TO_CMAKE_PATH", "TO_NATIVE_PATH"})
 
 
-_MAKERS = frozenset(
-    {"MAKE_DIRECTORY", "make_directory", "configure_file", "add_custom_command", "add_custom_target", "execute_process"}
-    | {"ExternalProject_Add", "FetchContent_Declare", "FetchContent_MakeAvailable", "GENERATE", "COPY", "DOWNLOAD"}
+_MAKERS = _RUN_SOMETHING | frozenset(
+    {"MAKE_DIRECTORY", "make_directory", "configure_file", "GENERATE", "COPY", "DOWNLOAD"}
+    | {"ExternalProject_Add", "FetchContent_Declare", "FetchContent_MakeAvailable"}
 )
-
-
-def _makes_sources(installs: Installs) -> bool:
-    """Whether the CMake files may make something themselves that they then install."""
-    return not _MAKERS.isdisjoint(installs.words)
+"""With one of these the CMake files may make something themselves that they then install."""
 
 
 def _needed(step: Step) -> Iterator[NeededSource]:

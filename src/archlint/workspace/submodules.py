@@ -7,7 +7,12 @@ import re
 
 _MAX_BYTES = 200_000
 _LEVELS = 60
-_PATH = re.compile(r"^[ \t]*path[ \t]*=[ \t]*(.*?)[ \t]*$", re.MULTILINE)
+_PATH = re.compile(r"^[ \t]*path[ \t]*=[ \t]*(\S.*?)[ \t\r]*$", re.MULTILINE)
+
+
+def paths_of_submodules(text: str) -> list[str]:
+    """The paths that a ``.gitmodules`` names, from its folder."""
+    return _PATH.findall(text)
 
 
 def submodule_of(link: str) -> str | None:
@@ -32,6 +37,6 @@ def _paths_in(file: str) -> list[str]:
         if not os.path.isfile(file) or os.path.getsize(file) > _MAX_BYTES:
             return []
         with open(file, encoding="utf-8", errors="replace") as stream:
-            return _PATH.findall(stream.read(_MAX_BYTES))
+            return paths_of_submodules(stream.read(_MAX_BYTES))
     except OSError:
         return []
