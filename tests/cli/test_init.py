@@ -167,6 +167,20 @@ def test_a_repository_at_gitlab_gets_a_job_for_gitlab(here: Path, capsys: pytest
     assert job["variables"] == {"GIT_SUBMODULE_STRATEGY": "normal"}
 
 
+def test_a_linked_worktree_has_the_remote_of_its_repository(
+    here: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+):
+    subprocess.run(["git", "remote", "add", "origin", "git@gitlab.example.com:robots/robot.git"], check=True)
+    who = ["-c", "user.name=Kim", "-c", "user.email=kim@example.com"]
+    subprocess.run(["git", *who, "commit", "-q", "--allow-empty", "-m", "nothing yet"], check=True)
+    linked = here.parent / "linked"
+    subprocess.run(["git", "worktree", "add", "-q", linked], check=True)
+    monkeypatch.chdir(linked)
+    write_workspace(linked)
+    init(capsys)
+    assert written(linked) == {CONFIGURATION, HOOK, GITLAB}
+
+
 def test_without_anything_to_check_nothing_is_written(here: Path, capsys: pytest.CaptureFixture[str]):
     assert main(["init"]) == 2
     assert "nothing to check" in capsys.readouterr().err

@@ -144,7 +144,7 @@ def _in_ci(root: Path, inside: str) -> Iterator[str]:
         yield _left(gitlab)
         if "archlint" not in _text(gitlab):
             yield f"to add the job, append this to it\n\n{starter_files.gitlab_job(inside, submodules)}"
-    elif re.search(r"^\s*url\s*=.*gitlab", _text(root / ".git" / "config"), re.MULTILINE):
+    elif re.search(r"^\s*url\s*=.*gitlab", _text(_git_folder(root) / "config"), re.MULTILINE):
         yield _wrote(gitlab, starter_files.gitlab_job(inside, submodules))
     else:
         folder = root / ".github" / "workflows"
@@ -154,6 +154,16 @@ def _in_ci(root: Path, inside: str) -> Iterator[str]:
             return
         folder.mkdir(parents=True, exist_ok=True)
         yield _wrote(folder / "archlint.yml", starter_files.github_workflow(inside, submodules))
+
+
+def _git_folder(root: Path) -> Path:
+    """Where git has the settings of a repository: in a linked worktree and in a submodule ``.git`` is a file that says
+    where that is (gitrepository-layout, ``gitdir`` and ``commondir``)."""
+    folder = root / ".git"
+    if not folder.is_file():
+        return folder
+    folder = root / _text(folder).removeprefix("gitdir:").strip()
+    return folder / _text(folder / "commondir").strip()
 
 
 def _text(path: Path) -> str:
