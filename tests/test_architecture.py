@@ -24,6 +24,7 @@ TIMED = re.compile(r'("elapsed_s": |\btime=")[0-9.]+')
 """The only thing that a clock decides: how long the run took."""
 
 OF_ANOTHER_FOLDER = {
+    "action": "scripts/action",
     "fixtures": "fixtures",
     "histories": "benchmarks/histories",
     "mutations": "benchmarks/mutations",

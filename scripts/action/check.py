@@ -1,0 +1,205 @@
+"""The second step of ``action.yml``: run archlint as the inputs say, and tell GitHub what came of it.
+
+Needs Python alone, and the formats that archlint's users rely on: it also runs with a release of archlint.
+The inputs arrive as variables ``INPUT_…`` and become words of a command, never text of a shell.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import shlex
+import subprocess
+import sys
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from summary import SourceLinks, markdown
+
+LIMIT = 1_000_000
+"""Bytes of a summary; GitHub shows none that is larger than 1 MiB, and other steps write to it, too."""
+MOST_FILES = 40
+"""The files whose nodes a graph shows: more make a picture that nobody reads."""
+
+
+class WrongInput(Exception):
+    """An input that nothing can be done with; ``str()`` says what is wrong."""
+
+
+@dataclass(frozen=True)
+class Step:
+    """What the environment of the step says."""
+
+    variables: Mapping[str, str]
+
+    def given(self, name: str, otherwise: str = "") -> str:
+        value = self.variables.get(f"INPUT_{name}", "").strip() or otherwise
+        if name != "PATHS" and not value.isprintable():
+            raise WrongInput(f"{_input(name)} has a character that cannot be printed")
+        return value
+
+    def wants(self, name: str) -> bool:
+        value = self.given(name, "true").lower()
+        if value not in ("true", "false"):
+            raise WrongInput(f"{_input(name)} is true or false, not {value!r}")
+        return value == "true"
+
+    @property
+    def archlint(self) -> str:
+        return self.variables["ARCHLINT"]
+
+    @property
+    def folder(self) -> Path:
+        """Where to check."""
+        folder = Path(self.given("WORKING_DIRECTORY", "."))
+        if not folder.is_dir():
+            raise WrongInput(f"working-directory: there is no folder {folder.as_posix()}")
+        return folder.resolve()
+
+    @property
+    def temporary(self) -> Path:
+        return Path(self.variables["RUNNER_TEMP"], "archlint")
+
+    @property
+    def cache(self) -> Path:
+        return Path(self.variables.get("ARCHLINT_CACHE") or self.temporary / "cache")
+
+    @property
+    def paths(self) -> list[str]:
+        lines = [line.strip() for line in self.given("PATHS", ".").splitlines()]
+        return [_no_option(line) for line in lines if line]
+
+    @property
+    def options(self) -> list[str]:
+        """What the user wants otherwise, in words."""
+        try:
+            return shlex.split(self.given("ARGS"))
+        except ValueError as error:
+            raise WrongInput(f"args cannot be split into words: {error}") from None
+
+    @property
+    def since(self) -> str:
+        """The revision of ``new-only``; empty where everything is to be reported."""
+        wanted = self.given("NEW_ONLY")
+        if wanted != "pull-request":
+            return wanted
+        base = self.variables.get("GITHUB_BASE_REF", "")
+        return f"origin/{base}" if base else ""
+
+    @property
+    def results(self) -> tuple[Path, Path]:
+        """The files of the findings, as JSON and as SARIF."""
+        sarif = self.given("SARIF_FILE")
+        return self.temporary / "archlint.json", self.folder / sarif if sarif else self.temporary / "archlint.sarif"
+
+    def environment(self) -> dict[str, str]:
+        """That of archlint: its key is kept beside its cache, without which the cache of another machine is void."""
+        kept = {name: value for name, value in self.variables.items() if not name.startswith(("INPUT_", "PYTHON"))}
+        return kept | {"XDG_CONFIG_HOME": str(self.cache / "key"), "CI": "true"}
+
+    def check(self) -> list[str]:
+        """The command.  The user's options come first, so that none of them changes where the results are."""
+        baseline, since = self.given("BASELINE"), self.since
+        found, sarif = self.results
+        return [
+            *(self.archlint, "check", *self.paths, *self.options),
+            *(("--baseline", baseline) if baseline else ()),
+            *(("--new-only", since) if since else ()),
+            *("--cache-dir", str(self.cache / "results")),
+            *("--format", "github" if self.wants("ANNOTATIONS") else "text"),
+            *("--output", f"json={found}", "--output", f"sarif={sarif}"),
+        ]
+
+    def graph(self, paths: Sequence[str]) -> list[str]:
+        """The command that draws the nodes in these files or folders, and those that they talk to."""
+        return [
+            *(self.archlint, "graph", *map(_no_option, paths)),
+            *("--format", "mermaid", "--quiet", "--cache-dir", str(self.cache / "results")),
+        ]
+
+
+def main(variables: Mapping[str, str]) -> int:
+    step = Step(variables)
+    try:
+        command, folder, environment = step.check(), step.folder, step.environment()
+        wants_summary, wants_graph = step.wants("SUMMARY"), step.wants("GRAPH")
+    except WrongInput as error:
+        return _failed(str(error), variables)
+    found, sarif = step.results
+    for path in (found, sarif):
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.unlink(missing_ok=True)
+    status = subprocess.run(command, cwd=folder, env=environment, check=False).returncode
+    outputs = {"exit-code": str(status)}
+    if not found.is_file():
+        _append(variables, "GITHUB_OUTPUT", _lines(outputs))
+        return status
+    report = json.loads(found.read_text("utf-8"))
+    counts = report["summary"]
+    outputs |= {"findings": str(len(report["diagnostics"])), "json-file": str(found)}
+    outputs |= {name: str(counts[name]) for name in ("errors", "warnings", "infos")}
+    if sarif.is_file():
+        outputs["sarif-file"] = str(sarif)
+    _append(variables, "GITHUB_OUTPUT", _lines(outputs))
+    if wants_summary:
+        drawn = _drawn(step, report, environment) if wants_graph else ""
+        text = markdown(report, drawn, SourceLinks.of(variables, folder), step.since)
+        if len(text.encode()) < LIMIT:
+            _append(variables, "GITHUB_STEP_SUMMARY", text)
+    return status
+
+
+def _drawn(step: Step, report: Mapping[str, Any], environment: Mapping[str, str]) -> str:
+    """The graph of what the findings are in, as Mermaid; empty where there is nothing to draw."""
+    files = list(dict.fromkeys(finding["file"] for finding in report["diagnostics"]))[:MOST_FILES]
+    python = [file for file in files if file.endswith(".py")]
+    packages = dict.fromkeys(package for file in files if (package := _package_of(file, step.folder)))
+    for paths in (python, [*packages]):  # a launch file alone, say, has no nodes
+        if paths:
+            done = subprocess.run(step.graph(paths), cwd=step.folder, env=environment, capture_output=True, check=False)
+            drawn = done.stdout.decode("utf-8", "replace")
+            if done.returncode == 0 and "n0" in drawn:
+                return drawn
+    return ""
+
+
+def _failed(message: str, variables: Mapping[str, str]) -> int:
+    print(f"::error title=archlint::{_escaped(message)}", flush=True)
+    _append(variables, "GITHUB_OUTPUT", _lines({"exit-code": "2"}))
+    return 2
+
+
+def _escaped(message: str) -> str:
+    """As GitHub's commands need it."""
+    return message.replace("%", "%25").replace("\r", "%0D").replace("\n", "%0A")
+
+
+def _package_of(file: str, folder: Path) -> str:
+    """The folder of the package that a file belongs to; empty where it is in none."""
+    return next((path.as_posix() for path in Path(file).parents if (folder / path / "package.xml").is_file()), "")
+
+
+def _no_option(path: str) -> str:
+    """A path as a word that cannot be taken for an option."""
+    return f"./{path}" if path.startswith("-") else path
+
+
+def _input(name: str) -> str:
+    return name.lower().replace("_", "-")
+
+
+def _lines(outputs: Mapping[str, str]) -> str:
+    return "".join(f"{name}={value}\n" for name, value in outputs.items())
+
+
+def _append(variables: Mapping[str, str], name: str, text: str) -> None:
+    """Add to one of the files by which a step tells GitHub something, if there is one."""
+    if variables.get(name):
+        with open(variables[name], "a", encoding="utf-8") as stream:
+            stream.write(text)
+
+
+if __name__ == "__main__":
+    sys.exit(main(os.environ))
