@@ -43,6 +43,7 @@ MODULES: tuple[str, ...] = (
     "polling",
     "remappings",
     "sequences",
+    "scripts",
     "service_cycles",
     "signatures",
     "slow_callbacks",

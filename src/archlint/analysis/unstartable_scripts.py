@@ -1,0 +1,85 @@
+"""Scripts that CMake installs as programs and that the operating system cannot start.
+
+Source: ``install(PROGRAMS …)`` copies a file as it is and makes it executable; ``ros2 run`` and launch start it by its path
+alone, without a shell, so that the kernel wants its ``#!`` line (execve(2)).
+"""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from archlint.launch.kinds import StartedKind
+from archlint.syntax.walk import main_guard
+
+if TYPE_CHECKING:
+    from archlint.finding import Place
+    from archlint.systems.model import WorkspaceIndex
+    from archlint.workspace.installed import Executable
+
+_PYTHON = re.compile(r"\bpython[\d.]*\b|\bprefix\b|\blaunch-prefix\b")
+"""Words of a launch file that may start a script by an interpreter of its choice."""
+
+_FIRST_LINE = re.compile(r"\A#!.*")
+
+
+@dataclass(frozen=True)
+class Unstartable:
+    """A script without a ``#!`` line, or (``carriage_return``) with one that ends as lines do on Windows; ``started_at``
+    is where a launch file starts it."""
+
+    executable: Executable
+    script: str
+    carriage_return: bool
+    started_at: Place | None
+
+
+def unstartable_scripts(workspace: WorkspaceIndex) -> Iterator[Unstartable]:
+    """Every such script that is a program: a launch file starts it, or it has code for that case."""
+    started = _started(workspace)
+    for package in sorted(workspace.installs):
+        build = workspace.packages.get(package)
+        if build is None or build.build_type != "ament_cmake":
+            continue
+        for executable in workspace.installs[package].executables.values():
+            script = executable.script
+            text = workspace.tree.text(script) if script is not None and script.endswith(".py") else None
+            if script is None or not text or not executable.place.file.endswith((".txt", ".cmake")):
+                continue
+            first = text.partition("\n")[0]
+            if first.startswith("#!") and not first.endswith("\r"):
+                continue
+            at = started.get((package, executable.name))
+            if (at is not None or _is_program(workspace, executable, script)) and not _has_python(workspace, script):
+                yield Unstartable(executable, script, first.startswith("#!"), at)
+
+
+def _started(workspace: WorkspaceIndex) -> dict[tuple[str | None, str | None], Place]:
+    """Where launch files start the programs of packages, by package and name."""
+    rows: dict[tuple[str | None, str | None], Place] = {}
+    for launched in workspace.launched:
+        for process in launched.started:
+            if process.kind is StartedKind.NODE:
+                rows.setdefault((process.package.text, process.executable.text), process.place)
+    return rows
+
+
+def _is_program(workspace: WorkspaceIndex, executable: Executable, script: str) -> bool:
+    """Whether a script has code for the case that it is started, and no other file imports it."""
+    file_facts = workspace.facts_at(script)
+    if file_facts is None or main_guard(file_facts) is None:
+        return False
+    stem = posixpath.basename(script).removesuffix(".py")
+    imported = re.compile(rf"^\s*(?:from|import)\b.*\b{re.escape(stem)}\b", re.MULTILINE)
+    files = (file for file in workspace.code.files_of(executable.package) if file != script)
+    return not any(imported.search(workspace.tree.text(file) or "") for file in files)
+
+
+def _has_python(workspace: WorkspaceIndex, script: str) -> bool:
+    """Whether a launch file names the script and may have an interpreter start it."""
+    name = posixpath.basename(script)
+    texts = (workspace.tree.text(launched.file) or "" for launched in workspace.launched)
+    return any(name in text and _PYTHON.search(_FIRST_LINE.sub("", text)) for text in texts)
