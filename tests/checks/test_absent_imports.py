@@ -52,6 +52,11 @@ def generate_launch_description():
             "rclpy has no 'MultiThreadedExecutor'; it is in rclpy.executors",
             "write `from rclpy.executors import MultiThreadedExecutor`",
         ),
+        (  # which rclpy imports for type checkers only
+            "from rclpy import Node as Base",
+            "rclpy has no 'Node'; it is in rclpy.node",
+            "write `from rclpy.node import Node`",
+        ),
         ("from rclpy import loginfo", "rclpy has no 'loginfo'", "use get_logger().info() of a node"),
         ("from rclpy import teleport", "rclpy has no 'teleport'", "the import fails when the file is loaded"),
         (

@@ -62,10 +62,10 @@ def near_module(path: str) -> str:
 
 def modules_with(name: str, beside: str) -> list[str]:
     """The modules that offer a name, the best to import it from first: a package comes before the modules below it, and
-    what launch lacks launch_ros may offer."""
+    of those beside each other the one that is called like it; what launch lacks launch_ros may offer."""
     family = _family(beside)
     offering = [path for path, row in _table().items() if row and name in row.offered and _family(path) == family]
-    return sorted(offering, key=lambda path: (path.count("."), path))
+    return sorted(offering, key=lambda path: (path.count("."), path.rpartition(".")[2] != name.lower(), path))
 
 
 def _family(path: str) -> str:

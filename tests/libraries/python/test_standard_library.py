@@ -93,3 +93,15 @@ def test_environment_variables_that_each_process_of_ros_has():
     found = interpret("import os\nversion = os.environ['ROS_VERSION']\nhome = os.environ['HOME']", WITH_LIBRARIES)
     assert found.constant("version") == "2"
     assert found.reason("home") == "the environment variable HOME"
+
+
+def test_what_curses_calls_with_its_screen():
+    source = """
+    import curses
+
+    def run(screen, rate, depth=1):
+        return [rate, depth]
+
+    it = curses.wrapper(run, 5, depth=2)
+    """
+    assert interpret(source, WITH_LIBRARIES).constant("it") == [5, 2]

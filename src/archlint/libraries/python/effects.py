@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from archlint.interpreter import containers
 from archlint.interpreter.builtins import BUILTINS
+from archlint.interpreter.call_site import CallSite
 from archlint.interpreter.containers import ITEM_LIMIT
 from archlint.interpreter.values import (
     FACTORY,
@@ -29,7 +30,6 @@ from archlint.libraries.python import argument_parsers
 from archlint.libraries.python.copies import _copy, _deep_copy
 
 if TYPE_CHECKING:
-    from archlint.interpreter.call_site import CallSite
     from archlint.libraries.api_use import ApiUse, Effect, Plain
     from archlint.libraries.run import Run
 
@@ -129,6 +129,15 @@ def _named_tuple(run: Run, site: CallSite) -> Value:
     return PythonValue("namedtuple", make)
 
 
+def _in_a_screen(run: Run, site: CallSite) -> Value:
+    """``curses.wrapper(main)`` calls ``main`` with the screen, and returns what that does."""
+    if not site.args:
+        return Unknown("no argument")
+    function, *args = site.args
+    screen = Unknown("the screen of curses")
+    return run.call(function, CallSite([screen, *args], dict(site.keywords)))
+
+
 def _product(run: Run, site: CallSite) -> Value:
     rows: list[list[Value]] = [[]]
     for arg in site.args:
@@ -165,6 +174,7 @@ PLAIN: dict[str, Plain] = {
     "itertools.product": _product,
     "types.SimpleNamespace": _namespace,
     "enum.auto": _auto,
+    "curses.wrapper": _in_a_screen,
     "asyncio.run": _identity,
     "asyncio.create_task": _identity,
     "asyncio.ensure_future": _identity,
