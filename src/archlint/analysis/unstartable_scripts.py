@@ -1,7 +1,7 @@
 """Scripts that CMake installs as programs and that the operating system cannot start.
 
-Source: ``install(PROGRAMS …)`` copies a file as it is and makes it executable; ``ros2 run`` and launch start it by its path
-alone, without a shell, so that the kernel wants its ``#!`` line (execve(2)).
+Source: ``install(PROGRAMS …)`` copies a file as it is and makes it executable; ``ros2 run`` and launch start it by its
+path alone, without a shell, so that the kernel wants its ``#!`` line (execve(2)).
 """
 
 from __future__ import annotations
@@ -28,8 +28,8 @@ _FIRST_LINE = re.compile(r"\A#!.*")
 
 @dataclass(frozen=True)
 class Unstartable:
-    """A script without a ``#!`` line, or (``carriage_return``) with one that ends as lines do on Windows; ``started_at``
-    is where a launch file starts it."""
+    """A script without a ``#!`` line, or (``carriage_return``) with one that ends as lines do on Windows;
+    ``started_at`` is where a launch file starts it."""
 
     executable: Executable
     script: str
