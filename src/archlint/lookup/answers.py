@@ -1,0 +1,65 @@
+"""What editors are told: plain data, without a word of the protocol."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from archlint.finding import Edit
+from archlint.place import Place
+
+CompletionKind = Literal["topic", "service", "action", "type", "parameter", "package", "executable"]
+
+
+@dataclass(frozen=True)
+class Hover:
+    """``text`` is Markdown; ``place`` is what it is about."""
+
+    text: str
+    place: Place
+
+
+@dataclass(frozen=True)
+class Completion:
+    """One text to put in the place of what is typed so far (``replaces``).  ``detail`` is a short note beside it; a
+    smaller ``rank`` comes first."""
+
+    text: str
+    kind: CompletionKind
+    detail: str
+    replaces: Place
+    rank: int = 0
+
+
+@dataclass(frozen=True)
+class Link:
+    """A place that leads to a file of the workspace, by its shown path."""
+
+    place: Place
+    target: str
+
+
+@dataclass(frozen=True)
+class Renamable:
+    """A name that can be renamed: its place without quotes, and how it is written there."""
+
+    place: Place
+    text: str
+
+
+@dataclass(frozen=True)
+class Renamed:
+    """All edits of a renaming, in the order of files and lines."""
+
+    edits: tuple[Edit, ...]
+
+
+@dataclass(frozen=True)
+class Refused:
+    """Why something is not renamed, in a sentence; ``place`` is what stands in the way."""
+
+    reason: str
+    place: Place | None = None
+
+
+__all__ = ["Completion", "CompletionKind", "Edit", "Hover", "Link", "Refused", "Renamable", "Renamed"]

@@ -1,0 +1,67 @@
+"""A workspace as an editor has it: a position is a text of a file, with ``^`` in front of the character."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+from archlint.config.settings import load
+from archlint.engine.compiling import compiled
+from archlint.engine.inputs import Inputs, find_files, tree_of
+from archlint.engine.loading import systems_of
+from archlint.engine.pipeline import Request, store_of
+from archlint.lookup.hovers import hover
+from archlint.lookup.index import Index
+from archlint.lookup.targets import definition, references
+from archlint.lookup.texts import Texts
+from archlint.place import Place
+from archlint.syntax.python.deep_stack import call_with_deep_stack
+
+
+class Editor:
+    """What is asked in the workspace of the working directory; ``texts`` are the buffers that are not saved."""
+
+    def __init__(self) -> None:
+        request = Request((".",), load(Path()), cached=False, jobs=1)
+        self.workspace = find_files(request)
+        inputs = Inputs(request, self.workspace, tree_of(request, self.workspace), store_of(request))
+        facts = compiled(request, self.workspace, inputs.store)
+        self.systems = call_with_deep_stack(lambda: systems_of(replace(inputs, workspace=self.workspace), facts))
+        self.buffers: dict[str, str] = {}
+        self.index = Index(self.systems, self.text_of)
+
+    def text_of(self, file: str) -> str | None:
+        path = Path(file)
+        return self.buffers.get(file) or (path.read_text(encoding="utf-8") if path.is_file() else None)
+
+    def path(self, name: str) -> str:
+        """The shown path of the one file that ends so."""
+        [path] = sorted(p.as_posix() for p in Path().rglob("*") if p.as_posix().endswith(name) and p.is_file())
+        return path
+
+    def position(self, name: str, at: str) -> tuple[str, int, int]:
+        """``at`` is a part of a line with a ``^`` before the character."""
+        file = self.path(name)
+        before, _, behind = at.partition("^")
+        rows = [
+            (number, line.index(before + behind) + len(before) + 1)
+            for number, line in enumerate((self.text_of(file) or "").split("\n"), start=1)
+            if before + behind in line
+        ]
+        assert len(rows) == 1, f"{at} is in {len(rows)} lines of {file}"
+        return file, *rows[0]
+
+    def hover(self, name: str, at: str) -> str | None:
+        answer = hover(self.index, Texts(self.text_of), *self.position(name, at))
+        return None if answer is None else answer.text
+
+    def definition(self, name: str, at: str) -> list[str]:
+        return self.shown(definition(self.index, Texts(self.text_of), *self.position(name, at)))
+
+    def references(self, name: str, at: str) -> list[str]:
+        return self.shown(references(self.index, Texts(self.text_of), *self.position(name, at)))
+
+    def shown(self, places: list[Place]) -> list[str]:
+        """The name of the file, the line, and what stands at each place."""
+        texts = Texts(self.text_of)
+        return [f"{Path(place.file).name}:{place.line} {texts.at(place)}".rstrip() for place in places]
