@@ -16,7 +16,7 @@ $(STAMP): pyproject.toml
 	    sudo=; test "$$(id -u)" = 0 || sudo=sudo; \
 	    $$sudo apt-get update -qq && $$sudo apt-get install -qq -y python3-venv && $(PYTHON) -m venv $(VENV); }; }
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --upgrade "pip>=25.1"
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e . --group dev
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[pictures]' --group dev
 	@rm -f $(VENV)/.installed-* && touch $@
 
 demo: $(STAMP)  ## lint a small robot and its broken twin, draw the graph

@@ -120,7 +120,7 @@ def test_a_layout_that_does_not_end(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_no_graphviz_at_all(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(drawing, "find_spec", lambda name: None)
-    with pytest.raises(CannotDraw, match="install pygraphviz or a system 'dot'"):
+    with pytest.raises(CannotDraw, match=r"install 'archlint\[pictures\]' or a system 'dot'; --format html, mermaid, "):
         drawing.svg(lesson())
 
 

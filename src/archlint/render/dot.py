@@ -26,6 +26,14 @@ _SHAPES = {"topic": "box", "service": "hexagon", "action": "octagon"}
 _ARROWS = {"topic": "normal", "service": "vee", "action": "vee"}
 _HURRY = {"nslimit": "1", "nslimit1": "1", "mclimit": "0.1", "splines": "line"}
 
+REMAPPED = {
+    "color": look.PALETTE["aside"].line,
+    "dir": "none",
+    "style": "dashed",
+    "tooltip": "remapped by the launch file; without the source the direction is unknown",
+}
+"""How the line from a node to a name is drawn of which no more is known."""
+
 
 def render(system: System) -> str:
     return write(graph_of(system))
@@ -68,8 +76,8 @@ def _boxes(graph: networkx.MultiDiGraph) -> Iterator[str]:
         }
         yield f"  {ids[title]} {_attributes(box)};"
     for (tail, head), kinds in overview.streams(graph).items():
-        line = {"label": overview.words(kinds), "fontsize": "9", "color": look.PALETTE["topic"].line}
-        yield f"  {ids[tail]} -> {ids[head]} {_attributes(line)};"
+        stream = {"label": overview.words(kinds), "fontsize": "9", "color": look.PALETTE["topic"].line}
+        yield f"  {ids[tail]} -> {ids[head]} {_attributes(stream)};"
 
 
 def quote(text: str) -> str:
@@ -97,8 +105,8 @@ def _defaults(attributes: dict[str, str]) -> Iterator[str]:
         "labeljust": "l",
     }
     yield f"  graph {_attributes(defaults | attributes)};"
-    vertex = {"fontname": look.FONT, "style": "filled", "margin": "0.14,0.07", "height": "0.3"}
-    yield f"  node {_attributes(vertex)};"
+    shape = {"fontname": look.FONT, "style": "filled", "margin": "0.14,0.07", "height": "0.3"}
+    yield f"  node {_attributes(shape)};"
     yield f"  edge {_attributes({'fontname': look.FONT, 'arrowsize': '0.7', 'penwidth': '1.2'})};"
 
 
@@ -123,9 +131,12 @@ def _vertices(graph: networkx.MultiDiGraph, ids: dict[Key, str]) -> Iterator[str
 
 
 def _vertex(graph: networkx.MultiDiGraph, key: Key, ids: dict[Key, str]) -> str:
-    data = graph.nodes[key]
-    drawn = _observed(_node(data) if data["kind"] == NODE else _interface(data), data)
-    return f"  {ids[key]} {_attributes(drawn)};"
+    return f"  {ids[key]} {_attributes(vertex(graph.nodes[key]))};"
+
+
+def vertex(data: dict[str, Any]) -> dict[str, str]:
+    """How a vertex is drawn, as attributes of Graphviz."""
+    return _observed(_node(data) if data["kind"] == NODE else _interface(data), data)
 
 
 def _observed(drawn: dict[str, str], data: dict[str, Any]) -> dict[str, str]:
@@ -186,25 +197,22 @@ def _observed_line(bundle: look.Bundle) -> dict[str, str]:
 def _edges(graph: networkx.MultiDiGraph, ids: dict[Key, str]) -> Iterator[str]:
     """One line between two vertices for each direction, however many endpoints it stands for."""
     for bundle in look.bundles(graph):
-        interface = bundle.tail if bundle.tail[0] != NODE else bundle.head
-        colours = look.PALETTE["wrong" if bundle.broken else interface[0]]
-        matched = graph.nodes[interface]["matched"]
-        line = {
-            "color": colours.line,
-            "arrowhead": "none" if bundle.broken else _ARROWS[interface[0]],
-            "style": "dotted" if bundle.conditional else "solid" if matched and not bundle.broken else "dashed",
-            "tooltip": bundle.details,
-        }
-        if bundle.broken:
-            line |= {"label": f"✕ {bundle.broken}", "fontsize": "9", "fontcolor": colours.line, "penwidth": "1.8"}
-        if bundle.observed:
-            line |= _observed_line(bundle)
-        yield f"  {ids[bundle.tail]} -> {ids[bundle.head]} {_attributes(line)};"
+        yield f"  {ids[bundle.tail]} -> {ids[bundle.head]} {_attributes(line(graph, bundle))};"
     for node, interface in graph.graph["remapped"]:
-        line = {
-            "color": look.PALETTE["aside"].line,
-            "dir": "none",
-            "style": "dashed",
-            "tooltip": "remapped by the launch file; without the source the direction is unknown",
-        }
-        yield f"  {ids[node]} -> {ids[interface]} {_attributes(line)};"
+        yield f"  {ids[node]} -> {ids[interface]} {_attributes(REMAPPED)};"
+
+
+def line(graph: networkx.MultiDiGraph, bundle: look.Bundle) -> dict[str, str]:
+    """How the line of some endpoints is drawn, as attributes of Graphviz."""
+    interface = bundle.tail if bundle.tail[0] != NODE else bundle.head
+    colours = look.PALETTE["wrong" if bundle.broken else interface[0]]
+    matched = graph.nodes[interface]["matched"]
+    drawn = {
+        "color": colours.line,
+        "arrowhead": "none" if bundle.broken else _ARROWS[interface[0]],
+        "style": "dotted" if bundle.conditional else "solid" if matched and not bundle.broken else "dashed",
+        "tooltip": bundle.details,
+    }
+    if bundle.broken:
+        drawn |= {"label": f"✕ {bundle.broken}", "fontsize": "9", "fontcolor": colours.line, "penwidth": "1.8"}
+    return drawn | (_observed_line(bundle) if bundle.observed else {})

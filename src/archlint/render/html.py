@@ -12,7 +12,8 @@ import html
 import json
 from typing import TYPE_CHECKING, Any
 
-from archlint.render import dot, drawing, look
+from archlint.render import columns, dot, drawing, look
+from archlint.render.errors import NoGraphviz
 from archlint.render.html_parts import SCRIPT, STYLE
 from archlint.render.picture import graph_of
 from archlint.systems.graph import NODE
@@ -50,14 +51,19 @@ _PAGE = """<!DOCTYPE html>
 
 
 def render(system: System) -> str:
-    """Raises :class:`archlint.render.drawing.CannotDraw`."""
+    """Raises :class:`archlint.render.drawing.CannotDraw` where Graphviz fails; without one there are two columns."""
     graph = graph_of(system)
-    svg = drawing.tidy_svg(drawing.layout(dot.write(graph), "svg").decode("utf-8"))
+    counts = look.caption(graph)
+    try:
+        svg = drawing.tidy_svg(drawing.layout(dot.write(graph), "svg").decode("utf-8"))
+    except NoGraphviz:
+        svg = columns.svg(graph)
+        counts += "  ·  in columns, for want of Graphviz"
     return _PAGE.format(
         policy=html.escape(_policy()),
         title=html.escape(system.name or "ROS 2 communication graph"),
         style=STYLE,
-        counts=html.escape(look.caption(graph)),
+        counts=html.escape(counts),
         svg=svg[svg.index("<svg") :],
         data=embedded(_data(graph)),
         script=SCRIPT,
