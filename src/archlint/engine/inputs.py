@@ -37,7 +37,10 @@ _FOR_ROS: tuple[SourceKind, ...] = (*_OF_PACKAGES, "launch_python", *LAUNCH_TEXT
 def find_files(request: Request) -> Workspace:
     """The files of a request and what lies around them.  Raises :class:`NothingToDo` where there are none."""
     exclude = [pattern for glob in request.settings.exclude for pattern in glob.patterns()]
-    workspace = find(request.paths, exclude=exclude) if request.linked is None else request.linked.workspace(exclude)
+    if request.linked is None:
+        workspace = find(request.paths, exclude=exclude, working_directory=request.folder)
+    else:
+        workspace = request.linked.workspace(exclude)
     if not workspace.problems and not any(is_input(file) or is_of_package(file) for file in workspace.files):
         where = ", ".join(request.paths)
         raise NothingToDo(f"nothing to check: no package.xml, no Python file and no launch file in {where}")
@@ -46,7 +49,9 @@ def find_files(request: Request) -> Workspace:
 
 def tree_of(request: Request, workspace: Workspace) -> SourceTree:
     """What is read beside the Python code."""
-    return SourceTree(Path.cwd(), Path(workspace.root)) if request.linked is None else request.linked.tree
+    if request.linked is not None:
+        return request.linked.tree
+    return SourceTree(Path(request.folder or Path.cwd()), Path(workspace.root))
 
 
 def is_input(file: SourceFile) -> bool:

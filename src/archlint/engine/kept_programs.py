@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import hashlib
-import os
 from collections.abc import Collection, Mapping
 from dataclasses import astuple, dataclass, fields
 from typing import TYPE_CHECKING
@@ -40,7 +39,7 @@ class ProgramCache:
     def __post_init__(self) -> None:
         self._by_path = {file.path: file for file in self.workspace.files}
         self._roles = FileRoles.of(file.relative for file in self.workspace.files)
-        name = [os.getcwd(), self.workspace.root, self.workspace.complete_folders]
+        name = [str(self.tree.base), self.workspace.root, self.workspace.complete_folders]
         self._key = hashlib.sha256(repr(name).encode()).hexdigest()
         self._opened: dict[str, KeptPrograms | KeptLaunches] = {}
         """By the keys under which they are stored."""

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from archlint.syntax.files import FactsOfFiles
     from archlint.systems.model import System
     from archlint.workspace.model import Workspace
-__all__ = ["NothingToDo", "Request", "check", "draw", "graph"]
+__all__ = ["NothingToDo", "Request", "check", "draw", "graph", "systems"]
 
 
 def check(request: Request, shown: list[System] | None = None) -> Report:
@@ -60,7 +60,7 @@ def check(request: Request, shown: list[System] | None = None) -> Report:
     return Report(
         judged.findings,
         summary,
-        Sources(inputs.tree.given).line,
+        Sources(inputs.tree.given, inputs.tree.base).line,
         notices,
         remarks=judged.remarks,
         occurrences=judged.occurrences,
@@ -107,6 +107,24 @@ def graph(request: Request, everything: bool = False) -> System:
     system = _graph(inputs, facts, everything)
     inputs.store.close()
     return system
+
+
+def systems(request: Request) -> list[System]:
+    """What rules judge: the open system of each workspace that was asked for, each with what its launch files start.
+
+    Raises :class:`NothingToDo`.
+    """
+    from archlint.engine.compiling import compiled  # as above
+    from archlint.engine.loading import systems_of
+
+    workspace = find_files(request)
+    inputs = _inputs(request, workspace)
+    facts = compiled(request, workspace, inputs.store)
+    refuse_nothing(request, workspace, facts)
+    parts = parts_of(request, workspace)
+    loaded = call_with_deep_stack(lambda: [systems_of(replace(inputs, workspace=part), facts) for part in parts])
+    inputs.store.close()
+    return [system for of_part in loaded for system in of_part]
 
 
 def draw(request: Request, format: FormatName, color: bool, everything: bool) -> Drawn:

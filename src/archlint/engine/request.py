@@ -30,8 +30,11 @@ class Request:
     settings: Settings
     cached: bool = True
     jobs: int | None = None
+    folder: str | None = None
+    """The absolute path of the folder that files are shown from; None for the working directory.  With another one,
+    the settings are those of :func:`archlint.config.seen_from.seen_from`."""
     launch: str | None = None
-    """The launch file that is the only system, as a path from the working directory."""
+    """The launch file that is the only system, as a path from that folder."""
     launch_arguments: tuple[tuple[str, str], ...] = ()
     observed: Observed | None = None
     """What a running system said of itself, to hold the system against."""

@@ -15,11 +15,12 @@ _COOKIE = re.compile(rb"^[ \t\f]*#.*?coding[:=][ \t]*([-\w.]+)")
 
 
 class Sources:
-    """Reads files by the paths that findings show, each once; ``given`` has the bytes of those that are not on the
-    disk."""
+    """Reads files by the paths that findings show, relative to ``folder``, each once; ``given`` has the bytes of those
+    that are not on the disk."""
 
-    def __init__(self, given: Callable[[str], bytes | None] = lambda file: None) -> None:
+    def __init__(self, given: Callable[[str], bytes | None] = lambda file: None, folder: Path = Path()) -> None:
         self._given = given
+        self._folder = folder
         self._lines: dict[str, list[str]] = {}
 
     def line(self, file: str, number: int) -> str | None:
@@ -27,7 +28,7 @@ class Sources:
         lines = self._lines.get(file)
         if lines is None:
             given = self._given(file)
-            lines = self._lines[file] = _read(Path(file)) if given is None else _lines_of(_decode(given))
+            lines = self._lines[file] = _read(self._folder / file) if given is None else _lines_of(_decode(given))
         return lines[number - 1] if 0 < number <= len(lines) else None
 
 

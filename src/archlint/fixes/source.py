@@ -102,11 +102,11 @@ MAX_BYTES = 8_000_000
 """A larger file is not mended, and its names are not looked at: the largest that archlint reads at all."""
 
 
-def read(file: str, given: bytes | None = None) -> Source | None:
-    """A file as text, whose bytes may be ``given``; None where it cannot be read as such, or would not be written back
-    byte by byte."""
+def read(file: str, given: bytes | None = None, folder: Path = Path()) -> Source | None:
+    """A file as text, by its path from ``folder``, whose bytes may be ``given``; None where it cannot be read as such,
+    or would not be written back byte by byte."""
     try:
-        data = read_regular(file, MAX_BYTES) if given is None else given
+        data = read_regular(folder / file, MAX_BYTES) if given is None else given
         encoding = "utf-8"
         if file.endswith(".py") or not Path(file).suffix:
             encoding = tokenize.detect_encoding(io.BytesIO(data).readline)[0]

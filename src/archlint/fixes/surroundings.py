@@ -15,22 +15,28 @@ _MOST_FILES = 1_000
 
 class Surroundings:
     """The texts of files; ``files`` are the Python files of the workspace.  ``given`` has the bytes of those that are
-    not on the disk."""
+    not on the disk; paths are relative to ``folder``."""
 
-    def __init__(self, files: Sequence[str] = (), given: Callable[[str], bytes | None] = lambda file: None) -> None:
+    def __init__(
+        self,
+        files: Sequence[str] = (),
+        given: Callable[[str], bytes | None] = lambda file: None,
+        folder: Path = Path(),
+    ) -> None:
         self._files = files
         self._given = given
+        self._folder = folder
         self._sources: dict[str, Source | None] = {}
         self._texts: dict[str, dict[str, str]] = {}
 
     def source(self, file: str) -> Source | None:
         if file not in self._sources:
-            self._sources[file] = read(file, self._given(file))
+            self._sources[file] = read(file, self._given(file), self._folder)
         return self._sources[file]
 
     def elsewhere(self, source: Source) -> list[str]:
         """The texts of the other Python files of a file's package, and the names that fixes bring into them."""
-        file = Path(source.file).resolve()
+        file = (self._folder / source.file).resolve()
         root = next((folder for folder in file.parents if self._is_package(folder)), file.parent)
         texts = self._texts_below(os.path.join(root, ""))
         others = (other for other in self._sources.values() if other is not None and other is not source)

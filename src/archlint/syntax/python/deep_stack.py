@@ -6,6 +6,7 @@ import sys
 import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from contextvars import copy_context
 from typing import TypeVar
 
 Result = TypeVar("Result")
@@ -24,19 +25,20 @@ _STARTING = threading.Lock()
 
 
 def call_with_deep_stack(function: Callable[[], Result]) -> Result:
-    """What ``function`` returns or raises, called in a thread with a stack of :data:`STACK_BYTES` and with the
-    recursion limit that fits it.
+    """What ``function`` returns or raises, called in a thread with a stack of :data:`STACK_BYTES`, with the
+    recursion limit that fits it and with the context variables of the thread that calls.
 
     The limit holds for the whole process, so it is sound only because the thread that calls does nothing but wait.
     """
     results: list[Result] = []
     errors: list[BaseException] = []
+    context = copy_context()
 
     def run() -> None:
         with _STARTING:
             pass  # a process that is forked in this thread would find the lock of its starter locked forever
         try:
-            results.append(function())
+            results.append(context.run(function))
         except BaseException as error:  # raised again in the thread that waits
             errors.append(error)
 
