@@ -1,4 +1,4 @@
-"""How wide a text is in a terminal, and columns of texts: wide characters take two cells, combining ones none.
+"""How wide a text is in a terminal, lines and columns of texts: wide characters take two cells, combining ones none.
 
 All commands lay their columns out with these.  Not with rich's tables: commands that only list something
 must not wait for rich, of which nothing but the widths is needed, and these only where a text is not ASCII.
@@ -6,7 +6,9 @@ must not wait for rich, of which nothing but the widths is needed, and these onl
 
 from __future__ import annotations
 
+import re
 import sys
+import unicodedata
 from collections.abc import Iterator, Sequence
 
 
@@ -27,6 +29,52 @@ def padding(text: str, cells: int) -> str:
 def padded(text: str, cells: int) -> str:
     """A text with spaces after it up to a width."""
     return text + padding(text, cells)
+
+
+_WORD = re.compile(" *[^ ]+| +$")
+
+
+def wrapped(text: str, cells: int, first: int | None = None) -> list[str]:
+    """A text in lines of at most ``cells`` cells, the first one of ``first``.
+
+    A line ends between words, and between the wide characters of scripts that have no spaces.  A word that is too long
+    for any line, such as a path, stays whole.
+    """
+    room = cells if first is None else first
+    lines, line, used = [], "", 0
+    for piece in _pieces(text):
+        wide = width(piece)
+        if used + wide > room and (line or room < cells):
+            lines.append(line)
+            room, line, piece = cells, "", piece.lstrip(" ")
+            used, wide = 0, width(piece)
+        line += piece
+        used += wide
+    return [*lines, line]
+
+
+def _pieces(text: str) -> Iterator[str]:
+    """What a line may end between: words with the spaces before them, and parts of words of wide characters."""
+    for word in _WORD.findall(text):
+        if word.isascii():
+            yield word
+            continue
+        start = 0
+        for end in range(1, len(word)):
+            if _may_part(word[end - 1], word[end]):
+                yield word[start:end]
+                start = end
+        yield word[start:]
+
+
+def _may_part(left: str, right: str) -> bool:
+    """Whether a line may end between two characters: no line begins with a closing mark or ends in an opening one."""
+    if left == " " or not width(right) or max(width(left), width(right)) < 2:
+        return False
+    return unicodedata.category(right) not in ("Pe", "Pf", "Po", "Lm") and unicodedata.category(left) not in (
+        "Ps",
+        "Pi",
+    )
 
 
 def columns(

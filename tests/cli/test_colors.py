@@ -1,4 +1,4 @@
-"""When colours are written."""
+"""When colours are written, and how wide lines may be."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import io
 
 import pytest
 
-from archlint.cli.console import wants_color
+from archlint.cli.console import columns, wants_color
 
 
 class Stream(io.StringIO):
@@ -42,3 +42,13 @@ def test_colours(monkeypatch, when: str, terminal: bool, environment: dict[str, 
     for name, value in environment.items():
         monkeypatch.setenv(name, value)
     assert wants_color(when, Stream(terminal)) is colours
+
+
+@pytest.mark.parametrize(
+    ("terminal", "given", "width"),
+    [(True, "100", 100), (True, "0", 80), (True, "wide", 80), (False, "100", None)],
+    ids=["given", "zero", "no number", "a pipe"],
+)
+def test_only_a_terminal_has_a_width(monkeypatch, terminal: bool, given: str, width: int | None):
+    monkeypatch.setenv("COLUMNS", given)
+    assert columns(Stream(terminal)) == width

@@ -176,7 +176,7 @@ def test_nothing_is_left_of_the_line_and_nothing_comes_after():
 
 
 def test_a_narrow_terminal_gets_a_line_that_fits(monkeypatch: pytest.MonkeyPatch):
-    monkeypatch.setattr(progress_line, "_columns", lambda stream: 20)
+    monkeypatch.setattr(progress_line, "columns", lambda stream: 20)
     terminal, clock = Terminal(), Clock()
     tally, _ = line_on(terminal, clock)
     clock.now = 2.0

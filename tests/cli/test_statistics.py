@@ -1,7 +1,9 @@
-"""``--statistics``: the shape of what was checked, from the systems that the check has made."""
+"""``--statistics``: counts in place of the findings, and the shape of what was checked, from the systems that the check
+has made."""
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import pytest
@@ -77,3 +79,19 @@ def test_the_shape_is_the_same_when_the_findings_are_known(
     main(command)
     assert _shape(capsys.readouterr().err) == first
     assert len(followed) == 4
+
+
+def test_the_counts_stand_instead_of_the_findings(followed: list[Linker], capsys: pytest.CaptureFixture[str]):
+    command = ["check", "one_ws", "--statistics", "--no-cache", "--select", "NME002,GRF001", "-q"]
+    (Path("one_ws") / "src/chain/first.py").write_text(
+        TALKER.format(name="First", lower="first", heard="a", said="b-c")
+    )
+    assert main(command) == 1
+    assert capsys.readouterr().out == "1\tNME002\tinvalid-name\n"
+    main([*command, "--format", "json"])
+    assert json.loads(capsys.readouterr().out)[0]["code"] == "NME002"
+
+
+def test_other_formats_have_no_statistics(capsys: pytest.CaptureFixture[str]):
+    assert main(["check", "--statistics", "--format", "github"]) == 2
+    assert "--statistics is written as text, concise or json, not as github" in capsys.readouterr().err

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from archlint.finding import Finding, Place, Related, Severity
+from archlint.finding import Edit, Finding, Fix, Place, Related, Severity
 from archlint.report.model import Report, summarise
 
 SOURCES = {
@@ -48,6 +48,24 @@ UNREADABLE = Finding(
     severity=Severity.WARNING,
     message="syntax error: expected ':'",
     place=Place("pkg/broken.py", 3, 1, 3, 1),
+)
+
+SAFE = Finding(
+    code="LNT001",
+    name="unused-suppression",
+    severity=Severity.WARNING,
+    message="it hides nothing",
+    place=Place("pkg/node.py", 2, 1, 2, 5),
+    fix=Fix("safe", (Edit(Place("pkg/node.py", 2, 1, 2, 5), ""),)),
+)
+
+UNSAFE = Finding(
+    code="TMO001",
+    name="wait-without-timeout",
+    severity=Severity.WARNING,
+    message="it waits without a timeout",
+    place=Place("pkg/node.py", 4, 20, 4, 53),
+    fix=Fix("unsafe", (Edit(Place("pkg/node.py", 4, 53, 4, 53), "timeout_sec=5.0"),)),
 )
 
 

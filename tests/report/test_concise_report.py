@@ -1,12 +1,13 @@
-"""The concise format, and the sentence and the table that may stand beside findings."""
+"""The concise format, and the sentences that may stand beside findings."""
 
 from __future__ import annotations
 
 import pytest
-from reports import NESTED, UNREADABLE, report
+from reports import NESTED, SAFE, UNREADABLE, UNSAFE, report
 
 from archlint.report import render
-from archlint.report.model import statistics, summarise, summary_line
+from archlint.report.fix_marks import fix_line
+from archlint.report.model import summarise, summary_line
 
 
 def test_one_line_a_finding():
@@ -35,7 +36,22 @@ def test_the_run_in_a_sentence(findings: list, suppressed: int, unresolved: int,
     assert summary_line(summary) == sentence
 
 
-def test_statistics_begin_with_the_most_frequent():
-    findings = [NESTED, *[UNREADABLE] * 10]
-    assert statistics(findings) == "10  LNT002  unreadable-file\n 1  SRV003  nested-service-call\n"
-    assert statistics([]) == ""
+def test_a_safe_fix_is_marked():
+    assert render("concise", report(SAFE, UNSAFE)) == (
+        "pkg/node.py:2:1: warning: LNT001 [*] it hides nothing\n"
+        "pkg/node.py:4:20: warning: TMO001 it waits without a timeout\n"
+    )
+
+
+@pytest.mark.parametrize(
+    ("findings", "sentence"),
+    [
+        ([NESTED], ""),
+        ([SAFE, NESTED], "[*] 1 fixable with `--fix`."),
+        ([SAFE, SAFE, UNSAFE], "[*] 2 fixable with `--fix` (1 more with `--fix --unsafe-fixes`)."),
+        ([UNSAFE], "No safe fixes; 1 fixable with `--fix --unsafe-fixes`."),
+    ],
+    ids=["none", "safe", "both", "unsafe"],
+)
+def test_what_has_a_fix_in_a_sentence(findings: list, sentence: str):
+    assert fix_line(findings) == sentence

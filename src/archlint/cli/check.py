@@ -5,7 +5,6 @@ from __future__ import annotations
 import argparse
 import os
 import sys
-from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -31,12 +30,13 @@ from archlint.cli.options import (
     pool_of,
     settings_of,
 )
+from archlint.cli.said import STATISTICS, remarks, written
 from archlint.cli.watch import Watch
 from archlint.engine.answers import Answer
 from archlint.engine.keeper import Keeper
-from archlint.engine.pipeline import NothingToDo, Request, check, graph
+from archlint.engine.pipeline import NothingToDo, Request, check
 from archlint.finding import Severity
-from archlint.report.model import Report, statistics, summary_line
+from archlint.report.model import Report
 from archlint.report.paths import folder_in_repository
 
 if TYPE_CHECKING:
@@ -66,7 +66,9 @@ def parser() -> argparse.ArgumentParser:
         default=[],
         help="write them to FILE in this format too; repeatable",
     )
-    output.add_argument("--statistics", action="store_true", help="count the findings of each rule")
+    output.add_argument(
+        "--statistics", action="store_true", help="count the findings of each rule instead of showing them"
+    )
     mending = parser.add_argument_group("fixes")
     mending.add_argument("--fix", action="store_true", help="apply safe fixes")
     mending.add_argument("--unsafe-fixes", action="store_true", help="with --fix or --diff: unsafe fixes too")
@@ -141,8 +143,8 @@ def run(arguments: argparse.Namespace) -> int:
     if arguments.fix or arguments.add_ignores:
         shown = []  # the files are others now
     folder = folder_in_repository(Path.cwd(), os.environ)
-    text = _written(replace(report, failing=failing, folder=folder), arguments)
-    warnings, notes = ("", "") if arguments.quiet else _remarks(report, done, request, shown, arguments)
+    text = written(replace(report, failing=failing, folder=folder), arguments)
+    warnings, notes = ("", "") if arguments.quiet else remarks(report, done, request, shown, arguments)
     answer = Answer(text, warnings, notes, exit_status(report, failing, arguments.exit_zero))
     status = console.give(answer)
     watch.note_costs()
@@ -177,6 +179,8 @@ def _after_changes(
 
 
 def _refuse_combinations(arguments: argparse.Namespace) -> None:
+    if arguments.statistics and arguments.format not in STATISTICS:
+        raise UsageError(f"--statistics is written as text, concise or json, not as {arguments.format}")
     if arguments.unsafe_fixes and not (arguments.fix or arguments.diff):
         raise UsageError("--unsafe-fixes needs --fix or --diff")
     if arguments.facts and (arguments.fix or arguments.diff):
@@ -218,7 +222,8 @@ def _keeper(arguments: argparse.Namespace, baseline: UsedBaseline | None) -> Kee
 
 def _asks_for_fixes(arguments: argparse.Namespace) -> bool:
     formats = (arguments.format, *(format for format, _ in arguments.output))
-    return bool(arguments.fix or arguments.diff or any(reports.FORMATS[format].with_fixes for format in formats))
+    shows_them = arguments.statistics or any(reports.FORMATS[format].with_fixes for format in formats)
+    return bool(arguments.fix or arguments.diff or shows_them)
 
 
 def _show_difference(report: Report, arguments: argparse.Namespace) -> int:
@@ -228,48 +233,6 @@ def _show_difference(report: Report, arguments: argparse.Namespace) -> int:
     text = difference(report, arguments.unsafe_fixes)
     console.write(text, arguments.file)
     return exits.FINDINGS if text and not arguments.exit_zero else exits.CLEAN
-
-
-def _written(report: Report, arguments: argparse.Namespace) -> str:
-    """Write the findings to files; returns what is for standard output."""
-    to_terminal = arguments.file in (None, "-")
-    color = to_terminal and console.wants_color(arguments.color, sys.stdout)
-    text = reports.render(arguments.format, report, color=color)
-    if not to_terminal:
-        console.write(text, arguments.file)
-    for format, file in arguments.output:
-        console.write(reports.render(format, report), file)
-    return text if to_terminal else ""
-
-
-def _remarks(
-    report: Report, done: Sequence[str], request: Request, shown: Sequence[System], arguments: argparse.Namespace
-) -> tuple[str, str]:
-    """What is to be said beside the findings: what was ``done`` and warnings, and notes after them."""
-    warnings = [*done, *(f"archlint: warning: {notice}" for notice in report.notices)]
-    notes = [*report.remarks]
-    if arguments.statistics:
-        notes += [statistics(report.findings), _shape(request, shown)]
-    if reports.FORMATS[arguments.format].for_people or arguments.file is not None:
-        notes.append(summary_line(report.summary))
-    if arguments.verbose:
-        settings = request.settings
-        cache = settings.cache_folder if request.cached else "none"
-        notes.append(f"configuration: {settings.file or 'none'}; cache: {cache}")
-        notes.append(f"took {report.summary.elapsed_s:.2f} s")
-    return "".join(map(console.noted, warnings)), "".join(map(console.noted, notes))
-
-
-def _shape(request: Request, shown: Sequence[System]) -> str:
-    """The architecture pattern of what was checked, with its figures; ``shown`` are its systems, if the check had to
-    make them."""
-    from archlint.engine.loading import combined
-    from archlint.systems import pattern  # with the systems, which a known result does without
-
-    try:
-        return "\n".join(pattern.words(pattern.figures(combined(shown) if shown else graph(request))))
-    except NothingToDo:  # only manifests or interfaces, say
-        return ""
 
 
 def exit_status(report: Report, failing: Severity, exit_zero: bool) -> int:

@@ -17,6 +17,8 @@ if TYPE_CHECKING:  # the console is there on every start: it imports what it nee
     """What ``--color`` takes."""
 
 _COLORING = ("NO_COLOR", "FORCE_COLOR", "CLICOLOR_FORCE", "CLICOLOR", "TERM")
+_COLUMNS = 80
+"""How wide a terminal is that does not say so."""
 
 
 def note(text: str) -> None:
@@ -49,8 +51,22 @@ def _tell(lines: str) -> None:
 
 
 def terminal() -> list[str]:
-    """What else than the words of a command decides whether it writes colours."""
-    return [*(repr(os.environ.get(name)) for name in _COLORING), str(sys.stdout.isatty())]
+    """What else than the words of a command decides how it is shown: what it writes colours for, and its width."""
+    return [*(repr(os.environ.get(name)) for name in _COLORING), str(columns(sys.stdout))]
+
+
+def columns(stream: TextIO) -> int | None:
+    """The width of the terminal that a stream is, COLUMNS first; None where it is none: what goes to a file or a pipe
+    is not wrapped."""
+    if not stream.isatty():
+        return None
+    given = os.environ.get("COLUMNS", "")
+    if given.isdecimal() and int(given):
+        return int(given)
+    try:
+        return os.get_terminal_size(stream.fileno()).columns or _COLUMNS
+    except (OSError, ValueError):
+        return _COLUMNS
 
 
 def wants_color(when: When, stream: TextIO) -> bool:

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-import os
 import time
 from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, TextIO
+
+from archlint.cli.console import columns
 
 if TYPE_CHECKING:
     from archlint.cli.tally import Tally
@@ -15,9 +16,6 @@ DELAY = 1.0
 
 INTERVAL = 0.1
 """The fewest seconds between two changes of the line."""
-
-_COLUMNS = 80
-"""How wide a terminal is that does not say so."""
 
 
 class ProgressLine:
@@ -35,7 +33,7 @@ class ProgressLine:
         if now < self._next:
             return
         self._next = now + INTERVAL
-        text = words(tally)[: _columns(self._stream) - 1]  # a line that is full would be two
+        text = words(tally)[: (columns(self._stream) or 80) - 1]  # a line that is full would be two
         self._write(f"\r{text.ljust(self._width)}")
         self._width = len(text)
 
@@ -71,13 +69,6 @@ def _parts(tally: Tally) -> Iterator[str]:
 
 def _of(done: int, all_: int) -> str:
     return f"{done}/{all_}"
-
-
-def _columns(stream: TextIO) -> int:
-    try:
-        return os.get_terminal_size(stream.fileno()).columns or _COLUMNS
-    except (OSError, ValueError):
-        return _COLUMNS
 
 
 __all__ = ["DELAY", "INTERVAL", "ProgressLine", "words"]

@@ -18,19 +18,19 @@ FormatName = Literal["text", "concise", "json", "sarif", "github", "gitlab", "ju
 class Format:
     """What a format shows."""
 
-    colored: bool = False
-    """Whether its function takes colours."""
+    laid_out: bool = False
+    """Whether its function takes colours and the width of a terminal."""
     for_people: bool = False
     """Whether it says nothing where nothing was found, so that a summary beside it is welcome."""
     lasting: bool = False
     """Whether it says the same of the same findings: others say how long it took, or have a service's own paths."""
     with_fixes: bool = False
-    """Whether it shows the edits of fixes."""
+    """Whether it shows the edits of fixes, or which findings have some."""
 
 
 FORMATS: Final[Mapping[FormatName, Format]] = {
-    "text": Format(colored=True, for_people=True, lasting=True),
-    "concise": Format(for_people=True, lasting=True),
+    "text": Format(laid_out=True, for_people=True, lasting=True, with_fixes=True),
+    "concise": Format(for_people=True, lasting=True, with_fixes=True),
     "json": Format(with_fixes=True),
     "sarif": Format(),
     "github": Format(for_people=True),
@@ -40,8 +40,8 @@ FORMATS: Final[Mapping[FormatName, Format]] = {
 """A new format is a new row."""
 
 
-def render(format: FormatName, report: Report, color: bool = False) -> str:
-    """The report in a format of :data:`FORMATS`."""
+def render(format: FormatName, report: Report, color: bool = False, columns: int | None = None) -> str:
+    """The report in a format of :data:`FORMATS`; ``columns`` is the width of the terminal that it is for, if any."""
     module = importlib.import_module(f"archlint.report.{format}")
-    text: str = module.render(report, color=color) if FORMATS[format].colored else module.render(report)
+    text: str = module.render(report, color, columns) if FORMATS[format].laid_out else module.render(report)
     return text

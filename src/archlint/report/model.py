@@ -128,13 +128,5 @@ def summary_line(summary: Summary) -> str:
     return f"Found {counts} in {where}{tail}."
 
 
-def statistics(findings: Sequence[Finding]) -> str:
-    """How often each rule found something, the most frequent first."""
-    count = Counter((finding.code, finding.name) for finding in findings)
-    rows = sorted(count.items(), key=lambda entry: (-entry[1], entry[0]))
-    width = max((len(str(number)) for _, number in rows), default=0)
-    return "".join(f"{number:>{width}}  {code}  {name}\n" for (code, name), number in rows)
-
-
 def _count(number: int, word: str) -> str:
     return f"{number} {word}" if number == 1 else f"{number} {word}s"

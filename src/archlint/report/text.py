@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from typing import TYPE_CHECKING
 
-from archlint.report.frames import Line, Style, frames
+from archlint.report.fix_marks import mark
+from archlint.report.frames import UNLIMITED, Line, Style, frames, wrapped
 from archlint.visible import visible
 
 if TYPE_CHECKING:
@@ -23,30 +24,37 @@ _STYLES: Mapping[Style, str] = {
     "help": "bold cyan",
 }
 
+NARROWEST = 24
+"""Columns; lines are not wrapped to fewer."""
+_INDENT = 4
+"""Cells before the lines of a message after the first."""
 
-def render(report: Report, color: bool = False) -> str:
+
+def render(report: Report, color: bool = False, columns: int | None = None) -> str:
+    """The findings; ``columns`` is the width of the terminal that they are for.  Without one no message is wrapped, so
+    that what reads them finds a message on one line."""
     paint = _painter() if color else _plain
+    room = UNLIMITED if columns is None else max(columns, NARROWEST)
     blocks = []
     for finding in report.findings:
-        lines = _lines(finding, report.source_line)
+        lines = _lines(finding, report.source_line, room)
         blocks.append("".join("".join(paint(*piece) for piece in line) + "\n" for line in lines))
     return "\n".join(blocks)
 
 
-def _lines(finding: Finding, source_line: SourceLine) -> Iterator[Line]:
+def _lines(finding: Finding, source_line: SourceLine, columns: int) -> Iterator[Line]:
     severity = finding.severity.label
-    yield [
-        (severity, f"{severity}[{finding.code}]"),
-        ("plain", f" {finding.name}: "),
-        ("message", visible(finding.message)),
-    ]
-    body = list(frames(finding, source_line))
+    head: Line = [(severity, f"{severity}[{finding.code}]"), ("plain", f" {finding.name}: ")]
+    if fixable := mark(finding):
+        head.insert(1, ("help", f" {fixable.strip()}"))
+    yield from wrapped(head, ("message", visible(finding.message)), columns, _INDENT)
+    body = list(frames(finding, source_line, columns))
     yield from body
     margin = " " * max(body[0][0][1].find("-->"), 0)
-    if finding.system is not None:
-        yield [("gutter", f"{margin} = "), ("help", "system: "), ("plain", visible(finding.system))]
-    if finding.help:
-        yield [("gutter", f"{margin} = "), ("help", "help: "), ("plain", visible(finding.help))]
+    for title, text in (("system", finding.system), ("help", finding.help)):
+        if text:
+            start: Line = [("gutter", f"{margin} = "), ("help", f"{title}: ")]
+            yield from wrapped(start, ("plain", visible(text)), columns)
 
 
 def _plain(style: Style, text: str) -> str:

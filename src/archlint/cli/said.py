@@ -1,0 +1,73 @@
+"""What ``archlint check`` says: the findings or their statistics, and what is to be said beside them."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING
+
+from archlint import report as reports
+from archlint.cli import console
+from archlint.engine.pipeline import NothingToDo, Request, graph
+from archlint.report import statistics
+from archlint.report.fix_marks import fix_line
+from archlint.report.model import Report, summary_line
+
+if TYPE_CHECKING:
+    import argparse
+
+    from archlint.finding import Finding
+    from archlint.systems.model import System
+
+STATISTICS: Mapping[str, Callable[[Iterable[Finding]], str]] = {
+    "text": statistics.as_text,
+    "concise": statistics.as_text,
+    "json": statistics.as_json,
+}
+"""The formats of ``--statistics``."""
+
+
+def written(report: Report, arguments: argparse.Namespace) -> str:
+    """Write the findings to files; returns what is for standard output."""
+    to_terminal = arguments.file in (None, "-")
+    color = to_terminal and console.wants_color(arguments.color, sys.stdout)
+    if arguments.statistics:
+        text = STATISTICS[arguments.format](report.findings)
+    else:
+        columns = console.columns(sys.stdout) if to_terminal else None
+        text = reports.render(arguments.format, report, color, columns)
+    if not to_terminal:
+        console.write(text, arguments.file)
+    for format, file in arguments.output:
+        console.write(reports.render(format, report), file)
+    return text if to_terminal else ""
+
+
+def remarks(
+    report: Report, done: Sequence[str], request: Request, shown: Sequence[System], arguments: argparse.Namespace
+) -> tuple[str, str]:
+    """What is to be said beside the findings: what was ``done`` and warnings, and notes after them."""
+    warnings = [*done, *(f"archlint: warning: {notice}" for notice in report.notices)]
+    notes = [*report.remarks]
+    if arguments.statistics:
+        notes.append(_shape(request, shown))
+    if reports.FORMATS[arguments.format].for_people or arguments.file is not None:
+        notes += [summary_line(report.summary), fix_line(report.findings)]
+    if arguments.verbose:
+        settings = request.settings
+        cache = settings.cache_folder if request.cached else "none"
+        notes.append(f"configuration: {settings.file or 'none'}; cache: {cache}")
+        notes.append(f"took {report.summary.elapsed_s:.2f} s")
+    return "".join(map(console.noted, warnings)), "".join(map(console.noted, notes))
+
+
+def _shape(request: Request, shown: Sequence[System]) -> str:
+    """The architecture pattern of what was checked, with its figures; ``shown`` are its systems, if the check had to
+    make them."""
+    from archlint.engine.loading import combined
+    from archlint.systems import pattern  # with the systems, which a known result does without
+
+    try:
+        return "\n".join(pattern.words(pattern.figures(combined(shown) if shown else graph(request))))
+    except NothingToDo:  # only manifests or interfaces, say
+        return ""
