@@ -27,12 +27,12 @@ class RuleCount:
 
 def counted(findings: Iterable[Finding]) -> list[RuleCount]:
     """A row for each rule that found something."""
-    found: Counter[tuple[str, str]] = Counter()
+    counts: Counter[tuple[str, str]] = Counter()
     fixable: Counter[str] = Counter()
     for finding in findings:
-        found[finding.code, finding.name] += 1
+        counts[finding.code, finding.name] += 1
         fixable[finding.code] += is_fixable(finding)
-    rows = sorted(found.items(), key=lambda row: (-row[1], row[0]))
+    rows = sorted(counts.items(), key=lambda row: (-row[1], row[0]))
     return [RuleCount(code, name, count, fixable[code] == count, fixable[code]) for (code, name), count in rows]
 
 
