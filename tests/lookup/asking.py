@@ -10,6 +10,8 @@ from archlint.engine.compiling import compiled
 from archlint.engine.inputs import Inputs, find_files, tree_of
 from archlint.engine.loading import systems_of
 from archlint.engine.pipeline import Request, store_of
+from archlint.lookup.answers import Completion
+from archlint.lookup.completion import complete
 from archlint.lookup.hovers import hover
 from archlint.lookup.index import Index
 from archlint.lookup.targets import definition, references
@@ -57,6 +59,22 @@ class Editor:
 
     def definition(self, name: str, at: str) -> list[str]:
         return self.shown(definition(self.index, Texts(self.text_of), *self.position(name, at)))
+
+    def complete(self, name: str, old: str, typed: str) -> list[str]:
+        """What is offered where ``typed`` stands in the place of ``old``, and ``^`` in it is the position."""
+        return [answer.text for answer in self.completions(name, old, typed)]
+
+    def completions(self, name: str, old: str, typed: str) -> list[Completion]:
+        file = self.path(name)
+        text = self.text_of(file) or ""
+        assert text.count(old) == 1, f"{old} is in {file} {text.count(old)} times"
+        before = text[: text.index(old)] + typed.partition("^")[0]
+        self.buffers[file] = text.replace(old, typed.replace("^", ""))
+        try:
+            line, column = before.count("\n") + 1, len(before) - before.rfind("\n")
+            return complete(self.index, Texts(self.text_of), file, line, column)
+        finally:
+            del self.buffers[file]
 
     def references(self, name: str, at: str) -> list[str]:
         return self.shown(references(self.index, Texts(self.text_of), *self.position(name, at)))

@@ -8,7 +8,7 @@ from typing import Literal
 from archlint.finding import Edit
 from archlint.place import Place
 
-CompletionKind = Literal["topic", "service", "action", "type", "parameter", "package", "executable"]
+CompletionKind = Literal["topic", "service", "action", "type", "parameter", "package", "executable", "node"]
 
 
 @dataclass(frozen=True)
@@ -22,21 +22,22 @@ class Hover:
 @dataclass(frozen=True)
 class Completion:
     """One text to put in the place of what is typed so far (``replaces``).  ``detail`` is a short note beside it; a
-    smaller ``rank`` comes first."""
+    smaller ``rank`` comes first, and ``also`` are edits elsewhere that it needs: an import."""
 
     text: str
     kind: CompletionKind
     detail: str
     replaces: Place
     rank: int = 0
+    also: tuple[Edit, ...] = ()
 
 
 @dataclass(frozen=True)
 class Link:
-    """A place that leads to a file of the workspace, by its shown path."""
+    """A place that leads to a place in a file of the workspace."""
 
     place: Place
-    target: str
+    target: Place
 
 
 @dataclass(frozen=True)

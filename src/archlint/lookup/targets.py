@@ -23,7 +23,7 @@ def definition(index: Index, texts: Texts, file: str, line: int, column: int) ->
     function that it runs, from an include to the file, from a type to its definition.
     """
     mentions = index.at(texts, file, line, column)
-    return _sorted(place for mention in mentions for place in _targets(index, mention))
+    return _sorted(place for mention in mentions for place in places_meant(index, mention))
 
 
 def references(index: Index, texts: Texts, file: str, line: int, column: int) -> list[Place]:
@@ -38,7 +38,8 @@ def _stands_for_name(mention: Mention) -> bool:
     return mention.end is not None and mention.end.creation.name_place is None
 
 
-def _targets(index: Index, mention: Mention) -> Iterator[Place]:
+def places_meant(index: Index, mention: Mention) -> Iterator[Place]:
+    """Where one mention leads."""
     subject = mention.subject
     match subject.kind:
         case "topic" | "service" | "action":
@@ -96,4 +97,4 @@ def _sorted(places: Iterable[Place]) -> list[Place]:
     return sorted(set(places))
 
 
-__all__ = ["definition", "references"]
+__all__ = ["definition", "named_at", "places_meant", "references"]

@@ -17,6 +17,9 @@ _BEFORE = r"""(?:=\s*["']|:\s+["']?|^\s*-\s+["']?|^["']?|[\[,]\s*["']?)"""
 _BEHIND = r"""(?=["']|\s*$|\s+#|\s*[,\]}])"""
 """What stands before and behind a value in XML and YAML."""
 
+_VALUE = re.compile(r"""[\w-]+\s*(?:=\s*|:\s+)?(["']?)(.*)\1""")
+"""``name="value"`` in XML, ``name: value`` in YAML."""
+
 
 class Texts:
     """Texts by line; each is divided once."""
@@ -62,6 +65,16 @@ class Texts:
             if found_at := re.search(value, region):
                 return _within(place, found_at.start(1), len(written))
         return None
+
+    def inside(self, place: Place) -> Place | None:
+        """What is between the quotes at a place, or behind the key there; None where it is neither a plain literal nor
+        an attribute."""
+        text = self.at(place)
+        is_python = place.file.endswith(".py")
+        match = _PYTHON.fullmatch(text) if is_python else _VALUE.fullmatch(text)
+        if match is None or "\n" in text or "\\" in text:
+            return None
+        return _within(place, match.start(2), len(match[2]))
 
     def value_behind(self, key: Place, written: str) -> Place | None:
         """Where the value of a key stands, without its quotes: behind it on the same line, or on the next."""
