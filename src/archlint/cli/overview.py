@@ -18,6 +18,7 @@ commands:
   rules               the table of rules
   config [PATH]       the effective configuration, and the origin of each value;
                       `config --schema` prints the JSON Schema of a configuration file
+  server              the language server for editors (needs archlint[lsp])
   init [PATH]         a commented configuration, a pre-commit hook and a CI job to start with
 
 options:

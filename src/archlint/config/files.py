@@ -10,7 +10,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from archlint.config.source import ConfigurationError, Source
+from archlint.config.source import ConfigurationError, Reader, Source
 from archlint.disk import read_regular
 
 FILE_NAMES = (".archlint.toml", "archlint.toml", "pyproject.toml")
@@ -20,12 +20,13 @@ MAX_BYTES = 1_000_000
 """A larger file is no configuration."""
 
 
-def find(start: Path) -> Source | None:
-    """The configuration file that counts for ``start``, a folder or a file."""
+def find(start: Path, read: Reader | None = None) -> Source | None:
+    """The configuration file that counts for ``start``, a folder or a file; ``read`` gives the bytes of files, if not
+    the disk."""
     for folder in (start, *start.parents):
         for name in FILE_NAMES:
             path = folder / name
-            source = read_source(path) if path.is_file() else None
+            source = read_source(path, read=read) if path.is_file() else None
             if source is None:
                 continue
             if not is_within(path, repository_of(folder)):
@@ -44,18 +45,19 @@ def is_within(path: Path, folder: Path) -> bool:
     return path.resolve().is_relative_to(folder)
 
 
-def read_source(path: Path, named: bool = False, foreign: bool = False) -> Source | None:
+def read_source(path: Path, named: bool = False, foreign: bool = False, read: Reader | None = None) -> Source | None:
     """A configuration file's text; None for a ``pyproject.toml`` without the table, unless it was named."""
     shown = Source(path, "", ()).shown
     try:
-        content = read_regular(path, MAX_BYTES)
+        content = read_regular(path, MAX_BYTES) if read is None else read(path)
     except OSError as error:
         raise ConfigurationError(f"cannot be read: {error.strerror}", shown) from None
     in_pyproject = path.name == "pyproject.toml"
     if in_pyproject and b"archlint" not in content and not named:
         return None
     try:
-        source = Source(path, content.decode("utf-8-sig"), ("tool", "archlint") if in_pyproject else (), foreign)
+        table = ("tool", "archlint") if in_pyproject else ()
+        source = Source(path, content.decode("utf-8-sig"), table, foreign, read)
     except UnicodeDecodeError:
         raise ConfigurationError("is not UTF-8", shown) from None
     foreign = foreign or not (named or is_within(path, repository_of(path.parent)))

@@ -62,6 +62,6 @@ def _extended(source: Source, extend: str, trail: tuple[Path, ...], named: bool)
     if foreign and not named:
         message = f"`extend` leads out of the repository: {extend}; to allow that, name this file with --config"
         raise source.error(message, ("extend",), extend)
-    parent = read_source(path, named=True, foreign=foreign)
+    parent = read_source(path, named=True, foreign=foreign, read=source.read)
     assert parent is not None
     return read_file(parent, trail, named)

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from archlint.architecture import Contract, Layers
     from archlint.checks.registry import OptionValue
     from archlint.config.preset_names import PresetName
-    from archlint.config.source import Source
+    from archlint.config.source import Reader, Source
     from archlint.finding import Severity
 
 __all__ = ["ConfigurationError", "Settings", "load"]
@@ -80,12 +80,13 @@ _FIELDS = {"layers": "node_layers"}
 """Keys that are called otherwise in :class:`Settings`, whose ``layers`` are those of configuration."""
 
 
-def load(start: Path, file: Path | None = None) -> Settings:
-    """The settings for what is checked at ``start``: of ``file`` if given, else of the nearest one upwards.
+def load(start: Path, file: Path | None = None, read: Reader | None = None) -> Settings:
+    """The settings for what is checked at ``start``: of ``file`` if given, else of the nearest one upwards.  ``read``
+    gives the bytes of files, if not the disk.
 
     Raises :class:`ConfigurationError` for anything that cannot be read or understood.
     """
-    source = read_source(file.absolute(), named=True) if file is not None else find(start.absolute())
+    source = _source(start, file, read)
     if source is None:
         return Settings()
     from archlint.config.reading import read_file  # most workspaces have no configuration, and need no schema
@@ -94,8 +95,12 @@ def load(start: Path, file: Path | None = None) -> Settings:
     contents = read_file(source, (), named=file is not None)
     for values, origin in contents:
         settings = _merged(settings, values, origin)
-    read = tuple(origin.path.as_posix() for _, origin in contents)
-    return replace(settings, file=source.path.as_posix(), read=read)
+    files = tuple(origin.path.as_posix() for _, origin in contents)
+    return replace(settings, file=source.path.as_posix(), read=files)
+
+
+def _source(start: Path, file: Path | None, read: Reader | None) -> Source | None:
+    return find(start.absolute(), read) if file is None else read_source(file.absolute(), named=True, read=read)
 
 
 def _merged(parent: Settings, values: dict[str, Any], source: Source) -> Settings:

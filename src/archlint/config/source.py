@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from archlint.config.toml_places import KeyPath, headers, locate
 from archlint.place import Place
+
+Reader = Callable[[Path], bytes]
+"""Gives the bytes of a configuration file; raises ``OSError``."""
 
 
 class ConfigurationError(Exception):
@@ -27,6 +31,8 @@ class Source:
     table: KeyPath
     foreign: bool = False
     """Whether it lies outside of the repository: then no line of it is shown, for it may be no configuration."""
+    read: Reader | None = field(default=None, compare=False, repr=False)
+    """Gives the bytes of the files that it builds on, if not the disk."""
 
     @property
     def shown(self) -> str:

@@ -40,9 +40,14 @@ if TYPE_CHECKING:
     from archlint.workspace.tree import SourceTree
 
 
-def judged_in_parts(inputs: Inputs, facts: FactsOfFiles, shown: list[System] | None = None) -> Judged:
+def judged_in_parts(
+    inputs: Inputs,
+    facts: FactsOfFiles,
+    shown: list[System] | None = None,
+    loaded: list[list[System]] | None = None,
+) -> Judged:
     """What is found in each of the workspaces that stand side by side.  ``shown`` is given the system of each, unless
-    there is nothing to do for one of them."""
+    there is nothing to do for one of them; ``loaded`` all systems of each."""
     request = inputs.request
     sieve = Sieve(request.baseline, request.before)
     ran: list[frozenset[str]] = []
@@ -51,12 +56,14 @@ def judged_in_parts(inputs: Inputs, facts: FactsOfFiles, shown: list[System] | N
     refused: NothingToDo | None = None
     for part in parts_of(inputs.request, inputs.workspace):
         try:
-            result, system = _judged(replace(inputs, workspace=part), facts, sieve, ran)
+            result, system, every = _judged(replace(inputs, workspace=part), facts, sieve, ran)
         except NothingToDo as error:
             refused = refused or error
         else:
             judged.append(result)
             systems.append(system)
+            if loaded is not None:
+                loaded.append(every)
     if not judged:
         assert refused is not None
         raise refused
@@ -95,9 +102,11 @@ def _joined(judged: Sequence[Judged], workspace: Workspace) -> Judged:
     return Judged(findings, summary, list(dict.fromkeys(notice for part in judged for notice in part.notices)))
 
 
-def _judged(inputs: Inputs, facts: FactsOfFiles, sieve: Sieve, ran: list[frozenset[str]]) -> tuple[Judged, System]:
-    """What is found in a workspace and not known yet, and its system as it is shown; the rules that judged all of it
-    are added to ``ran``."""
+def _judged(
+    inputs: Inputs, facts: FactsOfFiles, sieve: Sieve, ran: list[frozenset[str]]
+) -> tuple[Judged, System, list[System]]:
+    """What is found in a workspace and not known yet, its system as it is shown, and all its systems; the rules that
+    judged all of it are added to ``ran``."""
     request, workspace = inputs.request, inputs.workspace
     known = known_files(request, workspace, facts)
     systems = systems_of(inputs, facts)
@@ -142,7 +151,8 @@ def _judged(inputs: Inputs, facts: FactsOfFiles, sieve: Sieve, ran: list[frozens
     notices.extend(without_start(systems, {file.relative for file in workspace.files if file.context}))
     notices.extend(followed_in_part(index.cut_short()))
     remarks = [*comparison_words(systems[0].compared)]
-    return Judged(findings, summary, [*refused, *notices, *_idle(request.settings, systems)], remarks), shown
+    judged = Judged(findings, summary, [*refused, *notices, *_idle(request.settings, systems)], remarks)
+    return judged, shown, systems
 
 
 def _passed_over(inputs: Inputs, facts: FactsOfFiles, launch_files: LaunchFiles) -> Iterator[str]:

@@ -10,13 +10,12 @@ from typing import TYPE_CHECKING
 from archlint.engine.own_code import own_code
 from archlint.programs.kept import KeptPrograms
 from archlint.programs.kept_launches import KeptLaunches
-from archlint.syntax.cache import NullStore
 from archlint.workspace.test_code import FileRoles
 
 if TYPE_CHECKING:
     from archlint.interpreter.modules import ModuleIndex
     from archlint.programs.earlier_imports import ImportNow
-    from archlint.syntax.cache import Store
+    from archlint.syntax.cache import NullStore, Store
     from archlint.syntax.files import FactsOfFiles
     from archlint.workspace.installed import Installs
     from archlint.workspace.model import SourceFile, Workspace
@@ -43,7 +42,7 @@ class ProgramCache:
         self._key = hashlib.sha256(repr(name).encode()).hexdigest()
         self._opened: dict[str, KeptPrograms | KeptLaunches] = {}
         """By the keys under which they are stored."""
-        self.lasts = not isinstance(self.store, NullStore)
+        self.lasts = self.store.lasts
 
     def open(
         self,

@@ -19,7 +19,6 @@ from archlint.programs.kept_launches import keep_launches
 from archlint.programs.linker import Linker
 from archlint.programs.scripts import forget_names
 from archlint.ros.interfaces import InterfaceTable
-from archlint.syntax.cache import NullStore
 from archlint.syntax.workspace_files import WorkspaceFiles
 from archlint.systems.code import WorkspaceCode
 from archlint.systems.instances import assemble
@@ -129,7 +128,7 @@ def _linker(
         return cache.open(index, import_now, words, parts, without)
 
     jobs = request.jobs or os.cpu_count() or 1
-    keeps = jobs > 1 or request.pool is not None or not isinstance(inputs.store, NullStore)
+    keeps = jobs > 1 or request.pool is not None or inputs.store.lasts
     kept = keep if keeps else None
     linker = Linker(files, interfaces, faults, kept, jobs, request.monitor, _elsewhere(inputs, facts))
     return linker, cache

@@ -6,7 +6,7 @@ import ast
 import difflib
 import errno
 import os
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -36,8 +36,9 @@ def fixable(findings: Iterable[Finding], unsafe: bool) -> list[Finding]:
     return [finding for finding in findings if finding.fix is not None and (unsafe or finding.fix.safety == "safe")]
 
 
-def apply(findings: Sequence[Finding]) -> Outcome:
-    """Work the fixes of findings into the texts of their files; nothing is written.
+def apply(findings: Sequence[Finding], given: Callable[[str], bytes | None] = lambda file: None) -> Outcome:
+    """Work the fixes of findings into the texts of their files; nothing is written.  ``given`` has the bytes of files
+    that are not as on the disk.
 
     A fix that overlaps an earlier one waits for the next run.  One that leaves a file that does not parse is
     left out.
@@ -46,7 +47,7 @@ def apply(findings: Sequence[Finding]) -> Outcome:
     pieces: dict[str, list[_Piece]] = {}
     for finding in findings:
         assert finding.fix is not None
-        new = _pieces(finding.fix, outcome)
+        new = _pieces(finding.fix, outcome, given)
         if new is None or any(_overlaps(piece, pieces.get(file, [])) for file, piece in new):
             continue
         tried = {file: [*pieces.get(file, []), *(p for f, p in new if f == file)] for file, _ in new}
@@ -58,12 +59,12 @@ def apply(findings: Sequence[Finding]) -> Outcome:
     return outcome
 
 
-def _pieces(fix: Fix, outcome: Outcome) -> list[tuple[str, _Piece]] | None:
+def _pieces(fix: Fix, outcome: Outcome, given: Callable[[str], bytes | None]) -> list[tuple[str, _Piece]] | None:
     """Offsets and texts of a fix's edits; None where a file is not as the finding saw it."""
     pieces = []
     for edit in fix.edits:
         place = edit.place
-        source = outcome.sources.get(place.file) or read(place.file)
+        source = outcome.sources.get(place.file) or read(place.file, given(place.file))
         if source is None:
             return None
         outcome.sources[place.file] = source

@@ -20,11 +20,12 @@ Wanted = Mapping[str, Mapping[int, Iterable[str]]]
 """The codes to suppress, by file and line."""
 
 
-def with_ignores(wanted: Wanted, reason: str) -> Outcome:
-    """New texts with a suppression for each code; a file that cannot have them stays as it is.  Nothing is written."""
+def with_ignores(wanted: Wanted, reason: str, given: Callable[[str], bytes | None] = lambda file: None) -> Outcome:
+    """New texts with a suppression for each code; a file that cannot have them stays as it is.  Nothing is written.
+    ``given`` has the bytes of files that are not as on the disk."""
     outcome = Outcome()
     for file in sorted(wanted):
-        source = read(file)
+        source = read(file, given(file))
         text = None if source is None else _text(source, wanted[file], reason)
         if source is not None and text is not None and text != source.text:
             outcome.sources[file] = source

@@ -127,7 +127,7 @@ class LaunchFiles:
             launch_facts = LaunchFacts(problems=self._unreadable(path))
             if text is not None:
                 with self._faults.contained("reading this launch file", Place(path, 1, 1, 1, 1)):
-                    launch_facts = _read(path, text)
+                    launch_facts = launch_facts_of(path, text)
             if self._is_for_others(path, text or "", launch_facts):
                 launch_facts = LaunchFacts()
             package = (
@@ -217,8 +217,9 @@ class LaunchFiles:
         return {path: list(suppressions) for path, suppressions in rows if suppressions}
 
 
-def _read(path: str, text: str) -> LaunchFacts:
-    """launch tries its parsers one after the other on a file whose suffix says nothing."""
+def launch_facts_of(path: str, text: str) -> LaunchFacts:
+    """What a launch file in XML or YAML says.  launch tries its parsers one after the other on a file whose suffix says
+    nothing."""
     if path.endswith((".yaml", ".yml")):
         return read_launch_yaml(text)
     if path.endswith(".launch") and not text.lstrip().startswith("<"):

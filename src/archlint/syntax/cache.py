@@ -58,6 +58,9 @@ class Store:
     ``root`` is made when there is something to keep.
     """
 
+    lasts = True
+    """Whether anybody will ask for what is kept."""
+
     def __init__(self, root: str, version: str, key: bytes) -> None:
         self.root = root
         self._secret = key
@@ -226,6 +229,8 @@ def _entries(folder: str) -> Iterator[os.DirEntry[str]]:
 
 class NullStore:
     """No cache: everything is a miss and nothing is kept."""
+
+    lasts = False
 
     def lookup(self, path: str, stamp: Stamp) -> str | None:
         return None

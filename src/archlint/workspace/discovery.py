@@ -15,7 +15,7 @@ from archlint.workspace.around import (
     within_one_workspace,
     workspace_around,
 )
-from archlint.workspace.membership import package_of, place
+from archlint.workspace.membership import Read, package_of, place
 from archlint.workspace.model import Package, Problem, Workspace
 from archlint.workspace.pruning import COLCON_FOLDERS
 from archlint.workspace.walk import Walk
@@ -29,12 +29,19 @@ class PathNotFound(Exception):
         self.path = path
 
 
-def find(paths: Sequence[str], *, exclude: Sequence[str] = (), working_directory: str | None = None) -> Workspace:
+def find(
+    paths: Sequence[str],
+    *,
+    exclude: Sequence[str] = (),
+    working_directory: str | None = None,
+    read: Read | None = None,
+) -> Workspace:
     """All packages and files that ``paths`` (files and folders; without any, the working directory) lead to.
 
     ``exclude`` are ``fnmatch`` patterns for paths from the working directory, or for the name of a file or
     folder; what is named in ``paths`` itself is taken all the same.  The rest of the package and of the
     workspace that a path lies in is found as context: what is asked for narrows what is shown, not what is known.
+    ``read`` gives the bytes of manifests and build files, if not the disk.
     Raises :class:`PathNotFound` for the first path that does not exist.
     """
     here = os.path.abspath(working_directory or os.curdir)
@@ -51,13 +58,13 @@ def find(paths: Sequence[str], *, exclude: Sequence[str] = (), working_directory
     packages = sorted({package for path in asked if (package := package_around(path)) is not None})
     for package in packages:
         walk.add_folder(package, context=True)
-    complete_folders = [*folders, *packages, *_add_workspaces(walk, asked)]
+    complete_folders = [*folders, *packages, *_add_workspaces(walk, asked, read)]
     root = _root([path if path in folders else os.path.dirname(path) for path in asked])
-    workspace = place(root, walk.files.values(), walk.problems.values(), complete_folders, walk.cpp_folders)
+    workspace = place(root, walk.files.values(), walk.problems.values(), complete_folders, walk.cpp_folders, read)
     return replace(workspace, idle_exclusions=tuple(excluder.idle), looked_at=tuple(walk.looked_at))
 
 
-def _add_workspaces(walk: Walk, asked: Sequence[str]) -> list[str]:
+def _add_workspaces(walk: Walk, asked: Sequence[str], read: Read | None) -> list[str]:
     """Take the workspaces around paths as context; returns their folders."""
     around = {path: workspace for path in asked if (workspace := workspace_around(path)) is not None}
     if not around:
@@ -69,7 +76,7 @@ def _add_workspaces(walk: Walk, asked: Sequence[str]) -> list[str]:
     packages = [
         (package.name, package.root)
         for file in walk.files.values()
-        if file.kind == "package_xml" and isinstance(package := package_of(file), Package)
+        if file.kind == "package_xml" and isinstance(package := package_of(file, read), Package)
     ]
     kept = [
         within_one_workspace(package_around(path) or path, workspace, packages) for path, workspace in around.items()

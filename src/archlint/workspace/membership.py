@@ -34,7 +34,7 @@ def place(
     ``complete_folders`` are the folders of which all files are there, ``cpp_folders`` those with C++ sources.  ``read``
     gives the bytes of files that are not on the disk.
     """
-    read = read or _read
+    read = read or read_file
     files = sorted(files, key=lambda file: file.relative)
     problems = list(problems)
     packages: dict[str, Package | None] = {}
@@ -116,7 +116,7 @@ def _innermost(roots: Collection[str], folder: str) -> str | None:
 def package_of(file: SourceFile, read: Read | None = None) -> Package | Problem:
     """What a manifest says, or why it cannot be read."""
     try:
-        data = (read or _read)(file)
+        data = (read or read_file)(file)
     except OSError as error:
         return Problem(file.relative, 1, 1, f"cannot read this file: {error.strerror}")
     return read_manifest(file, data, os.path.dirname(file.path), os.path.dirname(file.relative) or ".")
@@ -176,6 +176,7 @@ def _installed(root: str, package: Package, cmake: str, setup: str) -> dict[str,
     return {os.path.normpath(os.path.join(root, path)): name for path, name in below.items()}
 
 
-def _read(file: SourceFile) -> bytes:
+def read_file(file: SourceFile) -> bytes:
+    """The bytes of a manifest or a build file on the disk; raises ``OSError``."""
     with open(file.path, "rb") as stream:
         return stream.read(MAX_BYTES)

@@ -75,14 +75,19 @@ def read_bytes(path: str, limit: int = MAX_BYTES) -> bytes | Refusal:
         if not stat.S_ISREG(status.st_mode):
             return Refusal(1, 1, "not a regular file")
         if status.st_size > limit:
-            size, most = status.st_size // 1000, limit // 1000
-            return Refusal(1, 1, f"the file is too large to analyse: {size} kB, the limit is {most} kB", is_large=True)
+            return refused_for_size(status.st_size, limit)
         with os.fdopen(os.dup(descriptor), "rb") as stream:
             return stream.read(limit + 1)
     except OSError as error:
         return Refusal(1, 1, f"cannot read this file: {error.strerror or error}")
     finally:
         os.close(descriptor)
+
+
+def refused_for_size(size: int, limit: int = MAX_BYTES) -> Refusal:
+    """What is said of a file with so many bytes."""
+    message = f"the file is too large to analyse: {size // 1000} kB, the limit is {limit // 1000} kB"
+    return Refusal(1, 1, message, is_large=True)
 
 
 _PICTURES = 64_000_000

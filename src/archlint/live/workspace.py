@@ -1,0 +1,146 @@
+"""One workspace, analysed again and again: what an analysis can use of the one before stays in memory."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from archlint import __version__
+from archlint.config.filters import Filters
+from archlint.config.seen_from import seen_from
+from archlint.engine.findings import judged_in_parts
+from archlint.engine.inputs import Inputs, is_input, is_of_package, refuse_nothing
+from archlint.engine.request import NothingToDo, Request
+from archlint.live.facts import LiveFacts
+from archlint.live.readable import LastReadable, Readable
+from archlint.live.snapshot import Snapshot, shown_now
+from archlint.live.store import LiveStore
+from archlint.live.tree import LiveTree
+from archlint.monitor import Monitor
+from archlint.syntax.cache import NullStore, Store
+from archlint.syntax.python.deep_stack import call_with_deep_stack
+from archlint.syntax.secret import user_key
+from archlint.syntax.signed import CACHE_FOLDER
+from archlint.workspace.discovery import find
+from archlint.workspace.membership import read_file
+from archlint.workspace.model import PYTHON_KINDS, SourceFile, Workspace
+
+if TYPE_CHECKING:
+    from archlint.config.settings import Settings
+    from archlint.engine.known import Baseline
+    from archlint.live.buffers import Buffers
+    from archlint.live.facts import Decoded
+    from archlint.systems.model import System
+
+
+@dataclass(frozen=True)
+class Asked:
+    """What an analysis is about: folders and files of the workspace by absolute path, and how they are judged."""
+
+    paths: tuple[str, ...]
+    settings: Settings
+    baseline: Baseline | None = None
+
+
+class LiveWorkspace:
+    """The workspace at ``root``, an absolute path, from which findings name their files.  One analysis at a time."""
+
+    def __init__(self, root: str) -> None:
+        self.root = root
+        self._cache_folder: str | None = None
+        self._store = LiveStore(NullStore())
+        self._readable = LastReadable(self._store)
+        self._found: tuple[Asked, Workspace] | None = None
+        self._decoded: Decoded = {}
+
+    def analyse(self, asked: Asked, buffers: Buffers, monitor: Monitor | None = None) -> Snapshot:
+        """What is found with these texts in the editor.
+
+        ``monitor`` may raise what is no ``Exception`` to end the analysis.
+        """
+        asked = replace(asked, settings=seen_from(self.root, asked.settings))
+        self._open_store(asked.settings)
+        return call_with_deep_stack(lambda: self._analyse(asked, buffers, monitor or Monitor()))
+
+    def look_again(self) -> None:
+        """Files may have come or gone, or changed on the disk: have the next analysis look at all of them."""
+        self._found = None
+
+    def close(self) -> None:
+        """Write down what the next server can use."""
+        self._store.close()
+
+    def _analyse(self, asked: Asked, buffers: Buffers, monitor: Monitor) -> Snapshot:
+        own = {path: buffer for path, buffer in buffers.items() if self._is_inside(path)}
+        readable = self._readable.of(own)
+        self._store.hold(readable.held)
+        workspace = self._files(asked, readable)
+        tree = LiveTree(Path(self.root), Path(workspace.root), readable.held)
+        request = Request(
+            asked.paths,
+            asked.settings,
+            cached=False,
+            jobs=1,
+            folder=self.root,
+            fixes=False,
+            baseline=asked.baseline,
+            monitor=monitor,
+        )
+        inputs = Inputs(request, workspace, tree, self._store)
+        facts = LiveFacts(self._store, readable.held, self._decoded, monitor)
+        systems: list[list[System]] = []
+        shifts = {os.path.relpath(path, self.root).replace(os.sep, "/"): row for path, row in readable.shifts.items()}
+        wanted = Filters(asked.settings, workspace)
+        broken = [kept for finding in readable.findings(self.root) if (kept := wanted.apply(finding)) is not None]
+        try:
+            _refuse_no_input(workspace)
+            facts.prepare(workspace.of_kind(*PYTHON_KINDS), _catkin(workspace))
+            refuse_nothing(request, workspace, facts)
+            judged = judged_in_parts(inputs, facts, loaded=systems)
+        except NothingToDo as error:
+            findings, notices = broken, [str(error)]
+        else:
+            findings, notices = [*shown_now(judged.findings, shifts), *broken], judged.notices
+        self._decoded = facts.used
+        ordered = sorted(findings, key=lambda finding: finding.sort_key)
+        return Snapshot(
+            self.root, asked.settings, own, workspace, tree, systems, ordered, readable.shifts, tuple(notices)
+        )
+
+    def _files(self, asked: Asked, readable: Readable) -> Workspace:
+        if self._found is None or self._found[0] != asked:
+            exclude = [pattern for glob in asked.settings.exclude for pattern in glob.patterns()]
+            self._found = asked, find(asked.paths, exclude=exclude, working_directory=self.root, read=_reader(readable))
+        return self._found[1]
+
+    def _is_inside(self, path: str) -> bool:
+        return path.startswith(self.root.rstrip(os.sep) + os.sep)
+
+    def _open_store(self, settings: Settings) -> None:
+        """The cache on the disk, where the configuration wants it; a run of ``archlint check`` uses the same."""
+        folder = os.path.join(self.root, CACHE_FOLDER) if settings.file is None else settings.cache_folder
+        if folder == self._cache_folder:
+            return
+        key = user_key([self.root])
+        self._cache_folder = folder
+        self._store = LiveStore(NullStore() if key is None else Store(folder, __version__, key))
+        self._readable = LastReadable(self._store)
+
+
+def _refuse_no_input(workspace: Workspace) -> None:
+    if not workspace.problems and not any(is_input(file) or is_of_package(file) for file in workspace.files):
+        raise NothingToDo("nothing to check: no package.xml, no Python file and no launch file")
+
+
+def _catkin(workspace: Workspace) -> set[str]:
+    return {package.name for package in workspace.packages if package.catkin_code}
+
+
+def _reader(readable: Readable) -> Callable[[SourceFile], bytes]:
+    return lambda file: readable.held.get(file.path) or read_file(file)
+
+
+__all__ = ["Asked", "LiveWorkspace"]
