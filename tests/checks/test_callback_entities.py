@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import textwrap
 from pathlib import Path
 
@@ -895,6 +896,22 @@ if __name__ == '__main__':
         found = [one for one in run(self.file({"a": "b", "b": "c", "c": "a"})) if one.code == "SRV006"]
         assert len(found) == 1
         assert "/c → /a → /b → /c" in found[0].message
+
+    def test_where_all_handlers_ask_each_other_each_wait_is_in_a_circle_of_two(self, run: Run):
+        text = self.file(dict.fromkeys("abcdefghij", "x"))
+        call = "return self.client.call(Trigger.Request(), timeout_sec=1.0)"
+        for name in "abcdefghij":
+            others = [other for other in "abcdefghij" if other != name]
+            made = [f"self.{o} = self.create_client(Trigger, '{o}', callback_group=apart)" for o in others]
+            asked = [f"self.{o}.call(Trigger.Request(), timeout_sec=1.0)" for o in others]
+            text = text.replace(
+                "self.client = self.create_client(Trigger, 'x', callback_group=apart)", "; ".join(made), 1
+            )
+            text = text.replace(call, f"{'; '.join(asked)}; return response", 1)
+        found = [one for one in run(text) if one.code == "SRV006"]
+        assert {one.message.count("→") for one in found} == {2}
+        pairs = {re.search(r"circle: (/.) → (/.)", one.message).groups() for one in found}
+        assert len({frozenset(pair) for pair in pairs}) == 45
 
     def test_a_line_is_no_circle(self, run: Run):
         assert "SRV006" not in codes(run(self.file({"a": "b", "b": "c", "c": "d"})))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -62,9 +63,10 @@ def service_call_cycle(system: System, options: Options) -> Iterator[Finding]:
     seen: set[frozenset[_Key]] = set()
     findings = []
     for start in sorted(edges):
-        for circle in _circles(start, edges, system):
+        for first in edges[start]:
+            circle = _shortest_circle(first, start, edges, system)
             keys = frozenset((edge.server.kind, edge.server.name or "") for edge in circle)
-            if keys not in seen:
+            if circle and keys not in seen:
                 seen.add(keys)
                 findings.append(_circle(circle))
     yield from one_for_each_place(findings)
@@ -87,21 +89,26 @@ def waits_of_handlers(system: System) -> dict[_Key, list[Edge]]:
     return edges
 
 
-def _circles(start: _Key, edges: dict[_Key, list[Edge]], system: System) -> Iterator[list[Edge]]:
-    """The circles through ``start`` in which each server is met once."""
-    waiting: list[list[Edge]] = [[edge] for edge in edges[start]]
+def _shortest_circle(first: Edge, start: _Key, edges: dict[_Key, list[Edge]], system: System) -> list[Edge]:
+    """The shortest circle that begins with a wait and comes back to ``start``; empty where there is none.
+
+    Each server is reached once, over the way that was found first: there are more circles than anybody can list where
+    all handlers ask each other, and each wait of them is in its shortest one.
+    """
+    ways: dict[_Key, list[Edge]] = {first.target: [first]}
+    waiting = deque(ways)
     while waiting:
-        path = waiting.pop()
-        target = path[-1].target
+        target = waiting.popleft()
+        way = ways[target]
         if target == start:
-            yield path
-            continue
-        if any((edge.server.kind, edge.server.name) == target for edge in path):
-            continue
+            return way
         for edge in edges.get(target, ()):
-            nodes = {edge.server.node, *(step.server.node for step in path)}
-            if all(node is other or system.may_coexist(node, other) for node in nodes for other in nodes):
-                waiting.append([*path, edge])
+            node = edge.server.node
+            together = all(node is step.server.node or system.may_coexist(node, step.server.node) for step in way)
+            if together and edge.target not in ways:
+                ways[edge.target] = [*way, edge]
+                waiting.append(edge.target)
+    return []
 
 
 def _circle(circle: list[Edge]) -> Finding:

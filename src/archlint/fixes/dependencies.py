@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from archlint.finding import Edit, Fix
 from archlint.place import Place
+from archlint.workspace.comments import replace_xml_comments
 
 if TYPE_CHECKING:
     from archlint.edit_sites import MissingDependencies
@@ -14,7 +15,6 @@ if TYPE_CHECKING:
 
 _DEPEND = re.compile(r"\s*<(?:exec_|run_|build_export_|buildtool_|build_|)depend\b.*</\w*depend>\s*$")
 _ABOUT = re.compile(r"\s*<(?:maintainer|license|url|author)\b.*</(?:maintainer|license|url|author)>\s*$")
-_COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
 
 
 def declared(missing: MissingDependencies, manifest: Source) -> Fix | None:
@@ -32,7 +32,7 @@ def free_line(manifest: Source) -> tuple[int, str] | None:
     """Where the next dependency for run time goes, and what the lines there are indented with: after the last of their
     kind, or where the first would stand."""
     lines = manifest.lines
-    in_force = _COMMENT.sub(lambda comment: "\n" * comment[0].count("\n"), "\n".join(lines)).split("\n")
+    in_force = replace_xml_comments("\n".join(lines), lambda comment: "\n" * comment.count("\n")).split("\n")
     after = [number for number, line in enumerate(in_force, start=1) if _DEPEND.match(line)]
     after = after or [number for number, line in enumerate(in_force, start=1) if _ABOUT.match(line)]
     if not after:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-SUPPRESSION = r"archlint:\s*ignore(-file)?(?![\w-])\s*(?:\[([^\]]*)\])?"
+SUPPRESSION = r"archlint:\s*ignore(-file)?(?![\w-])\s*(?:\[([^\[\]]*)\])?"
 """What follows the mark of a comment; the groups are ``-file`` and the codes."""
 
 CODES = 2

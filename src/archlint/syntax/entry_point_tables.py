@@ -9,11 +9,7 @@ import sys
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 
-_ENTRY = re.compile(
-    r"^\s*(?P<name>[^=]*[^=\s])\s*=\s*(?P<module>[\w.]+)\s*(?::\s*(?P<function>[\w.]+))?\s*(?:\[.*\])?\s*$"
-)
-
-
+_TARGET = re.compile(r"(?P<module>[\w.]+)(?:\s*:\s*(?P<function>[\w.]+))?(?:\s*\[.*\])?")
 _COMMENT = re.compile(r"(?:^|\s)#.*$", re.DOTALL)
 
 
@@ -36,18 +32,25 @@ def parse_entry(text: str) -> ScriptEntry | None:
     text = _COMMENT.sub("", text)
     if not text.strip():
         return None
-    match = _ENTRY.match(text)
-    if match is not None:
-        return ScriptEntry(match["name"], match["module"], match["function"])
+    entry = _well_formed(text)
+    if entry is not None:
+        return entry
     for meant, wrong in (
         (text.replace("==", "=", 1), "it has '==' instead of '='"),
         (text.rstrip().rstrip(",;"), f"it ends in '{text.rstrip()[-1]}'"),
     ):
-        match = _ENTRY.match(meant) if meant != text else None
-        if match is not None:
-            return ScriptEntry(match["name"], match["module"], match["function"], wrong=wrong)
+        entry = _well_formed(meant) if meant != text else None
+        if entry is not None:
+            return replace(entry, wrong=wrong)
     name = text.partition("=")[0].strip()
     return ScriptEntry(name or text.strip(), None, None, wrong="it is not 'name = package.module:function'")
+
+
+def _well_formed(text: str) -> ScriptEntry | None:
+    """The entry that a text of the right form is."""
+    name, _, target = text.partition("=")
+    match = _TARGET.fullmatch(target.strip())
+    return None if match is None or not name.strip() else ScriptEntry(name.strip(), match["module"], match["function"])
 
 
 def entries_of_setup_cfg(text: str) -> list[ScriptEntry]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Collection, Iterable, Sequence
+from itertools import chain
 from typing import TYPE_CHECKING, Protocol
 
 from archlint.monitor import Monitor
@@ -25,8 +26,12 @@ _ROS1 = b"-1"
 """The same of a file for ROS 1."""
 
 _IMPORT = re.compile(
-    rb"^[ \t]*(?:from[ \t]+(\.*[\w.]*)[ \t]+import[ \t]*(\([^)]*\)|[^\n#]*)|import[ \t]+([^\n#]+))", re.MULTILINE
+    rb"^[ \t]*(?:from[ \t]+([\w.]*)[ \t]+import[ \t]*(\([^)]*\)|[^\n#]*)|import[ \t]+([^\n#]+))", re.MULTILINE
 )
+_IMPORT_OF_ONE_LINE = re.compile(
+    rb"^[ \t]*(?:from[ \t]+([\w.]*)[ \t]+import[ \t]*([^\n#]*)|import[ \t]+([^\n#]+))", re.MULTILINE
+)
+"""The same behind the last closing bracket: whoever looks for one there goes through the rest of the file."""
 _IMPORTED_NAME = re.compile(rb"(\w[\w.]*)(?:[ \t]+as[ \t]+\w+)?")
 
 
@@ -347,7 +352,10 @@ def _modules_of(statement: Stmt) -> list[bytes]:
 def _imported(data: bytes) -> list[bytes]:
     """The modules that a source imports, and what it imports from them, which may be modules too."""
     imported: dict[bytes, None] = {}
-    for match in _IMPORT.finditer(data):
+    behind = data.rfind(b")") + 1
+    line_end = data.find(b"\n", behind) if behind else 0
+    behind = len(data) if line_end < 0 else line_end
+    for match in chain(_IMPORT.finditer(data, 0, behind), _IMPORT_OF_ONE_LINE.finditer(data, behind)):
         origin, names, plain = match.groups()
         if plain is not None:
             for name in _IMPORTED_NAME.findall(plain):

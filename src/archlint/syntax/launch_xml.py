@@ -10,7 +10,7 @@ from archlint.syntax.facts import Span, Suppression
 from archlint.syntax.launch_elements import DEPTH, ELEMENTS, Attribute, Element, LaunchFacts, TooLarge, failed
 
 _ATTRIBUTE = re.compile(rb"""\s+([^\s=/>"']+)\s*=\s*("[^"]*"|'[^']*')""")
-_SUPPRESSION = re.compile(rf"<!--\s*{SUPPRESSION}(?P<words>(?:(?!-->).)*)-->")
+_SUPPRESSION = re.compile(rf"<!--\s*{SUPPRESSION}")
 
 
 class _Entity(Exception):
@@ -185,20 +185,21 @@ def _suppressions(text: str, root: Element) -> list[Suppression]:
         if "<!--" in line and (other := lookalike(line)):
             span = (number, other.start() + 1, other.end() + 1, (number, number))
             suppressions.append(Suppression(*span, [], not_understood=other[0]))
-        for match in _SUPPRESSION.finditer(line):
+        for match in _SUPPRESSION.finditer(line, 0, max(0, line.rfind("-->"))):
             own = line[: match.start()].strip()
             first, last = _covered(number, starts, bool(own))
+            end = line.index("-->", match.end())
             suppressions.append(
                 Suppression(
                     number,
                     match.start() + 1,
-                    match.end() + 1,
+                    end + len("-->") + 1,
                     (1, len(lines)) if match[1] else (first, last),
                     codes_in(match),
                     "file" if match[1] else "line",
                     listed=listed_at(match, match.start() + 1),
                     closed=True,
-                    reason=gives_reason(match["words"]),
+                    reason=gives_reason(line[match.end() : end]),
                 )
             )
     return suppressions

@@ -21,24 +21,26 @@ from archlint.systems.rewritten import rewritten
 EVERY_NODE = "/**"
 
 
-@lru_cache(maxsize=10_000)
-def _pattern(key: str) -> re.Pattern[str]:
-    pieces = []
-    for token in key.strip("/").split("/"):
-        if token == "**":
-            pieces.append("(?:/[^/]+)*")
-        elif token == "*":
-            pieces.append("/[^/]+")
-        else:
-            pieces.append("/" + re.escape(token))
-    return re.compile("".join(pieces))
-
-
 def key_matches(key: str, node: str | None) -> bool:
     """Whether a node key of a parameter file is for a node; one of unknown name is matched by ``/**`` only."""
     if node is None:
         return key.strip("/") == "**"
-    return _pattern(key).fullmatch(node) is not None
+    return node.startswith("/") and _matches(tuple(key.strip("/").split("/")), tuple(node[1:].split("/")))
+
+
+@lru_cache(maxsize=10_000)
+def _matches(tokens: tuple[str, ...], words: tuple[str, ...]) -> bool:
+    """Whether ``*`` for one word and ``**`` for any number of them make words of tokens; the work is that of one row of
+    words for each token, whatever the pattern."""
+    ends = {0}
+    for token in tokens:
+        if token == "**":
+            ends = set(range(min(ends), len(words) + 1))
+        else:
+            ends = {end + 1 for end in ends if end < len(words) and words[end] and token in ("*", words[end])}
+        if not ends:
+            return False
+    return len(words) in ends
 
 
 @dataclass(frozen=True)

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 _TOKEN = re.compile(
     r"""
-    (?P<bracket_comment>\#\[(?P<eq1>=*)\[.*?\](?P=eq1)\])
+    (?P<bracket>\#?\[(?P<equals>=*)\[)
   | (?P<comment>\#[^\n]*)
-  | (?P<bracket>\[(?P<eq2>=*)\[.*?\](?P=eq2)\])
   | (?P<quoted>"(?:[^"\\]|\\.)*")
   | (?P<open>\()
   | (?P<close>\))
@@ -56,25 +56,45 @@ def parse_cmake(text: str) -> list[Command]:
     depth = 0
     line, line_start, at = 1, 0, 0
     text = text[:LIMIT]
-    for match in _TOKEN.finditer(text):
-        line += text.count("\n", at, match.start())
-        newline = text.rfind("\n", at, match.start())
+    for kind, position, value in _tokens(text):
+        line += text.count("\n", at, position)
+        newline = text.rfind("\n", at, position)
         line_start = newline + 1 if newline >= 0 else line_start
-        at = match.start()
-        column = match.start() - line_start + 1
-        kind, value = match.lastgroup, match.group()
-        if match["open"]:
+        at = position
+        column = position - line_start + 1
+        if kind == "open":
             depth += 1
-        elif match["close"]:
+        elif kind == "close":
             depth = max(0, depth - 1)
             if depth == 0 and name is not None:
                 commands.append(Command(name, tuple(arguments), *start))
                 name, arguments = None, []
-        elif match["comment"] or match["bracket_comment"]:
-            continue
         elif depth == 0:
             name, start, arguments = value.lower(), (line, column), []
-        elif kind is not None:
-            quoted = match["quoted"] is not None
+        else:
+            quoted = kind == "quoted"
             arguments.append(Argument(value[1:-1] if quoted else value, line, column, quoted))
     return commands
+
+
+def _tokens(text: str) -> Iterator[tuple[str, int, str]]:
+    """Kind, position and text of each token; comments are left out."""
+    at = 0
+    closed = True  # a bracket that nothing closes is looked for once, not again at each that follows
+    while match := _TOKEN.search(text, at):
+        kind, start, at = match.lastgroup or "", match.start(), match.end()
+        if kind == "bracket":
+            end = f"]{match['equals']}]"
+            close = text.find(end, at) if closed else -1
+            closed = close >= 0
+            if closed:
+                at = close + len(end)
+            elif text[start] == "#":
+                at = _line_end(text, start)
+        if text[start] != "#":
+            yield kind, start, text[start:at]
+
+
+def _line_end(text: str, start: int) -> int:
+    end = text.find("\n", start)
+    return len(text) if end < 0 else end

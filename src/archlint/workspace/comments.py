@@ -3,14 +3,23 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 
-_COMMENT = re.compile(r"<!--.*?-->|(?:^|(?<=\s))#[^\n]*", re.DOTALL | re.MULTILINE)
+_OF_XML = re.compile(r"<!--.*?-->", re.DOTALL)
+_OF_LINES = re.compile(r"(?:^|(?<=\s))#[^\n]*", re.MULTILINE)
 
 
 def without_comments(text: str) -> str:
     """A text of Python, TOML, INI, YAML or XML without its comments.  A ``#`` starts one at the start of a line or
     after a space, so that a colour (``'#fff'``) is none."""
-    return _COMMENT.sub("", text)
+    return _OF_LINES.sub("", replace_xml_comments(text, lambda comment: ""))
 
 
-__all__ = ["without_comments"]
+def replace_xml_comments(text: str, put: Callable[[str], str]) -> str:
+    """A text in which ``put`` says what stands in the place of each comment of XML."""
+    # Behind the last end there is no comment, and each start there would be held against all that follows.
+    end = text.rfind("-->") + len("-->")
+    return text if end < len("-->") else _OF_XML.sub(lambda match: put(match[0]), text[:end]) + text[end:]
+
+
+__all__ = ["replace_xml_comments", "without_comments"]

@@ -8,8 +8,10 @@ from __future__ import annotations
 import os
 import re
 import warnings
-from collections.abc import Set
+from collections.abc import Callable, Set
 from dataclasses import dataclass
+
+from archlint.workspace.starred import StarredPattern, has_many_stars
 
 GITIGNORE = ".gitignore"
 _MAX_CHARACTERS = 1_000_000
@@ -19,32 +21,41 @@ _ALL_BELOW = re.compile(r"(?:/\*\*)+(/?)\s*$")
 
 
 class Rule:
-    """One line of a pattern file."""
+    """One line of a pattern file: ``speaks_of`` says whether it is about a very path, and not just about a folder that
+    the path is in.  The path of a folder ends in ``/``; of a rule for names it is the name alone."""
 
     def __init__(self, line: str) -> None:
         """Raises ``ValueError`` or ``re.error`` for what git would not take."""
-        from pathspec import GitIgnoreSpec
-
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # of the re module, about what a pattern becomes
-            [pattern] = GitIgnoreSpec.from_lines([_ALL_BELOW.sub(r"/**/*\1", line)]).patterns
-        if pattern.include is None:
-            raise ValueError(f"{line!r} is no pattern")
-        self.ignores = pattern.include
         self.is_for_names = "/" not in line.rstrip().rstrip("/")
-        self._match_file = pattern.match_file
+        all_below = _ALL_BELOW.sub(r"/**/*\1", line)
+        self.ignores, self.speaks_of = (_of_many_stars if has_many_stars(all_below) else _of_library)(all_below)
 
-    def speaks_of(self, path: str) -> bool:
-        """Whether the rule is about this very path, and not just about a folder that it is in.
 
-        The path of a folder ends in ``/``; of a rule for names it is the name alone.
-        """
-        result = self._match_file(path)
+def _of_many_stars(line: str) -> tuple[bool, Callable[[str], bool]]:
+    pattern = StarredPattern(line)
+    return pattern.ignores, pattern.speaks_of
+
+
+def _of_library(line: str) -> tuple[bool, Callable[[str], bool]]:
+    """Whether a pattern ignores, and whether it speaks of a path."""
+    from pathspec import GitIgnoreSpec
+
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of the re module, about what a pattern becomes
+        [pattern] = GitIgnoreSpec.from_lines([line]).patterns
+    if pattern.include is None:
+        raise ValueError(f"{line!r} is no pattern")
+    match_file = pattern.match_file
+
+    def speaks_of(path: str) -> bool:
+        result = match_file(path)
         if result is None:
             return False
         # A group of the expression holds the slash that ends the folder that was matched.
         match = result.match
         return all(end in (-1, len(path)) for end in map(match.end, match.re.groupindex))
+
+    return pattern.include, speaks_of
 
 
 class Patterns:
