@@ -218,6 +218,23 @@ def test_junit_agrees_with_the_severity_that_was_asked_for():
     assert ElementTree.fromstring(render("junit", made))[0].get("failures") == "1"
 
 
+def test_junit_has_only_what_the_schema_of_jenkins_allows():
+    """By the elements and attributes of ``junit-10.xsd`` of the xUnit plugin, which refuses a file with any other."""
+    counts = {"name", "time", "tests", "failures", "errors"}
+    allowed = {
+        "testsuites": counts,
+        "testsuite": counts | {"skipped"},
+        "testcase": {"name", "time", "classname"},
+        "failure": {"type", "message"},
+        "system-out": set(),
+    }
+    information = replace(NESTED, severity=Severity.INFO)
+    for findings in ([], [NESTED, HOSTILE, information]):
+        for element in ElementTree.fromstring(render("junit", report(*findings))).iter():
+            assert set(element.attrib) <= allowed[element.tag]
+    assert 'name="SRV003 nested-service-call (pkg/' in render("junit", report(NESTED))
+
+
 def test_junit_without_findings_is_a_test_that_passed():
     suite = ElementTree.fromstring(render("junit", report()))[0]
     assert (suite.get("tests"), suite.get("failures"), len(suite[0])) == ("1", "0", 0)
