@@ -10,10 +10,11 @@ from archlint.engine.compiling import compiled
 from archlint.engine.inputs import Inputs, find_files, tree_of
 from archlint.engine.loading import systems_of
 from archlint.engine.pipeline import Request, store_of
-from archlint.lookup.answers import Completion
+from archlint.lookup.answers import Completion, Edit, Refused
 from archlint.lookup.completion import complete
 from archlint.lookup.hovers import hover
 from archlint.lookup.index import Index
+from archlint.lookup.renaming import rename
 from archlint.lookup.targets import definition, references
 from archlint.lookup.texts import Texts
 from archlint.place import Place
@@ -75,6 +76,18 @@ class Editor:
             return complete(self.index, Texts(self.text_of), file, line, column)
         finally:
             del self.buffers[file]
+
+    def rename(self, name: str, at: str, new: str) -> list[str] | str:
+        """The edits, each with the line as it is then, or why there are none."""
+        answer = rename(self.index, Texts(self.text_of), *self.position(name, at), new)
+        if isinstance(answer, Refused):
+            return answer.reason
+        return [f"{Path(edit.place.file).name}:{edit.place.line} {self.edited(edit).strip()}" for edit in answer.edits]
+
+    def edited(self, edit: Edit) -> str:
+        line, place = Texts(self.text_of).line(edit.place.file, edit.place.line), edit.place
+        assert place.line == place.end_line
+        return line[: place.column - 1] + edit.text + line[place.end_column - 1 :]
 
     def references(self, name: str, at: str) -> list[str]:
         return self.shown(references(self.index, Texts(self.text_of), *self.position(name, at)))

@@ -78,11 +78,26 @@ class Texts:
 
     def value_behind(self, key: Place, written: str) -> Place | None:
         """Where the value of a key stands, without its quotes: behind it on the same line, or on the next."""
-        for line, start in ((key.end_line, key.end_column - 1), (key.end_line + 1, 0)):
-            text = self.line(key.file, line)[start:]
-            value = re.search(rf"""[:=]\s*(["']?)({re.escape(written)})(?=\1(?:$|[\s,}}\])/>]))""", text)
-            if value is not None:
-                return _within(Place(key.file, line, start + 1, line, start + 1), value.start(2), len(written))
+        start = (key.end_line, key.end_column - 1)
+        return self._behind(key.file, start, r"[:=]\s*", written, 2)
+
+    def value_set(self, setting: Place, written: str) -> Place | None:
+        """Where a launch file or a parameter file has the value of a parameter, by the place of its setting."""
+        start = (setting.line, setting.column - 1)
+        if self.at(setting).startswith("<"):
+            return self._behind(setting.file, start, r"\bvalue\s*=\s*", written, 3)
+        if self.at(setting) == "name":
+            return self._behind(setting.file, start, r"\bvalue\s*:\s*", written, 3)
+        return self.value_behind(setting, written)
+
+    def _behind(self, file: str, start: tuple[int, int], before: str, written: str, lines: int) -> Place | None:
+        """Where a value stands behind what comes ``before`` it, from a line and an offset in it on."""
+        value = re.compile(rf"""{before}(["']?)({re.escape(written)})(?=\1(?:$|[\s,}}\])/>]))""")
+        for line in range(start[0], start[0] + lines):
+            offset = start[1] if line == start[0] else 0
+            match = value.search(self.line(file, line)[offset:])
+            if match is not None:
+                return _within(Place(file, line, offset + 1, line, offset + 1), match.start(2), len(written))
         return None
 
     def is_callee(self, place: Place, line: int, column: int) -> bool:

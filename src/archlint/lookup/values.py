@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.parameter_uses import names_listed
 from archlint.lookup.ends import subject_of
-from archlint.lookup.mentions import Mention, Subject
+from archlint.lookup.mentions import Mention, Role, Subject
 from archlint.model.given import Constant
 from archlint.systems.overrides import key_matches, settings_of
 from archlint.systems.parameter_overrides import known_name
@@ -63,7 +63,8 @@ def _read(system: System, call: ApiCall, blueprint: Blueprint, rank: int) -> Ite
                 subject = Subject("parameter", name, owner_of(blueprint))
                 for where in dict.fromkeys((place, origin)):
                     if where is not None:
-                        yield Mention(where, subject, "get", rank, name if where == origin else None)
+                        role: Role = "get" if where == (origin or place) else "argument"
+                        yield Mention(where, subject, role, rank, name if where == origin else None)
     elif call.api == "rclpy.node.Node.get_parameters":
         for name, where in names_listed(system, call):
             yield Mention(where, Subject("parameter", name, owner_of(blueprint)), "get", rank, name)
@@ -97,7 +98,7 @@ def _names_in(setting: Setting, node: Node, rank: int, texts: Texts) -> Iterator
     if setting.value_place is not None:
         return
     written = setting.value if isinstance(setting.value, str) else None
-    place = None if written is None else texts.value_behind(setting.place, written)
+    place = None if written is None else texts.value_set(setting.place, written)
     if place is None:
         return
     for end in node.endpoints:
