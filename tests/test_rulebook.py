@@ -89,5 +89,5 @@ def test_an_unknown_selector_suggests_the_nearest(typed: str, meant: str):
     assert suggestion(typed) == f"; did you mean {meant}?"
 
 
-def test_nothing_is_suggested_for_what_is_near_nothing():
-    assert suggestion("zzzzzz") == ""
+def test_for_what_is_near_nothing_the_list_is_named():
+    assert suggestion("zzzzzz") == "; `archlint rules` lists them"

@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Final, Literal
 
 from archlint.finding import Severity
-from archlint.suggestions import distance, meant, nearest
+from archlint.suggestions import distance, listed, meant, nearest
 
 ON: Final = "on"
 OFF: Final = "off"
@@ -144,9 +144,9 @@ def codes_of(selector: str) -> list[str]:
 
 
 def suggestion(selector: str) -> str:
-    """``; did you mean …?`` for an unknown code or name, or nothing where nothing is near."""
-    near = _nearest(selector.upper()) or _nearest_name(selector.lower())
-    return meant(near or "")
+    """``; did you mean …?`` for an unknown code or name, or where the rules are listed."""
+    near = _nearest(selector.upper()) or _nearest_name(selector.lower()) or _with_part(selector.lower())
+    return meant(near) or "; `archlint rules` lists them"
 
 
 def _nearest(selector: str) -> str | None:
@@ -166,6 +166,12 @@ def _nearest(selector: str) -> str | None:
 def _one_digit_off(code: str) -> str | None:
     """The first code that differs in one character: the digits of codes are no count, as those of names mostly are."""
     return next((known for known in rules() if distance(code, known, 1) == 1), None)
+
+
+def _with_part(word: str) -> str:
+    """The rules that have a word in their name, or a part of one."""
+    parts = [f"{rule.name} ({rule.code})" for rule in rules().values() if word in rule.name]
+    return listed(parts, "", shown=3) if len(word) > 2 else ""
 
 
 def _nearest_name(selector: str) -> str | None:

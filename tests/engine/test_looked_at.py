@@ -83,7 +83,7 @@ def test_without_a_node_it_says_that_the_cpp_was_not_read(capsys: pytest.Capture
     write("drive/package.xml", PACKAGE.format("drive", "ament_cmake"))
     write("drive/src/drive.cpp")
     write("drive/launch/drive.launch.py", "")
-    assert "no node was found in 1 file; the C++ of 1 package is not read" in told(capsys)
+    assert "no node was found in 1 file; archlint reads Python, and not the C++ of 1 package" in told(capsys)
 
 
 def test_the_summary_of_a_mixed_workspace_counts_what_was_not_read(capsys: pytest.CaptureFixture[str]) -> None:

@@ -14,7 +14,6 @@ from archlint.cli import console, exits
 from archlint.cli.baseline import UsedBaseline, add_baseline, baseline_of, findings_before
 from archlint.cli.exits import UsageError
 from archlint.cli.options import (
-    Parser,
     add_configuration,
     add_facts,
     add_launch,
@@ -30,6 +29,7 @@ from archlint.cli.options import (
     pool_of,
     settings_of,
 )
+from archlint.cli.parser import Parser
 from archlint.cli.said import STATISTICS, remarks, written
 from archlint.cli.watch import Watch
 from archlint.engine.answers import Answer

@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING
 
 from archlint import cells
 from archlint.cli.exits import CLEAN
-from archlint.cli.options import Parser, add_configuration, add_paths, paths_of, settings_of
+from archlint.cli.options import add_configuration, add_paths, paths_of, settings_of
+from archlint.cli.parser import Parser
 from archlint.finding import Severity
 from archlint.globs import Glob
 from archlint.visible import visible

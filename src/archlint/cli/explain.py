@@ -7,32 +7,40 @@ import sys
 
 from archlint.cli.console import wants_color
 from archlint.cli.exits import CLEAN, UsageError
-from archlint.cli.options import Parser, add_talking
+from archlint.cli.options import add_talking
+from archlint.cli.parser import Parser
 from archlint.cli.rule_page import full_page, shown
-from archlint.rulebook import Rule, find_rule, suggestion
+from archlint.rulebook import Rule, codes_of, find_rule, suggestion
+from archlint.suggestions import listed, meant
 
 LEVELS = {"on": "on by default", "off": "opt-in", "closed-world": "on in a closed world"}
 
 
 def parser() -> argparse.ArgumentParser:
     parser = Parser("explain", "Print a rule's page: what it finds, why it matters, what to write instead.")
-    parser.add_argument("rule", metavar="CODE", help="the code or the name of a rule")
+    parser.add_argument("rule", metavar="CODE", nargs="?", help="the code or the name of a rule")
     parser.add_argument("--all", action="store_true", help="show all examples, not only the first of each kind")
     add_talking(parser)
     return parser
 
 
 def run(arguments: argparse.Namespace) -> int:
+    if arguments.rule is None:
+        raise UsageError("which rule? `archlint rules` lists them, and `archlint explain SRV003` explains one")
     rule = find_rule(arguments.rule)
     if rule is None:
-        near = suggestion(arguments.rule) or "; `archlint rules` lists them"
-        raise UsageError(f"unknown rule `{arguments.rule}`{near}")
+        raise UsageError(f"unknown rule `{arguments.rule}`{_suggested(arguments.rule)}")
     page = full_page(rule, _facts(rule)) if arguments.all else _short(rule)
     if wants_color(arguments.color, sys.stdout):
         _print_rendered(page)
     else:
         sys.stdout.write(page)
     return CLEAN
+
+
+def _suggested(word: str) -> str:
+    codes = codes_of(word)
+    return meant(f"one of {listed(codes)}") if codes else suggestion(word)
 
 
 def _short(rule: Rule) -> str:

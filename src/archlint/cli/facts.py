@@ -12,7 +12,6 @@ from pathlib import Path
 from archlint.cli import console, exits
 from archlint.cli.exits import UsageError
 from archlint.cli.options import (
-    Parser,
     add_configuration,
     add_paths,
     add_running,
@@ -22,6 +21,7 @@ from archlint.cli.options import (
     pool_of,
     settings_of,
 )
+from archlint.cli.parser import Parser
 from archlint.cli.watch import Watch
 from archlint.engine.compile_facts import FactsError, write_facts
 from archlint.engine.request import NothingToDo, Request

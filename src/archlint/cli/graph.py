@@ -10,7 +10,6 @@ from archlint import render
 from archlint.cli import console, exits
 from archlint.cli.exits import UsageError
 from archlint.cli.options import (
-    Parser,
     add_configuration,
     add_facts,
     add_launch,
@@ -26,6 +25,7 @@ from archlint.cli.options import (
     pool_of,
     settings_of,
 )
+from archlint.cli.parser import Parser
 from archlint.cli.watch import Watch
 from archlint.engine.answers import Answer
 from archlint.engine.drawn import Drawn
@@ -129,7 +129,8 @@ def _format(format: render.FormatName | None, file: str | None) -> render.Format
         assert file is not None
         format = render.by_suffix(file)
         if format is None:
-            raise UsageError(f"the suffix of {file} does not name a format; use --format")
+            suffixes = ", ".join(f".{suffix}" for suffix in render.SUFFIXES)
+            raise UsageError(f"the suffix of {file} does not name a format: use one of {suffixes}, or --format")
     format = format or "text"
     if render.FORMATS[format].binary and to_terminal and sys.stdout.isatty():
         raise UsageError(f"{format} cannot be printed to a terminal; write it to a file with -o")

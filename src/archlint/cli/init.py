@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING
 
 from archlint.cli import starter_files
 from archlint.cli.exits import CLEAN, UsageError
-from archlint.cli.options import Parser, paths_of
+from archlint.cli.options import paths_of
+from archlint.cli.parser import Parser
 from archlint.cli.starter_files import BASELINE, Seen
 from archlint.disk import read_regular
 from archlint.visible import visible

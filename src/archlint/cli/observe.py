@@ -7,7 +7,7 @@ from importlib.resources import files
 
 from archlint.cli import console
 from archlint.cli.exits import CLEAN, UsageError
-from archlint.cli.options import Parser
+from archlint.cli.parser import Parser
 
 _EPILOG = """\
 The script needs rclpy and nothing else. Run it where ROS 2 is sourced while the system is running, then compare:

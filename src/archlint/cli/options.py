@@ -8,31 +8,16 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, NoReturn
+from typing import TYPE_CHECKING
 
-from archlint.cli import COMMANDS, console
+from archlint.cli import console
 from archlint.cli.exits import UsageError
-from archlint.suggestions import did_you_mean, meant, nearest
 
 if TYPE_CHECKING:
     from archlint.config.settings import Settings
     from archlint.engine.executors import ExecutorPool
     from archlint.engine.linked_facts import LinkedFacts
     from archlint.observed.model import Observed
-
-
-class Parser(argparse.ArgumentParser):
-    """An argument parser that suggests the option that was probably meant."""
-
-    def __init__(self, command: str, description: str) -> None:
-        super().__init__(f"archlint {command}", description=description, allow_abbrev=False)
-
-    def error(self, message: str) -> NoReturn:
-        words = message.partition("unrecognized arguments: ")[2].split()
-        known = [text for action in self._actions for text in action.option_strings]
-        for word in words[:1]:
-            message += did_you_mean(word.partition("=")[0], known, quote="")
-        raise UsageError(f"{message}\nTry `{self.prog} --help`.")
 
 
 def add_paths(parser: argparse.ArgumentParser) -> None:
@@ -146,7 +131,12 @@ def launch_of(arguments: argparse.Namespace) -> tuple[str | None, tuple[tuple[st
         return None, ()
     file, *words = arguments.launch
     if not (getattr(arguments, "facts", None) or Path(file).is_file()):
-        raise UsageError(f"--launch: no such file: {file}")
+        from archlint.cli.near_paths import no_such_launch_file  # as below
+
+        raise UsageError(no_such_launch_file(file, words))
+    unlike = next((word for word in words if "=" in word and ":=" not in word and not Path(word).exists()), None)
+    if unlike is not None:
+        raise UsageError(f"--launch: write {unlike.replace('=', ':=', 1)}, as for `ros2 launch`, and not {unlike}")
     given = [word for word in words if ":=" in word]
     arguments.paths = [*arguments.paths, *(word for word in words if ":=" not in word)]
     pairs = tuple((name, value) for name, _, value in (word.partition(":=") for word in given))
@@ -177,9 +167,10 @@ def paths_of(arguments: argparse.Namespace) -> tuple[str, ...]:
     paths: Sequence[str] = arguments.paths or ["."]
     for path in paths:
         if not Path(path).exists():
-            near = nearest(path, COMMANDS)
-            hint = meant(f"the command `{near}`" if near else "")
-            raise UsageError(f"no such file or directory: {path}{hint}")
+            from archlint.cli.near_paths import no_such_path  # looks around, and most paths are right
+
+            words = getattr(arguments, "words", [])
+            raise UsageError(no_such_path(path, words[:1] == [path], words[1:]))
     return tuple(paths)
 
 

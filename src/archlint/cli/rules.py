@@ -8,7 +8,7 @@ from typing import Any
 
 from archlint import cells
 from archlint.cli.exits import CLEAN
-from archlint.cli.options import Parser
+from archlint.cli.parser import Parser
 from archlint.rulebook import Rule, rules
 
 

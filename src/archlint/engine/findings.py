@@ -162,7 +162,11 @@ def _passed_over(inputs: Inputs, facts: FactsOfFiles, launch_files: LaunchFiles)
     launch = launch_files.of_ros1()
     given = {file.relative for file in workspace.files if is_input(file)}
     if given and given <= {*python, *launch}:
-        raise NothingToDo(f"nothing to check in {', '.join(inputs.request.paths)}: all of it is for ROS 1")
+        example = min((*python, *launch))
+        raise NothingToDo(
+            f"nothing to check in {', '.join(inputs.request.paths)}: all of it is for ROS 1, such as {example}, "
+            "and archlint reads ROS 2"
+        )
     yield from for_ros1(python, launch)
 
 

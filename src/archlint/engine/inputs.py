@@ -42,9 +42,16 @@ def find_files(request: Request) -> Workspace:
     else:
         workspace = request.linked.workspace(exclude)
     if not workspace.problems and not any(is_input(file) or is_of_package(file) for file in workspace.files):
-        where = ", ".join(request.paths)
-        raise NothingToDo(f"nothing to check: no package.xml, no Python file and no launch file in {where}")
+        raise NothingToDo(_nothing_found(request))
     return workspace
+
+
+def _nothing_found(request: Request) -> str:
+    if request.linked is not None:
+        return f"nothing to check: no package.xml, no Python file and no launch file in {', '.join(request.paths)}"
+    from archlint.engine.nothing import nothing_found  # looks at the disk once more, to say what is there
+
+    return nothing_found(request.paths)
 
 
 def tree_of(request: Request, workspace: Workspace) -> SourceTree:

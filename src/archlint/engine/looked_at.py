@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable, Iterator, Sequence, Set
 from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING
+
+from archlint.workspace.around import is_below
 
 if TYPE_CHECKING:
     from archlint.config.settings import Settings
@@ -24,8 +27,17 @@ def without_node(summary: Summary) -> Iterator[str]:
     if summary.nodes:
         return
     cpp = summary.cpp_packages
-    beside = f"; the C++ of {cpp} package{'s' if cpp > 1 else ''} is not read" if cpp else ""
+    beside = f"; archlint reads Python, and not the C++ of {cpp} package{'s' if cpp > 1 else ''}" if cpp else ""
     yield f"no node was found in {summary.files} file{'s' if summary.files != 1 else ''}{beside}"
+
+
+def around(paths: Sequence[str], workspace: Workspace) -> Iterator[str]:
+    """A sentence where archlint was started inside a workspace, of which the rest is read and not reported on."""
+    here = os.path.abspath(os.curdir)
+    folders = [folder for folder in workspace.complete_folders if folder != here and is_below(here, folder)]
+    if list(paths) == ["."] and folders and any(file.context for file in workspace.files):
+        wide = os.path.relpath(min(folders, key=len)).replace(os.sep, "/")
+        yield f"The rest of {wide} was read, too, but is not reported on: `archlint check {wide}` checks all of it."
 
 
 def for_ros1(python: Sequence[str], launch: Sequence[str]) -> Iterator[str]:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from archlint import __version__
 from archlint.engine.drawn import Drawn
 from archlint.engine.inputs import Inputs, find_files, is_subset, parts_of, refuse_nothing, tree_of
-from archlint.engine.looked_at import idle_patterns, without_node
+from archlint.engine.looked_at import around, idle_patterns, without_node
 from archlint.engine.request import NothingToDo, Request
 from archlint.engine.result_cache import Result, RunCache
 from archlint.engine.sources import Sources
@@ -62,7 +62,7 @@ def check(request: Request, shown: list[System] | None = None) -> Report:
         summary,
         Sources(inputs.tree.given, inputs.tree.base).line,
         notices,
-        remarks=judged.remarks,
+        remarks=[*judged.remarks, *around(request.paths, workspace)],
         occurrences=judged.occurrences,
         idle=judged.idle,
     )

@@ -45,7 +45,7 @@ FORMATS: Final[Mapping[FormatName, Format]] = {
 }
 """A new format is a new row."""
 
-_BY_SUFFIX = {suffix: name for name, format in FORMATS.items() for suffix in format.suffixes}
+SUFFIXES = {suffix: name for name, format in FORMATS.items() for suffix in format.suffixes}
 
 
 def render(format: FormatName, system: System, color: bool = False) -> str | bytes:
@@ -61,4 +61,4 @@ def render(format: FormatName, system: System, color: bool = False) -> str | byt
 
 def by_suffix(path: str) -> FormatName | None:
     """The format that a file name asks for; None for a suffix that is no format's."""
-    return _BY_SUFFIX.get(path.rpartition(".")[2].lower()) if "." in path else None
+    return SUFFIXES.get(path.rpartition(".")[2].lower()) if "." in path else None

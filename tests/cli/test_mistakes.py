@@ -1,0 +1,149 @@
+"""What somebody types who is new here, or comes from another linter, and the answer that helps."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from archlint.cli import main
+from archlint.cli.habits import COMMANDS, OPTIONS
+from archlint.cli.near_paths import named_below, near_path
+
+MANIFEST = "<package format='3'><name>{name}</name><version>0.0.0</version></package>\n"
+NODE = """\
+import rclpy
+from rclpy.node import Node
+
+rclpy.init()
+rclpy.spin(Node('driver'))
+"""
+LAUNCH = (
+    "from launch import LaunchDescription\n\n\ndef generate_launch_description():\n    return LaunchDescription([])\n"
+)
+
+
+@pytest.fixture
+def workspace(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    for name in ("driver", "planner"):
+        package = tmp_path / "src" / name
+        (package / "launch").mkdir(parents=True)
+        (package / "package.xml").write_text(MANIFEST.format(name=name))
+        (package / f"{name}.py").write_text(NODE)
+        (package / "launch" / f"{name}.launch.py").write_text(LAUNCH)
+    (tmp_path / "build").mkdir()
+    (tmp_path / "src" / "resource" / "driver").mkdir(parents=True)
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+@pytest.mark.parametrize(
+    ("words", "hint"),
+    [
+        ("chekc", "no such file or directory: chekc; did you mean the command `check`?"),
+        ("lint", "did you mean the command `archlint check`?"),
+        ("lint src", "did you mean the command `archlint check`?"),
+        ("rule SRV003", "did you mean the command `archlint explain SRV003`?"),
+        ("why", "did you mean the command `archlint explain CODE`?"),
+        ("version", "did you mean the command `archlint --version`?"),
+        ("check lint", "no such file or directory: lint\n"),
+        ("srcc", "did you mean src?"),
+        ("check src/drivr", "did you mean src/driver?"),
+        ("check src/drivr/drivre.py", "did you mean src/driver/driver.py?"),
+        ("check ./srcc/driver", "did you mean ./src/driver?"),
+        ("check driver", "no such file or directory: driver; did you mean src/driver?"),
+        ("check driver.py", "did you mean src/driver/driver.py?"),
+        ("check src/**/*.py", "a pattern is for the shell, without quotes"),
+        ("check --ignore NME001 TMO001", "several rules are written with commas between them: --select TMO001,TMO001"),
+        ("check use_sim:=true", "arguments of a launch file come after --launch FILE"),
+        ("check nothing/like/this", "no such file or directory: nothing/like/this\n"),
+        ("check --select SVR003", "did you mean SRV003?"),
+        ("check --select F401", "unknown rule `F401`; `archlint rules` lists them"),
+        ("check --select nested-servce-call", "did you mean nested-service-call (SRV003)?"),
+        ("explain", "which rule? `archlint rules` lists them"),
+        ("explain nested", "did you mean nested-service-call (SRV003)?"),
+        ("explain OWN", "did you mean one of OWN001, OWN002, OWN003?"),
+        ("check --format jsn", "argument --format: invalid choice: 'jsn'; did you mean json?"),
+        ("check --format xml", "(choose from text, concise, json, sarif, github, gitlab, junit)"),
+        ("check --severity warn", "did you mean warning?"),
+        ("check --stat", "did you mean --statistics?"),
+        ("check --output-format=json", "unrecognized arguments: --output-format=json; write --format"),
+        ("check -j4", "unrecognized arguments: -j4; write --jobs"),
+        ("check --exclude build", "that is the key `exclude` of the configuration"),
+        ("check --strict", "write --severity info"),
+        ("check --quite", "did you mean --quiet?"),
+        ("check --launch driver.launch.py", "did you mean src/driver/launch/driver.launch.py?"),
+        ("check --launch src/driver/launch/drivr.launch.py", "did you mean src/driver/launch/driver.launch.py?"),
+        ("check --launch src/driver", "is a folder; the launch files in it: src/driver/launch/driver.launch.py"),
+        ("check --launch driver driver.launch.py", "did you mean src/driver/launch/driver.launch.py?"),
+        ("check --launch src/driver/launch/driver.launch.py sim=true", "write sim:=true, as for `ros2 launch`"),
+        ("graph -o robot.jpg", "the suffix of robot.jpg does not name a format: use one of .txt, .json"),
+    ],
+)
+def test_a_mistake_is_answered_with_what_was_meant(
+    workspace: Path, capsys: pytest.CaptureFixture[str], words: str, hint: str
+):
+    assert main(words.split()) == 2
+    assert hint in capsys.readouterr().err
+
+
+def test_no_habit_hides_a_command_or_an_option_of_archlint():
+    from archlint.cli import COMMANDS as OURS
+    from archlint.cli.check import parser
+
+    assert not set(COMMANDS) & set(OURS)
+    known = {text for action in parser()._actions for text in action.option_strings}
+    assert not set(OPTIONS) & known
+
+
+def test_a_path_with_every_part_right_is_near_none(workspace: Path):
+    assert near_path("src/driver/") == ""
+    assert near_path("elsewhere") == ""
+
+
+def test_a_package_is_found_by_its_name_and_not_what_is_called_alike(workspace: Path):
+    (workspace / "build" / "planner").mkdir()
+    assert named_below("driver") == ["src/driver"]
+    assert named_below("planner") == ["src/planner"]
+    assert named_below("launch") == ["src/driver/launch", "src/planner/launch"]
+    assert named_below("src/driver") == []
+
+
+@pytest.mark.parametrize(
+    ("files", "told"),
+    [
+        ([], "no launch file; there is no file at all\n"),
+        (["src/drv/main.cpp", "src/drv/main.hpp"], "there are 2 C++ files; C++ is not read\n"),
+        (["src/a.txt", "README", ".hidden"], "there are 1 .txt, 1 other files\n"),
+        (
+            ["robot.repos"],
+            "there is 1 .repos file\nThe sources that robot.repos lists may not be there yet: vcs import",
+        ),
+        ([".gitmodules"], "The submodules may not be there yet: git submodule update --init --recursive\n"),
+    ],
+    ids=["empty", "C++", "others", "vcs", "git"],
+)
+def test_where_there_is_nothing_to_check_it_is_said_what_is_there(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], files: list[str], told: str
+):
+    (tmp_path / "src").mkdir()
+    for file in files:
+        (tmp_path / file).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / file).write_text("")
+    monkeypatch.chdir(tmp_path)
+    assert main(["check"]) == 2
+    assert told in capsys.readouterr().err
+
+
+def test_inside_of_a_workspace_the_whole_is_offered(
+    workspace: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+):
+    offer = "The rest of .. was read, too, but is not reported on: `archlint check ..` checks all of it.\n"
+    monkeypatch.chdir(workspace / "src" / "driver")
+    main(["check"])
+    assert offer in capsys.readouterr().err
+    main(["check", "driver.py"])
+    assert "The rest" not in capsys.readouterr().err
+    monkeypatch.chdir(workspace)
+    main(["check"])
+    assert "The rest" not in capsys.readouterr().err
