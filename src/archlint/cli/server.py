@@ -6,7 +6,7 @@ import argparse
 import importlib.util
 
 from archlint.cli.exits import CLEAN, UsageError
-from archlint.cli.options import Parser
+from archlint.cli.parser import Parser
 
 _EPILOG = """\
 Editors start it themselves and talk with it over its standard input and output. It needs archlint[lsp].
