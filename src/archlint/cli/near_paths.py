@@ -46,16 +46,16 @@ def near_path(path: str) -> str:
     """The existing path of which each part is that of another one, or near it; empty where there is none."""
     if os.path.exists(path):
         return ""
-    found = ""
+    so_far = ""
     for part in path.replace(os.sep, "/").split("/"):
-        step = os.path.join(found, part) if found else part or "/"
+        step = os.path.join(so_far, part) if so_far else part or "/"
         if not os.path.exists(step):
-            near = nearest(part, _names_in(found or "."))
+            near = nearest(part, _names_in(so_far or "."))
             if near is None:
                 return ""
-            step = os.path.join(found, near)
-        found = step
-    return found
+            step = os.path.join(so_far, near)
+        so_far = step
+    return so_far
 
 
 def named_below(name: str) -> list[str]:
