@@ -16,7 +16,7 @@ PROSE = re.compile(r"message|reason|why(?:_|$)|_help$|^help$")
 SEARCHES = frozenset(
     {"startswith", "endswith", "removeprefix", "removesuffix", "find", "index", "partition", "rpartition"}
 )
-OF_OTHERS = "cli/options.py"
+OF_OTHERS = "cli/parser.py"
 """Where the text of somebody else's error is the only thing that tells what went wrong."""
 
 
