@@ -272,3 +272,95 @@ def test_names_that_are_only_alike_in_part(judge: Judge):
                 self.odom_pub.publish(None)  # a method is no publisher
         """,
     )
+
+
+# ------------------------------------------------------------------------------------- names that nothing is like
+
+
+def test_an_attribute_that_nothing_assigns(judge: Judge):
+    (finding,) = judge(
+        "API002",
+        """
+        from rclpy.node import Node
+
+        class Robot(Node):
+            def __init__(self):
+                super().__init__('robot')
+                self.speed = 1.0
+
+            def stop(self):
+                self.brake.close()  # here
+
+        Robot()
+        """,
+    )
+    assert finding.message == "nothing assigns 'brake' of class Robot: this line fails with an AttributeError"
+    assert finding.help == "assign self.brake in __init__(), or define it"
+
+
+def test_a_variable_of_the_method_was_meant(judge: Judge):
+    (finding,) = judge(
+        "API002",
+        """
+        from rclpy.lifecycle import Node
+
+        class Robot(Node):
+            def limit(self, speed):
+                highest = 3.0
+                return min(speed, self.highest)  # here
+
+        Robot('robot')
+        """,
+    )
+    assert finding.message.endswith("; did you mean the variable 'highest'?")
+    assert finding.help == "write highest"
+
+
+def test_a_class_that_should_be_a_node(judge: Judge):
+    (finding,) = judge(
+        "API002",
+        """
+        import rclpy
+
+        class Robot(object):
+            def __init__(self):
+                self.declare_parameter('speed', 1.0)  # here
+                self.get_logger().info('ready')
+
+        rclpy.init()
+        Robot()
+        """,
+    )
+    assert finding.message == (
+        "class Robot has no 'declare_parameter', which only a node has: this line fails with an AttributeError; "
+        "another attribute of the class is like that"
+    )
+    assert finding.help == "derive the class from Node, or call declare_parameter() of a node"
+
+
+@pytest.mark.parametrize(
+    "rest",
+    [
+        "",  # nobody makes one here: it may be a base
+        "class Arm(Robot):\n    brake = None\n\nRobot()",
+        "Robot().brake = None",
+        "robot = Robot()\nrobot.brake = None",
+        "Robot.brake = None\nRobot()",
+        "def equip(robot):\n    robot.brake = None\n\nequip(Robot())",
+        "def equip(robot, name='brake'):\n    robot.__setattr__(name, None)\n\nequip(Robot())",
+        "Robot = wrapped(Robot)\nRobot()",
+    ],
+)
+def test_what_other_code_may_assign(judge: Judge, rest: str):
+    judge(
+        "API002",
+        f"""
+from rclpy.node import Node
+
+class Robot(Node):
+    def stop(self):
+        self.brake.close()
+
+{rest}
+""",
+    )

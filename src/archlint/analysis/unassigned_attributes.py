@@ -18,13 +18,14 @@ from archlint.analysis.class_chains import (
     methods_of,
     targets_of,
 )
+from archlint.analysis.kept import kept
 from archlint.libraries.api_signatures import attributes_of
 from archlint.libraries.rclpy.names import NODE_CLASSES
 from archlint.place import Place
 from archlint.suggestions import distance, nearest
 from archlint.syntax import facts
 from archlint.syntax.parts import Itself, everything_in
-from archlint.syntax.walk import statements_of
+from archlint.syntax.walk import called_name, statements_of
 
 if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
@@ -34,11 +35,12 @@ READ_ONLY = frozenset(
     | {"timers", "waitables"}
 )
 """The properties of a node that refuse to be assigned."""
+_NODE = "rclpy.node.Node"
 _PLAIN = frozenset({"object", "abc.ABC"})
 """Foreign bases that bring nothing that code would ask for."""
 _SLIP = 2
 """By how many letters a name with one word more may differ from the one that was meant."""
-_ANY_NAME = frozenset({"setattr", "vars", "__dict__", "__getattr__", "__getattribute__", "locals"})
+_ANY_NAME = frozenset({"setattr", "vars", "__dict__", "__getattr__", "__getattribute__"})
 """What may give an object an attribute of any name."""
 
 
@@ -53,17 +55,23 @@ class Overwritten:
 
 @dataclass(frozen=True)
 class Unassigned:
-    """A read of an attribute that the class does not have; ``near`` is one that it has, assigned at a place."""
+    """A read of an attribute that the class does not have.  ``near`` is one that it has, assigned at a place; a
+    ``local`` variable or parameter of the method may have the very name."""
 
     place: Place
     cls: str
     name: str
-    near: str
-    near_at: Place
+    near: str | None = None
+    near_at: Place | None = None
+    local: bool = False
+    of_node: bool = False
+    """Whether a node has it, and this class is none."""
 
     @property
     def is_slip(self) -> bool:
         """Whether the near name is probably the one that was meant: it has the same words, or is off by a letter."""
+        if self.near is None:
+            return False
         alike = self.name.count("_") == self.near.count("_")
         return alike or distance(self.name, self.near, _SLIP) <= _SLIP
 
@@ -84,7 +92,8 @@ def overwritten_properties(workspace: WorkspaceIndex) -> Iterator[Overwritten]:
 
 
 def unassigned_attributes(workspace: WorkspaceIndex) -> Iterator[Unassigned]:
-    """Every read of an attribute that no class of the object gives it, where an almost equal one is there."""
+    """Every read of an attribute that no class of the object gives it, where an almost equal one is there or the
+    workspace makes objects of that very class."""
     for cls in _classes(workspace):
         chain = chain_of(workspace, cls)
         members = _members(chain)
@@ -92,9 +101,14 @@ def unassigned_attributes(workspace: WorkspaceIndex) -> Iterator[Unassigned]:
             continue
         assigned = _assigned_in(chain)
         for read in _reads(cls.code):
-            near = nearest(read.name, _candidates(assigned, read)) if read.name not in members else None
-            if near is not None and not _may_get(workspace, cls, read.name):
-                yield Unassigned(_place(cls.file, read.part), cls.code.name, read.name, near, assigned[near].place)
+            if read.name in members:
+                continue
+            near = nearest(read.name, _candidates(assigned, read))
+            if (near is None and not _is_made(workspace, cls)) or _may_get(workspace, cls, read.name):
+                continue
+            at = None if near is None else assigned[near].place
+            of_node = read.name in (attributes_of(_NODE) or ()) and NODE_CLASSES.isdisjoint(chain.foreign)
+            yield Unassigned(_place(cls.file, read.part), cls.code.name, read.name, near, at, read.local, of_node)
 
 
 def _own_setter(code: facts.Class) -> frozenset[str]:
@@ -154,7 +168,8 @@ def _of_body(code: facts.Class) -> Iterator[str]:
                 yield alias or module.partition(".")[0]
             case facts.ImportFrom(names=names):
                 yield from (bound for _, bound in names)
-        yield from (target.variable for target in targets_of([statement]) if target.variable)
+            case _:
+                yield from (target.variable for target in targets_of([statement]) if target.variable)
 
 
 @dataclass(frozen=True)
@@ -183,10 +198,12 @@ def _assigned_in(chain: Chain) -> dict[str, _Member]:
 
 @dataclass(frozen=True)
 class _Read:
-    """A read of ``self.name``; one that is ``looked_into`` (``self.name.x``, ``self.name[0]``) is that of no method."""
+    """A read of ``self.name``; one that is ``looked_into`` (``self.name.x``, ``self.name[0]``) is that of no method.
+    ``local`` says whether the method has a variable or parameter of that name."""
 
     part: facts.Attribute
     looked_into: bool
+    local: bool
 
     @property
     def name(self) -> str:
@@ -206,11 +223,12 @@ def _reads(code: facts.Class) -> Iterator[_Read]:
             continue
         written = {Itself(target) for target in targets_of(function.body)}
         owners = {Itself(owner) for owner in _owners(function.body)}
+        variables = {target.variable for target in targets_of(function.body)} | {p.name for p in function.params}
         for part in _of_self(function.body):
             key = Itself[facts.Base](part)
             if key not in written and part.attr not in seen and not part.attr.startswith("__"):
                 seen.add(part.attr)
-                yield _Read(part, key in owners)
+                yield _Read(part, key in owners, part.attr in variables)
 
 
 def _owners(body: Sequence[facts.Stmt]) -> Iterator[facts.Base]:
@@ -255,6 +273,18 @@ def _of_self(body: Sequence[facts.Base]) -> Iterator[facts.Attribute]:
 # ------------------------------------------------------------------------------------- what else gives an attribute
 
 
+def _is_made(workspace: WorkspaceIndex, cls: ClassInFile) -> bool:
+    """Whether code of the workspace calls a class by its name: it is no base for others alone."""
+
+    def calls() -> set[str]:
+        names: set[str] = set()
+        for _, file_facts in workspace.code.asked_for():
+            names.update(called_name(call) for call in everything_in(file_facts.body, facts.Call))
+        return names
+
+    return cls.code.name in kept(workspace, (_is_made,), calls)
+
+
 def _may_get(workspace: WorkspaceIndex, cls: ClassInFile, name: str) -> bool:
     """Whether a class that derives from one, or another base of such a class, has a name; or any code of the workspace
     assigns it to an object that is not ``self``, or names it in a text."""
@@ -262,6 +292,9 @@ def _may_get(workspace: WorkspaceIndex, cls: ClassInFile, name: str) -> bool:
         members = _members(chain_of(workspace, derived))
         if members is None or name in members:
             return True
+    file_facts = workspace.facts_at(cls.file)
+    if file_facts is None or any(target.variable == cls.code.name for target in targets_of(file_facts.body)):
+        return True  # another class under its name
     return any(_gives(workspace.facts_at(file), name) for file in (cls.file, *files_with(workspace, name)))
 
 

@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 
 OF_CLASS = "attribute"
 """The group of findings that are about one attribute of a class."""
+UNASSIGNED = "unassigned"
+"""The group of findings about attributes of one class that nothing assigns, and that are no slips."""
 
 
 def attribute_findings(system: System) -> Iterator[Finding]:
@@ -48,16 +50,28 @@ def _overwritten(assignment: Overwritten) -> Finding:
 
 
 def _unassigned(read: Unassigned) -> Finding:
-    name, near = (_as_written(each, read.cls) for each in (read.name, read.near))
+    name = _as_written(read.name, read.cls)
+    near = None if read.near is None else _as_written(read.near, read.cls)
     message = f"nothing assigns '{name}' of class {read.cls}: this line fails with an AttributeError"
+    help = f"assign self.{name} in __init__(), or define it"
+    if read.local:
+        message += meant(f"the variable '{name}'")
+        help = f"write {name}"
+    elif near is not None and read.is_slip:
+        message += meant(f"'{near}'")
+        help = f"write self.{near}"
+    elif read.of_node:
+        message = f"class {read.cls} has no '{name}', which only a node has: this line fails with an AttributeError"
+        help = f"derive the class from Node, or call {name}() of a node"
     return finding(
         "API002",
         read.place,
-        message + (meant(f"'{near}'") if read.is_slip else ""),
-        help=f"write self.{near}" if read.is_slip else f"assign self.{name} in __init__(), or define it",
-        related=[Related(read.near_at, f"'{near}' is defined here")],
+        message,
+        help=help,
+        related=[] if read.near_at is None else [Related(read.near_at, f"'{near}' is defined here")],
         identity=(read.cls, name),
-        meant=near if read.is_slip else "",
+        group=() if read.local or near is not None else (UNASSIGNED, read.place.file, read.cls),
+        meant=near if near is not None and read.is_slip and not read.local else "",
     )
 
 
@@ -66,4 +80,4 @@ def _as_written(name: str, cls: str) -> str:
     return name.removeprefix(f"_{cls.lstrip('_')}") if "__" in name else name
 
 
-__all__ = ["OF_CLASS", "attribute_findings"]
+__all__ = ["OF_CLASS", "UNASSIGNED", "attribute_findings"]

@@ -9,7 +9,7 @@ from archlint.analysis.logger_calls import LOGGER, refused_logger_calls
 from archlint.analysis.own_names import is_defined_somewhere
 from archlint.analysis.reach import judged_notes
 from archlint.checks.absent_imports import OF_MODULE, absent_import_findings
-from archlint.checks.attributes import OF_CLASS, attribute_findings
+from archlint.checks.attributes import OF_CLASS, UNASSIGNED, attribute_findings
 from archlint.checks.folding import folds, with_others
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -61,6 +61,10 @@ def absent_in_one_file(findings: Sequence[Finding]) -> Finding:
     line of a class that assigns a property."""
     if findings[0].group[0] == OF_CLASS:
         return with_others(findings, "another line of the class does", "more lines of the class do", "the same")
+    if findings[0].group[0] == UNASSIGNED:
+        return with_others(
+            findings, "another attribute of the class is", "more attributes of the class are", "like that"
+        )
     if findings[0].group[0] == OF_MODULE:
         return with_others(findings, "another line of the file does", "more lines of the file do", "the same")
     return with_others(findings, "another call in this file does", "more calls in this file do", "the same")
