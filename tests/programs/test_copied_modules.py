@@ -11,6 +11,7 @@ from archlint.engine.pipeline import Request, check, graph
 from robot_package import manifest, write_files
 
 MISSION = """\
+#!/usr/bin/env python3
 import rclpy
 from rclpy.node import Node
 from std_msgs.msg import String

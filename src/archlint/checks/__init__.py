@@ -65,6 +65,7 @@ MODULES: tuple[str, ...] = (
     "conventions",
     "field_values",
     "fields",
+    "interface_dependencies",
     "interfaces",
     "graph_shape",
     "near_misses",

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Literal
 from archlint.analysis.aside import is_not_installed
 from archlint.analysis.ignored import words_ignored_at
 from archlint.analysis.imports import imports_at_start
+from archlint.analysis.interface_dependencies import not_handed, types_of_others
 from archlint.analysis.kept import kept
 from archlint.analysis.manifests import package_around
 from archlint.checks.packages import workspace_of
@@ -33,12 +34,12 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, order=True)
 class Use:
-    """A place that needs another package, and how: it ``imports`` or ``starts a node of`` it.  ``also`` are files on
-    the way to it: it is enough if the package of one of them declares what is needed."""
+    """A place that needs another package, and how: it ``imports``, ``starts a node of`` or ``uses types of`` it.
+    ``also`` are files on the way to it: it is enough if the package of one of them declares what is needed."""
 
     place: Place
     needed: str
-    how: Literal["imports", "starts a node of"]
+    how: Literal["imports", "starts a node of", "uses types of"]
     also: tuple[str, ...] = ()
 
 
@@ -82,7 +83,7 @@ def uses_by_package(workspace: WorkspaceIndex, options: Options) -> dict[str, li
 def _uses_by_package(workspace: WorkspaceIndex, options: Options) -> dict[str, list[Use]]:
     by_package: dict[str, list[Use]] = {}
     known = _Known(workspace, options)
-    for use in sorted({*_imported(workspace), *_launched(workspace)}):
+    for use in sorted({*_imported(workspace), *_launched(workspace), *_in_interfaces(workspace)}):
         package = known.home(use.place.file)
         if package is None or package.build_type == "catkin" or options.is_ignored_in(use.place.file):
             continue
@@ -104,6 +105,7 @@ def _installs_nothing(workspace: WorkspaceIndex, package: Package) -> bool:
     if installs is None or installs.folder != package.relative or not installs.build_files:
         return False
     some = installs.executables or installs.files or installs.open_executables or installs.open_files
+    some = some or installs.generated_at is not None
     if package.build_type != "ament_cmake" or some or installs.mentioned:
         return False
     return not any("install" in word or word == "ament_auto_package" for word in installs.words)
@@ -163,10 +165,11 @@ _ALSO = {"tf2_ros": "tf2_ros_py", "tf2_ros_py": "tf2_ros", "launch": "launch_ros
 def _there(workspace: WorkspaceIndex, package: Package) -> frozenset[str]:
     """The package itself, what it declares, what these need when they run, what that needs …: all installed."""
     declared = [d for d in package.dependencies if d.kind not in _FOR_OTHERS and condition_holds(d.condition)]
-    return closure([package.name, *(d.name for d in declared)], lambda name: _brought_by(name, workspace))
+    return closure([package.name, *(d.name for d in declared)], lambda name: brought_by(name, workspace))
 
 
-def _brought_by(name: str, workspace: WorkspaceIndex) -> set[str]:
+def brought_by(name: str, workspace: WorkspaceIndex) -> set[str]:
+    """What a package needs when it runs, and what is installed with it therefore."""
     package = workspace.packages.get(name)
     if package is None:
         return set(packages.table().brings.get(name, ()))
@@ -215,6 +218,16 @@ def _launched(workspace: WorkspaceIndex) -> Iterator[Use]:
             judged = started.kind in (StartedKind.NODE, StartedKind.CONTAINER) and not _beside_the_code(place.file)
             if exact and judged and started.package.text:
                 yield Use(place, started.package.text, "starts a node of", _on_the_way(started, place))
+
+
+def _in_interfaces(workspace: WorkspaceIndex) -> Iterator[Use]:
+    """The types of other packages in interface files, but for those that CMake does not know of, either: PKG007."""
+    lacking = {
+        (row.package.name, row.needed) for row in not_handed(workspace, lambda name: brought_by(name, workspace))
+    }
+    for use in types_of_others(workspace):
+        if (use.package.name, use.needed) not in lacking:
+            yield Use(use.place, use.needed, "uses types of")
 
 
 def _named_at(started: Started) -> Place:
@@ -290,9 +303,16 @@ def _help(package: Package, needed: Sequence[str]) -> str:
 def _related(by_needed: Mapping[str, Sequence[Use]]) -> Iterator[Related]:
     """The first use of each package; that of the primary place is in the message."""
     for name, uses in sorted(by_needed.items()):
-        first = f"'{name}' is imported here" if uses[0].how == "imports" else f"a node of '{name}' is started here"
+        first = _FIRST[uses[0].how].format(name)
         more = len(uses) - 1
         yield Related(uses[0].place, first + (f" and at {more} more place{'s' * (more > 1)}" if more else ""))
+
+
+_FIRST = {
+    "imports": "'{}' is imported here",
+    "starts a node of": "a node of '{}' is started here",
+    "uses types of": "a type of '{}' is used here",
+}
 
 
 def _misplaced(package: Package, needed: Sequence[str]) -> Iterator[Related]:

@@ -100,7 +100,9 @@ def _read_step(installs: Installs, step: Step, tree: CMakeTree, targets: TargetN
             installs.files.append(InstalledFiles(step.path(name), f"share/{installs.package}", folder=True))
     elif command.name == _GENERATES:
         known = not any(argument.open for argument in arguments)
-        installs.generated = frozenset(texts) if known and installs.generated is None else None
+        installs.generated = frozenset(texts) if known and installs.generated_at is None else None
+        named = next((a for a in arguments if a.text == "DEPENDENCIES"), arguments[0] if arguments else None)
+        installs.generated_at = None if named is None or step.conditional else _place(named, step.file)
     elif command.name == "ament_python_install_package":
         _console_scripts(installs, step, tree)
     elif command.name not in _NAMES_NO_EXECUTABLE and not command.name.startswith(_PREFIXES):

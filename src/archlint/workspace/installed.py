@@ -90,6 +90,8 @@ class Installs:
     not: that folder."""
     generated: frozenset[str] | None = None
     """The words that ``rosidl_generate_interfaces`` is given; None where there is none, or one is not known."""
+    generated_at: Place | None = None
+    """Where the last such command names the packages that its interfaces depend on, or else its target."""
     build_files: list[str] = field(default_factory=list)
     python: PythonCode | None = None
     """The Python code that a setup.py installs; None where there is none, or it may install more than is known."""

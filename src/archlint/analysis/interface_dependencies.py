@@ -1,0 +1,98 @@
+"""What the interface files of a package use of other packages, held against its CMakeLists.txt and its package.xml.
+
+Source: ``rosidl_generate_interfaces`` of rosidl_cmake hands its ``DEPENDENCIES``, and what these depend on, to the
+generators, which find no other package's types; without the group of interface packages it stops (``FATAL_ERROR``).
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from archlint.place import Place
+from archlint.ros import packages
+from archlint.ros.interfaces import parts_of_type
+from archlint.workspace.closure import closure
+
+if TYPE_CHECKING:
+    from archlint.systems.model import WorkspaceIndex
+    from archlint.workspace.model import Package
+
+_PACKAGE_NAME = re.compile(r"[a-z][a-z0-9_]*")
+_ALWAYS = frozenset({"builtin_interfaces"})
+"""What old files may use without saying so: ``time`` and ``duration``."""
+
+
+@dataclass(frozen=True)
+class TypeUse:
+    """A field whose type is of another package."""
+
+    package: Package
+    needed: str
+    type: str
+    place: Place
+
+
+@dataclass(frozen=True)
+class NotHanded:
+    """A package whose types are used, and that ``rosidl_generate_interfaces`` does not get; ``uses`` are the first
+    places in each file."""
+
+    package: Package
+    needed: str
+    command: Place
+    uses: tuple[TypeUse, ...]
+
+
+def types_of_others(workspace: WorkspaceIndex) -> Iterator[TypeUse]:
+    """Every field of the interfaces that are generated, if its type is of another package."""
+    table = workspace.interfaces
+    if table is None:
+        return
+    for name in table.names():
+        own, kind, _ = parts_of_type(name)
+        package, interface, file = workspace.packages.get(own), table.get(name), table.file(name)
+        installs = workspace.installs.get(own)
+        if package is None or interface is None or file is None or installs is None or installs.generated is None:
+            continue
+        if not file.relative.startswith(f"{package.relative}/") and package.relative != ".":
+            continue  # another package of that name
+        if not any(f"{kind}/{file.relative.rpartition('/')[2]}" in word for word in installs.generated):
+            continue
+        for field in (field for section in interface.sections for field in section.fields):
+            needed = "" if field.type.is_primitive else field.type.name.rpartition("/msg/")[0]
+            if needed and needed not in (own, *_ALWAYS):
+                yield TypeUse(package, needed, field.type.name, Place(file.relative, field.line, 1, field.line, 1))
+
+
+def not_handed(workspace: WorkspaceIndex, brought_by: Callable[[str], set[str]]) -> Iterator[NotHanded]:
+    """The packages that commands lack; ``brought_by`` says what a package brings along."""
+    rows: dict[tuple[str, str], list[TypeUse]] = {}
+    for use in types_of_others(workspace):
+        rows.setdefault((use.package.name, use.needed), []).append(use)
+    for (name, needed), uses in rows.items():
+        installs = workspace.installs[name]
+        words = {word for word in installs.generated or () if _PACKAGE_NAME.fullmatch(word)} - {name}
+        known = workspace.packages.keys() | packages.table().brings.keys()
+        if installs.generated_at is None or not words <= known or needed in closure(words, brought_by):
+            continue
+        first = {use.place.file: use for use in reversed(uses)}
+        yield NotHanded(uses[0].package, needed, installs.generated_at, tuple(first[file] for file in sorted(first)))
+
+
+def without_group(workspace: WorkspaceIndex) -> Iterator[tuple[Package, Place]]:
+    """The packages that generate interfaces and are in no group of those that do, with the place of the command."""
+    for name in sorted(workspace.installs):
+        installs, package = workspace.installs[name], workspace.packages.get(name)
+        if package is None or package.is_interface_package or installs.generated_at is None:
+            continue
+        if package.build_type == "ament_cmake" and not installs.words & _SKIPS:
+            yield package, installs.generated_at
+
+
+_SKIPS = frozenset({"SKIP_INSTALL", "SKIP_GROUP_MEMBERSHIP_CHECK"})
+"""Words with which the command does not ask for the group."""
+
+__all__ = ["NotHanded", "TypeUse", "not_handed", "types_of_others", "without_group"]

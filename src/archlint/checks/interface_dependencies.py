@@ -1,0 +1,64 @@
+"""PKG007: interface packages whose build does not know what their files use."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from archlint.analysis.interface_dependencies import NotHanded, not_handed, without_group
+from archlint.checks.packages import workspace_of
+from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
+from archlint.checks.undeclared import brought_by
+from archlint.finding import Finding, Place, Related
+
+if TYPE_CHECKING:
+    from archlint.systems.model import System, WorkspaceIndex
+    from archlint.workspace.model import Package
+
+_SHOWN = 5
+"""How many places that use a package are related."""
+
+
+@rule("PKG007", scope=Scope.WORKSPACE, in_use=True)
+def interface_dependency(system: System, options: Options) -> Iterator[Finding]:
+    """Packages whose types interface files use and that the build is not given, and interface packages that do not say
+    that they are one."""
+    workspace = workspace_of(system)
+    if workspace is None:
+        return
+    for row in not_handed(workspace, lambda name: brought_by(name, workspace)):
+        yield _not_handed(workspace, row)
+    for package, place in without_group(workspace):
+        yield _without_group(package, place)
+
+
+def _not_handed(workspace: WorkspaceIndex, row: NotHanded) -> Finding:
+    name, needed = row.package.name, row.needed
+    [first, *_] = row.uses
+    help = f"add {needed} to DEPENDENCIES"
+    if "ament_auto_find_build_dependencies" not in workspace.installs[name].words:
+        help += f", and find_package({needed} REQUIRED) before it"
+    if needed not in {dependency.name for dependency in row.package.dependencies}:
+        help += f"; declare <depend>{needed}</depend> in package.xml, too"
+    return finding(
+        "PKG007",
+        row.command,
+        f"the interfaces of '{name}' use {first.type}, and rosidl_generate_interfaces is not given '{needed}': the "
+        "build fails",
+        help=help,
+        related=[Related(use.place, f"{use.type} is used here") for use in row.uses[:_SHOWN]],
+        identity=(name, needed),
+    )
+
+
+def _without_group(package: Package, command: Place) -> Finding:
+    manifest = package.manifest.relative
+    return finding(
+        "PKG007",
+        command,
+        f"package '{package.name}' generates interfaces, and its package.xml does not say so: the build stops here",
+        help=f"add <member_of_group>rosidl_interface_packages</member_of_group> to {manifest}",
+        related=[Related(Place(manifest, package.name_line, 1, package.name_line, 1), "the package is named here")],
+        identity=(package.name, "member_of_group"),
+    )

@@ -1,0 +1,100 @@
+"""PKG007: what interface files use and CMake is not given; PKG001: what package.xml does not declare of it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from archlint.config.settings import load
+from archlint.engine.pipeline import Request, check
+from archlint.finding import Finding
+from robot_package import write_files
+
+GROUP = "<member_of_group>rosidl_interface_packages</member_of_group>"
+FIELDS = "std_msgs/Header header\ngeometry_msgs/Pose[] path\n"
+
+
+def package(*depends: str, group: str = GROUP) -> str:
+    rows = "".join(f"<depend>{name}</depend>" for name in depends)
+    return f"""<package format="3"><name>robot_msgs</name>
+<buildtool_depend>rosidl_default_generators</buildtool_depend>{rows}{group}
+<export><build_type>ament_cmake</build_type></export></package>
+"""
+
+
+@pytest.fixture
+def found(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[..., list[Finding]]:
+    """What one rule finds in a package of interfaces and nothing else."""
+    monkeypatch.chdir(tmp_path)
+
+    def run(code: str, cmake: str, manifest: str, text: str = FIELDS) -> list[Finding]:
+        files = {"CMakeLists.txt": cmake, "package.xml": manifest, "msg/Goal.msg": text}
+        write_files(tmp_path, {**files, "archlint.toml": f'select = ["{code}"]'})
+        return check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+
+    return run
+
+
+def generate(*words: str) -> str:
+    return f"project(robot_msgs)\nrosidl_generate_interfaces(${{PROJECT_NAME}} {' '.join(words)})\n"
+
+
+def test_a_package_that_the_command_is_not_given(found):
+    cmake = generate("msg/Goal.msg", "DEPENDENCIES std_msgs")
+    (finding,) = found("PKG007", cmake, package("std_msgs"))
+    assert finding.message == (
+        "the interfaces of 'robot_msgs' use geometry_msgs/msg/Pose, and rosidl_generate_interfaces is not given "
+        "'geometry_msgs': the build fails"
+    )
+    assert finding.help == (
+        "add geometry_msgs to DEPENDENCIES, and find_package(geometry_msgs REQUIRED) before it; declare "
+        "<depend>geometry_msgs</depend> in package.xml, too"
+    )
+    assert (finding.place.file, finding.place.line) == ("CMakeLists.txt", 2)
+    assert [(row.place.file, row.place.line) for row in finding.related] == [("msg/Goal.msg", 2)]
+    assert found("PKG001", cmake, package("std_msgs")) == []  # said once
+
+
+def test_no_dependencies_at_all(found):
+    rows = found("PKG007", generate("msg/Goal.msg"), package("std_msgs", "geometry_msgs"))
+    assert [finding.identity[1] for finding in rows] == ["geometry_msgs", "std_msgs"]
+
+
+def test_a_package_that_the_manifest_does_not_declare(found):
+    cmake = generate("msg/Goal.msg", "DEPENDENCIES std_msgs geometry_msgs")
+    assert found("PKG007", cmake, package("std_msgs")) == []
+    (finding,) = found("PKG001", cmake, package("std_msgs"))
+    assert finding.message == (
+        "package 'robot_msgs' uses types of 'geometry_msgs', which its package.xml does not declare"
+    )
+    assert (finding.place.file, finding.place.line) == ("msg/Goal.msg", 2)
+
+
+def test_a_package_that_does_not_say_that_it_has_interfaces(found):
+    cmake = generate("msg/Goal.msg", "DEPENDENCIES std_msgs geometry_msgs")
+    (finding,) = found("PKG007", cmake, package("std_msgs", "geometry_msgs", group=""))
+    assert finding.message == (
+        "package 'robot_msgs' generates interfaces, and its package.xml does not say so: the build stops here"
+    )
+    assert finding.help == f"add {GROUP} to package.xml"
+
+
+@pytest.mark.parametrize(
+    ("cmake", "text"),
+    [
+        (generate("msg/Goal.msg", "DEPENDENCIES std_msgs geometry_msgs"), FIELDS),
+        (generate("msg/Goal.msg", "DEPENDENCIES nav_msgs"), FIELDS),  # which brings both
+        (generate("msg/Goal.msg", "DEPENDENCIES std_msgs our_own_msgs"), FIELDS),  # which may bring anything
+        (generate("msg/Goal.msg", "DEPENDENCIES ${needed}"), FIELDS),
+        ("set(needed geometry_msgs std_msgs)\n" + generate("msg/Goal.msg", "DEPENDENCIES ${needed}"), FIELDS),
+        (generate("msg/Other.msg", "DEPENDENCIES std_msgs"), FIELDS),  # is not generated
+        (f"if(WITH_GOALS)\n{generate('msg/Goal.msg')}endif()\n", FIELDS),
+        (generate("msg/Goal.msg"), "builtin_interfaces/Time stamp\nGoal[] more\nrobot_msgs/Goal first\nfloat64 x\n"),
+    ],
+)
+def test_what_is_given_or_not_known(found, cmake, text):
+    manifest = package("std_msgs", "geometry_msgs", "nav_msgs", "builtin_interfaces")
+    assert found("PKG007", cmake, manifest, text) == []
+    assert found("PKG001", cmake, manifest, text) == []
