@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
+from functools import lru_cache
 from itertools import takewhile
 
 
+@lru_cache(maxsize=10_000)
 def distance(first: str, second: str, limit: int) -> int:
     """The edit distance with transpositions; anything above ``limit`` is ``limit + 1``."""
     if abs(len(first) - len(second)) > limit:
         return limit + 1
+    first, second = _without_common_ends(first, second)
     before: list[int] = []
     row = list(range(len(second) + 1))
     for i, left in enumerate(first, start=1):
@@ -23,6 +26,17 @@ def distance(first: str, second: str, limit: int) -> int:
         if min(row) > limit:
             return limit + 1
     return row[-1]
+
+
+def _without_common_ends(first: str, second: str) -> tuple[str, str]:
+    """Two texts without what they begin and end with alike: the distance is that of what is between."""
+    start, most = 0, min(len(first), len(second))
+    while start < most and first[start] == second[start]:
+        start += 1
+    end = 0
+    while end < most - start and first[-1 - end] == second[-1 - end]:
+        end += 1
+    return first[start : len(first) - end], second[start : len(second) - end]
 
 
 OPPOSITES = (("input", "output"), ("upper", "lower"), ("lower", "power"), ("read", "ready"), ("send", "sent"))

@@ -7,6 +7,7 @@ from functools import wraps
 from typing import Protocol, TypeVar, cast
 
 from archlint.syntax import facts
+from archlint.syntax.parts import once_for
 
 
 class Keeps(Protocol):
@@ -44,11 +45,13 @@ def once(analysis: Callable[[_Owner], _Result]) -> Callable[[_Owner], _Result]:
 
 
 def once_for_each_file(analysis: Callable[[facts.Facts], _Result]) -> Callable[[HasFiles, str], _Result | None]:
-    """As :func:`once`, of the facts of each file; None for a file that has none."""
+    """As :func:`once`, of the facts of each file; None for a file that has none.  It says nothing else of the file than
+    its facts do, so that a later run that has the same facts in memory asks for nothing again."""
+    known = once_for(analysis)
 
     @wraps(analysis)
     def of(workspace: HasFiles, file: str) -> _Result | None:
         file_facts = workspace.facts_at(file)
-        return None if file_facts is None else kept(workspace, (analysis, file), lambda: analysis(file_facts))
+        return None if file_facts is None else known(file_facts)
 
     return of

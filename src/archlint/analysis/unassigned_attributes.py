@@ -24,7 +24,7 @@ from archlint.libraries.rclpy.names import NODE_CLASSES
 from archlint.place import Place
 from archlint.suggestions import distance, nearest
 from archlint.syntax import facts
-from archlint.syntax.parts import Itself, everything_in
+from archlint.syntax.parts import Itself, everything_in, once_for
 from archlint.syntax.walk import called_name, statements_of
 
 if TYPE_CHECKING:
@@ -83,12 +83,10 @@ def overwritten_properties(workspace: WorkspaceIndex) -> Iterator[Overwritten]:
         known = chain.complete and all(_of_foreign(path) is not None for path in chain.foreign)
         if not known or NODE_CLASSES.isdisjoint(chain.foreign):
             continue
-        own = {name for each in chain.own for name in (*_of_body(each.code), *_own_setter(each.code))}
-        for function in methods_of(cls.code):
-            written = {Itself(target) for target in targets_of(function.body)} if _has_self(function) else set()
-            for target in _of_self(function.body) if written else ():
-                if Itself[facts.Base](target) in written and target.attr in READ_ONLY - own:
-                    yield Overwritten(_place(cls.file, target), cls.code.name, target.attr)
+        own = frozenset[str]().union(*(_taken_by(each.code) for each in chain.own))
+        for target in _set_on_self(cls.code):
+            if target.attr not in own:
+                yield Overwritten(_place(cls.file, target), cls.code.name, target.attr)
 
 
 def unassigned_attributes(workspace: WorkspaceIndex) -> Iterator[Unassigned]:
@@ -111,9 +109,23 @@ def unassigned_attributes(workspace: WorkspaceIndex) -> Iterator[Unassigned]:
             yield Unassigned(_place(cls.file, read.part), cls.code.name, read.name, near, at, read.local, of_node)
 
 
-def _own_setter(code: facts.Class) -> frozenset[str]:
-    """The properties that a class takes in a way of its own: all of them, with ``__setattr__``."""
-    return READ_ONLY if "__setattr__" in _of_body(code) else frozenset()
+@once_for
+def _taken_by(code: facts.Class) -> frozenset[str]:
+    """The names that the body of a class gives its objects, and the properties that it takes in a way of its own: all
+    of them, with ``__setattr__``."""
+    names = frozenset(_of_body(code))
+    return names | READ_ONLY if "__setattr__" in names else names
+
+
+@once_for
+def _set_on_self(code: facts.Class) -> list[facts.Attribute]:
+    """The properties of a node that methods of a class assign to ``self``."""
+    rows = []
+    for function in methods_of(code):
+        written = {Itself(target) for target in targets_of(function.body)} if _has_self(function) else set()
+        of_self = _of_self(function.body) if written else ()
+        rows += [part for part in of_self if part.attr in READ_ONLY and Itself[facts.Base](part) in written]
+    return rows
 
 
 def _classes(workspace: WorkspaceIndex) -> Iterator[ClassInFile]:
@@ -146,6 +158,7 @@ def _of_foreign(path: str) -> frozenset[str] | None:
     return frozenset() if path in _PLAIN else attributes_of(path)
 
 
+@once_for
 def _of_class(code: facts.Class) -> frozenset[str] | None:
     """The names that the body of a class and its methods give an object; None where they may give any."""
     if any(part.last_name in _ANY_NAME for part in everything_in(code.body, facts.Name)):
@@ -184,12 +197,21 @@ def _assigned_in(chain: Chain) -> dict[str, _Member]:
     """What the methods of a class assign to ``self``, and its methods."""
     assigned: dict[str, _Member] = {}
     for cls in chain.own:
-        for function in methods_of(cls.code):
-            assigned.setdefault(function.name, _Member(Place(cls.file, *function.name_span), is_method=True))
-            for target in targets_of(function.body):
-                match target:
-                    case facts.Attribute(value=facts.Name(id="self"), attr=name):
-                        assigned.setdefault(name, _Member(_place(cls.file, target)))
+        for name, (span, is_method) in _assigned_by(cls.code).items():
+            assigned.setdefault(name, _Member(Place(cls.file, *span), is_method))
+    return assigned
+
+
+@once_for
+def _assigned_by(code: facts.Class) -> dict[str, tuple[facts.Span, bool]]:
+    """The same of one class, by its text: where each name first gets its value, and whether that is a method."""
+    assigned: dict[str, tuple[facts.Span, bool]] = {}
+    for function in methods_of(code):
+        assigned.setdefault(function.name, (function.name_span, True))
+        for target in targets_of(function.body):
+            match target:
+                case facts.Attribute(value=facts.Name(id="self"), attr=name):
+                    assigned.setdefault(name, (target.span, False))
     return assigned
 
 
@@ -215,9 +237,11 @@ def _candidates(assigned: Mapping[str, _Member], read: _Read) -> list[str]:
     return [name for name, member in assigned.items() if not (member.is_method and read.looked_into)]
 
 
-def _reads(code: facts.Class) -> Iterator[_Read]:
+@once_for
+def _reads(code: facts.Class) -> list[_Read]:
     """The attributes of ``self`` that the methods of a class read, or call; the first read of each name."""
     seen: set[str] = set()
+    reads = []
     for function in methods_of(code):
         if not _has_self(function):
             continue
@@ -228,7 +252,8 @@ def _reads(code: facts.Class) -> Iterator[_Read]:
             key = Itself[facts.Base](part)
             if key not in written and part.attr not in seen and not part.attr.startswith("__"):
                 seen.add(part.attr)
-                yield _Read(part, key in owners, part.attr in variables)
+                reads.append(_Read(part, key in owners, part.attr in variables))
+    return reads
 
 
 def _owners(body: Sequence[facts.Stmt]) -> Iterator[facts.Base]:

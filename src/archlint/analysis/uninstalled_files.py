@@ -90,8 +90,13 @@ def mended_at(workspace: WorkspaceIndex, installs: Installs) -> Place | None:
 def _launch_files(workspace: WorkspaceIndex, installs: Installs) -> list[str]:
     """The launch files in the folder ``launch`` of a package, that is in use."""
     folder = posixpath.normpath(posixpath.join(installs.folder, "launch"))
-    files = (file for file in workspace.launch_files.all() if file.startswith(f"{folder}/"))
+    files = (file for file in _all_launch_files(workspace) if file.startswith(f"{folder}/"))
     return [file for file in files if not is_aside(workspace, file) and not _is_of_ros1(workspace, file)]
+
+
+@once
+def _all_launch_files(workspace: WorkspaceIndex) -> list[str]:
+    return workspace.launch_files.all()
 
 
 def _is_of_ros1(workspace: WorkspaceIndex, file: str) -> bool:

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import astuple, replace
+from dataclasses import astuple, dataclass, replace
+from functools import partial
 from typing import TYPE_CHECKING
 
 from archlint.analysis.completeness import is_complete
-from archlint.analysis.kept import once
+from archlint.analysis.kept import kept, once
 from archlint.checks.folding import folds, with_places
 from archlint.checks.launched_names import rejection_of
 from archlint.checks.registry import Options, finding, rule
@@ -35,9 +36,9 @@ def dead_remapping(system: System, options: Options) -> Iterator[Finding]:
     for started, nodes in _by_started(system):
         if all(is_complete(node) for node in nodes):
             for remap in started.remaps:
-                findings = [] if remap.group else list(_dead(remap, nodes, started))
-                if findings and not _live_elsewhere(system, remap):
-                    yield from findings
+                dead = None if remap.group else _dead(system, remap, nodes, started)
+                if dead is not None and not _live_elsewhere(system, remap):
+                    yield _finding(remap, nodes, dead)
 
 
 def _by_started(system: System) -> list[tuple[Started, list[Node]]]:
@@ -55,7 +56,7 @@ def _live_elsewhere(system: System, remap: Remap) -> bool:
     for other, other_remap, started, nodes in rows:
         if other is system:
             continue
-        if not all(is_complete(node) for node in nodes) or not list(_dead(other_remap, nodes, started)):
+        if not all(is_complete(node) for node in nodes) or _dead(other, other_remap, nodes, started) is None:
             return True
     return False
 
@@ -74,36 +75,51 @@ def _by_place(workspace: WorkspaceIndex) -> dict[Place, list[tuple[System, Remap
 _PLAIN_SOURCE = re.compile(r"~?/?[A-Za-z_][\w/]*")
 
 
-def _dead(remap: Remap, nodes: list[Node], started: Started) -> Iterator[Finding]:
+@dataclass(frozen=True)
+class _Dead:
+    """The full name that a remapping of ``source`` is for, and the names that the nodes have instead."""
+
+    source: str
+    expanded: str
+    known: frozenset[str]
+
+
+def _dead(system: System, remap: Remap, nodes: list[Node], started: Started) -> _Dead | None:
+    """What is wrong with a remapping; None where it may do something."""
     source = remap.source.text
     if source is None or remap.source.resolution != "exact" or not _PLAIN_SOURCE.fullmatch(source):
-        return
+        return None
     # One that says the name again is a note, and what rcl rejects ends the process: NME002 tells of it.
     if source.startswith("__") or source == remap.target.text or rejection_of(remap) is not None:
-        return
+        return None
     known: set[str] = set()
     expanded = ""
     for node in nodes:
-        own = _before_remapping(node, started)
+        own = kept(system, (_before_remapping, id(node)), partial(_before_remapping, node, started))
         if own is None:
-            return
+            return None
         names_of_node, name, namespace = own
         full = names.expand(source, name, namespace)
         if not isinstance(full, str) or full in names_of_node or _implicit(full, name, namespace):
-            return
+            return None
         expanded = full
         known |= names_of_node
-    shown = [n.rpartition("/")[2] if "/" not in source.strip("/") and not source.startswith("/") else n for n in known]
-    node_name, hint = nodes[0].name, did_you_mean(source, shown)
+    return _Dead(source, expanded, frozenset(known))
+
+
+def _finding(remap: Remap, nodes: list[Node], dead: _Dead) -> Finding:
+    is_name = "/" not in dead.source.strip("/") and not dead.source.startswith("/")
+    shown = [name.rpartition("/")[2] if is_name else name for name in dead.known]
+    node_name, hint = nodes[0].name, did_you_mean(dead.source, shown)
     blueprint = nodes[0].blueprint
     cause = () if hint or blueprint is None else (*map(str, astuple(blueprint.place)), blueprint.class_name)
-    yield finding(
+    return finding(
         "LCH002",
         remap.place,
-        f"{node_name} has no name '{expanded}', so this remapping has no effect{hint}",
-        help=f"use a full name of the node: {listed(sorted(name for name in known if '/_action/' not in name))}",
+        f"{node_name} has no name '{dead.expanded}', so this remapping has no effect{hint}",
+        help=f"use a full name of the node: {listed(sorted(name for name in dead.known if '/_action/' not in name))}",
         node=node_name,
-        identity=(node_name or "", expanded),
+        identity=(node_name or "", dead.expanded),
         group=cause,
     )
 
