@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import errno
+import json
 from pathlib import Path
 
 import pytest
@@ -225,3 +226,27 @@ def test_a_file_that_is_a_link_stays_one(run: Run):
 def test_what_is_told_cannot_steer_the_terminal(run: Run, capsys: pytest.CaptureFixture[str]):
     assert main(["--select", "\x1b[31mX"]) == 2
     assert "\x1b" not in capsys.readouterr().err
+
+
+def test_a_part_of_the_findings_ends_as_all_of_them(run: Run, capsys: pytest.CaptureFixture[str]):
+    run.findings = [WARNING, ERROR]
+    assert main(["--format", "concise", "--max", "1", "--severity", "error", "--output", "json=all.json"]) == 1
+    shown = capsys.readouterr()
+    assert shown.out == "a.py:1:1: error: OWN001 two nodes publish /cmd_vel\n"
+    assert shown.err.startswith("Shown: the 1 most important of 2 findings; 1 more without --max.\n")
+    assert len(json.loads(Path("all.json").read_text("utf-8"))["diagnostics"]) == 2
+
+
+@pytest.mark.parametrize(
+    ("words", "reason"),
+    [
+        ("--format json --max 3", "--max is for text and concise: json has all findings, in its own order"),
+        ("--format github --group-by rule", "--group-by is for text and concise"),
+        ("--max 3 --statistics", "--max does not go together with --statistics"),
+        ("--group-by colour", "argument --group-by: invalid choice: 'colour' (choose from rule, package, node, file)"),
+        ("--max 0", "argument --max: must be a number of at least 1, not 0"),
+    ],
+)
+def test_machines_get_all_findings(run: Run, capsys: pytest.CaptureFixture[str], words: str, reason: str):
+    assert main(["check", *words.split()]) == 2
+    assert reason in capsys.readouterr().err

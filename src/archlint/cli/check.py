@@ -27,6 +27,7 @@ from archlint.cli.options import (
     observed_of,
     paths_of,
     pool_of,
+    positive,
     settings_of,
 )
 from archlint.cli.parser import Parser
@@ -36,6 +37,7 @@ from archlint.engine.answers import Answer
 from archlint.engine.keeper import Keeper
 from archlint.engine.pipeline import NothingToDo, Request, check
 from archlint.finding import Severity
+from archlint.report.groups import GROUPS
 from archlint.report.model import Report
 from archlint.report.paths import folder_in_repository
 
@@ -69,6 +71,10 @@ def parser() -> argparse.ArgumentParser:
     output.add_argument(
         "--statistics", action="store_true", help="count the findings of each rule instead of showing them"
     )
+    output.add_argument(
+        "--group-by", metavar="WHAT", choices=list(GROUPS), help=f"group the findings by {', '.join(GROUPS)}"
+    )
+    output.add_argument("--max", metavar="N", type=positive, help="show the N most important findings only")
     mending = parser.add_argument_group("fixes")
     mending.add_argument("--fix", action="store_true", help="apply safe fixes")
     mending.add_argument("--unsafe-fixes", action="store_true", help="with --fix or --diff: unsafe fixes too")
@@ -181,6 +187,12 @@ def _after_changes(
 def _refuse_combinations(arguments: argparse.Namespace) -> None:
     if arguments.statistics and arguments.format not in STATISTICS:
         raise UsageError(f"--statistics is written as text, concise or json, not as {arguments.format}")
+    if arguments.group_by is not None or arguments.max is not None:
+        option = "--max" if arguments.group_by is None else "--group-by"
+        if not reports.FORMATS[arguments.format].arranged:
+            raise UsageError(f"{option} is for text and concise: {arguments.format} has all findings, in its own order")
+        if arguments.statistics:
+            raise UsageError(f"{option} does not go together with --statistics, which shows no findings")
     if arguments.unsafe_fixes and not (arguments.fix or arguments.diff):
         raise UsageError("--unsafe-fixes needs --fix or --diff")
     if arguments.facts and (arguments.fix or arguments.diff):

@@ -37,7 +37,7 @@ def add_running(parser: argparse.ArgumentParser) -> None:
     group = parser.add_argument_group("running")
     group.add_argument("--no-cache", action="store_true", help="neither read nor write the cache")
     group.add_argument("--cache-dir", metavar="DIR", help="the folder of the cache")
-    group.add_argument("--jobs", metavar="N", type=_positive, help="the maximum number of processes")
+    group.add_argument("--jobs", metavar="N", type=positive, help="the maximum number of processes")
 
 
 def add_scheduler(parser: argparse.ArgumentParser) -> None:
@@ -156,7 +156,7 @@ def add_talking(parser: argparse.ArgumentParser) -> None:
                        help="auto (default), always or never; NO_COLOR is honoured")  # fmt: skip
 
 
-def _positive(text: str) -> int:
+def positive(text: str) -> int:
     if not text.isdecimal() or int(text) < 1:
         raise argparse.ArgumentTypeError(f"must be a number of at least 1, not {text}")
     return int(text)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint import report as reports
@@ -11,7 +12,9 @@ from archlint.cli import console
 from archlint.engine.pipeline import NothingToDo, Request, graph
 from archlint.report import statistics
 from archlint.report.fix_marks import fix_line
+from archlint.report.groups import most_important
 from archlint.report.model import Report, summary_line
+from archlint.report.starting_points import starting_points
 
 if TYPE_CHECKING:
     import argparse
@@ -35,12 +38,25 @@ def written(report: Report, arguments: argparse.Namespace) -> str:
         text = STATISTICS[arguments.format](report.findings)
     else:
         columns = console.columns(sys.stdout) if to_terminal else None
-        text = reports.render(arguments.format, report, color, columns)
+        text = reports.render(arguments.format, _arranged(report, arguments), color, columns)
     if not to_terminal:
         console.write(text, arguments.file)
     for format, file in arguments.output:
         console.write(reports.render(format, report), file)
     return text if to_terminal else ""
+
+
+def _arranged(report: Report, arguments: argparse.Namespace) -> Report:
+    """The findings as ``--max`` and ``--group-by`` want them shown."""
+    few = report.findings if arguments.max is None else most_important(report, arguments.max)
+    return replace(report, findings=few, grouping=arguments.group_by)
+
+
+def _left_out(report: Report, arguments: argparse.Namespace) -> str:
+    every = len(report.findings)
+    if arguments.max is None or arguments.max >= every:
+        return ""
+    return f"Shown: the {arguments.max} most important of {every} findings; {every - arguments.max} more without --max."
 
 
 def remarks(
@@ -51,6 +67,8 @@ def remarks(
     notes = [*report.remarks]
     if arguments.statistics:
         notes.append(_shape(request, shown))
+    elif reports.FORMATS[arguments.format].arranged:
+        notes += [_left_out(report, arguments), starting_points(report)]
     if reports.FORMATS[arguments.format].for_people or arguments.file is not None:
         notes += [summary_line(report.summary), fix_line(report.findings)]
     if arguments.verbose:

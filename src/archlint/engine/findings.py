@@ -17,6 +17,7 @@ from archlint.engine.half_ported import as_information, half_ported, with_reason
 from archlint.engine.inputs import Inputs, is_input, is_of_package, known_files, parts_of, python_files
 from archlint.engine.judging import judge_alternatives
 from archlint.engine.known import Sieve
+from archlint.engine.launched_code import launched_files
 from archlint.engine.loading import as_asked_for, systems_of
 from archlint.engine.looked_at import followed_in_part, for_ros1, without_start
 from archlint.engine.merging import folded, merged, once_for_copies
@@ -99,7 +100,8 @@ def _joined(judged: Sequence[Judged], workspace: Workspace) -> Judged:
         baselined=sum(part.summary.baselined for part in judged),
         older=sum(part.summary.older for part in judged),
     )
-    return Judged(findings, summary, list(dict.fromkeys(notice for part in judged for notice in part.notices)))
+    notices = list(dict.fromkeys(notice for part in judged for notice in part.notices))
+    return Judged(findings, summary, notices, launched=[file for part in judged for file in part.launched])
 
 
 def _judged(
@@ -152,6 +154,7 @@ def _judged(
     notices.extend(followed_in_part(index.cut_short()))
     remarks = [*comparison_words(systems[0].compared)]
     judged = Judged(findings, summary, [*refused, *notices, *_idle(request.settings, systems)], remarks)
+    judged = replace(judged, launched=launched_files(systems, findings))
     return judged, shown, systems
 
 

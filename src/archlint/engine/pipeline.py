@@ -65,6 +65,8 @@ def check(request: Request, shown: list[System] | None = None) -> Report:
         remarks=[*judged.remarks, *around(request.paths, workspace)],
         occurrences=judged.occurrences,
         idle=judged.idle,
+        launched=judged.launched,
+        packages={file.relative: file.package for file in workspace.files if file.package is not None},
     )
 
 

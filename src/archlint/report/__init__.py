@@ -22,6 +22,8 @@ class Format:
     """Whether its function takes colours and the width of a terminal."""
     for_people: bool = False
     """Whether it says nothing where nothing was found, so that a summary beside it is welcome."""
+    arranged: bool = False
+    """Whether it may group findings and leave out some: people read it from the top."""
     lasting: bool = False
     """Whether it says the same of the same findings: others say how long it took, or have a service's own paths."""
     with_fixes: bool = False
@@ -29,8 +31,8 @@ class Format:
 
 
 FORMATS: Final[Mapping[FormatName, Format]] = {
-    "text": Format(laid_out=True, for_people=True, lasting=True, with_fixes=True),
-    "concise": Format(for_people=True, lasting=True, with_fixes=True),
+    "text": Format(laid_out=True, for_people=True, arranged=True, lasting=True, with_fixes=True),
+    "concise": Format(for_people=True, arranged=True, lasting=True, with_fixes=True),
     "json": Format(with_fixes=True),
     "sarif": Format(),
     "github": Format(for_people=True),

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from typing import Literal
 
 from archlint.finding import Finding, Severity
 from archlint.report.occurrence import Occurrence
 
+GroupName = Literal["rule", "package", "node", "file"]
+"""What findings are grouped by."""
 SourceLine = Callable[[str, int], "str | None"]
 """The text of a line of a file, as a :class:`~archlint.finding.Place` names them; None if there is none."""
 
@@ -57,6 +60,12 @@ class Report:
     """All that the rules have reported, known or not, where a request asks for it."""
     idle: Sequence[int] = ()
     """The lines of the baseline that no finding matches any more."""
+    launched: Collection[str] = ()
+    """The files of findings in which there is code of nodes that launch files start."""
+    packages: Mapping[str, str] = field(default_factory=dict)
+    """The packages of files that lie in one."""
+    grouping: GroupName | None = None
+    """What the findings are grouped by, in formats for people."""
 
 
 @dataclass(frozen=True)
@@ -71,6 +80,7 @@ class Judged:
     """Whether the findings have their fixes, beside the sites that these are made at."""
     occurrences: list[Occurrence] = field(default_factory=list)
     idle: list[int] = field(default_factory=list)
+    launched: list[str] = field(default_factory=list)
 
     def unmended(self) -> Judged:
         """The same without fixes."""

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from archlint.report.fix_marks import mark
 from archlint.report.frames import UNLIMITED, Line, Style, frames, wrapped
+from archlint.report.groups import grouped
 from archlint.visible import visible
 
 if TYPE_CHECKING:
@@ -35,11 +36,11 @@ def render(report: Report, color: bool = False, columns: int | None = None) -> s
     that what reads them finds a message on one line."""
     paint = _painter() if color else _plain
     room = UNLIMITED if columns is None else max(columns, NARROWEST)
-    blocks = []
-    for finding in report.findings:
-        lines = _lines(finding, report.source_line, room)
-        blocks.append("".join("".join(paint(*piece) for piece in line) + "\n" for line in lines))
-    return "\n".join(blocks)
+    blocks: list[list[Line]] = []
+    for heading, findings in grouped(report):
+        blocks += [[[("path", heading)]]] if heading else []
+        blocks += [list(_lines(finding, report.source_line, room)) for finding in findings]
+    return "\n".join("".join("".join(paint(*piece) for piece in line) + "\n" for line in block) for block in blocks)
 
 
 def _lines(finding: Finding, source_line: SourceLine, columns: int) -> Iterator[Line]:
