@@ -43,7 +43,11 @@ def execute(path: Path) -> None:
     job = json.loads(path.read_text(encoding="utf-8"))
     out = Path(job["out"]).open("a", encoding="utf-8")  # noqa: SIM115 - open until the process ends
     recorder.open(job["root"], out)
-    _load_standins(job)
+    load_standins(real_rclpy=bool(job.get("real")))
+    sys.modules["ament_index_python.packages"].folders.update(job["packages"])
+    interfaces.register_sources(job["interfaces"])
+    if job["kind"] == "setup":
+        importlib.import_module("setuptools")  # as long as its bytecode is read
     _prepare(job)
     runs: dict[str, Callable[[dict[str, Any]], None]] = {
         "setup": _run_setup,
@@ -61,18 +65,17 @@ def execute(path: Path) -> None:
         _REAL_EXIT(0)
 
 
-def _load_standins(job: dict[str, Any]) -> None:
-    """Import each stand-in now, while this project is on the path, and make unknown what it lacks."""
+def load_standins(*, real_rclpy: bool) -> None:
+    """Import each stand-in that is not yet there, while this project is on the path, and make unknown what it lacks."""
     sys.path.insert(0, str(_STANDINS))
-    for name in [each for each in sys.modules if each.partition(".")[0] in real.WITHOUT_WHEEL]:
-        del sys.modules[name]  # rclpy has imported the real one
+    if real_rclpy:  # it has imported the real ones
+        for name in [each for each in sys.modules if each.partition(".")[0] in real.WITHOUT_WHEEL]:
+            del sys.modules[name]
     for module in pkgutil.walk_packages([str(_STANDINS)]):
-        if job.get("real") and module.name.partition(".")[0] not in real.WITHOUT_WHEEL:
+        if real_rclpy and module.name.partition(".")[0] not in real.WITHOUT_WHEEL:
             continue
         loaded = importlib.import_module(module.name)
         loaded.__getattr__ = _fallback(module.name)  # type: ignore[method-assign]
-    sys.modules["ament_index_python.packages"].folders.update(job["packages"])
-    interfaces.register_sources(job["interfaces"])
     sys.path.remove(str(_STANDINS))
 
 

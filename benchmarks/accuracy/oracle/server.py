@@ -21,6 +21,8 @@ def main() -> None:
     """Serve until the standard input ends."""
     if "--real" in sys.argv[1:]:
         real.install()
+    else:
+        child.load_standins(real_rclpy=False)  # once, and not in each fork
     for line in sys.stdin:
         print(_ended(Path(line.rstrip("\n"))), flush=True)
 
