@@ -21,6 +21,7 @@ from archlint.engine import executors, remote
 from archlint.engine.executors import ExecutorPool, PoolError
 from archlint.engine.link_part import link_part
 from archlint.engine.remote import Done, identity, run_task
+from archlint.engine.remote_jobs import rows_of
 from archlint.programs import linker
 from archlint.syntax import compile as compiler
 from archlint.syntax.facts import decode
@@ -81,7 +82,7 @@ def workspace(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 class Threads:
-    """An executor that notes what it was given."""
+    """An executor that notes what it was given.  Each task starts a process, as it does on a worker."""
 
     def __init__(self) -> None:
         self.threads = ThreadPoolExecutor(2)
@@ -90,6 +91,22 @@ class Threads:
     def submit(self, function: Callable[..., bytes], /, *arguments: object) -> Future[bytes]:
         self.jobs.append(msgspec.msgpack.decode(arguments[1])["job"].rpartition(".")[2])  # type: ignore[arg-type]
         return self.threads.submit(function, *arguments)
+
+
+class OneThread(Threads):
+    """The same without the processes, whose start is nearly all that a small task takes."""
+
+    def __init__(self) -> None:
+        self.threads = ThreadPoolExecutor(1)
+        self.jobs = []
+
+    def submit(self, function: Callable[..., bytes], /, *arguments: object) -> Future[bytes]:
+        assert function is run_task
+        return super().submit(done_here, *arguments)
+
+
+def done_here(wanted: str, task: bytes) -> bytes:
+    return msgspec.msgpack.encode(Done(wanted, rows_of(msgspec.msgpack.decode(task, type=remote.Task))))
 
 
 def use(monkeypatch: pytest.MonkeyPatch, executor: object) -> ExecutorPool:
@@ -117,11 +134,15 @@ def say(capsys: pytest.CaptureFixture[str], *words: str) -> Said:
 COMMANDS: list[Sequence[str]] = [("check", "--format", "json"), ("graph", "--format", "json")]
 
 
-@pytest.mark.parametrize("command", COMMANDS, ids=" ".join)
+@pytest.mark.parametrize(("command", "threads"), [(COMMANDS[0], Threads), (COMMANDS[1], OneThread)])
 def test_an_executor_gives_the_same_bytes(
-    workspace: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, command: Sequence[str]
+    workspace: Path,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+    command: Sequence[str],
+    threads: type[Threads],
 ) -> None:
-    alone, executor = say(capsys, *command), Threads()
+    alone, executor = say(capsys, *command), threads()
     use(monkeypatch, executor)
     assert say(capsys, *command, "--scheduler", "these threads") == alone
     assert {"encoded", "link_part"} == set(executor.jobs)
@@ -131,7 +152,7 @@ def test_what_other_machines_have_linked_is_not_followed_again(
     workspace: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Nothing of the workspace is on those machines: each gets the facts."""
-    use(monkeypatch, Threads())
+    use(monkeypatch, OneThread())
     _, _, error = say(capsys, "check", "--verbose", "--scheduler", "these threads")
     [analysed] = [line for line in error.splitlines() if line.startswith("analysed")]
     assert analysed.startswith("analysed 0 programs; reused ")
@@ -141,7 +162,7 @@ def test_facts_are_compiled_on_an_executor_too(
     workspace: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     say(capsys, "facts", "-o", "../here")
-    use(monkeypatch, Threads())
+    use(monkeypatch, OneThread())
     say(capsys, "facts", "-o", "../there", "--scheduler", "these threads")
     here, there = ({p.name: p.read_bytes() for p in (workspace.parent / n).iterdir()} for n in ("here", "there"))
     assert here == there

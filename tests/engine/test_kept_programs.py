@@ -4,7 +4,10 @@ from __future__ import annotations
 
 import random
 import re
-from collections.abc import Callable
+import shutil
+from collections.abc import Callable, Iterator
+from contextlib import redirect_stdout
+from io import StringIO
 from pathlib import Path
 
 import pytest
@@ -379,30 +382,81 @@ EDITS = {
 }
 
 
-@pytest.fixture
-def workspace(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    folder = tmp_path / "ws"
+def write_all(folder: Path) -> None:
     for name, text in FILES.items():
         lines = text.split("\n")
         indent = len(lines[0]) - len(lines[0].lstrip())
         written(name, "\n".join(line[indent:] if line[:indent].isspace() else line for line in lines))(folder)
+
+
+def printed_by(*cache: str, options: tuple[str, ...] = ()) -> list[str]:
+    """What `check` and `graph` print in the folder where they run."""
+    printed = []
+    for command in (["check", "--exit-zero", *options], ["graph"]):
+        with redirect_stdout(StringIO()) as output:
+            main([*command, ".", "--format", "json", "--jobs", "1", "--isolated", *cache])
+        printed.append(re.sub(r'"elapsed_s": [\d.e-]+', "", output.getvalue()))
+    return printed
+
+
+Outputs = Callable[..., list[str]]
+"""What `check` and `graph` print, with a cache or without one."""
+
+
+@pytest.fixture
+def workspace(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    folder = tmp_path / "ws"
+    write_all(folder)
     monkeypatch.chdir(folder)
     return folder
 
 
 @pytest.fixture
-def outputs(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> Callable[..., list[str]]:
-    """What `check` and `graph` print, with a cache or without one."""
+def outputs(tmp_path: Path) -> Outputs:
+    cache = "--cache-dir", str(tmp_path / "cache")
+    return lambda cached, *options: printed_by(*(cache if cached else ("--no-cache",)), options=options)
 
-    def run(cached: bool, *options: str) -> list[str]:
-        cache = ["--cache-dir", str(tmp_path / "cache")] if cached else ["--no-cache"]
-        printed = []
-        for command in (["check", "--exit-zero", *options], ["graph"]):
-            main([*command, ".", "--format", "json", "--jobs", "1", "--isolated", *cache])
-            printed.append(re.sub(r'"elapsed_s": [\d.e-]+', "", capsys.readouterr().out))
-        return printed
 
-    return run
+@pytest.fixture(scope="module")
+def known(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with the workspace, the cache of a run over it, and a copy of both."""
+    folder = tmp_path_factory.mktemp("known")
+    write_all(folder / "ws")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.chdir(folder / "ws")
+        printed_by("--cache-dir", str(folder / "cache"))
+    for name in ("ws", "cache"):
+        shutil.copytree(folder / name, folder / "copies" / name)
+    return folder
+
+
+@pytest.fixture
+def known_workspace(known: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
+    """The workspace, over which a run with the cache has been."""
+    monkeypatch.chdir(known / "ws")
+    yield known / "ws"
+    monkeypatch.chdir(known)
+    restore(known / "ws", known / "copies" / "ws")
+    shutil.rmtree(known / "cache")
+    shutil.copytree(known / "copies" / "cache", known / "cache")
+
+
+def restore(folder: Path, copy: Path) -> None:
+    """Make a folder what its copy is.  A file that is as it was stays the same file."""
+    for path in sorted(folder.rglob("*"), reverse=True):
+        kept = copy / path.relative_to(folder)
+        if not kept.exists():
+            path.rmdir() if path.is_dir() else path.unlink()
+    for kept in copy.rglob("*"):
+        path = folder / kept.relative_to(copy)
+        if kept.is_file() and not (path.exists() and path.read_bytes() == kept.read_bytes()):
+            path.parent.mkdir(exist_ok=True)
+            shutil.copy2(kept, path)
+
+
+@pytest.fixture
+def known_outputs(known: Path) -> Outputs:
+    return lambda cached: printed_by(*(("--cache-dir", str(known / "cache")) if cached else ("--no-cache",)))
 
 
 @pytest.fixture
@@ -478,16 +532,14 @@ def test_a_comment_is_a_reason_where_its_words_were_asked_for(workspace, outputs
 
 
 @pytest.mark.parametrize("name", EDITS)
-def test_an_edit_gives_what_a_run_without_a_cache_gives(workspace, outputs, name):
-    outputs(cached=True)
-    EDITS[name](workspace)
-    assert outputs(cached=True) == outputs(cached=False)
+def test_an_edit_gives_what_a_run_without_a_cache_gives(known_workspace, known_outputs, name):
+    EDITS[name](known_workspace)
+    assert known_outputs(cached=True) == known_outputs(cached=False)
 
 
 @pytest.mark.parametrize("seed", range(3))
-def test_one_edit_after_another_gives_what_runs_without_a_cache_give(workspace, outputs, seed):
+def test_one_edit_after_another_gives_what_runs_without_a_cache_give(known_workspace, known_outputs, seed):
     chance = random.Random(seed)
-    outputs(cached=True)
     for name in chance.sample(sorted(EDITS), 8):
-        EDITS[name](workspace)
-        assert outputs(cached=True) == outputs(cached=False), name
+        EDITS[name](known_workspace)
+        assert known_outputs(cached=True) == known_outputs(cached=False), name
