@@ -10,15 +10,18 @@ import re
 import shutil
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
 
 import pytest
 
 ROOT = Path(__file__).parents[1]
 FIXTURES = ROOT / "fixtures"
-CHECKS = [("check", "--format", name) for name in ("json", "text", "concise", "sarif", "github", "gitlab", "junit")]
+CHECK = ("check", "--format", "json")
+REPORTS = ("text", "concise", "sarif", "github", "gitlab", "junit")
+FORMATS = tuple(f"--output={name}={{folder}}/{name}" for name in REPORTS)
 GRAPHS = [("graph", "--format", name) for name in ("json", "text", "dot", "mermaid")]
-OUTPUTS = {"broken_system": [*CHECKS, *GRAPHS], "forms": [CHECKS[0], GRAPHS[0]]}
+OUTPUTS = {"broken_system": [(*CHECK, *FORMATS), *GRAPHS], "forms": [CHECK, GRAPHS[0]]}
 """What is compared of each workspace; the larger one in the formats that tell most."""
 TIMED = re.compile(r'("elapsed_s": |\btime=")[0-9.]+')
 """The only thing that a clock decides: how long the run took."""
@@ -71,7 +74,8 @@ Workspace = tuple[Path, list[tuple[str, ...]], list[str]]
 
 
 def said(folder: Path, commands: list[tuple[str, ...]], hash_seed: str, *options: str) -> list[str]:
-    """Standard output of each command in a folder, one process for all; the running time is blanked."""
+    """Standard output of each command in a folder, one process for all, and the files that they write; the running time
+    is blanked."""
     environment = {
         "PATH": os.environ["PATH"],
         "PYTHONPATH": str(ROOT / "src"),
@@ -79,17 +83,20 @@ def said(folder: Path, commands: list[tuple[str, ...]], hash_seed: str, *options
         "SYSTEMROOT": os.environ.get("SYSTEMROOT", ""),
         "GITHUB_WORKSPACE": str(folder),  # the root of the repository, wherever the copy is
     }
-    words = [[*command, "--isolated", *options] for command in commands]
-    done = subprocess.run(
-        [sys.executable, "-c", RUNS],
-        cwd=folder,
-        env=environment,
-        input=json.dumps(words),
-        capture_output=True,
-        text=True,
-        check=True,
-    )
-    return [TIMED.sub(r"\1", text) for text in json.loads(done.stdout)]
+    with tempfile.TemporaryDirectory() as written:
+        words = [[*(word.format(folder=written) for word in command), "--isolated", *options] for command in commands]
+        done = subprocess.run(
+            [sys.executable, "-c", RUNS],
+            cwd=folder,
+            env=environment,
+            input=json.dumps(words),
+            capture_output=True,
+            text=True,
+            check=True,
+        )
+        reports = [path.read_text("utf-8") for path in sorted(Path(written).iterdir())]
+    assert len(reports) == sum(word in FORMATS for command in commands for word in command)
+    return [TIMED.sub(r"\1", text) for text in (*json.loads(done.stdout), *reports)]
 
 
 @pytest.fixture(scope="module", params=OUTPUTS)
