@@ -129,9 +129,9 @@ PURE = {
     "syntax/fields_with_facts.py": {"fields_with_facts"},
 }
 """What is kept for the process, since it follows from archlint's own files alone."""
-PURE_KEYS = re.compile(r"str|frozenset\[str\]|Itself\[.*\]")
-"""Of these alone may anything else that is kept for the process be made: texts, and pieces of source, each known by
-its identity.  What a function says of them is the same in every workspace."""
+PURE_KEYS = re.compile(r"str|int|tuple\[str, \.\.\.\]|frozenset\[str\]|Itself\[.*\]")
+"""Of these alone may anything else that is kept for the process be made: texts, numbers, and pieces of source, each
+known by its identity.  What a function says of them is the same in every workspace."""
 
 
 def sources(words: str = "") -> Iterator[tuple[str, ast.Module]]:
