@@ -67,7 +67,9 @@ def test_the_wheel_holds_the_package_and_a_page_for_each_rule(wheel: Path):
         for path in package.rglob("*")
         if path.is_file() and "__pycache__" not in path.parts
     }
-    pages = {f"archlint/rulebook_pages/{page.name}" for page in (ROOT / "rules").glob("*.md")}
+    rules = ROOT / "rules"
+    shipped = [*rules.glob("*.md"), *(path for path in (rules / "scaffold").rglob("*.*") if path.suffix != ".pyc")]
+    pages = {f"archlint/rulebook_pages/{page.relative_to(rules).as_posix()}" for page in shipped}
     published = {name for name in names(wheel) if ".dist-info/" not in name}
     assert len(pages) > 20
     assert published == files | pages

@@ -2,19 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
-from archlint.config.selection import Layer
-from archlint.config.settings import Settings, load
-from archlint.engine import baseline_file
-from archlint.engine.pipeline import Request, check
-from archlint.observed.read import read
-from archlint.report import concise
-from archlint.rulebook import OFF, rules
-from rule_examples import Example, load_examples
+from archlint.testing.pages import Example, load_examples
+from archlint.testing.running import findings_of
 
 EXAMPLES = load_examples(Path(__file__).parents[1] / "rules")
 
@@ -23,21 +16,5 @@ EXAMPLES = load_examples(Path(__file__).parents[1] / "rules")
 def test_an_example_gives_exactly_the_findings_it_is_marked_with(
     example: Example, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ):
-    example.write(tmp_path)
     monkeypatch.chdir(tmp_path)
-
-    observed = read("observed.json") if "observed.json" in example.files else None
-    settings = _settings(tmp_path, example.page_code)
-    baseline = None if settings.baseline is None else baseline_file.read(Path(settings.baseline))
-    report = check(Request((".",), settings, cached=False, jobs=1, observed=observed, baseline=baseline))
-
-    found = [(finding.place.file, finding.place.line, finding.code) for finding in report.findings]
-    assert sorted(found) == sorted(example.expected), concise.render(report)
-
-
-def _settings(folder: Path, code: str) -> Settings:
-    """The example's own configuration; a rule that is off by default is turned on for its page."""
-    settings = load(folder)
-    if rules()[code].default != OFF:
-        return settings
-    return replace(settings, layers=(*settings.layers, Layer(extend_select=(code,))))
+    assert findings_of(example, tmp_path) == sorted(example.expected)

@@ -7,6 +7,8 @@ editable install reads them where they are written.
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
+from contextvars import ContextVar
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -25,7 +27,8 @@ _DEFAULTS: Final[dict[str, Default]] = {ON: ON, OFF: OFF, CLOSED_WORLD: CLOSED_W
 _FIXES: Final[dict[str, Safety]] = {"none": "", "safe": "safe", "unsafe": "unsafe"}
 """What the pages call a fix, and what it is."""
 
-_PAGE = re.compile(r"[A-Z]{3}\d{3}-[a-z0-9-]+\.md")
+CODE = re.compile(r"[A-Z]{3}\d{3}")
+PAGE_NAME = re.compile(rf"{CODE.pattern}-[a-z0-9-]+\.md")
 _FRONT_MATTER = re.compile(r"---\r?\n(.*?)\r?\n---\r?\n", re.DOTALL)
 _EXPECTATION = re.compile(r"[ \t]*(?:#|<!--) expect(?:-file)?:[^\n]*")
 
@@ -50,6 +53,8 @@ class Rule:
     since: str
     summary: str
     body: str
+    plugin: str = ""
+    """Whose rule it is, as the configuration names the plugin; empty for archlint's own."""
 
     @property
     def title(self) -> str:
@@ -72,18 +77,52 @@ def pages_folder() -> Path:
     return packaged if packaged.is_dir() else Path(__file__).parents[2] / "rules"
 
 
+@dataclass(frozen=True)
+class _Book:
+    """The rules of one run, where it has plugins; ``whole`` is false where some of them are left out."""
+
+    rules: Mapping[str, Rule]
+    whole: bool
+
+
+_BOOK: ContextVar[_Book | None] = ContextVar("the rule book of this run", default=None)
+
+
+def add_rules(added: Mapping[str, Rule], whole: bool) -> None:
+    """Have these rules in the rule book, too, for the rest of this context (:mod:`contextvars`); it is not ``whole``
+    where there are further rules that nothing is known of."""
+    _BOOK.set(_Book(dict(sorted({**own_rules(), **added}.items())), whole))
+
+
+def rules() -> Mapping[str, Rule]:
+    """Every rule by its code, in code order: archlint's own, and those of the plugins of the run."""
+    book = _BOOK.get()
+    return own_rules() if book is None else book.rules
+
+
+def may_be_rule(selector: str) -> bool:
+    """Whether there are rules that a selector stands for, or may be among those that are left out."""
+    book = _BOOK.get()
+    return bool(codes_of(selector)) or not (book is None or book.whole)
+
+
 @cache
-def rules() -> dict[str, Rule]:
-    """Every rule by its code, in code order."""
+def own_rules() -> Mapping[str, Rule]:
+    """archlint's own rules."""
     by_code: dict[str, Rule] = {}
     for path in sorted(pages_folder().iterdir(), key=lambda path: path.name):
-        if not _PAGE.fullmatch(path.name):
-            continue
-        rule = parse_page(path.read_text("utf-8"), path.name)
-        if path.stem != f"{rule.code}-{rule.name}":
-            raise RuleBookError(f"{path.name}: the file should be called {rule.code}-{rule.name}.md")
-        by_code[rule.code] = rule
+        if PAGE_NAME.fullmatch(path.name):
+            rule = page_of(path.name, path.read_text("utf-8"))
+            by_code[rule.code] = rule
     return by_code
+
+
+def page_of(name: str, text: str) -> Rule:
+    """The rule on a page that has the name of its rule.  Raises :class:`RuleBookError`."""
+    rule = parse_page(text, name)
+    if name != f"{rule.code}-{rule.name}.md":
+        raise RuleBookError(f"{name}: the file should be called {rule.code}-{rule.name}.md")
+    return rule
 
 
 def parse_page(text: str, source: str) -> Rule:

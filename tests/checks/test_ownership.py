@@ -14,8 +14,8 @@ from archlint.engine.pipeline import Request, check
 from archlint.finding import Severity
 from archlint.ros.well_known import OF_MANY_PUBLISHERS
 from archlint.systems.model import System
+from archlint.testing.pages import SCAFFOLD, read_page
 from checks.judging import Judge
-from rule_examples import SCAFFOLD, read_page
 from systems.builders import (
     action_server,
     client,

@@ -20,8 +20,8 @@ from archlint.engine.pipeline import Request, check
 from archlint.finding import Finding, Place, Related
 from archlint.rulebook import pages_folder
 from archlint.systems.model import System
+from archlint.testing.pages import load_examples
 from registering import only
-from rule_examples import load_examples
 
 SCOPES = {
     Scope.WORKSPACE: "PKG001 PKG002 PKG003 PKG004 PKG006 PKG007",

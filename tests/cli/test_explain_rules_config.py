@@ -99,6 +99,7 @@ def test_rules_as_json(capsys: pytest.CaptureFixture[str]):
         "default": "on",
         "fix": None,
         "since": "0.1",
+        "plugin": None,
     }
 
 

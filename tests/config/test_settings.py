@@ -145,7 +145,7 @@ def test_every_key(folder: Path):
 
 def test_every_key_has_a_field():
     # `layers` of the settings are those of configuration; the key `layers` is about nodes.
-    names = {"layers": None, "node_layers": "layers", "origins": None, "file": None, "read": None}
+    names = dict.fromkeys(("layers", "origins", "file", "read", "running_plugins"), None) | {"node_layers": "layers"}
     fields = {names.get(field, field.replace("_", "-")) for field in Settings.__dataclass_fields__} - {None}
     assert set(ConfigurationFile.__struct_encode_fields__) - {"extend", "select", "extend-select", "ignore"} == fields
 

@@ -13,7 +13,7 @@ from archlint.config.settings import load
 from archlint.engine.pipeline import Request, check
 from archlint.finding import Finding
 from archlint.fixes.apply import apply, write
-from rule_examples import Example, load_examples
+from archlint.testing.pages import Example, load_examples
 
 ROOT = Path(__file__).parents[2]
 BAD = [example for example in load_examples(ROOT / "rules") if example.section == "bad"]

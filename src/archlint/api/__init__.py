@@ -22,6 +22,8 @@ from archlint.api.graph import (
     graph_of,
 )
 from archlint.api.workspace import CheckResult, Workspace, load
+from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
 from archlint.finding import Edit, Finding, Fix, Place, Related, Severity
 from archlint.report.model import Summary
 from archlint.systems.graph import to_networkx
@@ -36,11 +38,13 @@ __all__ = [
     "Fix",
     "Graph",
     "Node",
+    "Options",
     "Parameter",
     "Place",
     "QosProfile",
     "Related",
     "Remapping",
+    "Scope",
     "Service",
     "Severity",
     "Summary",
@@ -50,7 +54,9 @@ __all__ = [
     "Undelivered",
     "Unresolved",
     "Workspace",
+    "finding",
     "graph_of",
     "load",
+    "rule",
     "to_networkx",
 ]

@@ -91,13 +91,16 @@ def load(
     isolated: bool = False,
     launch: PathLike | None = None,
     arguments: Mapping[str, str] | None = None,
+    plugins: bool | None = None,
     jobs: int | None = 1,
 ) -> Workspace:
-    """A workspace to ask.  Nothing is executed, written or printed, and no cache is kept.
+    """A workspace to ask.  Nothing of it is executed, and nothing is written or printed; no cache is kept.
 
     ``path`` is a workspace, a package, a folder or a file.  The configuration is the nearest one upwards, that of
     ``config``, or none (``isolated``).  ``launch`` is a launch file, from the working directory: the only system then,
-    started with these ``arguments``.  ``jobs`` is the most processes, None for as many as there are processors.
+    started with these ``arguments``.  ``plugins`` says whether the plugins that the configuration names run (True) or
+    are left out (False); with None, one that is code of the repository is an error.  ``jobs`` is the most processes,
+    None for as many as there are processors.
     Raises :class:`ArchlintError`.
     """
     if config is not None and isolated:
@@ -107,7 +110,9 @@ def load(
         raise ArchlintError(f"no such file or directory: {os.fspath(path)}")
     folder = asked if asked.is_dir() else asked.parent
     with typed_errors():
-        settings = Settings() if isolated else load_settings(asked, None if config is None else Path(config))
+        settings = (
+            Settings() if isolated else load_settings(asked, None if config is None else Path(config), plugins=plugins)
+        )
     request = Request(
         (str(asked),),
         seen_from(str(folder), settings),

@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import importlib
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextvars import ContextVar
 from dataclasses import dataclass, field, replace
 from fnmatch import fnmatchcase
 from functools import cache
@@ -133,9 +134,19 @@ def rule(
     return lambda function: Check(code, function, scope, MappingProxyType(options), taste, in_use, says_if_installed)
 
 
+_ADDED: ContextVar[Mapping[str, Check]] = ContextVar("the checks of plugins", default=MappingProxyType({}))
+
+
+def add_checks(added: Mapping[str, Check]) -> None:
+    """Let these rules run, too, for the rest of this context (:mod:`contextvars`)."""
+    _ADDED.set(MappingProxyType(dict(added)))
+
+
 def registered() -> Mapping[str, Check]:
-    """Every rule that can run, in code order: those that the modules of ``checks.MODULES`` define."""
-    return _defined(Check, checks.MODULES)
+    """Every rule that can run, in code order: those that the modules of ``checks.MODULES`` define, and those of the
+    plugins of the run."""
+    own, added = _defined(Check, checks.MODULES), _ADDED.get()
+    return own if not added else MappingProxyType(dict(sorted({**own, **added}.items())))
 
 
 def registered_folds() -> Mapping[str, Fold]:
@@ -190,13 +201,13 @@ def finding(
     )
 
 
-def failure(fault: Fault) -> Finding:
-    """The LNT003 finding for a part of archlint that raised."""
+def failure(fault: Fault, plugin: str = "") -> Finding:
+    """The LNT003 finding for a part of archlint, or for a rule of a ``plugin``, that raised."""
     return finding(
         "LNT003",
         fault.place,
         f"{fault.what} failed with {fault.message}; everything else was checked",
-        help=_REPORT,
+        help=f"this is an error in {plugin}, which brings the rule" if plugin else _REPORT,
         identity=(fault.what, fault.kind),
     )
 

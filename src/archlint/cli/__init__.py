@@ -63,12 +63,13 @@ def _dispatch(arguments: list[str]) -> int:
     command, rest = (first, arguments[1:]) if first in COMMANDS else ("check", arguments)
     if (status := _answered(command, arguments)) is not None:
         return status
+    from contextvars import copy_context
     from importlib import import_module
 
     module = import_module(f"archlint.cli.{command}")
     options = module.parser().parse_intermixed_args(rest)
     options.words = arguments
-    return int(module.run(options))
+    return int(copy_context().run(module.run, options))  # what the command activates ends with it
 
 
 def _answered(command: str, arguments: list[str]) -> int | None:

@@ -26,6 +26,7 @@ from archlint.cli.options import (
     linked_of,
     observed_of,
     paths_of,
+    plugins_of,
     pool_of,
     positive,
     settings_of,
@@ -95,7 +96,7 @@ def parser() -> argparse.ArgumentParser:
     add_launch(parser)
     add_observed(parser)
     add_facts(parser)
-    add_configuration(parser)
+    add_configuration(parser, with_plugins=True)
     add_running(parser)
     add_scheduler(parser)
     add_talking(parser)
@@ -115,7 +116,7 @@ def run(arguments: argparse.Namespace) -> int:
     launch, launch_arguments = launch_of(arguments)
     linked = linked_of(arguments)
     paths = paths_of(arguments)
-    settings = settings_of(arguments, paths[0])
+    settings = settings_of(arguments, paths[0], plugins_of(arguments))
     baseline = baseline_of(arguments, settings)
     request = Request(
         paths if linked is None else tuple(arguments.facts),
@@ -126,7 +127,7 @@ def run(arguments: argparse.Namespace) -> int:
         launch_arguments=launch_arguments,
         observed=observed_of(arguments),
         fixes=_asks_for_fixes(arguments),
-        keeper=_keeper(arguments, baseline),
+        keeper=None if settings.plugins else _keeper(arguments, baseline),  # plugins may depend on anything
         baseline=None if baseline is None else baseline.held,
         occurrences=baseline is not None and baseline.writes,
         linked=linked,

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from archlint import cells
 from archlint.cli.exits import CLEAN
-from archlint.cli.options import add_configuration, add_paths, paths_of, settings_of
+from archlint.cli.options import add_configuration, add_paths, paths_of, plugins_of, settings_of
 from archlint.cli.parser import Parser
 from archlint.finding import Severity
 from archlint.globs import Glob
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 def parser() -> argparse.ArgumentParser:
     parser = Parser("config", "Print the effective configuration as TOML, with the origin of each value.")
     add_paths(parser)
-    add_configuration(parser)
+    add_configuration(parser, with_plugins=True)
     parser.add_argument("--schema", action="store_true", help="print the JSON Schema of a configuration file instead")
     return parser
 
@@ -32,9 +32,11 @@ def run(arguments: argparse.Namespace) -> int:
     if arguments.schema:
         from archlint.config.json_schema import json_schema  # with all rules, which this command does without
 
+        if plugins_of(arguments):
+            settings_of(arguments, paths_of(arguments)[0], plugins=True)
         sys.stdout.write(json.dumps(json_schema(), indent=2) + "\n")
         return CLEAN
-    settings = settings_of(arguments, paths_of(arguments)[0])
+    settings = settings_of(arguments, paths_of(arguments)[0], plugins_of(arguments) or False)
     origins = settings.origins
     rows = [(visible(f"{key} = {_toml(value)}"), origins.get(key, "default")) for key, value in _values(settings)]
     width = min(max(cells.width(text) for text, _ in rows), 60)
@@ -68,6 +70,8 @@ def _values(settings: Settings) -> Iterator[tuple[str, object]]:
         yield "baseline", settings.baseline
     if settings.cache_dir is not None:
         yield "cache-dir", settings.cache_dir
+    if settings.plugins:
+        yield "plugins", settings.plugins
     yield "rules", settings.rules
 
 

@@ -7,7 +7,7 @@ import sys
 
 from archlint.cli.console import wants_color
 from archlint.cli.exits import CLEAN, UsageError
-from archlint.cli.options import add_talking
+from archlint.cli.options import add_plugins, add_talking, plugins_here
 from archlint.cli.parser import Parser
 from archlint.cli.rule_page import full_page, shown
 from archlint.rulebook import Rule, codes_of, find_rule, suggestion
@@ -20,6 +20,7 @@ def parser() -> argparse.ArgumentParser:
     parser = Parser("explain", "Print a rule's page: what it finds, why it matters, what to write instead.")
     parser.add_argument("rule", metavar="CODE", nargs="?", help="the code or the name of a rule")
     parser.add_argument("--all", action="store_true", help="show all examples, not only the first of each kind")
+    add_plugins(parser)
     add_talking(parser)
     return parser
 
@@ -29,7 +30,11 @@ def run(arguments: argparse.Namespace) -> int:
         raise UsageError("which rule? `archlint rules` lists them, and `archlint explain SRV003` explains one")
     rule = find_rule(arguments.rule)
     if rule is None:
-        raise UsageError(f"unknown rule `{arguments.rule}`{_suggested(arguments.rule)}")
+        left_out = plugins_here(arguments)
+        rule = find_rule(arguments.rule)
+        if rule is None:
+            near = f"\n{left_out}" if left_out else _suggested(arguments.rule)
+            raise UsageError(f"unknown rule `{arguments.rule}`{near}")
     page = full_page(rule, _facts(rule)) if arguments.all else _short(rule)
     if wants_color(arguments.color, sys.stdout):
         _print_rendered(page)
@@ -50,7 +55,8 @@ def _short(rule: Rule) -> str:
 
 def _facts(rule: Rule) -> str:
     fix = f"{rule.fix} fix" if rule.fix else "no automatic fix"
-    return f"*{rule.severity.label}, {LEVELS[rule.default]}, {fix}, since {rule.since}*"
+    home = f", of {rule.plugin}" if rule.plugin else ""
+    return f"*{rule.severity.label}, {LEVELS[rule.default]}, {fix}, since {rule.since}{home}*"
 
 
 def _print_rendered(page: str) -> None:

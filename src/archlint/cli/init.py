@@ -62,7 +62,7 @@ def _configured(folder: Path) -> Iterator[str]:
     from archlint.ros.distros import DISTROS
 
     try:
-        settings = load(folder)
+        settings = load(folder, plugins=False)
         if settings.file is not None:
             yield _left(Path(settings.file))
             return

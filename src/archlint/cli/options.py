@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 from archlint.cli import console
 from archlint.cli.exits import UsageError
+from archlint.engine.looked_at import without_plugins
 
 if TYPE_CHECKING:
     from archlint.config.settings import Settings
@@ -26,11 +27,52 @@ def add_paths(parser: argparse.ArgumentParser) -> None:
     )
 
 
-def add_configuration(parser: argparse.ArgumentParser) -> None:
+def add_configuration(parser: argparse.ArgumentParser, with_plugins: bool = False) -> None:
     group = parser.add_argument_group("configuration")
     either = group.add_mutually_exclusive_group()
     either.add_argument("--config", metavar="FILE", help="use this configuration file only")
     either.add_argument("--isolated", action="store_true", help="use no configuration file")
+    if with_plugins:
+        add_plugins(group)
+
+
+def add_plugins(parser: argparse._ActionsContainer) -> None:
+    parser.add_argument(
+        "--plugins",
+        action=argparse.BooleanOptionalAction,
+        help="run the plugins that the configuration names, code of the repository among them, or leave them out",
+    )
+
+
+def plugins_of(arguments: argparse.Namespace) -> bool | None:
+    """What the command line or ARCHLINT_PLUGINS says of plugins; None where neither does.
+
+    Raises :class:`UsageError`.
+    """
+    given: bool | None = arguments.plugins
+    if given is not None or "ARCHLINT_PLUGINS" not in os.environ:
+        return given
+    from archlint.plugins.permission import said_by  # hardly anybody has plugins
+
+    try:
+        return said_by(os.environ)
+    except ValueError as error:
+        raise UsageError(str(error)) from None
+
+
+def plugins_here(arguments: argparse.Namespace) -> str:
+    """Have the rules of the plugins that the configuration of this folder names, where somebody allows them to run;
+    returns a sentence on those that are left out."""
+    from archlint.config.settings import ConfigurationError, load  # as above
+
+    try:
+        settings = load(Path(), plugins=plugins_of(arguments) or False)
+    except ConfigurationError as error:
+        if arguments.plugins:
+            raise UsageError(str(error)) from None
+        return ""  # what archlint's own rules are does not depend on it
+    settings.activate_plugins()
+    return next(without_plugins(settings), "")
 
 
 def add_running(parser: argparse.ArgumentParser) -> None:
@@ -174,8 +216,9 @@ def paths_of(arguments: argparse.Namespace) -> tuple[str, ...]:
     return tuple(paths)
 
 
-def settings_of(arguments: argparse.Namespace, start: str) -> Settings:
-    """The settings for what is checked at ``start``, with the command line on top.
+def settings_of(arguments: argparse.Namespace, start: str, plugins: bool | None = False) -> Settings:
+    """The settings for what is checked at ``start``, with the command line on top, and with the rules of the plugins
+    where these run (:func:`archlint.config.settings.load`).
 
     Raises :class:`UsageError` for a configuration that cannot be used.
     """
@@ -183,9 +226,10 @@ def settings_of(arguments: argparse.Namespace, start: str) -> Settings:
 
     file = None if arguments.config is None else Path(arguments.config)
     try:
-        settings = Settings() if arguments.isolated else load(Path(start), file)
+        settings = Settings() if arguments.isolated else load(Path(start), file, plugins=plugins)
     except ConfigurationError as error:
         raise UsageError(str(error)) from None
+    settings.activate_plugins()
     cache_dir = getattr(arguments, "cache_dir", None)
     if cache_dir is not None:
         settings = _changed(settings, "cache-dir", cache_dir=cache_dir)
@@ -213,11 +257,11 @@ def split_selectors(values: Sequence[str] | None, option: str) -> tuple[str, ...
     if values is None:
         return None
     from archlint.config.values import unknown_rule
-    from archlint.rulebook import codes_of
+    from archlint.rulebook import may_be_rule
 
     selectors = tuple(part.strip() for value in values for part in value.split(",") if part.strip())
     for selector in selectors:
-        if not codes_of(selector):
+        if not may_be_rule(selector):
             raise UsageError(f"{option}: {unknown_rule(selector)}")
     return selectors
 

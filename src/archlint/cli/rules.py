@@ -7,18 +7,24 @@ import sys
 from typing import Any
 
 from archlint import cells
+from archlint.cli import console
 from archlint.cli.exits import CLEAN
+from archlint.cli.options import add_plugins, plugins_here
 from archlint.cli.parser import Parser
 from archlint.rulebook import Rule, rules
 
 
 def parser() -> argparse.ArgumentParser:
     parser = Parser("rules", "List every rule: its severity, whether it is on by default, what it finds.")
+    add_plugins(parser)
     parser.add_argument("--format", metavar="F", choices=("text", "json"), default="text", help="text or json")
     return parser
 
 
 def run(arguments: argparse.Namespace) -> int:
+    left_out = plugins_here(arguments)
+    if left_out:
+        console.note(f"archlint: {left_out}")
     book = list(rules().values())
     sys.stdout.write(_json(book) if arguments.format == "json" else _text(book))
     return CLEAN
@@ -44,5 +50,6 @@ def _entry(rule: Rule) -> dict[str, Any]:
         "default": rule.default,
         "fix": rule.fix or None,
         "since": rule.since,
+        "plugin": rule.plugin or None,
         "summary": rule.summary,
     }

@@ -36,6 +36,8 @@ DESCRIPTIONS: Mapping[str, str] = {
     "owners": "The only nodes that may publish a topic or serve a name (OWN003).",
     "per-file-ignores": "Rules that do not run for the files that match a pattern.",
     "per-package-ignores": "Rules that do not run for a package.",
+    "plugins": "Rules of your own: installed plugins by name, and Python files of this repository "
+    "(`tools/our_rules.py`), which run only with --plugins.",
     "preset": "Which rules run and which findings fail, to start from: for a course, a team or a safety case.",
     "rules": "The options of a rule, by its code or name.",
     "select": "The only rules that run, by code, prefix, name or ALL.",

@@ -35,18 +35,26 @@ _READERS: dict[str, Callable[[Any, Key], object]] = {
 Contents = list[tuple[dict[str, Any], Source]]
 
 
-def read_file(source: Source, trail: tuple[Path, ...], named: bool) -> Contents:
-    """What a file and those that it builds on say by key, the farthest first; ``trail`` are those that build on it.
+def read_tables(source: Source, trail: tuple[Path, ...], named: bool) -> Contents:
+    """What a file and those that it builds on say by key, as it is written, the farthest first; ``trail`` are those
+    that build on it.
 
     Raises :class:`ConfigurationError`.
     """
-    root = Key((), source)
-    given = converted(own_table(source) or {}, ConfigurationFile, root).given()
-    values = {key: _READERS[key](value, root.at(key)) if key in _READERS else value for key, value in given.items()}
+    given = converted(own_table(source) or {}, ConfigurationFile, Key((), source)).given()
     below: Contents = []
-    if "extend" in values:
-        below = _extended(source, str(values.pop("extend")), (*trail, source.path.resolve()), named)
-    return [*below, (values, source)]
+    if "extend" in given:
+        below = _extended(source, str(given.pop("extend")), (*trail, source.path.resolve()), named)
+    return [*below, (given, source)]
+
+
+def read_values(tables: Contents) -> Contents:
+    """The same with what the values mean.  Raises :class:`ConfigurationError`."""
+    return [({key: _value(key, value, source) for key, value in given.items()}, source) for given, source in tables]
+
+
+def _value(key: str, value: Any, source: Source) -> Any:
+    return _READERS[key](value, Key((key,), source)) if key in _READERS else value
 
 
 def _extended(source: Source, extend: str, trail: tuple[Path, ...], named: bool) -> Contents:
@@ -64,4 +72,4 @@ def _extended(source: Source, extend: str, trail: tuple[Path, ...], named: bool)
         raise source.error(message, ("extend",), extend)
     parent = read_source(path, named=True, foreign=foreign, read=source.read)
     assert parent is not None
-    return read_file(parent, trail, named)
+    return read_tables(parent, trail, named)

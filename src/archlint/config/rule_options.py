@@ -9,7 +9,7 @@ from archlint.checks.registry import OptionValue, registered
 from archlint.config.conversion import converted
 from archlint.config.schema import options_of
 from archlint.config.values import unknown_rule
-from archlint.rulebook import find_rule
+from archlint.rulebook import codes_of, find_rule, may_be_rule
 
 if TYPE_CHECKING:
     from archlint.config.source import Key
@@ -21,6 +21,8 @@ def rule_options(table: Mapping[str, Mapping[str, Any]], key: Key) -> dict[str, 
     options = {}
     for name, given in table.items():
         rule = find_rule(name)
+        if rule is None and may_be_rule(name) and not codes_of(name):
+            continue  # one that is left out
         if rule is None:
             raise key.at(name).error(unknown_rule(name))
         defaults = checks[rule.code].defaults if rule.code in checks else {}

@@ -113,6 +113,7 @@ class ConfigurationFile(Table, frozen=True):
     owners: dict[str, OneOrMore] | None = None
     per_file_ignores: dict[str, Texts] | None = None
     per_package_ignores: dict[str, Texts] | None = None
+    plugins: Texts | None = None
     preset: PresetName | None = None
     rules: dict[str, dict[str, Any]] | None = None
     """The options of each rule, which :func:`options_of` has the type of."""

@@ -8,6 +8,7 @@ shows the line and, where something is near, what was probably meant.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from contextvars import copy_context
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -26,6 +27,7 @@ if TYPE_CHECKING:
     from archlint.config.preset_names import PresetName
     from archlint.config.source import Reader, Source
     from archlint.finding import Severity
+    from archlint.plugins.model import Plugin
 
 __all__ = ["ConfigurationError", "Settings", "load"]
 
@@ -53,11 +55,25 @@ class Settings:
     contracts: tuple[Contract, ...] = ()
     node_layers: Layers | None = None
     rules: Mapping[str, Mapping[str, OptionValue]] = field(default_factory=dict)
+    plugins: tuple[str, ...] = ()
+    """The plugins that are named, whether they run or not."""
+    running_plugins: tuple[Plugin, ...] = ()
     origins: Mapping[str, str] = field(default_factory=dict)
     file: str | None = None
     """The nearest configuration file; None without one."""
     read: tuple[str, ...] = ()
     """All configuration files: the nearest one, and those that it builds on."""
+
+    @property
+    def leaves_out_plugins(self) -> bool:
+        return len(self.running_plugins) < len(self.plugins)
+
+    def activate_plugins(self) -> None:
+        """Have the rules of the plugins, for the rest of this context (:mod:`contextvars`)."""
+        if self.plugins:
+            from archlint.plugins.model import activate  # hardly any configuration has plugins
+
+            activate(self.running_plugins, self.leaves_out_plugins)
 
     @property
     def selection(self) -> Selection:
@@ -80,23 +96,34 @@ _FIELDS = {"layers": "node_layers"}
 """Keys that are called otherwise in :class:`Settings`, whose ``layers`` are those of configuration."""
 
 
-def load(start: Path, file: Path | None = None, read: Reader | None = None) -> Settings:
+def load(start: Path, file: Path | None = None, read: Reader | None = None, *, plugins: bool | None = None) -> Settings:
     """The settings for what is checked at ``start``: of ``file`` if given, else of the nearest one upwards.  ``read``
     gives the bytes of files, if not the disk.
 
-    Raises :class:`ConfigurationError` for anything that cannot be read or understood.
+    ``plugins`` says whether those that are named run or are left out; with None one that would run code of the
+    repository is an error.  Raises :class:`ConfigurationError` for anything that cannot be read or understood.
     """
     source = _source(start, file, read)
     if source is None:
         return Settings()
-    from archlint.config.reading import read_file  # most workspaces have no configuration, and need no schema
+    # In a context of its own: it has the rules of the plugins only while it reads.
+    return copy_context().run(_settings_of, source, file is not None, plugins)
 
+
+def _settings_of(source: Source, named: bool, plugins: bool | None) -> Settings:
+    from archlint.config.reading import read_tables, read_values  # most workspaces have none, and need no schema
+
+    tables = read_tables(source, (), named)
+    running: tuple[Plugin, ...] = ()
+    if any("plugins" in given for given, _ in tables):
+        from archlint.config.plugins import activated  # hardly any configuration has plugins
+
+        running = activated(tables, plugins)
     settings = Settings()
-    contents = read_file(source, (), named=file is not None)
-    for values, origin in contents:
+    for values, origin in read_values(tables):
         settings = _merged(settings, values, origin)
-    files = tuple(origin.path.as_posix() for _, origin in contents)
-    return replace(settings, file=source.path.as_posix(), read=files)
+    files = tuple(origin.path.as_posix() for _, origin in tables)
+    return replace(settings, file=source.path.as_posix(), read=files, running_plugins=running)
 
 
 def _source(start: Path, file: Path | None, read: Reader | None) -> Source | None:

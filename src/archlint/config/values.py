@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from archlint.config.files import is_within, repository_of
 from archlint.finding import Severity
 from archlint.globs import Glob
-from archlint.rulebook import codes_of, suggestion
+from archlint.rulebook import may_be_rule, suggestion
 from archlint.suggestions import did_you_mean, meant
 
 if TYPE_CHECKING:
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 def selectors(given: tuple[str, ...], key: Key) -> tuple[str, ...]:
     for selector in given:
-        if not codes_of(selector):
+        if not may_be_rule(selector):
             raise key.error(unknown_rule(selector), selector)
     return given
 
@@ -41,7 +41,7 @@ def ignores_by_name(table: Mapping[str, tuple[str, ...]], key: Key) -> dict[str,
 
 def severities(table: Mapping[str, str], key: Key) -> dict[str, Severity]:
     for selector in table:
-        if not codes_of(selector):
+        if not may_be_rule(selector):
             raise key.at(selector).error(unknown_rule(selector))
     return {selector: Severity.parse(level) for selector, level in table.items()}
 

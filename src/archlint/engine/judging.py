@@ -25,7 +25,8 @@ def judge(system: System, selected: Mapping[str, Options]) -> Iterator[Finding]:
         try:
             findings = list(check.function(system, selected[code]))
         except Exception as error:
-            yield failure(Fault.of(f"the rule {rules()[code].title}", error, _place_of(system)))
+            page = rules()[code]
+            yield failure(Fault.of(f"the rule {page.title}", error, _place_of(system)), page.plugin)
         else:
             kept = [finding for finding in findings if not _passes_by(check, system, finding.place.file)]
             yield from (replace(finding, system=system.name) for finding in kept)

@@ -40,6 +40,15 @@ def around(paths: Sequence[str], workspace: Workspace) -> Iterator[str]:
         yield f"The rest of {wide} was read, too, but is not reported on: `archlint check {wide}` checks all of it."
 
 
+def without_plugins(settings: Settings) -> Iterator[str]:
+    """A sentence where plugins are named and do not run."""
+    if settings.leaves_out_plugins:
+        running = {plugin.name for plugin in settings.running_plugins}
+        names = ", ".join(name for name in settings.plugins if name not in running)
+        where = settings.origins.get("plugins", settings.file)
+        yield f"{where}: the rules of {names} are left out; --plugins runs them"
+
+
 def for_ros1(python: Sequence[str], launch: Sequence[str]) -> Iterator[str]:
     """One sentence on the files that are for ROS 1."""
     if len(python) + len(launch) == 1:

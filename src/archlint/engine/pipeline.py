@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import time
 from collections.abc import Iterator
+from contextvars import copy_context
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint import __version__
 from archlint.engine.drawn import Drawn
 from archlint.engine.inputs import Inputs, find_files, is_subset, parts_of, refuse_nothing, tree_of
-from archlint.engine.looked_at import around, idle_patterns, without_node
+from archlint.engine.looked_at import around, idle_patterns, without_node, without_plugins
 from archlint.engine.request import NothingToDo, Request
 from archlint.engine.result_cache import Result, RunCache
 from archlint.engine.sources import Sources
@@ -30,6 +31,11 @@ __all__ = ["NothingToDo", "Request", "check", "draw", "graph", "systems"]
 def check(request: Request, shown: list[System] | None = None) -> Report:
     """Everything that the selected rules find, in order.  ``shown`` is given the systems that :func:`graph` would
     combine, where the run makes them.  Raises :class:`NothingToDo`."""
+    return copy_context().run(_check, request, shown)  # the rules of its plugins are there for this run only
+
+
+def _check(request: Request, shown: list[System] | None) -> Report:
+    request.settings.activate_plugins()
     started = time.perf_counter()
     if request.keeper is not None:
         request.keeper.starts(request.paths, request.settings)
@@ -92,6 +98,7 @@ def _mended(judged: Judged, inputs: Inputs, kept: RunCache[Judged]) -> Judged:
 
 def _not_looked_at(request: Request, workspace: Workspace, summary: Summary) -> Iterator[str]:
     yield from without_node(summary)
+    yield from without_plugins(request.settings)
     if request.settings.file is not None and not is_subset(request, workspace):
         yield from idle_patterns(request.settings, workspace)
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from archlint.checks.registry import finding
 from archlint.engine.inputs import is_subset
 from archlint.finding import Place
-from archlint.rulebook import find_rule
+from archlint.rulebook import may_be_rule
 from archlint.workspace.around import is_below
 
 if TYPE_CHECKING:
@@ -35,7 +35,7 @@ class Judgement:
             return
         scope = _Scope(inputs)
         for entry in idle:
-            if (entry.key.code in self.ran and scope.holds(entry.key.file)) or find_rule(entry.key.code) is None:
+            if (entry.key.code in self.ran and scope.holds(entry.key.file)) or not may_be_rule(entry.key.code):
                 yield entry
 
 
@@ -58,7 +58,7 @@ class _Scope:
 def stale_entry(entry: Entry, baseline: str) -> Finding:
     """The finding for an entry of the baseline in a file."""
     key = entry.key
-    what = f"{key.code} is no longer found here" if find_rule(key.code) else f"there is no rule {key.code}"
+    what = f"{key.code} is no longer found here" if may_be_rule(key.code) else f"there is no rule {key.code}"
     file = os.path.relpath(key.file).replace(os.sep, "/")
     return finding(
         "LNT004",

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from archlint.checks.registry import finding
 from archlint.edit_sites import IdleSuppression, Sites
 from archlint.finding import Finding, Place
-from archlint.rulebook import find_rule, suggestion
+from archlint.rulebook import find_rule, may_be_rule, suggestion
 
 if TYPE_CHECKING:
     from archlint.syntax.facts import Suppression
@@ -73,7 +73,7 @@ def stale(unused: Iterable[Unused], ran: frozenset[str]) -> list[Finding]:
     comments: dict[tuple[str, int, int], list[Unused]] = {}
     for unused_code in unused:
         rule, comment = find_rule(unused_code.code), unused_code.suppression
-        if rule is None or (rule.code in ran and rule.code != "LNT001"):
+        if not may_be_rule(unused_code.code) or (rule is not None and rule.code in ran and rule.code != "LNT001"):
             comments.setdefault((unused_code.file, comment.line, comment.column), []).append(unused_code)
     return [_stale(comments[key]) for key in sorted(comments)]
 
@@ -81,7 +81,7 @@ def stale(unused: Iterable[Unused], ran: frozenset[str]) -> list[Finding]:
 def _stale(unused: list[Unused]) -> Finding:
     comment, file = unused[0].suppression, unused[0].file
     codes = [unused_code.code for unused_code in unused]
-    no_rule = [code for code in codes if find_rule(code) is None]
+    no_rule = [code for code in codes if not may_be_rule(code)]
     listed = ", ".join(codes)
     return finding(
         "LNT001",

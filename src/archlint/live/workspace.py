@@ -74,6 +74,7 @@ class LiveWorkspace:
         self._store.close()
 
     def _analyse(self, asked: Asked, buffers: Buffers, monitor: Monitor) -> Snapshot:
+        asked.settings.activate_plugins()
         own = {path: buffer for path, buffer in buffers.items() if self._is_inside(path)}
         readable = self._readable.of(own)
         self._store.hold(readable.held)

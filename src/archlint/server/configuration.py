@@ -11,6 +11,7 @@ from archlint.config.files import FILE_NAMES, MAX_BYTES
 from archlint.config.settings import ConfigurationError, Settings, load
 from archlint.disk import read_regular
 from archlint.engine import baseline_file
+from archlint.plugins.permission import VARIABLE
 
 if TYPE_CHECKING:
     from archlint.engine.known import Baseline, Entry
@@ -42,7 +43,7 @@ class Configuration:
             return read_regular(path, MAX_BYTES) if buffer is None else buffer.data
 
         try:
-            settings = load(Path(root), read=read)
+            settings = load(Path(root), read=read, plugins=os.environ.get(VARIABLE) == "1")
         except ConfigurationError as error:
             mistake = Mistake(os.path.abspath(error.file or root), error.line or 1, error.message)
             return replace(self, mistakes=(mistake,))

@@ -1,4 +1,4 @@
-"""Reads the examples of the rule book, so that tests can run what the pages promise.
+"""Reads the examples on the pages of rules, so that tests can run what the pages promise.
 
 A page has the sections ``## Bad`` and ``## Good``; a heading below them such as ``### In a helper`` starts another
 example.  Every example is a small workspace of its own: its fenced blocks are the files.  A line such as
@@ -7,7 +7,7 @@ example.  Every example is a small workspace of its own: its fenced blocks are t
 also show a terminal.  A file that the example needs and a reader does not is folded away: its name stands in
 ``<details><summary><code>setup.py</code></summary>``.
 
-What most examples need is written once, in ``rules/scaffold``:
+What most examples need is written once, in ``scaffold`` beside archlint's own pages:
 
 - A block with one node class and no ``main`` gets the ``main()`` of ``scaffold/main.py``, which spins that node.
 - An example with a ``setup.py`` or with files in ``robot/``, ``launch/`` or ``config/`` lies in the package of
@@ -26,9 +26,10 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from archlint.rulebook import pages_folder
+
 NAME_WITHOUT_A_NAME = {"python": "node.py", "toml": "archlint.toml"}
 
-SCAFFOLD = Path(__file__).parents[1] / "rules" / "scaffold"
 PACKAGE_FILES = ("package.xml", "setup.py", "robot/talker.py")
 IN_PACKAGE = ("robot/", "launch/", "config/", "setup.py")
 
@@ -99,6 +100,10 @@ def read_page(code: str, text: str) -> list[Example]:
     return examples
 
 
+def _scaffold() -> Path:
+    return pages_folder() / "scaffold"
+
+
 def _add_scaffold(example: Example) -> None:
     """Add what the page leaves out: a ``main()`` for each node, and the package around its files."""
     for name, text in example.files.items():
@@ -107,7 +112,7 @@ def _add_scaffold(example: Example) -> None:
     in_package = any(name.startswith(IN_PACKAGE) for name in example.files)
     if in_package and "package.xml" not in example.files:
         for name in PACKAGE_FILES:
-            example.files.setdefault(name, _with_main((SCAFFOLD / name).read_text(encoding="utf-8")))
+            example.files.setdefault(name, _with_main((_scaffold() / name).read_text(encoding="utf-8")))
 
 
 def _with_main(text: str) -> str:
@@ -115,7 +120,7 @@ def _with_main(text: str) -> str:
     classes = _NODE_CLASS.findall(text)
     if len(classes) != 1 or "def main(" in text:
         return text
-    return text + (SCAFFOLD / "main.py").read_text(encoding="utf-8").replace("TheNode", classes[0])
+    return text + (_scaffold() / "main.py").read_text(encoding="utf-8").replace("TheNode", classes[0])
 
 
 def front_matter(text: str) -> dict[str, str]:

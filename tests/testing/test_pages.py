@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from rule_examples import Example, PageError, front_matter, load_examples, read_page, split_marker
+from archlint.testing.pages import Example, PageError, front_matter, load_examples, read_page, split_marker
 
 PAGE = """\
 ---
