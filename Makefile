@@ -6,7 +6,7 @@ VENV   := .venv
 BIN    := $(VENV)/bin
 STAMP  := $(VENV)/.installed-$(shell cksum < pyproject.toml | tr -d ' ')
 
-.PHONY: demo test test-ros test-ros-full check style types layers suite clean
+.PHONY: demo test test-ros test-ros-full adoption check style types layers suite clean
 
 # A Debian without python3-venv cannot make an environment with pip in it: install that package where we may.
 $(STAMP): pyproject.toml
@@ -52,7 +52,10 @@ test-ros-%: $(STAMP)
 	@$(BIN)/python scripts/ros_environment $*
 	@test ! -d .venv-ros-$* || $(BIN)/python -m pytest tests_ros --distro $* -rs $(TESTS_ROS)
 
+adoption: $(STAMP)  ## what a team does, with pre-commit and colcon from PyPI; WORKSPACES="…": not on the fixtures
+	$(BIN)/python -m benchmarks.adoption --install $(WORKSPACES)
+
 check: test
 
 clean:
-	rm -rf $(VENV) .venv-ros-* demo-output dist build .pytest_cache .mypy_cache .ruff_cache .hypothesis .import_linter_cache
+	rm -rf $(VENV) .venv-ros-* .venv-adoption demo-output dist build .pytest_cache .mypy_cache .ruff_cache .hypothesis .import_linter_cache

@@ -28,6 +28,7 @@ TIMED = re.compile(r'("elapsed_s": |\btime=")[0-9.]+')
 
 OF_ANOTHER_FOLDER = {
     "action": "scripts/action",
+    "adoption": "benchmarks/adoption",
     "fixtures": "fixtures",
     "histories": "benchmarks/histories",
     "mutations": "benchmarks/mutations",
