@@ -9,9 +9,9 @@ from __future__ import annotations
 import base64
 import hashlib
 import html
-import json
 from typing import TYPE_CHECKING, Any
 
+from archlint.json_text import json_text
 from archlint.render import columns, dot, drawing, look
 from archlint.render.errors import NoGraphviz
 from archlint.render.html_parts import SCRIPT, STYLE
@@ -72,7 +72,7 @@ def render(system: System) -> str:
 
 def embedded(data: object) -> str:
     """JSON for the inside of a script element."""
-    text = json.dumps(data, separators=(",", ":"))
+    text = json_text(data, separators=(",", ":"))
     return text.replace("<", "\\u003c").replace(">", "\\u003e").replace("&", "\\u0026")
 
 

@@ -5,7 +5,6 @@ Everything is in a fixed order, files have ``/``, and a key is always there: nul
 
 from __future__ import annotations
 
-import json
 import math
 from collections.abc import Iterable
 from pathlib import PurePath
@@ -13,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from archlint import model as program
 from archlint.analysis.delivery import undelivered_on
+from archlint.json_text import json_text
 from archlint.model import Creation, ParameterDeclaration
 from archlint.ros.parameter_types import type_of
 from archlint.ros.qos import Qos
@@ -44,7 +44,7 @@ _CALLBACK = {
 
 
 def render(system: System) -> str:
-    return json.dumps(document(system), indent=2) + "\n"
+    return json_text(document(system), indent=2) + "\n"
 
 
 def document(system: System) -> dict[str, Any]:

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-import json
 from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
+
+from archlint.json_text import json_text
 
 if TYPE_CHECKING:
     from archlint.finding import Edit, Finding, Fix
@@ -25,7 +26,7 @@ def render(report: Report) -> str:
 
 def dumps(document: object) -> str:
     """JSON in ASCII, so that no file name can break the encoding of a pipe."""
-    return json.dumps(document, indent=1) + "\n"
+    return json_text(document, indent=1) + "\n"
 
 
 def diagnostic(finding: Finding) -> dict[str, Any]:

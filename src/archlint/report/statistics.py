@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import json
 from collections import Counter
 from collections.abc import Iterable
 from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING
 
+from archlint.json_text import json_text
 from archlint.report.fix_marks import is_fixable
 
 if TYPE_CHECKING:
@@ -49,7 +49,7 @@ def as_text(findings: Iterable[Finding]) -> str:
 
 def as_json(findings: Iterable[Finding]) -> str:
     """A list of objects with the fields of :class:`RuleCount`."""
-    return json.dumps([asdict(row) for row in counted(findings)], indent=1) + "\n"
+    return json_text([asdict(row) for row in counted(findings)], indent=1) + "\n"
 
 
 def _share(row: RuleCount) -> str:
