@@ -283,6 +283,24 @@ def test_a_parameter_everywhere(robot: Path):
     assert editor.rename("talker.py", "get_parameter('ra^te')", "period") == edits
 
 
+def test_a_parameter_that_the_node_sets_and_is_told_of(robot: Path):
+    changed = "    def changed(self, parameters):\n        for parameter in parameters:\n"
+    asked = "            if parameter.name == 'rate':\n                pass\n\n    def on("
+    talker = node(
+        "talker",
+        DECLARED,
+        "self.add_on_set_parameters_callback(self.changed)",
+        "self.set_parameters([Parameter('rate', value=3.0)])",
+        before="from rclpy.parameter import Parameter\n",
+    ).replace("    def on(", f"{changed}{asked}")
+    editor = robot_with(robot, talker)
+    assert editor.rename("talker.py", "declare_parameter('ra^te'", "period") == [
+        "talker.py:11 self.declare_parameter('period', 2.0)",
+        "talker.py:13 self.set_parameters([Parameter('period', value=3.0)])",
+        "talker.py:17 if parameter.name == 'period':",
+    ]
+
+
 def test_a_nested_key(robot: Path):
     talker = node("talker", "self.declare_parameter('limits.speed', 2.0)")
     loaded = '<param from="$(find-pkg-share robot)/config/params.yaml"/>'

@@ -142,10 +142,10 @@ def other_texts(index: Index, old: str) -> Iterator[Place]:
             _YAML, re.compile(rf"""(?:topic\w*["']?\s*:\s*["']?/?|:\s*["']?/){word}["']?\s*(?:#|$)""", re.I)
         ),
     }
-    tree = index.workspace.tree
+    tree, mentions = index.workspace.tree, index.workspace.code.mentions
     for file in sorted({path for folder in index.workspace.manifests for path in tree.files_below(folder)}):
         pattern = patterns.get(posixpath.splitext(file)[1])
-        text = tree.text(file) if pattern is not None else None
+        text = tree.text(file) if pattern is not None and mentions(file, posixpath.basename(old)) else None
         for number, row in enumerate((text or "").split("\n"), start=1):
             match = pattern.search(row) if pattern is not None and row else None
             if match is not None:

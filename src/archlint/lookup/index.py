@@ -36,6 +36,8 @@ class Index:
         self.workspace = next((s.workspace for s in systems if s.workspace is not None), WorkspaceIndex())
         self.texts = Texts(text_of)
         """The texts that the run has read."""
+        self.kept: dict[object, object] = {}
+        """What answers work out once (:func:`archlint.analysis.kept.once`)."""
         mentions = list(mentions_of_entries(self.workspace))
         for system, rank in self.systems:
             mentions += mentions_of_ends(system, rank)
@@ -90,7 +92,8 @@ class Index:
                 unique.setdefault((node.name, mention.place, end.kind), mention)
         rows = sorted(unique.values(), key=lambda each: each.sort_key)
         providers = [row for row in rows if row.end is not None and row.end.kind in PROVIDERS]
-        return providers, [row for row in rows if row not in providers]
+        users = [row for row in rows if row.end is not None and row.end.kind not in PROVIDERS]
+        return providers, users
 
     @cached_property
     def rates(self) -> dict[int, float]:
@@ -100,11 +103,19 @@ class Index:
     def undelivered(self, subject: Subject) -> list[str]:
         """Why publishers and subscriptions of a topic do not connect: their quality of service does not fit."""
         reasons: dict[str, None] = {}
-        for system, _ in self.systems:
-            topic = system.topics.get(subject.name) if subject.kind == "topic" else None
-            for pair in undelivered_on(system, topic) if topic is not None else ():
+        for system in self._by_topic.get(subject.name, []) if subject.kind == "topic" else ():
+            for pair in undelivered_on(system, system.topics[subject.name]):
                 reasons[pair.reason] = None
         return sorted(reasons)
+
+    @cached_property
+    def _by_topic(self) -> dict[str, list[System]]:
+        """The systems that have each topic."""
+        systems: dict[str, list[System]] = {}
+        for system, _ in self.systems:
+            for name in system.topics:
+                systems.setdefault(name, []).append(system)
+        return systems
 
     def definition_text(self, interface: str) -> str | None:
         """The text of an interface file of the workspace, or that of a standard interface."""

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
+from archlint.analysis.kept import once
 from archlint.lookup.ends import remap_of, rule_of
 from archlint.lookup.index import Index
 from archlint.lookup.mentions import Subject
@@ -66,6 +67,7 @@ class Instance:
         return next((text for text in (wish, form, full) if text is not None and self.expand(text) == full), None)
 
 
+@once
 def instances(index: Index) -> list[Instance]:
     """The ends with known names: those of a node in the systems that count most for it."""
     best: dict[object, int] = {}

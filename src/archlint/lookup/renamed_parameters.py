@@ -139,10 +139,10 @@ def _refuse_other_uses(index: Index, nodes: Sequence[Node], name: str, known: se
 
 def _of_other_files(index: Index, nodes: Sequence[Node], name: str) -> Iterator[Place]:
     """Where parameter files that no launch file loads set a parameter of these nodes."""
-    tree = index.workspace.tree
+    tree, mentions = index.workspace.tree, index.workspace.code.mentions
     names = sorted({node.name for node in nodes if node.name is not None})
     for file in sorted({path for folder in index.workspace.manifests for path in tree.files_below(folder)}):
-        if not file.endswith((".yaml", ".yml")):
+        if not file.endswith((".yaml", ".yml")) or not mentions(file, name.rpartition(".")[2]):
             continue
         for section in index.workspace.parameters_of(file).sections:
             if any(key_matches(section.key, node) for node in names):

@@ -51,9 +51,11 @@ class Texts:
         """Where in a place a name stands, without its quotes; None where it does not stand there as it is.
 
         In Python the place is that of a literal.  In XML and YAML it is an attribute, or the key of one, whose value
-        may follow on the line.
+        may follow on the line.  It may be the place without quotes itself.
         """
         text = self.at(place)
+        if text == written and self._is_quoted(place):
+            return place
         if place.file.endswith(".py"):
             match = _PYTHON.fullmatch(text)
             if match is None or match[2] != written or "\\" in written:
@@ -65,6 +67,11 @@ class Texts:
             if found_at := re.search(value, region):
                 return _within(place, found_at.start(1), len(written))
         return None
+
+    def _is_quoted(self, place: Place) -> bool:
+        line = self.line(place.file, place.line)
+        around = line[place.column - 2 : place.column - 1] + line[place.end_column - 1 : place.end_column]
+        return around in ("''", '""')
 
     def inside(self, place: Place) -> Place | None:
         """What is between the quotes at a place, or behind the key there; None where it is neither a plain literal nor

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.parameter_uses import names_listed
 from archlint.lookup.ends import subject_of
 from archlint.lookup.mentions import Mention, Role, Subject
+from archlint.lookup.parameter_objects import SETTING, compared_in, set_by
 from archlint.model.given import Constant
 from archlint.systems.overrides import key_matches, settings_of
 from archlint.systems.parameter_overrides import known_name
@@ -37,6 +38,8 @@ def mentions_of_parameters(system: System, rank: int, workspace: WorkspaceIndex,
         for blueprint in node.blueprints:
             for declaration in blueprint.parameters:
                 yield from _declared(declaration, node, blueprint, rank)
+            for callback in blueprint.callbacks:
+                yield from compared_in(system, callback, owner_of(blueprint), rank)
         yield from _set(node, rank, workspace, texts)
     for program in system.programs:
         for call in program.calls:
@@ -68,6 +71,8 @@ def _read(system: System, call: ApiCall, blueprint: Blueprint, rank: int) -> Ite
     elif call.api == "rclpy.node.Node.get_parameters":
         for name, where in names_listed(system, call):
             yield Mention(where, Subject("parameter", name, owner_of(blueprint)), "get", rank, name)
+    elif call.api in SETTING:
+        yield from set_by(system, call, owner_of(blueprint), rank)
 
 
 def _set(node: Node, rank: int, workspace: WorkspaceIndex, texts: Texts) -> Iterator[Mention]:

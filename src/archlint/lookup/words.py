@@ -22,6 +22,8 @@ _VERBS = {
     EntityKind.ACTION_SERVER: "serves the action",
     EntityKind.ACTION_CLIENT: "sends goals to",
 }
+MOST = 10
+"""How many ends of one side are listed."""
 _OF_TOPICS = (EntityKind.PUBLISHER, EntityKind.SUBSCRIBER)
 
 
@@ -49,7 +51,9 @@ def ends_list(words: str, rows: Sequence[Mention], rates: Mapping[int, float]) -
     """The ends on one side of a connection, each with its node and place."""
     if not rows:
         return f"{words} nothing in this workspace"
-    return "\n".join([f"{words}", *(f"- {_end_words(row.end, rates)}" for row in rows if row.end is not None)])
+    told = [f"- {_end_words(row.end, rates)}" for row in rows[:MOST] if row.end is not None]
+    more = [f"- and {len(rows) - MOST} more"] if len(rows) > MOST else []
+    return "\n".join([words, *told, *more])
 
 
 def _end_words(end: Endpoint, rates: Mapping[int, float]) -> str:
