@@ -6,8 +6,10 @@ from pathlib import Path
 
 import pytest
 
+from archlint.lookup.answers import Refused, Renamable
 from archlint.lookup.renaming import prepare_rename
 from archlint.lookup.texts import Texts
+from archlint.place import Place
 from lookup.asking import Editor
 from robot_package import manifest, write_files
 
@@ -204,6 +206,9 @@ def test_a_wrapper_that_adds_to_the_name(robot: Path):
         node("talker", publish("topic('chatter')"), before=helper),
         node("listener", subscribe("'/robot/chatter'")),
     )
+    assert editor.rename("talker.py", "topic('chat^ter')", "speech") == (
+        "cannot rename `/robot/chatter`: it is computed here, not written"
+    )
     reason = editor.rename("listener.py", "'/robot/chat^ter'", "/robot/speech")
     assert "the name of the publisher at robot/talker.py:12 is computed" in reason
 
@@ -252,10 +257,18 @@ def test_a_file_that_has_changed(lesson: Editor):
 
 def test_the_range_of_a_name(lesson: Editor):
     answer = prepare_rename(lesson.index, Texts(lesson.text_of), *lesson.position("sensor_node.py", "'sensor^_data'"))
-    assert answer is not None
+    assert isinstance(answer, Renamable)
     assert (answer.text, Texts(lesson.text_of).at(answer.place)) == ("sensor_data", "sensor_data")
     asked = lesson.position("sensor_node.py", "msg.sensor_name = 'temper^ature'")
     assert prepare_rename(lesson.index, Texts(lesson.text_of), *asked) is None
+
+
+def test_a_name_that_is_made_where_it_is_used(robot: Path):
+    editor = robot_with(robot, node("talker", "side = 'left'", publish("f'{side}/wheel'")))
+    answer = prepare_rename(editor.index, Texts(editor.text_of), *editor.position("talker.py", "f'{side}/wh^eel'"))
+    assert answer == Refused(
+        "cannot rename `/left/wheel`: it is computed here, not written", Place("robot/talker.py", 11, 39, 11, 54)
+    )
 
 
 # --------------------------------------------------------------------------------------------------- parameters

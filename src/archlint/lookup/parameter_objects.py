@@ -23,9 +23,9 @@ SETTING = frozenset({"rclpy.node.Node.set_parameters", "rclpy.node.Node.set_para
 def set_by(system: System, call: ApiCall, owner: str, rank: int) -> Iterator[Mention]:
     """The parameters of the list that a node gives itself."""
     for given in source_code(system).arguments(call)[:1]:
-        for made in everything_in(given.value, facts.Call):
-            named = [arg.value for arg in made.args if arg.keyword in (None, "name")][:1]
-            for name in named if made.func.last_name == "Parameter" else ():
+        for parameter in everything_in(given.value, facts.Call):
+            named = [arg.value for arg in parameter.args if arg.keyword in (None, "name")][:1]
+            for name in named if parameter.func.last_name == "Parameter" else ():
                 yield from _mention(name, call.place.file, owner, rank)
 
 

@@ -22,18 +22,30 @@ from archlint.ros.remapping import RemapRule
 if TYPE_CHECKING:
     from archlint.model import Text
 
-_CONNECTIONS = ("topic", "service", "action")
+_RENAMED = ("topic", "service", "action", "parameter")
+_NOTHING = "no name of ROS is written here"
 
 
-def prepare_rename(index: Index, texts: Texts, file: str, line: int, column: int) -> Renamable | None:
-    """The name at a position that can perhaps be renamed; None where no ROS name is written there.
+def prepare_rename(index: Index, texts: Texts, file: str, line: int, column: int) -> Renamable | Refused | None:
+    """The name at a position that can perhaps be renamed, or why the one that is made there cannot.
 
-    A variable or constant that stands for a name is Python's: the text that it holds can be renamed, where that is."""
+    None where no ROS name is: a variable or constant that stands for one is Python's, and the text that it holds can be
+    renamed where that is."""
     mention = _renamed_at(index, texts, file, line, column)
-    if mention is None or mention.written is None:
+    if mention is None:
         return None
-    place = texts.name_at(mention.place, mention.written)
-    return None if place is None else Renamable(place, mention.written)
+    place = texts.name_at(mention.place, mention.written or "")
+    if mention.written is None or place is None:
+        return _not_written(texts, mention)
+    return Renamable(place, mention.written)
+
+
+def _not_written(texts: Texts, mention: Mention) -> Refused | None:
+    """Why a name that is computed at a place cannot be renamed; None for a variable."""
+    text = texts.at(mention.place)
+    if text.replace(".", "").isidentifier():
+        return None
+    return Refused(f"cannot rename {code(mention.subject.name)}: it is computed here, not written", mention.place)
 
 
 def rename(index: Index, texts: Texts, file: str, line: int, column: int, new: str) -> Renamed | Refused:
@@ -42,8 +54,10 @@ def rename(index: Index, texts: Texts, file: str, line: int, column: int, new: s
     is not known."""
     mention = _renamed_at(index, texts, file, line, column)
     place = None if mention is None else texts.name_at(mention.place, mention.written or "")
-    if mention is None or mention.written is None or place is None:
-        return Refused("no name of ROS is written here")
+    if mention is None:
+        return Refused(_NOTHING)
+    if mention.written is None or place is None:
+        return _not_written(texts, mention) or Refused(_NOTHING)
     try:
         if mention.subject.kind == "parameter":
             changed: Mapping[Place, str] = parameter_texts(index, mention, _whole(mention, new))
@@ -61,8 +75,9 @@ def _whole(mention: Mention, new: str) -> str:
 
 
 def _renamed_at(index: Index, texts: Texts, file: str, line: int, column: int) -> Mention | None:
-    mentions = index.at(texts, file, line, column)
-    return next((m for m in mentions if m.subject.kind in (*_CONNECTIONS, "parameter") and m.written is not None), None)
+    """What can be renamed, first that whose name stands there."""
+    mentions = [m for m in index.at(texts, file, line, column) if m.subject.kind in _RENAMED and m.role != "call"]
+    return min(mentions, key=lambda mention: mention.written is None, default=None)
 
 
 def _name_texts(index: Index, place: Place, old: str, new: str) -> dict[Place, str]:
