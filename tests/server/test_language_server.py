@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 from lsprotocol import types as lsp
+from pygls.exceptions import JsonRpcException
 
 from server.lsp_client import EditorClient
 from server.robot import LISTENER, TALKER, Robot
@@ -136,3 +137,42 @@ def test_a_file_of_no_workspace_and_what_is_no_file_do_no_harm(editor: EditorCli
 
     assert editor.actions(lonely, lsp.Range(lsp.Position(0, 0), lsp.Position(0, 1))) == []
     editor.close(lonely)
+
+
+def test_a_name_leads_to_its_other_end_and_is_told_of(opened: EditorClient, robot: Robot) -> None:
+    document = lsp.TextDocumentIdentifier(robot.listener.as_uri())
+    name = lsp.Position(8, LISTENER.splitlines()[8].index("chatter") + 2)
+
+    hover = opened.ask(opened.client.text_document_hover_async(lsp.HoverParams(document, name)))
+    assert hover is not None
+    assert isinstance(hover.contents, lsp.MarkupContent)
+    assert "/chatter" in hover.contents.value
+
+    targets = opened.ask(opened.client.text_document_definition_async(lsp.DefinitionParams(document, name)))
+    assert [(target.uri, target.range.start.line) for target in targets or []] == [(robot.talker.as_uri(), 8)]
+
+
+def test_a_topic_is_renamed_at_both_ends_or_says_why_not(opened: EditorClient, robot: Robot) -> None:
+    document = lsp.TextDocumentIdentifier(robot.listener.as_uri())
+    name = lsp.Position(8, LISTENER.splitlines()[8].index("chatter") + 2)
+
+    edit = opened.ask(opened.client.text_document_rename_async(lsp.RenameParams(document, name, "words")))
+    changes = (edit or lsp.WorkspaceEdit()).document_changes or []
+    versions = {change.text_document.uri: change.text_document.version for change in changes}
+    assert versions == {robot.listener.as_uri(): opened.version(robot.listener), robot.talker.as_uri(): None}
+
+    with pytest.raises(JsonRpcException, match="no name of ROS"):
+        opened.ask(opened.client.text_document_rename_async(lsp.RenameParams(document, lsp.Position(0, 0), "words")))
+
+
+def test_names_are_completed_while_they_are_typed(opened: EditorClient, robot: Robot) -> None:
+    typed = LISTENER.replace("'chatter', self", "'chat', self")
+    opened.type(robot.listener, typed)
+    place = lsp.Position(8, typed.splitlines()[8].index("chat") + len("chat"))
+    params = lsp.CompletionParams(lsp.TextDocumentIdentifier(robot.listener.as_uri()), place)
+
+    rows = opened.ask(opened.client.text_document_completion_async(params))
+
+    assert isinstance(rows, list)
+    edits = {row.label: row.text_edit for row in rows}
+    assert edits["chatter"] == lsp.TextEdit(lsp.Range(lsp.Position(8, place.character - 4), place), "chatter")

@@ -5,11 +5,13 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 from archlint.finding import Finding, Related
 from archlint.fixes import Surroundings, attach
 from archlint.live.buffers import Buffers, Shifts
+from archlint.lookup.index import Index
 from archlint.workspace.tree import decoded
 
 if TYPE_CHECKING:
@@ -39,6 +41,11 @@ class Snapshot:
     shifts: Mapping[str, Shifts] = field(default_factory=dict)
     """Where the lines of files that do not compile now are, by absolute path, beside the text that was analysed."""
     notices: Sequence[str] = ()
+
+    @cached_property
+    def indexes(self) -> Sequence[Index]:
+        """What the files mention, for each of the workspaces side by side; made when it is first asked for."""
+        return [Index(systems, self.tree.text) for systems in self.systems]
 
     def path(self, file: str) -> str:
         """The absolute path of a file."""

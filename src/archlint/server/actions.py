@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -99,15 +99,7 @@ class Actions:
 
     def _edit(self, outcome: Outcome) -> WorkspaceEdit:
         edits = {file: self._edits(file, outcome.sources[file].text, outcome.texts[file]) for file in outcome.texts}
-        if self.versioned:
-            return WorkspaceEdit(document_changes=[self._document(file, rows) for file, rows in edits.items()])
-        return WorkspaceEdit(changes={self.shown.address(file): rows for file, rows in edits.items()})
-
-    def _document(self, file: str, edits: Sequence[TextEdit]) -> TextDocumentEdit:
-        snapshot = self.shown.snapshot
-        buffer = snapshot.buffers.get(snapshot.path(file))
-        version = None if buffer is None else buffer.version
-        return TextDocumentEdit(OptionalVersionedTextDocumentIdentifier(self.shown.address(file), version), list(edits))
+        return edit_of_files(self.shown, edits, self.versioned)
 
     def _edits(self, file: str, before: str, after: str) -> list[TextEdit]:
         """The lines that differ, each stretch of them one edit."""
@@ -123,9 +115,22 @@ class Actions:
         ]
 
 
+def edit_of_files(shown: Shown, edits: Mapping[str, Sequence[TextEdit]], versioned: bool) -> WorkspaceEdit:
+    """Edits of files, by their shown paths; of open documents for the version that they have in the snapshot."""
+    if versioned:
+        return WorkspaceEdit(document_changes=[_of_document(shown, file, rows) for file, rows in edits.items()])
+    return WorkspaceEdit(changes={shown.address(file): list(rows) for file, rows in edits.items()})
+
+
+def _of_document(shown: Shown, file: str, edits: Sequence[TextEdit]) -> TextDocumentEdit:
+    buffer = shown.snapshot.buffers.get(shown.snapshot.path(file))
+    version = None if buffer is None else buffer.version
+    return TextDocumentEdit(OptionalVersionedTextDocumentIdentifier(shown.address(file), version), list(edits))
+
+
 def _is_wanted(kind: str, only: Sequence[str] | None) -> bool:
     """Kinds are hierarchical: who asks for ``source`` gets ``source.fixAll``."""
     return only is None or any(kind == asked or kind.startswith(f"{asked}.") for asked in only)
 
 
-__all__ = ["FIX_ALL", "Actions"]
+__all__ = ["FIX_ALL", "Actions", "edit_of_files"]

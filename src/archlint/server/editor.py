@@ -6,8 +6,8 @@ import gc
 import os
 import threading
 from collections.abc import Callable, Mapping, Sequence
-from concurrent.futures import Future
-from dataclasses import dataclass
+from concurrent.futures import Future, ThreadPoolExecutor
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, TypeVar
 
 from lsprotocol.types import CodeAction, Diagnostic, DiagnosticSeverity, Position, Range
@@ -15,6 +15,7 @@ from lsprotocol.types import CodeAction, Diagnostic, DiagnosticSeverity, Positio
 from archlint.server.actions import Actions
 from archlint.server.diagnostics import SOURCE, Shown, by_path
 from archlint.server.documents import Documents
+from archlint.server.names import Names
 from archlint.server.session import Session, place_of
 from archlint.server.worker import Worker
 from archlint.workspace.around import is_below
@@ -63,6 +64,7 @@ class Editor:
         """What was last published, by workspace and path."""
         self._lock = threading.Lock()
         self._worker = Worker(self._analyse, self._failed)
+        self._answering = ThreadPoolExecutor(1, "archlint-names")
         self._pause = {} if pause is None else {"pause": pause}
 
     # ---------------------------------------------------------------------------------------- what the editor says
@@ -122,8 +124,23 @@ class Editor:
 
         return self._worker.ask(answer, about=root)
 
+    def names(self, path: str, question: Callable[[Names], Result], otherwise: Result) -> Future[Result]:
+        """The answer to a question about names in a file, from what is known now; ``otherwise`` where nothing is."""
+        session = self._sessions.get(self._root_of(path))
+
+        def answer() -> Result:
+            snapshot = None if session is None else session.snapshot
+            return otherwise if snapshot is None else question(self._names(snapshot))
+
+        return self._answering.submit(answer)
+
+    def names_for_edits(self, path: str, question: Callable[[Names], Result], otherwise: Result) -> Future[Result]:
+        """As :meth:`names`, once the workspace is analysed as it is now: the answer will edit files."""
+        return self.ask(path, lambda snapshot: question(self._names(snapshot)), otherwise)
+
     def close(self) -> None:
         """End the thread, and write down what the next server can use."""
+        self._answering.shutdown()
         self._worker.close()
         for session in self._sessions.values():
             session.close()
@@ -155,6 +172,11 @@ class Editor:
             session.close()
         for path in self._shown.pop(root, {}):
             self._say(path, [])
+
+    def _names(self, snapshot: Snapshot) -> Names:
+        """The names of an analysis in the texts of now."""
+        shown = self._as_shown(replace(snapshot, buffers=self.documents.buffers))
+        return Names(shown, snapshot.indexes, self.client.versioned)
 
     def _as_shown(self, snapshot: Snapshot) -> Shown:
         return Shown(snapshot, self.documents.addresses, self.client.units)

@@ -13,6 +13,7 @@ from pygls.lsp.server import LanguageServer
 from archlint import __version__
 from archlint.server.actions import FIX_ALL
 from archlint.server.editor import Client, Editor, Published
+from archlint.server.name_features import answer_about_names
 from archlint.server.uris import path_of
 
 _WATCHED = "**/*.{py,xml,launch,yaml,yml,toml,cfg,msg,srv,action,txt}"
@@ -72,6 +73,7 @@ def make_server() -> ArchlintServer:
     _hear_documents(server)
     _hear_workspace(server)
     _answer(server)
+    answer_about_names(server, server.editor)
     return server
 
 
