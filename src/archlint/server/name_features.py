@@ -54,9 +54,12 @@ def answer_about_names(server: LanguageServer, editor: Editor) -> None:
 
     @server.feature(lsp.TEXT_DOCUMENT_PREPARE_RENAME)
     async def prepare_rename(params: lsp.PrepareRenameParams) -> lsp.PrepareRenamePlaceholder | None:
-        return await ask(
-            params.text_document.uri, lambda names, path: names.prepare_rename(path, params.position), None
-        )
+        try:
+            return await ask(
+                params.text_document.uri, lambda names, path: names.prepare_rename(path, params.position), None
+            )
+        except CannotRename as error:
+            raise _refusal(error) from None
 
     @server.feature(lsp.TEXT_DOCUMENT_RENAME, lsp.RenameOptions(prepare_provider=True))
     async def rename(params: lsp.RenameParams) -> lsp.WorkspaceEdit | None:
@@ -64,19 +67,15 @@ def answer_about_names(server: LanguageServer, editor: Editor) -> None:
         if path is None:
             return None
         place, new = params.position, params.new_name
-        answer = editor.names_for_edits(path, lambda names: _renamed(names, path, place, new), None)
-        edit = await asyncio.wrap_future(answer)
-        if isinstance(edit, str):
-            raise JsonRpcException(edit, _REQUEST_FAILED)
-        return edit
+        answer = editor.names_for_edits(path, lambda names: names.rename(path, place, new), None)
+        try:
+            return await asyncio.wrap_future(answer)
+        except CannotRename as error:
+            raise _refusal(error) from None
 
 
-def _renamed(names: Names, path: str, place: lsp.Position, new: str) -> lsp.WorkspaceEdit | str | None:
-    """The edit, or why there is none."""
-    try:
-        return names.rename(path, place, new)
-    except CannotRename as error:
-        return str(error)
+def _refusal(error: CannotRename) -> JsonRpcException:
+    return JsonRpcException(str(error), _REQUEST_FAILED)
 
 
 __all__ = ["answer_about_names"]

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, TypeVar
 
 from lsprotocol import types as lsp
 
-from archlint.lookup.answers import Edit, Refused
+from archlint.lookup.answers import Edit, Refused, Renamable
 from archlint.lookup.completion import complete
 from archlint.lookup.hovers import hover
 from archlint.lookup.index import Index
@@ -74,8 +74,14 @@ class Names:
         return [lsp.DocumentLink(self._range(row.place), target=self.shown.address(row.target.file)) for row in rows]
 
     def prepare_rename(self, path: str, position: lsp.Position) -> lsp.PrepareRenamePlaceholder | None:
+        """Raises :class:`CannotRename`."""
         answer = self._first(prepare_rename, path, position)
-        return None if answer is None else lsp.PrepareRenamePlaceholder(self._range(answer.place), answer.text)
+        match answer:
+            case Refused(reason=reason):
+                raise CannotRename(visible(reason))
+            case Renamable(place=place, text=text):
+                return lsp.PrepareRenamePlaceholder(self._range(place), text)
+        return None
 
     def rename(self, path: str, position: lsp.Position, new: str) -> lsp.WorkspaceEdit:
         """Raises :class:`CannotRename`."""
