@@ -99,6 +99,11 @@ def test_a_rule_that_a_document_names_exists(name: str):
     assert [code for code in sorted(codes) if not list((ROOT / "rules").glob(f"{code}-*.md"))] == []
 
 
+def test_the_rule_of_the_recipe_is_one_that_there_is_not():
+    [code] = re.findall(r"`rules/([A-Z]{3}\d{3})-", (ROOT / "CONTRIBUTING.md").read_text("utf-8"))
+    assert list((ROOT / "rules").glob(f"{code}-*")) == []
+
+
 def test_the_paths_of_the_recipes_exist():
     text = (ROOT / "CONTRIBUTING.md").read_text("utf-8")
     named = set(re.findall(r"`((?:src|tests|tests_ros|scripts|fixtures|benchmarks)/[\w/.]+)`", text))
