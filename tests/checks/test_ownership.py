@@ -13,8 +13,9 @@ from archlint.config.settings import load
 from archlint.engine.pipeline import Request, check
 from archlint.finding import Severity
 from archlint.ros.well_known import OF_MANY_PUBLISHERS
+from archlint.rulebook import pages_folder
 from archlint.systems.model import System
-from archlint.testing.pages import SCAFFOLD, read_page
+from archlint.testing.pages import read_page
 from checks.judging import Judge
 from systems.builders import (
     action_server,
@@ -946,7 +947,7 @@ def test_who_runs_a_loose_script_knows_what_else_runs(tmp_path, monkeypatch, bes
 def test_what_a_good_example_of_the_page_shows_is_what_makes_it_good(
     title: str, cure: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ):
-    [page] = SCAFFOLD.parent.glob("OWN001-*.md")
+    [page] = pages_folder().glob("OWN001-*.md")
     [example] = [each for each in read_page("OWN001", page.read_text(encoding="utf-8")) if each.title == title]
     assert any(cure in text for text in example.files.values())
     example.files = {name: text.replace(cure, "") for name, text in example.files.items()}
