@@ -14,9 +14,9 @@ import pytest
 
 from archlint.cli import main, progress_line
 from archlint.cli.costs import costs
+from archlint.cli.progress import shows_progress
 from archlint.cli.progress_line import ProgressLine
 from archlint.cli.tally import Tally
-from archlint.cli.watch import shows_progress
 
 NODE = """\
 import rclpy

@@ -22,7 +22,7 @@ from archlint.cli.options import (
     settings_of,
 )
 from archlint.cli.parser import Parser
-from archlint.cli.watch import Watch
+from archlint.cli.progress import Progress
 from archlint.engine.compile_facts import FactsError, write_facts
 from archlint.engine.request import NothingToDo, Request
 
@@ -60,9 +60,9 @@ def run(arguments: argparse.Namespace) -> int:
     paths = paths_of(arguments)
     settings = settings_of(arguments, paths[0])
     request = Request(paths, settings, cached=not arguments.no_cache, jobs=arguments.jobs)
-    watch = Watch(sys.stderr, arguments.quiet, arguments.verbose)
+    progress = Progress(sys.stderr, arguments.quiet, arguments.verbose)
     try:
-        with pool_of(arguments) as pool, watch as monitor:
+        with pool_of(arguments) as pool, progress as monitor:
             written = write_facts(
                 replace(request, monitor=monitor, pool=pool), Path(arguments.folder), arguments.prefix
             )
@@ -71,7 +71,7 @@ def run(arguments: argparse.Namespace) -> int:
     if not arguments.quiet:
         what = f"{_count(written.packages, 'package')} and {_count(written.files, 'file')}"
         console.note(f"Wrote the facts of {what} to {arguments.folder}.")
-    watch.note_costs()
+    progress.note_costs()
     for fault in written.faults:
         console.note(f"archlint: {fault}")
     if written.faults:

@@ -26,7 +26,7 @@ from archlint.cli.options import (
     settings_of,
 )
 from archlint.cli.parser import Parser
-from archlint.cli.watch import Watch
+from archlint.cli.progress import Progress
 from archlint.engine.answers import Answer
 from archlint.engine.drawn import Drawn
 from archlint.engine.keeper import Keeper
@@ -76,9 +76,9 @@ def run(arguments: argparse.Namespace) -> int:
     )
     to_terminal = arguments.file in (None, "-")
     color = to_terminal and console.wants_color(arguments.color, sys.stdout)
-    watch = Watch(sys.stderr, arguments.quiet, arguments.verbose)
+    progress = Progress(sys.stderr, arguments.quiet, arguments.verbose)
     try:
-        with pool_of(arguments) as pool, watch as monitor:
+        with pool_of(arguments) as pool, progress as monitor:
             drawn = draw(replace(request, monitor=monitor, pool=pool), format, color, arguments.all)
     except (NothingToDo, CannotDraw) as error:
         raise UsageError(str(error)) from None
@@ -89,7 +89,7 @@ def run(arguments: argparse.Namespace) -> int:
         console.write(drawn.output, arguments.file)
     answer = Answer(text, "" if arguments.quiet else _warnings(drawn), "", exits.CLEAN)
     console.give(answer)
-    watch.note_costs()
+    progress.note_costs()
     for fault in drawn.faults:
         console.note(f"archlint: {fault}")
     if drawn.faults:

@@ -51,7 +51,7 @@ class Keeper:
         """A run begins over some paths."""
         root = os.path.abspath(settings.cache_folder)
         self._names = Names(os.path.dirname(root), os.path.basename(root))
-        self._above = _Above(paths, settings, self._files)
+        self._above = Above(paths, settings, self._files)
 
     def lasts(
         self, workspace: Workspace, asked: Iterable[tuple[str, str, str | None]], store: Store | NullStore
@@ -95,7 +95,7 @@ class Keeper:
         return any(int(changed) + RACY_NS >= self._began for changed in times)
 
 
-class _Above:
+class Above:
     """What decides, above the paths of a run, which workspace and which configuration they belong to."""
 
     def __init__(self, paths: Iterable[str], settings: Settings, files: Iterable[str]) -> None:
@@ -162,4 +162,4 @@ def _upwards(path: str) -> Iterator[str]:
         yield path
 
 
-__all__ = ["Keeper"]
+__all__ = ["Above", "Keeper"]
