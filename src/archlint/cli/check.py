@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 import os
 import sys
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -24,7 +24,7 @@ from archlint.cli.options import (
     settings_of,
 )
 from archlint.cli.progress import Progress
-from archlint.cli.said import remarks, written
+from archlint.cli.said import Checked, remarks, written
 from archlint.engine.answers import Answer
 from archlint.engine.keeper import Keeper
 from archlint.engine.pipeline import NothingToDo, Request, check
@@ -34,16 +34,6 @@ from archlint.report.paths import folder_in_repository
 
 if TYPE_CHECKING:
     from archlint.systems.model import System
-
-
-@dataclass(frozen=True)
-class Checked:
-    """What a run found, what is to be said of it, what was asked, and how it went."""
-
-    report: Report
-    answer: Answer
-    request: Request
-    progress: Progress
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -172,4 +162,4 @@ def exit_status(report: Report, failing: Severity, exit_zero: bool) -> int:
     return exits.CLEAN
 
 
-__all__ = ["Checked", "checked", "exit_status", "parser", "run"]
+__all__ = ["checked", "exit_status", "parser", "run"]

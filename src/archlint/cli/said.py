@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from archlint import report as reports
@@ -19,6 +19,8 @@ from archlint.report.starting_points import starting_points
 if TYPE_CHECKING:
     import argparse
 
+    from archlint.cli.progress import Progress
+    from archlint.engine.answers import Answer
     from archlint.finding import Finding
     from archlint.systems.model import System
 
@@ -28,6 +30,16 @@ STATISTICS: Mapping[str, Callable[[Iterable[Finding]], str]] = {
     "json": statistics.as_json,
 }
 """The formats of ``--statistics``."""
+
+
+@dataclass(frozen=True)
+class Checked:
+    """What a run found, what is to be said of it, what was asked, and how it went."""
+
+    report: Report
+    answer: Answer
+    request: Request
+    progress: Progress
 
 
 def written(report: Report, arguments: argparse.Namespace) -> str:

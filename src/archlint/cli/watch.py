@@ -20,7 +20,7 @@ from archlint.config.settings import Settings
 from archlint.engine.changes import state_of
 
 if TYPE_CHECKING:
-    from archlint.cli.check import Checked
+    from archlint.cli.said import Checked
     from archlint.engine.request import Request
     from archlint.finding import Finding
 
