@@ -34,28 +34,7 @@ def parser() -> argparse.ArgumentParser:
     rules.add_argument("--select", metavar="CODES", action="append", help="run these rules only")
     rules.add_argument("--extend-select", metavar="CODES", action="append", help="run these rules too")
     rules.add_argument("--ignore", metavar="CODES", action="append", help="do not run these rules")
-    output = parser.add_argument_group("output")
-    formats = ", ".join(reports.FORMATS)
-    output.add_argument(
-        "--format", metavar="F", choices=list(reports.FORMATS), default="text", help=f"one of {formats}"
-    )
-    output.add_argument("-o", metavar="FILE", dest="file", help="write the findings to FILE")
-    output.add_argument(
-        "--output",
-        metavar="FORMAT=FILE",
-        action="append",
-        type=_output,
-        default=[],
-        help="write them to FILE in this format too; repeatable",
-    )
-    output.add_argument(
-        "--statistics", action="store_true", help="count the findings of each rule instead of showing them"
-    )
-    output.add_argument(
-        "--group-by", metavar="WHAT", choices=list(GROUPS), help=f"group the findings by {', '.join(GROUPS)}"
-    )
-    output.add_argument("--max", metavar="N", type=positive, help="show the N most important findings only")
-    output.add_argument("--watch", action="store_true", help="check again whenever a file has changed; Ctrl-C ends")
+    _add_output(parser)
     mending = parser.add_argument_group("fixes")
     mending.add_argument("--fix", action="store_true", help="apply safe fixes")
     mending.add_argument("--unsafe-fixes", action="store_true", help="with --fix or --diff: unsafe fixes too")
@@ -81,6 +60,31 @@ def parser() -> argparse.ArgumentParser:
     add_scheduler(parser)
     add_talking(parser)
     return parser
+
+
+def _add_output(parser: argparse.ArgumentParser) -> None:
+    output = parser.add_argument_group("output")
+    formats = ", ".join(reports.FORMATS)
+    output.add_argument(
+        "--format", metavar="F", choices=list(reports.FORMATS), default="text", help=f"one of {formats}"
+    )
+    output.add_argument("-o", metavar="FILE", dest="file", help="write the findings to FILE")
+    output.add_argument(
+        "--output",
+        metavar="FORMAT=FILE",
+        action="append",
+        type=_output,
+        default=[],
+        help="write them to FILE in this format too; repeatable",
+    )
+    output.add_argument(
+        "--statistics", action="store_true", help="count the findings of each rule instead of showing them"
+    )
+    output.add_argument(
+        "--group-by", metavar="WHAT", choices=list(GROUPS), help=f"group the findings by {', '.join(GROUPS)}"
+    )
+    output.add_argument("--max", metavar="N", type=positive, help="show the N most important findings only")
+    output.add_argument("--watch", action="store_true", help="check again whenever a file has changed; Ctrl-C ends")
 
 
 def _output(text: str) -> tuple[reports.FormatName, str]:
