@@ -11,7 +11,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
 ENVIRONMENT = ROOT / ".venv-adoption"
-NEEDED = ("pre-commit", "colcon-common-extensions", "check-jsonschema")
+NEEDED = ("pre-commit", "colcon-common-extensions", "check-jsonschema", "zizmor")
 """What the environment has besides archlint; colcon-common-extensions brings those for ROS."""
 _PASSED_ON = ("PATH", "SYSTEMROOT", "LANG", "SSL_CERT_FILE", "REQUESTS_CA_BUNDLE", "NODE_EXTRA_CA_CERTS")
 _WRAPPER = """\
@@ -48,6 +48,8 @@ class Programs:
     """The Python that has archlint's requirements."""
     home: Path
     more: Mapping[str, str] = field(default_factory=dict)
+    installs: bool = False
+    """Whether steps may install something from PyPI."""
 
     def has(self, name: str) -> bool:
         return (self.folder / name).exists()
@@ -100,4 +102,4 @@ def installed(home: Path) -> Programs | str:
         if done.returncode != 0:
             last = (done.stdout + done.stderr).strip().splitlines()[-1:]
             return f"pip cannot install {', '.join(NEEDED)}: {''.join(last)}"
-    return Programs(ENVIRONMENT / "bin", python, home, {"PRE_COMMIT_HOME": str(ENVIRONMENT / "hooks")})
+    return Programs(ENVIRONMENT / "bin", python, home, {"PRE_COMMIT_HOME": str(ENVIRONMENT / "hooks")}, installs=True)

@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from benchmarks.adoption.action import Action
 from benchmarks.adoption.language_client import Session, Silence
 from benchmarks.adoption.programs import ROOT, Done, Programs
 from benchmarks.adoption.workspace import NAME, Workspace
@@ -42,7 +43,8 @@ class Story:
     kept: Path
     """The folder for what they write down: the summary, the SARIF, the session of the editor."""
     report: dict[str, Any] = field(default_factory=dict)
-    """The findings of the pull request."""
+    """The findings of the pull request, and ``sarif`` the file of the same."""
+    sarif: Path = Path()
 
     @property
     def root(self) -> Path:
@@ -65,13 +67,17 @@ def start(story: Story) -> str:
 
 
 def workflow(story: Story) -> str:
-    """The workflow that it wrote is valid by GitHub's schema."""
+    """The workflow that it wrote is valid by GitHub's schema, and zizmor has nothing against the action."""
     if importlib.util.find_spec("check_jsonschema") is None:
         raise Skipped("no check-jsonschema")
     path = story.root / ".github" / "workflows" / "archlint.yml"
     words = [story.programs.python, "-m", "check_jsonschema", "--builtin-schema", "vendor.github-workflows", path]
     _expect(0, story.programs.run(words, story.root))
-    return f"{path.name} is valid"
+    if not story.programs.has("zizmor"):
+        return f"{path.name} is valid; the action is not audited: `make adoption` does it"
+    audit = [story.programs.folder / "zizmor", "--offline", "--persona", "auditor", ROOT / "action.yml"]
+    _expect(0, story.programs.run(audit, story.root))
+    return f"{path.name} is valid; zizmor finds nothing in action.yml"
 
 
 def hook(story: Story) -> str:
@@ -96,33 +102,30 @@ def hook(story: Story) -> str:
 
 
 def pull_request(story: Story) -> str:
-    """The step of the action reports what the branch brings in, and nothing else."""
+    """The steps of the action report what the branch brings in, and nothing else."""
     git = story.programs.git
     _expect(0, git(story.root, "update-ref", "refs/remotes/origin/main", "HEAD"))
     _expect(0, git(story.root, "checkout", "-q", "-b", "feature"))
     story.workspace.add_package(mistake=True)
     taken, said = story.workspace.commit("a mistake", "--no-verify")
     _require(taken, said)
-    output, summary = story.kept / "output", story.kept / "summary.md"
-    step = {
-        "ARCHLINT": str(story.programs.folder / "archlint"),
-        "RUNNER_TEMP": str(story.kept),
-        "GITHUB_OUTPUT": str(output),
-        "GITHUB_STEP_SUMMARY": str(summary),
-        "GITHUB_WORKSPACE": str(story.root),
-        "GITHUB_BASE_REF": "main",
-        "INPUT_NEW_ONLY": "pull-request",
-    }
-    words = [story.programs.python, ROOT / "scripts" / "action" / "check.py"]
-    done = _expect(1, story.programs.run(words, story.root, **step))
-    outputs = dict(line.split("=", 1) for line in output.read_text("utf-8").splitlines())
+    action = Action(story.programs, story.root, story.kept, {"new-only": "pull-request"})
+    if story.programs.installs:
+        _expect(0, action.run("install"))
+    else:
+        archlint = str(story.programs.folder / "archlint")
+        action.outputs["install"] = {"python": str(story.programs.python), "archlint": archlint}
+    done = _expect(1, action.run("check", GITHUB_BASE_REF="main"))
+    outputs = action.outputs["check"]
     story.report = json.loads(Path(outputs["json-file"]).read_text("utf-8"))
+    story.sarif = Path(outputs["sarif-file"])
     findings = story.report["diagnostics"]
-    _require([finding["code"] for finding in findings] == [CODE], done.said)
-    _require(NAME in findings[0]["file"] and "```mermaid" in summary.read_text("utf-8"), done.said)
+    _require([finding["code"] for finding in findings] == [CODE] and outputs["errors"] == "1", done.said)
+    _require(NAME in findings[0]["file"] and "```mermaid" in action.summary.read_text("utf-8"), done.said)
     whole = json.loads(story.archlint("check", "--no-baseline", "--format", "json").out)["summary"]
     every = whole["errors"] + whole["warnings"] + whole["infos"]
-    return f"1 new finding of {every}, at its line, in the summary and in the graph"
+    how = "installed by the action" if story.programs.installs else "with archlint from this checkout"
+    return f"1 new finding of {every}, at its line, in the summary and in the graph; {how}"
 
 
 def sarif(story: Story) -> str:
@@ -131,7 +134,7 @@ def sarif(story: Story) -> str:
         raise Skipped("SARIF_SCHEMA names no copy of the official schema")
     import jsonschema  # only here, where it is asked for
 
-    written = json.loads((story.kept / "archlint" / "archlint.sarif").read_text("utf-8"))
+    written = json.loads(story.sarif.read_text("utf-8"))
     schema = json.loads(Path(os.environ["SARIF_SCHEMA"]).read_text("utf-8"))
     try:
         jsonschema.validate(written, schema)

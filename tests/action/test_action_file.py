@@ -36,6 +36,12 @@ def test_a_script_is_a_file_of_the_action(step: dict[str, Any]):
     assert (ROOT / script).is_file()
 
 
+def test_other_actions_are_pinned_to_a_commit_with_its_version():
+    used = re.findall(r"uses: (.*)", (ROOT / "action.yml").read_text("utf-8").partition("runs:")[2])
+    assert len(used) == len(STEPS) - len(SCRIPTS)
+    assert all(re.fullmatch(r"[\w/-]+@[0-9a-f]{40} # v\d+\.\d+\.\d+", one) for one in used)
+
+
 @pytest.mark.parametrize("name", ACTION["inputs"])
 def test_an_input_is_used(name: str):
     assert f"inputs.{name}" in str(STEPS)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import shlex
 import subprocess
 from pathlib import Path
 
@@ -165,6 +166,19 @@ def test_a_repository_at_gitlab_gets_a_job_for_gitlab(here: Path, capsys: pytest
     assert written(here) == {CONFIGURATION, HOOK, GITLAB}
     job = yaml.safe_load((here / GITLAB).read_text("utf-8"))["archlint"]
     assert job["variables"] == {"GIT_SUBMODULE_STRATEGY": "normal"}
+
+
+def test_a_jenkinsfile_is_left_and_the_stage_to_add_is_said(here: Path, capsys: pytest.CaptureFixture[str]):
+    write_workspace(here / "kim's ws")
+    write_files(here, {"Jenkinsfile": "pipeline {}\n"})
+    said = init(capsys, "kim's ws")
+    assert "Jenkinsfile exists, and is left as it is\n" in said
+    [stage] = re.findall(r"^        sh '(\.archlint-ci/bin/archlint .*)'$", said, re.MULTILINE)
+    words = shlex.split(stage.replace("\\'", "'").replace("\\\\", "\\"))
+    assert words == [".archlint-ci/bin/archlint", "check", "--exit-zero", "--output", "junit=archlint.xml", "kim's ws"]
+    assert written(here) == {HOOK}
+    write_files(here, {"Jenkinsfile": "stage('archlint') {}\n"})
+    assert "stages" not in init(capsys, "kim's ws")
 
 
 def test_a_linked_worktree_has_the_remote_of_its_repository(

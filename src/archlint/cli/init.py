@@ -147,6 +147,10 @@ def _in_ci(root: Path, inside: str) -> Iterator[str]:
             yield f"to add the job, append this to it\n\n{starter_files.gitlab_job(inside, submodules)}"
     elif re.search(r"^\s*url\s*=.*gitlab", _text(_git_folder(root) / "config"), re.MULTILINE):
         yield _wrote(gitlab, starter_files.gitlab_job(inside, submodules))
+    elif os.path.lexists(root / "Jenkinsfile") and not (root / ".github" / "workflows").is_dir():
+        yield _left(root / "Jenkinsfile")
+        if "archlint" not in _text(root / "Jenkinsfile"):
+            yield f"to add the check, put this among its `stages`\n\n{starter_files.jenkins_stage(inside)}"
     else:
         folder = root / ".github" / "workflows"
         existing = next((path for path in sorted(folder.glob("*.y*ml")) if "archlint" in path.name + _text(path)), None)

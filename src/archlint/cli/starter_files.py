@@ -128,7 +128,7 @@ jobs:
   archlint:
     runs-on: ubuntu-latest
     steps:
-      - uses: actions/checkout@v4{more}
+      - uses: actions/checkout@v5{more}
       - run: {_scalar("pipx run " + _command(folder, "--format", "github"))}
 """
 
@@ -147,6 +147,26 @@ archlint:
     reports:
       codequality: archlint.json
 """
+
+
+def jenkins_stage(folder: str) -> str:
+    """The entry below ``stages`` of a Jenkinsfile."""
+    check = _command(folder, "--exit-zero", "--output", "junit=archlint.xml")
+    return f"""\
+    stage('archlint') {{
+      steps {{
+        sh 'python3 -m venv .archlint-ci && .archlint-ci/bin/pip install --quiet archlint'
+        sh {_groovy(f".archlint-ci/bin/{check}")}
+      }}
+      post {{ always {{ junit 'archlint.xml' }} }}
+    }}
+"""
+
+
+def _groovy(text: str) -> str:
+    """A text as Groovy writes one in which nothing is replaced."""
+    escaped = text.replace("\\", "\\\\").replace("'", "\\'")
+    return f"'{escaped}'"
 
 
 def _command(folder: str, *options: str) -> str:
