@@ -40,6 +40,43 @@ def test_a_package_that_was_renamed(findings):
     assert finding.help == "start it from package 'robot'"
 
 
+def test_a_name_that_only_stands_for_that_of_a_package(findings):
+    (finding,) = findings("LCH001", node(pkg="your_package", exec="listener"))
+    assert finding.message == ("there is no package 'your_package': the name only stands for that of a package")
+
+
+CONTAINER = (
+    '<node_container pkg="rclcpp_components" exec="component_container" name="c" namespace="">'
+    '<composable_node pkg="{package}" plugin="arm::Arm" name="arm"/></node_container>'
+)
+
+
+@pytest.mark.parametrize(
+    "files",
+    [
+        {"src/arm.cpp": "#include <rclcpp/rclcpp.hpp>\nRCLCPP_COMPONENTS_REGISTER_NODE(arm::Arm)\n"},
+        {"CMakeLists.txt": 'rclcpp_components_register_nodes(arm_component "arm::Arm")\n', "package.xml": CMAKE},
+    ],
+)
+def test_a_component_of_a_package_that_was_renamed(findings, files):
+    (finding,) = findings("LCH001", CONTAINER.format(package="arm_driver"), **files)
+    assert finding.message == "there is no package 'arm_driver'; did you mean 'robot', which registers 'arm::Arm'?"
+    assert findings("LCH001", CONTAINER.format(package="robot"), **files) == []
+
+
+def test_a_component_of_a_package_from_elsewhere(findings):
+    assert findings("LCH001", CONTAINER.format(package="arm_driver")) == []
+
+
+@pytest.mark.parametrize(("cmake", "found"), [("project(robot)\n", 1), ("install(PROGRAMS bin/talker TYPE BIN)\n", 0)])
+def test_an_entry_of_a_setup_py_that_cmake_does_not_read(findings, cmake, found):
+    files = {"CMakeLists.txt": cmake + SCRIPTS, "package.xml": CMAKE, "scripts/drive.py": ""}
+    messages = [finding.message for finding in findings("LCH001", node(), **files)]
+    assert messages == found * [
+        "package 'robot' installs no executable 'talker': CMake builds it, and its setup.py is not read"
+    ]
+
+
 @pytest.mark.parametrize(
     ("package", "executable"),
     [

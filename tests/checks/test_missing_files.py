@@ -6,7 +6,7 @@ import pytest
 
 from archlint.config.settings import load
 from archlint.engine.pipeline import Request, check
-from robot_package import CMAKE, CMAKE_TESTS, MANIFEST, SETUP, TALKER, node, write_files
+from robot_package import CMAKE, CMAKE_TESTS, MANIFEST, SETUP, TALKER, manifest, node, write_files
 
 
 @pytest.mark.parametrize(
@@ -353,6 +353,7 @@ def test_a_file_that_is_opened_in_a_try(findings):
     ("launch", "files", "help"),
     [
         (node('<param from="config/talk.yaml"/>'), ["config/talk.yaml"], f"write {SHARE}/config/talk.yaml"),
+        (node('<param from="talk.yaml"/>'), ["config/talk.yaml"], f"write {SHARE}/config/talk.yaml"),
         ('<include file="other.launch.xml"/>', ["launch/other.launch.xml"], f"write {SHARE}/launch/other.launch.xml"),
     ],
 )
@@ -367,7 +368,7 @@ def test_a_relative_path(tmp_path, monkeypatch, launch, files, help):
     assert finding.help == help
 
 
-@pytest.mark.parametrize("written", ["/opt/talk.yaml", "~/talk.yaml", "talk.yaml", "src/robot/config/talk.yaml"])
+@pytest.mark.parametrize("written", ["/opt/talk.yaml", "~/talk.yaml", "speak.yaml", "src/robot/config/talk.yaml"])
 def test_a_path_from_somewhere_that_is_known(tmp_path, monkeypatch, written):
     monkeypatch.chdir(tmp_path)
     launch = f"<launch>{node(f'<param from={written!r}/>')}</launch>"
@@ -375,3 +376,61 @@ def test_a_path_from_somewhere_that_is_known(tmp_path, monkeypatch, written):
     texts |= {"src/robot/package.xml": MANIFEST.format(name="robot", type="ament_python", more="")}
     write_files(tmp_path, texts | {"src/robot/robot/talker.py": TALKER, "archlint.toml": 'select = ["LCH004"]'})
     assert check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings == []
+
+
+def include(file: str, *arguments: str) -> str:
+    return f"<include file='{file}'>{''.join(arguments)}</include>"
+
+
+def arg(name: str, path: str, at: str = "value") -> str:
+    return f'<arg name="{name}" {at}="$(find-pkg-share robot)/{path}"/>'
+
+
+@pytest.mark.parametrize(
+    ("launch", "message"),
+    [
+        (arg("map", "halls/hall.yaml", "default"), "package 'robot' has no file 'halls/hall.yaml'"),
+        (include("$(find-pkg-share nav2)/it.xml", arg("map", "halls/hall.yaml")), "has no file 'halls/hall.yaml'"),
+        ('<let name="map" value="$(find-pkg-share robot)/halls/hall.yaml"/>', "has no file 'halls/hall.yaml'"),
+        (arg("map", "config/mapp.yaml", "default"), "has no file 'config/mapp.yaml'; did you mean 'map.yaml'?"),
+    ],
+)
+def test_a_path_that_an_argument_gets(findings, launch, message):
+    (finding,) = findings("LCH004", launch, **{"config/map.yaml": ""})
+    assert message in finding.message
+
+
+@pytest.mark.parametrize(
+    "launch",
+    [
+        arg("map", "config/map.yaml", "default"),
+        arg("map", "config/other.yaml", "default"),  # a node may write it there
+        arg("save_to", "halls/hall.yaml", "default"),
+        '<arg name="map" default="$(find-pkg-share halls)/halls/hall.yaml"/>',
+    ],
+)
+def test_a_path_of_an_argument_that_may_be_there(findings, launch):
+    assert findings("LCH004", launch, **{"config/map.yaml": ""}) == []
+
+
+def test_a_world_that_the_build_makes_of_a_template(findings):
+    world = arg("world", "worlds/dock.world", "default")
+    assert findings("LCH004", world, **{"worlds/dock.world.xacro": "", "worlds/a.world.xacro": ""}) == []
+    assert len(findings("LCH004", arg("world", "worlds/lake.world", "default"))) == 1
+
+
+@pytest.mark.parametrize(
+    ("package", "end"),
+    [("robo", "; did you mean 'robot'?"), ("your_robot", "")],
+)
+def test_a_share_folder_of_no_package(findings, package, end):
+    (finding,) = findings("LCH004", include(f"$(find-pkg-share {package})/launch/all.launch.xml"))
+    assert finding.message == (
+        f"there is no package '{package}', in which this looks for the launch file 'launch/all.launch.xml'{end}"
+    )
+
+
+@pytest.mark.parametrize("package", ["nav2_bringup", "lighthouse", "rob"])
+def test_a_share_folder_of_a_package_from_elsewhere(findings, package):
+    declared = {"package.xml": manifest(more="<depend>rob</depend>")}
+    assert findings("LCH004", include(f"$(find-pkg-share {package})/launch/all.launch.xml"), **declared) == []

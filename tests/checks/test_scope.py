@@ -35,7 +35,7 @@ SCOPES = {
         PRM005 QOS001 QOS002 QOS003 SRV001 SRV002 SRV006 TOP001 TOP002 TOP003 TOP004 TOP008
     """,
     Scope.AS_LAUNCHED: "LCH002 NME002 QOS004 SRV004",
-    Scope.LAUNCH_FILE: "LCH001 LCH003 LCH004 LCH005 LCH007 PRM009",
+    Scope.LAUNCH_FILE: "LCH001 LCH003 LCH004 LCH005 LCH007 LCH009 PRM009",
     Scope.RUNNING: "GRF005 GRF006 GRF007",
 }
 """What the pages say: both ends of a connection, a parameter's value and a node's name depend on what is launched;

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
 
-_SOURCES = (".cpp", ".cc", ".cxx", ".hpp")
+CPP_SOURCES = (".cpp", ".cc", ".cxx", ".hpp")
 
 
 def names_cpp_node(workspace: WorkspaceIndex, file: str, name: str) -> bool:
@@ -18,6 +18,6 @@ def names_cpp_node(workspace: WorkspaceIndex, file: str, name: str) -> bool:
     if installs is None:
         return False
     node = re.compile(rf'"{re.escape(name)}"')
-    sources = [path for path in workspace.tree.files_below(installs.folder) if path.endswith(_SOURCES)]
+    sources = [path for path in workspace.tree.files_below(installs.folder) if path.endswith(CPP_SOURCES)]
     texts = (workspace.tree.text(path) or "" for path in sources)
     return any("rclcpp" in text and node.search(text) is not None for text in texts)

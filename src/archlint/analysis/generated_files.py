@@ -31,9 +31,15 @@ def is_generated(workspace: WorkspaceIndex | None, package: str, path: str) -> b
     folder, name = posixpath.split(posixpath.normpath(posixpath.join(installs.folder, path)))
     if not name or workspace.tree.is_folder(folder):
         return False
-    files = workspace.tree.files_below(installs.folder)
+    return has_template(workspace, package, path) or _is_written(workspace, name)
+
+
+def has_template(workspace: WorkspaceIndex, package: str, path: str) -> bool:
+    """Whether a template of a missing file lies in its package: the build may make the file of it."""
+    name, installs = posixpath.basename(path), workspace.installs.get(package)
     made_of = {f"{stem}{ending}" for stem in (name, posixpath.splitext(name)[0]) for ending in _TEMPLATES}
-    return any(posixpath.basename(file) in made_of for file in files) or _is_written(workspace, name)
+    files = () if installs is None else workspace.tree.files_below(installs.folder)
+    return any(posixpath.basename(file) in made_of for file in files)
 
 
 def is_ignored(workspace: WorkspaceIndex, path: str) -> bool:

@@ -6,7 +6,7 @@ import posixpath
 import re
 from typing import TYPE_CHECKING
 
-from archlint.launch.kinds import FileStatus
+from archlint.launch.kinds import FileKind, FileStatus
 
 if TYPE_CHECKING:
     from archlint.launch.named_files import FileReference
@@ -32,7 +32,8 @@ def names_beside(workspace: WorkspaceIndex, package: str, path: str) -> list[str
 
 def lies_in(workspace: WorkspaceIndex, reference: FileReference) -> tuple[str, str] | None:
     """The package, and the path below its share folder, of a file that a launch file names by a relative path: it lies
-    beside that launch file, or there from the folder of its package on, and not where all packages are seen from."""
+    beside that launch file, or there from the folder of its package on, and not where all packages are seen from; a
+    parameter file of such a name may lie anywhere in the package."""
     written, file = reference.written or "", reference.place.file
     package = workspace.package_of(file)
     installs = workspace.installs.get(package or "")
@@ -44,6 +45,9 @@ def lies_in(workspace: WorkspaceIndex, reference: FileReference) -> tuple[str, s
         start = "" if installs.folder == "." else f"{installs.folder}/"
         if path.startswith(start) and workspace.tree.is_file(path) and not workspace.tree.is_file(written):
             return package, path.removeprefix(start)
+    same = [path for path in workspace.tree.files_below(installs.folder) if path.endswith(f"/{written}")]
+    if reference.kind is FileKind.PARAMETERS and len(same) == 1 and not workspace.tree.is_file(written):
+        return package, posixpath.relpath(same[0], installs.folder)
     return None
 
 

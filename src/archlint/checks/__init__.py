@@ -15,6 +15,7 @@ MODULES: tuple[str, ...] = (
     "launch_values",
     "launched_executables",
     "lost_publications",
+    "leaked_arguments",
     "limitless_calls",
     "long_services",
     "malformed_substitutions",

@@ -43,6 +43,15 @@ def undeclared_launch_argument(system: System, options: Options) -> Iterator[Fin
     yield from reported.values()
 
 
+def places_of_unknown_arguments(workspace: WorkspaceIndex, launched: Launched) -> set[Place]:
+    """Where includes are given arguments that no file of theirs takes."""
+    places = set()
+    for _, includes in groupby(launched.included, key=lambda include: include.place):
+        for unknown in _unknown_arguments(workspace, launched, list(includes)):
+            places |= {unknown.place, *(related.place for related in unknown.related)}
+    return places
+
+
 def _undeclared_uses(system: System, launched: Launched) -> Iterator[Finding]:
     reported: set[str] = set()
     plain: dict[str, list[UndeclaredUse]] = {}

@@ -6,12 +6,13 @@ import posixpath
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
+from archlint.analysis.absent_packages import is_nowhere, is_placeholder, owners_of_component
 from archlint.checks.folding import folds, with_places
+from archlint.checks.packages import is_ignored_by_cmake
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
-from archlint.finding import Finding
+from archlint.finding import Finding, Related
 from archlint.launch.kinds import StartedKind
-from archlint.ros import packages
 from archlint.suggestions import did_you_mean, listed, nearest
 
 if TYPE_CHECKING:
@@ -28,30 +29,45 @@ def unknown_executable(system: System, options: Options) -> Iterator[Finding]:
     for started in system.launched.started:
         installs = system.workspace.installs.get(started.package.text or "")
         name = started.executable.text
-        if name is None or started.kind not in (StartedKind.NODE, StartedKind.CONTAINER):
+        if name is None or started.executable.resolution != "exact":
             continue
-        if started.executable.resolution != "exact":
+        if started.kind is StartedKind.COMPONENT and installs is None:
+            yield from _component_from_no_package(system.workspace, started, name)
+        if started.kind not in (StartedKind.NODE, StartedKind.CONTAINER):
             continue
         if installs is None:
             yield from _from_no_package(system.workspace, started, name)
             continue
-        if name in installs.executables:
+        entry = installs.executables.get(name)
+        package = system.workspace.packages.get(installs.package)
+        if entry is not None and not (is_ignored_by_cmake(package, entry) and not _is_named_by_cmake(installs, name)):
             continue
         if posixpath.isabs(name):
             continue  # launch_ros starts that file, and asks the package only for its folder: a Python of its own, say
-        package = system.workspace.packages.get(installs.package)
         unread = package is None or package.build_type not in ("ament_python", "ament_cmake")
         if unread or installs.open_executables or not installs.build_files or name in installs.mentioned:
             continue
         hint, help = _instead(installs, name, system.workspace)
+        if entry is not None:
+            hint = ": CMake builds it, and its setup.py is not read"
+            help = (
+                f"install a script as '{name}' in CMakeLists.txt: install(PROGRAMS … DESTINATION lib/${{PROJECT_NAME}})"
+            )
         yield finding(
             "LCH001",
             started.places.get("executable", started.place),
             f"package '{installs.package}' installs no executable '{name}'{hint}",
             help=help,
+            related=[] if entry is None else [Related(entry.place, f"the entry of '{name}' is here")],
             identity=(installs.package, name),
             group=(installs.package, name),
         )
+
+
+def _is_named_by_cmake(installs: Installs, name: str) -> bool:
+    """Whether a CMake file has the name of an executable, or of the script that may become it, among its words."""
+    stem = name.removesuffix(".py")
+    return any(posixpath.basename(word).removesuffix(".py") == stem for word in installs.words)
 
 
 @folds("LCH001", across_systems=True)
@@ -61,24 +77,45 @@ def _of_one_executable(several: Sequence[Finding]) -> Finding:
 
 
 def _from_no_package(workspace: WorkspaceIndex, started: Started, name: str) -> Iterator[Finding]:
-    """The finding for a package that is nowhere, if one of almost the same name installs the executable."""
+    """The finding for a package that is nowhere, if one of almost the same name installs the executable, or its name
+    only stands for another one."""
     package = started.package.text
-    if package is None or started.package.resolution != "exact":
-        return
-    declared = {d.name for own in workspace.packages.values() for d in own.dependencies}
-    if package in declared | workspace.packages.keys() | packages.table().names:
+    if package is None or started.package.resolution != "exact" or not is_nowhere(workspace, package):
         return
     near = nearest(package, [own for own, installs in workspace.installs.items() if name in installs.executables])
     if near is not None:
-        yield finding(
-            "LCH001",
-            started.places.get("package", started.place),
-            f"there is no package '{package}'; did you mean '{near}', which installs '{name}'?",
-            help=f"start it from package '{near}'",
-            identity=(package, name),
-            group=(package, name),
-            meant=near,
-        )
+        yield _no_package(started, name, near, "installs")
+    elif is_placeholder(package):
+        yield _no_package(started, name, None, "installs")
+
+
+def _component_from_no_package(workspace: WorkspaceIndex, started: Started, plugin: str) -> Iterator[Finding]:
+    """The finding for a package that is nowhere, if another one registers the component."""
+    package = started.package.text
+    if package is None or started.package.resolution != "exact" or not is_nowhere(workspace, package):
+        return
+    owners = owners_of_component(workspace, plugin)
+    if len(owners) == 1:
+        yield _no_package(started, plugin, owners[0], "registers")
+    elif is_placeholder(package):
+        yield _no_package(started, plugin, None, "registers")
+
+
+def _no_package(started: Started, name: str, right: str | None, verb: str) -> Finding:
+    package = started.package.text or ""
+    message = f"there is no package '{package}'"
+    message += "" if right is None else f"; did you mean '{right}', which {verb} '{name}'?"
+    return finding(
+        "LCH001",
+        started.places.get("package", started.place),
+        message if right is not None else f"{message}: the name only stands for that of a package",
+        help=f"write the name of the package that {verb} '{name}'"
+        if right is None
+        else f"start it from package '{right}'",
+        identity=(package, name),
+        group=(package, name),
+        meant=right or "",
+    )
 
 
 def _instead(installs: Installs, name: str, workspace: WorkspaceIndex) -> tuple[str, str]:

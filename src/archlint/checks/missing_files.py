@@ -8,7 +8,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.analysis.generated_files import is_generated, is_ignored
+from archlint.analysis.absent_packages import is_nowhere, is_placeholder, package_meant
+from archlint.analysis.generated_files import has_template, is_generated, is_ignored
 from archlint.analysis.launch_code import writes_files
 from archlint.analysis.missing_files import is_folder_missing, lies_in, names_beside
 from archlint.checks.folding import folds, with_places
@@ -28,7 +29,9 @@ _WHAT = {
     FileKind.PARAMETERS: "parameter file",
     FileKind.RVIZ: "RViz configuration",
     FileKind.OTHER: "file",
+    FileKind.ARGUMENT: "file",
 }
+_OF_NO_KIND = (FileKind.OTHER, FileKind.ARGUMENT)
 _READ = (".lua", ".sdf", ".srdf", ".urdf", ".world", ".xacro")
 """What nodes are given to read: another file that is not there may be one that they write."""
 
@@ -37,13 +40,14 @@ _READ = (".lua", ".sdf", ".srdf", ".urdf", ".world", ".xacro")
 def missing_launch_file(system: System, options: Options) -> Iterator[Finding]:
     """Included files, parameter files and RViz configurations that are not where the launch file looks."""
     yield from _relative_paths(system)
+    yield from _absent_packages(system)
     uses: dict[tuple[Place, str | None], list[FileReference]] = {}
     for reference in system.launched.references if system.launched is not None else ():
         if reference.status in (FileStatus.MISSING, FileStatus.NOT_INSTALLED) and not reference.optional:
             uses.setdefault((_decided_at(reference), reference.written), []).append(reference)
     for (place, written), references in uses.items():
-        [reference, *others] = sorted(references, key=lambda use: use.kind == FileKind.OTHER)
-        other = reference.kind == FileKind.OTHER and reference.status == FileStatus.MISSING
+        [reference, *others] = sorted(references, key=_by_kind)
+        other = reference.kind in _OF_NO_KIND and reference.status == FileStatus.MISSING
         if other and not _is_read(system, reference, written or ""):
             continue
         files = {place.file, reference.place.file, *(other.place.file for other in others)}
@@ -62,7 +66,8 @@ def missing_launch_file(system: System, options: Options) -> Iterator[Finding]:
         else:
             message = f"package '{reference.package}' does not install the {what} '{shown}'"
             help = f"install {reference.source} (data_files in setup.py, install(DIRECTORY …) in CMake)"
-        read = dict.fromkeys(use.place for use in (reference, *others) if use.place != place)
+        uses_of_it = [use for use in (reference, *others) if use.kind != FileKind.ARGUMENT]
+        read = dict.fromkeys(use.place for use in uses_of_it if use.place != place)
         yield finding(
             "LCH004",
             place,
@@ -94,6 +99,38 @@ def _relative_paths(system: System) -> Iterator[Finding]:
         )
 
 
+def _absent_packages(system: System) -> Iterator[Finding]:
+    """Share folders of packages that are nowhere, if another one was meant."""
+    seen = set()
+    for reference in system.launched.references if system.launched is not None else ():
+        package, workspace = reference.package, system.workspace
+        place = _decided_at(reference)
+        if workspace is None or package is None or reference.status != FileStatus.EXTERNAL or reference.conditional:
+            continue
+        if reference.optional or (place, package) in seen or not is_nowhere(workspace, package):
+            continue
+        seen.add((place, package))
+        near = package_meant(workspace, package)
+        if near is None and not is_placeholder(package):
+            continue
+        named = _below_package(reference.written or "")
+        yield finding(
+            "LCH004",
+            place,
+            f"there is no package '{package}', in which this looks for the {_WHAT[reference.kind]} '{named}'"
+            + (meant(f"'{near}'") if near is not None else ""),
+            help=f"write '{near}'" if near is not None else "put in the name of the package that has the file",
+            identity=(package, reference.written or ""),
+            group=("absent", package, ""),
+            meant=near or "",
+        )
+
+
+def _by_kind(reference: FileReference) -> int:
+    """What says most of a file comes first."""
+    return _OF_NO_KIND.index(reference.kind) + 1 if reference.kind in _OF_NO_KIND else 0
+
+
 def _is_read(system: System, reference: FileReference, written: str) -> bool:
     """Whether a missing file of no known kind is one that has to be there: nothing makes it on each machine."""
     path = _in_package(system, reference, _below_package(written))
@@ -101,6 +138,9 @@ def _is_read(system: System, reference: FileReference, written: str) -> bool:
     if system.workspace is None or installs is None:
         return False
     is_meant = path.endswith(_READ) or _did_you_mean_file(system.workspace, installs.package, path) != ""
+    if reference.kind == FileKind.ARGUMENT:
+        is_meant = is_meant or is_folder_missing(system.workspace, installs.package, path)
+        is_meant = is_meant and not has_template(system.workspace, installs.package, path)
     return is_meant and not is_ignored(system.workspace, posixpath.normpath(posixpath.join(installs.folder, path)))
 
 
@@ -127,6 +167,8 @@ def _of_one_cause(several: Sequence[Finding]) -> Finding:
     if len(names) == 1:  # as of those with one relative path
         return with_places(several, "it is named here, too")
     status, package, folder = first.group
+    if status == "absent":
+        return with_places(several, "it is named here, too")
     places = [Related(other.place, f"'{_below_package(other.identity[1])}' is named here") for other in others]
     if status == FileStatus.MISSING:
         message = f"package '{package}' has no folder '{folder}' with these {len(names)} files: {listed(names)}"

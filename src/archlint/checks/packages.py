@@ -17,6 +17,7 @@ from archlint.suggestions import did_you_mean, listed, meant, nearest
 if TYPE_CHECKING:
     from archlint.systems.model import System, WorkspaceIndex
     from archlint.workspace.installed import Executable
+    from archlint.workspace.model import Package
 
 
 def workspace_of(system: System) -> WorkspaceIndex | None:
@@ -43,8 +44,11 @@ def broken_entry_point(system: System, options: Options) -> Iterator[Finding]:
 
 
 def _never_run(workspace: WorkspaceIndex, executable: Executable) -> bool:
-    """Whether a setup.py names it in a package that CMake builds: nobody reads that."""
-    package = workspace.packages.get(executable.package)
+    return is_ignored_by_cmake(workspace.packages.get(executable.package), executable)
+
+
+def is_ignored_by_cmake(package: Package | None, executable: Executable) -> bool:
+    """Whether a setup.py names an executable in a package that CMake builds: nobody reads that."""
     cmake = package is not None and package.build_type == "ament_cmake"
     return cmake and posixpath.basename(executable.place.file) == "setup.py"
 

@@ -7,7 +7,14 @@ from typing import Final
 from archlint import branches
 from archlint.finding import Place
 from archlint.launch.kinds import FileKind, FileStatus, GapKind, StartedKind
-from archlint.launch.mistakes import NotACondition, NotAPath, UndeclaredUse, UnknownAttribute, WithoutContext
+from archlint.launch.mistakes import (
+    LeakedArgument,
+    NotACondition,
+    NotAPath,
+    UndeclaredUse,
+    UnknownAttribute,
+    WithoutContext,
+)
 from archlint.launch.model import DeclaredArgument, Gap, Included, Launched
 from archlint.launch.named_files import FileReference, Replacing, Rewriting
 from archlint.launch.parameter_sources import OpenParameters, ParameterFileUse, ParameterSetting
@@ -21,7 +28,7 @@ LAUNCHES: Final = Language(
     (
         *(Launched, Started, Remap, Included, DeclaredArgument, Gap, Place, Text),
         *(ParameterSetting, ParameterFileUse, OpenParameters, FileReference, Rewriting, Replacing, NotKnown),
-        *(NotACondition, NotAPath, UndeclaredUse, UnknownAttribute, WithoutContext),
+        *(LeakedArgument, NotACondition, NotAPath, UndeclaredUse, UnknownAttribute, WithoutContext),
         *(branches.CodeBranch, branches.ChoiceOfCallee, branches.ChoiceOfArgument, branches.AttributeBranch),
         *(branches.ArgumentBranch, branches.UnfollowedCondition, branches.ChoiceOfValue, branches.ChoiceOfVisit),
     ),

@@ -1,15 +1,22 @@
 """What is passed to includes, and who reads it after them: an include is not scoped.
 
-Source: launch, ``IncludeLaunchDescription.execute`` sets each argument in the context of the including file.
+Source: launch, ``IncludeLaunchDescription.execute`` sets each argument in the context of the including file, and
+``DeclareLaunchArgument.execute`` sets the default of an argument only where it has no value there.
 """
 
 from __future__ import annotations
 
+from collections.abc import Collection, Iterator, Sequence
+from contextlib import contextmanager
 from typing import TYPE_CHECKING, NamedTuple
+
+from archlint.launch.mistakes import LeakedArgument
+from archlint.launch.objects import known_text
 
 if TYPE_CHECKING:
     from archlint.finding import Place
     from archlint.interpreter.values import Value
+    from archlint.launch.model import Launched
 
 
 class _Given(NamedTuple):
@@ -18,31 +25,91 @@ class _Given(NamedTuple):
     file: str
     include: Place
     was_set: bool
+    before: Value | None
+
+
+class _Default(NamedTuple):
+    value: Value
+    place: Place
+    file: str
+    includes: tuple[Place, ...]
 
 
 class GivenArguments:
-    """What includes have set last, by the name of the launch configuration; ``read_on`` gets the places of what is read
-    after them, by those where the values are written.  ``set_by_includes`` gets files, each with a configuration that
-    only its includes give a value and that it reads after them: that is what they are for."""
+    """What includes have set last, by the name of the launch configuration, and which defaults files have set.
 
-    def __init__(self, read_on: dict[Place, Place], set_by_includes: set[tuple[str, str]]) -> None:
+    Of a launch, ``read_on`` gets the places of what is read after includes, by those where the values are written;
+    ``set_by_includes`` gets files, each with a configuration that only its includes give a value and that it reads
+    after them: that is what they are for.  ``leaked`` gets what is another value then.
+    """
+
+    def __init__(self, result: Launched) -> None:
         self._given: dict[str, _Given] = {}
-        self._read_on = read_on
-        self._set_by_includes = set_by_includes
+        self._defaults: dict[str, _Default] = {}
+        self._passed: list[frozenset[str]] = []
+        """The names that the includes around what is visited pass on, outermost first."""
+        self._result = result
 
     def note(self, name: str, value: Value, place: Place, file: str, include: Place, before: Value | None) -> None:
         """An include in a file gives an argument a value; ``place`` is where that is written, ``before`` the value of
         the configuration in front of it."""
         last = self._given.get(name)
         was_set = last.was_set if last is not None and last.value is before else before is not None
-        self._given[name] = _Given(value, place, file, include, was_set)
+        self._given[name] = _Given(value, place, file, include, was_set, before)
+
+    @contextmanager
+    def passing(self, names: Collection[str]) -> Iterator[None]:
+        """What is visited here is an include that passes arguments of these names."""
+        self._passed.append(frozenset(names))
+        try:
+            yield
+        finally:
+            self._passed.pop()
 
     def note_read(self, name: str, value: Value | None, file: str, action: Place) -> None:
         """An action of a file reads a value, perhaps one that an include in front of it has set there."""
         given = self._given.get(name)
         if given is None or given.value is not value or given.file != file or given.include == action:
             return
-        if given.was_set:
-            self._read_on.setdefault(given.place, action)
-        else:
-            self._set_by_includes.add((file, name))
+        if not given.was_set:
+            self._result.set_by_includes.add((file, name))
+            return
+        self._result.read_on.setdefault(given.place, action)
+        self._note_leak(name, value, given.before, given.place, action, file, given.include)
+
+    def note_default(self, name: str, value: Value, place: Place, file: str, includes: Sequence[Place]) -> None:
+        """A file sets the default of an argument; ``includes`` lead to it."""
+        self._defaults[name] = _Default(value, place, file, tuple(includes))
+
+    def note_no_default(
+        self, name: str, value: Value, own: Value, place: Place, file: str, includes: Sequence[Place]
+    ) -> None:
+        """A file declares an argument that has a value, so that its ``own`` default counts for nothing: the value may
+        be left over from another include, while none of those around the file passes the argument."""
+        if any(name in names for names in self._passed):
+            return
+        given, other = self._given.get(name), self._defaults.get(name)
+        if given is not None and given.value is value and given.include not in includes:
+            self._note_leak(name, value, own, given.place, place, file, given.include)
+        elif other is not None and other.value is value and other.file != file:
+            beside = [include for include in other.includes if include not in includes]
+            if beside:
+                self._note_leak(name, value, own, other.place, place, file, beside[0], default=True)
+
+    def _note_leak(
+        self,
+        name: str,
+        value: Value,
+        own: Value | None,
+        given: Place,
+        read: Place,
+        file: str,
+        include: Place,
+        *,
+        default: bool = False,
+    ) -> None:
+        text, own_text = known_text(value), known_text(own)
+        if text is not None and own_text is not None and text.lower() != own_text.lower():
+            leak = LeakedArgument(name, text, own_text, given, read, file, include, default)
+            if leak not in self._result.leaked:
+                self._result.leaked.append(leak)

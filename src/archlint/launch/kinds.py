@@ -13,6 +13,8 @@ class FileKind(StringEnum):
     RVIZ = "rviz"
     OTHER = "other"
     """Whatever else is named by a path in the share folder of a package."""
+    ARGUMENT = "argument"
+    """What a launch argument is set to, a path in the share folder of a package, whatever uses it."""
 
 
 class FileStatus(StringEnum):

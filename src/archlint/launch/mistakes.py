@@ -24,6 +24,29 @@ class UndeclaredUse:
 
 
 @dataclass(frozen=True)
+class LeakedArgument:
+    """A launch configuration that has another value behind an include than in front of it, at a place that reads it.
+
+    ``given`` is where the ``include`` sets it to ``value``, ``own`` what it would be at ``read`` otherwise, in a file.
+    One of a ``default`` is a file's own argument, which another file in the include has declared with another default.
+    """
+
+    name: str
+    value: str
+    own: str
+    given: Place
+    read: Place
+    file: str
+    include: Place
+    default: bool = False
+
+    @property
+    def is_declared_in_vain(self) -> bool:
+        """Whether ``read`` is where another included file declares the argument."""
+        return self.default or self.file != self.include.file
+
+
+@dataclass(frozen=True)
 class UnknownAttribute:
     """A keyword or attribute that an action does not have; ``known`` are those that it does."""
 

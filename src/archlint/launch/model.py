@@ -7,7 +7,14 @@ from dataclasses import dataclass, field
 from archlint.branches import Branch, BranchArm, BranchArms
 from archlint.finding import Place
 from archlint.launch.kinds import FileStatus, GapKind
-from archlint.launch.mistakes import NotACondition, NotAPath, UndeclaredUse, UnknownAttribute, WithoutContext
+from archlint.launch.mistakes import (
+    LeakedArgument,
+    NotACondition,
+    NotAPath,
+    UndeclaredUse,
+    UnknownAttribute,
+    WithoutContext,
+)
 from archlint.launch.named_files import FileReference
 from archlint.launch.started import Started
 from archlint.model import Text
@@ -82,6 +89,8 @@ class Launched:
     such place by that of the argument."""
     set_by_includes: set[tuple[str, str]] = field(default_factory=set)
     """Files, each with a launch configuration that it reads after an include and that has no other value there."""
+    leaked: list[LeakedArgument] = field(default_factory=list)
+    """What includes change for the actions behind them."""
     references: list[FileReference] = field(default_factory=list)
     unknown_attributes: list[UnknownAttribute] = field(default_factory=list)
     mistakes: list[NotACondition] = field(default_factory=list)

@@ -95,7 +95,7 @@ class LaunchRun(Run):
         """How many includes it has come to."""
         self.visiting: list[tuple[int, int]] = []
         """The actions around what is visited now, outermost first, each with the number of its visit."""
-        self.given = GivenArguments(result.read_on, result.set_by_includes)
+        self.given = GivenArguments(result)
         self.names = ArgumentNames()
         self.declaring: str | None = None
         """The argument whose default value is performed now."""

@@ -39,10 +39,16 @@ def note_paths(run: LaunchRun, values: Iterable[Value], place: Place) -> None:
             run.reference(FileKind.OTHER, value, place)
 
 
+def note_argument(run: LaunchRun, name: str, value: Value, place: Place) -> None:
+    """Note the path that a launch argument or configuration gets, if it is for a file that is read."""
+    if not is_written(name) and _SHARED.fullmatch(known_text(value) or ""):
+        run.reference(FileKind.ARGUMENT, value, place)
+
+
 def note_paths_in_command(run: LaunchRun, parts: Iterable[Value], place: Place) -> None:
     """Note the paths of files in a command line that several texts make."""
     line = "".join(known_text(part) or _HOLE for part in parts)
     note_paths(run, (Known(path[0]) for path in _SHARED.finditer(line)), place)
 
 
-__all__ = ["is_written", "note_paths", "note_paths_in_command"]
+__all__ = ["is_written", "note_argument", "note_paths", "note_paths_in_command"]

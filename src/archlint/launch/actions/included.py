@@ -17,6 +17,7 @@ from archlint.launch.kinds import FileKind
 from archlint.launch.model import Included
 from archlint.launch.objects import LaunchObject, argument, class_name, entities_of, kind_of, place_of
 from archlint.launch.parameter_sources import files_among
+from archlint.launch.shared_paths import note_argument
 from archlint.launch.substitutions.texts import written_at
 from archlint.launch.tables import SOURCES, LaunchClass
 
@@ -51,7 +52,8 @@ def include(run: LaunchRun, entity: LaunchObject) -> None:
         reference = run.reference(FileKind.LAUNCH, option, place)
         visible = None if given is not None and run.is_open(given) else _visible_texts(run, [name for name, _ in names])
         run.result.included.append(Included(reference, names, place, run.file, run.is_dormant, visible))
-        run.include(reference, plain=not names and option is path)
+        with run.given.passing([name for name, _ in names]):
+            run.include(reference, plain=not names and option is path)
 
 
 def _visible_texts(run: LaunchRun, names: Sequence[str]) -> tuple[str, ...] | None:
@@ -81,6 +83,7 @@ def _given(run: LaunchRun, arguments: Value | None) -> tuple[tuple[str, Place], 
                 before = run.launch.configurations.get(name)
                 run.launch.configurations[name] = value
                 if not _is_configuration(run, pair.second, name):
+                    note_argument(run, name, value, pair.place)
                     run.given.note(name, value, pair.place, run.file, run.place_now, before)
     return tuple(names)
 

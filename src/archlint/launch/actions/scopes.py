@@ -14,6 +14,7 @@ from archlint.launch.context import absolute, prefix_namespace
 from archlint.launch.model import DeclaredArgument
 from archlint.launch.objects import LaunchObject, known_text
 from archlint.launch.parameters import file_use, setting
+from archlint.launch.shared_paths import note_argument
 from archlint.launch.started import Remap
 from archlint.launch.substitutions.texts import written_at
 from archlint.launch.tables import LaunchClass
@@ -100,6 +101,8 @@ def declare(run: LaunchRun, entity: LaunchObject) -> None:
     run.declaring = text
     value = None if default is None else written_at(run.perform(default), entity.places.get("default_value"))
     run.declaring = None
+    if value is not None:
+        _note_default(run, text, value, entity.places.get("default_value", run.place_now))
     if not run.is_dormant or text not in run.launch.configurations:
         missing = Unknown(f"the launch argument '{text}' has no default")
         run.launch.configurations.setdefault(text, value if value is not None else missing)
@@ -108,6 +111,15 @@ def declare(run: LaunchRun, entity: LaunchObject) -> None:
     allowed = tuple(choice for choice in choices if choice is not None)
     shown = None if value is None else text_of_value(value, "no default")
     run.result.declared.append(DeclaredArgument(text, shown, run.place_now, run.file, allowed, run.is_dormant))
+
+
+def _note_default(run: LaunchRun, name: str, default: Value, place: Place) -> None:
+    before = run.launch.configurations.get(name)
+    if before is None:
+        note_argument(run, name, default, place)
+        run.given.note_default(name, default, place, run.file, run.includes)
+    elif not run.is_conditional:
+        run.given.note_no_default(name, before, default, place, run.file, run.includes)
 
 
 def _name_in(run: LaunchRun, entity: LaunchObject, what: str) -> str | None:
@@ -122,7 +134,9 @@ def _name_in(run: LaunchRun, entity: LaunchObject, what: str) -> str | None:
 def let(run: LaunchRun, entity: LaunchObject) -> None:
     name = _name_in(run, entity, "launch configuration")
     if name is not None:
-        run.launch.configurations[name] = run.perform(entity.argument("value"))
+        value = run.perform(entity.argument("value"))
+        run.launch.configurations[name] = value
+        note_argument(run, name, value, entity.places.get("value", run.place_now))
 
 
 def unset(run: LaunchRun, entity: LaunchObject) -> None:

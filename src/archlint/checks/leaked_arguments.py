@@ -1,0 +1,76 @@
+"""LCH009: launch arguments that an include changes for what comes after it."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
+
+from archlint.checks.folding import folds, with_other_places
+from archlint.checks.launch_arguments import places_of_unknown_arguments
+from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
+from archlint.finding import Finding, Related
+
+if TYPE_CHECKING:
+    from archlint.launch.mistakes import LeakedArgument
+    from archlint.systems.model import System
+
+_SHARED = frozenset({"use_sim_time", "log_level"})
+"""Arguments that all launch files of a system are meant to have in common."""
+
+
+@rule("LCH009", scope=Scope.LAUNCH_FILE)
+def leaked_launch_argument(system: System, options: Options) -> Iterator[Finding]:
+    """Launch configurations that an include leaves changed for another reader."""
+    if system.launched is None or system.workspace is None or not system.launched.leaked:
+        return
+    told = places_of_unknown_arguments(system.workspace, system.launched)
+    for leak in system.launched.leaked:
+        shared = leak.name in _SHARED or (leak.name == "namespace" and leak.is_declared_in_vain)
+        if leak.given not in told and not shared:
+            yield _finding(leak)
+
+
+def _finding(leak: LeakedArgument) -> Finding:
+    name, value, own = leak.name, _shown(leak.value), _shown(leak.own)
+    other = posixpath.basename(leak.file)
+    if leak.default:
+        setter = posixpath.basename(leak.given.file)
+        message = (
+            f"'{name}' keeps {value}, the default of {setter}, behind this include: {other} does not get its own, {own}"
+        )
+        beside = f"{other} declares '{name}' in vain here"
+        related = [Related(leak.given, "the first default is here"), Related(leak.read, beside)]
+        place = leak.include
+    elif leak.is_declared_in_vain:
+        message = f"'{name}' keeps {value} behind this include: {other} does not get its own default, {own}"
+        related = [Related(leak.read, f"{other} declares '{name}' in vain here")]
+        place = leak.given
+    else:
+        message = f"'{name}' keeps {value} behind this include, instead of {own}: includes are not scoped"
+        related = [Related(leak.read, f"'{name}' is read here")]
+        place = leak.given
+    group = "<group>" if not leak.include.file.endswith(".py") else "GroupAction([…])"
+    return finding(
+        "LCH009",
+        place,
+        message,
+        help=f"put the include into a {group}, which gives the arguments back at its end",
+        related=related,
+        identity=(name, leak.file),
+        group=(str(place), name, leak.file),
+    )
+
+
+def _shown(text: str) -> str:
+    return f"'{text}'"
+
+
+@folds("LCH009", across_systems=True)
+def _of_one_argument(findings: Sequence[Finding]) -> Finding:
+    """One finding for an argument, wherever it is read."""
+    return with_other_places(findings, "it is set here, too")
+
+
+__all__ = ["leaked_launch_argument"]

@@ -1,0 +1,66 @@
+"""LCH009: launch arguments that an include changes for what comes after it."""
+
+from __future__ import annotations
+
+import pytest
+
+DRIVER = '<launch><arg name="rviz" default="true"/><log message="$(var rviz)"/></launch>'
+PANEL = '<launch><arg name="rviz" default="maybe"/><log message="$(var rviz)"/></launch>'
+FILES = {"launch/driver.launch.xml": DRIVER, "launch/panel.launch.xml": PANEL}
+OWN = '<arg name="rviz" default="true"/>\n'
+
+
+def include(name: str, **arguments: str) -> str:
+    given = "".join(f'<arg name="{key}" value="{value}"/>' for key, value in arguments.items())
+    return f'<include file="$(find-pkg-share robot)/launch/{name}.launch.xml">{given}</include>\n'
+
+
+def test_an_argument_that_the_file_reads_again(findings):
+    launch = OWN + include("driver", rviz="false") + '<let name="shown" value="$(var rviz)"/>'
+    (finding,) = findings("LCH009", launch, **FILES)
+    assert finding.message == "'rviz' keeps 'false' behind this include, instead of 'true': includes are not scoped"
+    assert finding.help == "put the include into a <group>, which gives the arguments back at its end"
+    assert (finding.place.line, [row.place.line for row in finding.related]) == (2, [3])
+
+
+def test_an_argument_that_the_next_include_declares(findings):
+    (finding,) = findings("LCH009", include("driver", rviz="false") + include("panel"), **FILES)
+    assert finding.message == (
+        "'rviz' keeps 'false' behind this include: panel.launch.xml does not get its own default, 'maybe'"
+    )
+
+
+def test_a_default_that_the_next_include_gets(findings):
+    (finding,) = findings("LCH009", include("driver") + include("panel"), **FILES)
+    assert finding.message == (
+        "'rviz' keeps 'true', the default of driver.launch.xml, behind this include: panel.launch.xml does not get its "
+        "own, 'maybe'"
+    )
+    assert finding.place.file == "launch/it.launch.xml"
+
+
+@pytest.mark.parametrize(
+    "launch",
+    [
+        OWN + f"<group>{include('driver', rviz='false')}</group>" + '<let name="shown" value="$(var rviz)"/>',
+        OWN + include("driver", rviz="True") + '<let name="shown" value="$(var rviz)"/>',
+        OWN + include("driver", rviz="$(var rviz)") + include("panel", rviz="$(var rviz)"),
+        OWN + include("driver") + include("panel"),  # both have the file's own
+        include("driver", rviz="false") + include("panel", rviz="true"),
+        include("driver", rviz="false") + include("driver", rviz="false"),
+        include("driver") + f"<group>{include('panel', rviz='maybe')}</group>",
+        f"<group>{include('driver')}</group>" + include("panel"),
+        '<arg name="real" default="false"/>'
+        + include("driver").replace("<include", '<include if="$(var real)"')
+        + include("panel"),
+    ],
+)
+def test_arguments_that_stay_what_they_were(findings, launch):
+    assert findings("LCH009", launch, **FILES) == []
+
+
+def test_an_argument_that_nobody_takes_is_told_otherwise(findings):
+    launch = OWN + include("driver", rviz="false") + '<let name="shown" value="$(var rviz)"/>'
+    files = {"launch/driver.launch.xml": "<launch/>"}
+    assert findings("LCH009", launch, **files) == []
+    assert len(findings("LCH003", launch, **files)) == 1
