@@ -112,6 +112,9 @@ def test_a_word_that_only_holds_the_letters_of_one(named, path: str):
         "robot/talker_unused.py",
         "robot/talker.sync-conflict-1.py",
         "robot/(UNUSED)arms/talker.py",
+        "robot/arm_not_used/talker.py",
+        "robot/notused/talker.py",
+        "robot/archieve/talker.py",
     ],
 )
 def test_what_is_put_aside(named, path: str):
@@ -127,6 +130,7 @@ def test_what_is_put_aside(named, path: str):
         "gold/x.py",
         "backup/x.py",
         "unused_ports.py",
+        "last_used/x.py",
         "(new)arms/talker.py",
         "arms(old road)/talker.py",
         "nounused.py",

@@ -39,6 +39,41 @@ def test_an_argument_that_is_declared_too_late(findings):
     assert [one.message for one in found.related] == ["it is declared here"]
 
 
+EVENTS = """
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, RegisterEventHandler, TimerAction
+from launch.event_handlers import OnProcessExit
+from launch.substitutions import LaunchConfiguration
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    first = Node(package='robot', executable='talker', name='a')
+    second = Node(package='robot', executable='talker', name=LaunchConfiguration('name'))
+    return LaunchDescription([
+        {starts},
+        DeclareLaunchArgument('{declared}', default_value='b'),
+        first,
+    ])
+"""
+
+
+@pytest.mark.parametrize(
+    "starts",
+    [
+        "RegisterEventHandler(OnProcessExit(target_action=first, on_exit=[second]))",
+        "TimerAction(period=2.0, actions=[second])",
+    ],
+)
+def test_what_an_event_or_a_timer_starts_reads_its_arguments_later(findings, starts):
+    def told(declared, starts=starts):
+        launch = {"launch/b.launch.py": EVENTS.format(starts=starts, declared=declared)}
+        return [one for one in findings("LCH003", **launch) if one.place.file == "launch/b.launch.py"]
+
+    assert told("name") == []
+    assert [one.place.line for one in told("nam")] == [10]
+    assert [one.place.line for one in told("name", "second")] == [10]
+
+
 def test_names_that_one_file_forgets_are_one_finding(findings):
     reads = '<arg name="speed" default="1"/>\n' + node(name="$(var x)") + "\n" + node(name="$(var sped)")
     (found,) = findings("LCH003", reads)

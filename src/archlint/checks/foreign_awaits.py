@@ -14,12 +14,14 @@ from archlint.checks.registry import Options, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding
 from archlint.libraries.tables.event_loops import SLEEP, STARTS
+from archlint.model import Role
 
 if TYPE_CHECKING:
     from archlint.model import ApiCall, Program
     from archlint.systems.model import System
 
-_HELP = {SLEEP: "continue in a timer: create_timer(…), and cancel it when it has fired"}
+_IN_A_TIMER = "continue in a timer: create_timer(…), and cancel it when it has fired"
+_UNTIL_A_TIMER = "await an rclpy.task.Future that a timer completes"
 _IN_A_THREAD = "do this in a thread of its own, with asyncio.run()"
 
 
@@ -38,10 +40,17 @@ def _finding(system: System, program: Program, call: ApiCall) -> Finding:
         call,
         f"{callback_words(call.context)} {verb} {call.api}(), which raises a RuntimeError: rclpy's executor is no "
         "event loop of asyncio",
-        help=_HELP.get(call.api, _IN_A_THREAD),
+        help=_help(call),
         identity=(call.api,),
         group=(call.place.file, call.context.name),
     )
+
+
+def _help(call: ApiCall) -> str:
+    """What to do instead; a handler that returns before its time has answered with nothing."""
+    if call.api != SLEEP:
+        return _IN_A_THREAD
+    return _UNTIL_A_TIMER if call.context.role in (Role.SERVICE, Role.EXECUTE) else _IN_A_TIMER
 
 
 @folds("EXE010")

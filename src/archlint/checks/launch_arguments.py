@@ -67,6 +67,8 @@ def _undeclared_uses(system: System, launched: Launched) -> Iterator[Finding]:
             continue
         places = [argument.place for argument in launched.declared if argument.name == use.name]
         later = [place for place in places if place.file == use.file]  # what an include declares is for itself
+        if use.later and later:
+            continue
         left_out = _left_out(launched, use)
         if left_out is not None:
             yield _never_added(use, left_out)

@@ -12,7 +12,8 @@ class UndeclaredUse:
     """A launch configuration that is read and that nothing has declared or set.
 
     ``own_default`` is the declaration whose default value reads the argument that it declares; ``unseen`` is an include
-    in front of the read whose file is not there: nobody can say what that one would have declared.
+    in front of the read whose file is not there: nobody can say what that one would have declared.  What is read
+    ``later`` is of an action that a timer or an event starts: all of the file has been visited by then.
     """
 
     name: str
@@ -21,6 +22,7 @@ class UndeclaredUse:
     conditional: bool = False
     own_default: Place | None = None
     unseen: Place | None = None
+    later: bool = False
 
 
 @dataclass(frozen=True)

@@ -103,6 +103,8 @@ class LaunchRun(Run):
         self._seen: set[object] = set()
         self._processes = StartedProcesses(result.started)
         self.in_handler = False
+        self.later = 0
+        """How many timers and event handlers are around what is visited now."""
         self.around_groups: Context | None = None
         """The context around the outermost group that is visited now."""
         self.without_namespace = False
@@ -182,7 +184,7 @@ class LaunchRun(Run):
     def note_undeclared(self, name: str, place: Place, conditional: bool) -> None:
         own = self.place_now if self.declaring == name else None
         unseen = next((include.place for include in self.result.included if include.is_missing), None)
-        self._note(UndeclaredUse(name, place, self.file, conditional, own, unseen), self.result.undeclared)
+        self._note(UndeclaredUse(name, place, self.file, conditional, own, unseen, self.later > 0), self.result.undeclared)
 
     def note_read(self, name: str) -> None:
         """A launch configuration is read, perhaps one that an include in front has set."""

@@ -59,6 +59,16 @@ def later(run: LaunchRun) -> Iterator[None]:
     Source: launch, where a scoped ``GroupAction`` is followed by ``PopLaunchConfigurations``; namespaces, remappings
     and parameters for all nodes are kept among these.
     """
+    run.later += 1
+    try:
+        with _without_groups(run):
+            yield
+    finally:
+        run.later -= 1
+
+
+@contextmanager
+def _without_groups(run: LaunchRun) -> Iterator[None]:
     around = run.around_groups
     if around is None:
         yield
