@@ -86,6 +86,27 @@ def test_an_import_that_need_not_succeed(findings, imports):
     assert findings("PKG004", **files, **{"setup.py": setup("['robot']")}) == []
 
 
+@pytest.mark.parametrize("name", ["setup.py", "pyproject.toml"])
+def test_a_folder_that_is_installed_by_itself(findings, name):
+    files = {"robot/talker.py": "from words import HELLO\n" + TALKER, "words/words/__init__.py": "HELLO = 'hello'\n"}
+    files |= {"setup.py": setup("find_packages()"), "robot/__init__.py": ""}
+    assert findings("PKG004", **files, **{f"words/{name}": ""}) == []
+
+
+def test_each_folder_without_an_init_is_named(findings):
+    files = {
+        "robot/__init__.py": "",
+        "robot/talker.py": "from robot.words import a\nfrom robot.signs import b\n" + TALKER,
+        "robot/words/a.py": "",
+        "robot/signs/b.py": "",
+        "setup.py": setup("find_packages()"),
+    }
+    (finding,) = findings("PKG004", **files)
+    assert finding.help == (
+        "add empty files robot/words/__init__.py, robot/signs/__init__.py: find_packages() passes over a folder without one"
+    )
+
+
 def test_a_program_that_no_entry_starts_needs_nothing(findings):
     files = CODE | {"robot/talker.py": TALKER, "robot/listener.py": IMPORTS}
     assert findings("PKG004", **files, **{"setup.py": setup("['robot']")}) == []

@@ -77,6 +77,8 @@ def _is_left_out(workspace: WorkspaceIndex, file: str) -> bool:
     installs = _installs_of(workspace, file)
     if installs is None or installs.python is None or installs.open_files:
         return False
+    if _is_of_another_distribution(workspace, installs.folder, file):
+        return False
     scripts = (executable.script for executable in installs.executables.values())  # they find each other
     return not installs.python.has(file) and not any(installs.places_of(file)) and file not in scripts
 
@@ -85,6 +87,16 @@ def _installs_of(workspace: WorkspaceIndex, file: str) -> Installs | None:
     installs = workspace.installs.get(workspace.package_of(file) or "")
     inside = installs is not None and (installs.folder == "." or file.startswith(f"{installs.folder}/"))
     return installs if inside else None
+
+
+def _is_of_another_distribution(workspace: WorkspaceIndex, outer: str, file: str) -> bool:
+    """Whether a folder inside of that of a setup.py has another, with which whoever needs the file installs it."""
+    folder = posixpath.dirname(file)
+    while folder and folder != outer:
+        if any(workspace.tree.is_file(posixpath.join(folder, name)) for name in ("setup.py", "pyproject.toml")):
+            return True
+        folder = posixpath.dirname(folder)
+    return False
 
 
 def _changes_path(file_facts: facts.Facts) -> bool:

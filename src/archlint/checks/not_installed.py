@@ -99,7 +99,9 @@ def _group(file: str, module: str) -> _Group:
 def _cure(workspace: WorkspaceIndex, groups: Sequence[_Group], *, searched: bool) -> str:
     bare = [group.folder for group in groups if group.folder is not None and not has_init(workspace, group.folder)]
     if searched and bare:
-        return f"add an empty file {bare[0]}/__init__.py: find_packages() passes over a folder without one"
+        files = listed([f"{folder}/__init__.py" for folder in bare])
+        added = f"an empty file {files}" if len(bare) == 1 else f"empty files {files}"
+        return f"add {added}: find_packages() passes over a folder without one"
     if all(group.folder is None for group in groups):
         return f"add py_modules=[{', '.join(repr(group.name) for group in groups)}]"
     if searched:

@@ -184,7 +184,9 @@ class LaunchRun(Run):
     def note_undeclared(self, name: str, place: Place, conditional: bool) -> None:
         own = self.place_now if self.declaring == name else None
         unseen = next((include.place for include in self.result.included if include.is_missing), None)
-        self._note(UndeclaredUse(name, place, self.file, conditional, own, unseen, self.later > 0), self.result.undeclared)
+        self._note(
+            UndeclaredUse(name, place, self.file, conditional, own, unseen, self.later > 0), self.result.undeclared
+        )
 
     def note_read(self, name: str) -> None:
         """A launch configuration is read, perhaps one that an include in front has set."""
