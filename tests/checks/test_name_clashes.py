@@ -70,6 +70,24 @@ def main():
     assert len(findings("NME004", node(name="it"), **{"robot/talker.py": both})) == 1
 
 
+INCLUDES = "".join(f'<include file="$(find-pkg-share robot)/launch/{name}.launch.xml"/>' for name in "cd")
+
+
+@pytest.mark.parametrize(
+    ("one", "other", "help"),
+    [
+        ({}, {}, "remove one of the two: they start the same program in the same way"),
+        ({}, {"args": "--quiet"}, "give each its own name or namespace"),
+    ],
+)
+def test_a_program_that_two_files_start(findings, one, other, help):
+    launch = {
+        f"launch/{file}.launch.xml": f"<launch>{node(**more)}</launch>" for file, more in (("c", one), ("d", other))
+    }
+    (found,) = findings("NME004", INCLUDES, **launch)
+    assert found.help == help
+
+
 def test_a_node_that_one_branch_makes_beside_the_other_is_information(findings):
     branch = "Talker())\n    if len(sys.argv) > 3:\n        rclpy.spin(rclpy.create_node('helper'))"
     two = "import sys\n" + TALKER.replace("Talker())", branch)

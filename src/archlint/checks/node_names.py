@@ -14,6 +14,7 @@ from archlint.checks.folding import folds, with_others
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related, Severity
+from archlint.launch.parameter_sources import files_among
 
 if TYPE_CHECKING:
     from archlint.finding import Place
@@ -168,6 +169,8 @@ def _of_two_actions(system: System, several: list[Twins]) -> Iterator[Finding]:
         help = "put the timer or event handler around the group, or give each node its namespace="
     elif not sole:
         help = "give each action its own namespace: name= would rename all its nodes"
+    elif first.launch_place != here and _is_one_too_many(first.started, other.started):
+        help = "remove one of the two: they start the same program in the same way"
     diagnostic = finding(
         "NME004",
         here,
@@ -232,6 +235,24 @@ def _namesakes(system: System, first: Node, other: Node) -> list[Place]:
             assert node.launch_place is not None
             places.setdefault(node.launch_place)
     return sorted(place for place in places if place not in (first.launch_place, other.launch_place))
+
+
+def _is_one_too_many(first: Started | None, other: Started | None) -> bool:
+    """Whether two files start one executable in the same way, so that another name would only hide that both nodes send
+    and receive the same."""
+    if first is None or other is None or first.file == other.file:
+        return False
+    way = _way_of(first)
+    return way is not None and way == _way_of(other)
+
+
+def _way_of(started: Started) -> tuple[object, ...] | None:
+    """What tells one start of a program from another; None where not all of it is known or something is set in it."""
+    files = [use.reference.source for use in files_among(started.parameters)]
+    if started.remaps or len(files) < len(started.parameters) or None in files or None in started.arguments:
+        return None
+    texts = (started.package, started.executable, started.name, started.namespace)
+    return *(None if text is None else (text.text, text.resolution) for text in texts), *files, *started.arguments
 
 
 def _of_one_process(first: Node, other: Node) -> Iterator[Finding]:

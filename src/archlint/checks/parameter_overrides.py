@@ -214,7 +214,7 @@ def _never_used(
         "PRM004",
         setting.place,
         f"{called(node)} declares no parameter '{setting.name}', so this value has no effect{meant}",
-        help=f"it declares {listed(_surely(declared))}",
+        help=f"it declares {listed(_surely(declared))}" if declared else "declare it in the node, or remove it",
         related=[Related(blueprint.place, "the node is defined here")],
         node=node.name,
         identity=(node.name or "", setting.name),
