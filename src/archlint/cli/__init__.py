@@ -14,7 +14,7 @@ if TYPE_CHECKING:  # most starts end before anything of this is needed, so nothi
     from collections.abc import Sequence
     from typing import NoReturn
 
-COMMANDS = ("check", "graph", "facts", "observe", "explain", "rules", "config", "init", "server")
+COMMANDS = ("check", "graph", "show", "facts", "observe", "explain", "rules", "config", "init", "server")
 """Each is a module of this package with ``parser()`` and ``run(arguments)``; a new command is a new row."""
 
 

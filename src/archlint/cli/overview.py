@@ -11,6 +11,8 @@ commands:
   check [PATH ...]    find what is wrong between nodes and inside their callbacks
                       (`archlint PATH` and `archlint` alone mean this)
   graph [PATH ...]    the communication graph: text, json, dot, svg, png, pdf, mermaid ...
+  show NAME [PATH ...]
+                      one node, topic, service, action or parameter: both ends, types, QoS, places
   facts -o DIR        compile this workspace into DIR; `check --facts DIR ...` links it elsewhere
   observe             a script that records a running system; `check --observed FILE` and
                       `graph --observed FILE` compare it with the source

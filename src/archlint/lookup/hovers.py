@@ -8,6 +8,7 @@ from archlint.lookup.answers import Hover
 from archlint.lookup.index import Index
 from archlint.lookup.mentions import Mention, Subject, SubjectKind
 from archlint.lookup.rule_codes import rule_at
+from archlint.lookup.summaries import connection_summary, parameter_summary
 from archlint.lookup.texts import Texts
 from archlint.lookup.words import code, ends_list, node_words, qos_words, where
 from archlint.ros.parameter_types import type_of
@@ -51,12 +52,14 @@ _ENDS: Mapping[SubjectKind, tuple[str, str]] = {
 
 def _connection(index: Index, mention: Mention) -> Iterator[str]:
     subject = mention.subject
-    providers, users = index.ends_of(subject)
-    types = sorted({row.end.type for row in (*providers, *users) if row.end is not None and row.end.type is not None})
-    yield f"{subject.kind} {code(subject.name)}" + (f": {', '.join(map(code, types))}" if types else "")
-    for words, rows in zip(_ENDS[subject.kind], (providers, users), strict=True):
-        yield ends_list(words, rows, index.rates)
-    yield from (f"No message arrives: {reason}" for reason in index.undelivered(subject))
+    match subject.kind:
+        case "topic" | "service" | "action" as kind:
+            known = connection_summary(index, kind, subject.name)
+            types = f": {', '.join(map(code, known.types))}" if known.types else ""
+            yield f"{kind} {code(subject.name)}{types}"
+            yield ends_list(_ENDS[kind][0], known.providers, known.rates)
+            yield ends_list(_ENDS[kind][1], known.users, ())
+            yield from (f"No message arrives: {reason}" for reason in known.undelivered)
 
 
 def _unnamed(index: Index, mention: Mention) -> Iterator[str]:
@@ -72,23 +75,19 @@ def _unnamed(index: Index, mention: Mention) -> Iterator[str]:
 
 def _parameter(index: Index, mention: Mention) -> Iterator[str]:
     """Its type and default, what sets it and where it is read."""
-    name, every = mention.subject.name, index.of(mention.subject)
-    nodes = {id(other.node): other.node for other in every if other.node is not None}.values()
-    declarations = [d for node in nodes for d in node.parameters if d.name.text == name]
-    if not declarations:
-        yield f"parameter {code(name)}"
-        if any(node.blueprint is not None and node.blueprint.complete for node in nodes):
+    known = parameter_summary(index, mention.subject)
+    if not known.declarations:
+        yield f"parameter {code(known.name)}"
+        if any(node.blueprint is not None and node.blueprint.complete for node in known.nodes):
             yield "It is declared nowhere in this workspace."
-    for declaration in declarations[:1]:
+    for declaration in known.declarations[:1]:
         default = f" = {code(repr(declaration.default))}" if declaration.known else ""
-        yield f"parameter {code(name)}: {declaration.type or 'type not known'}{default}"
+        yield f"parameter {code(known.name)}: {declaration.type or 'type not known'}{default}"
         yield f"Declared at {where(declaration.place)}"
-    values = {(n.name or "", repr(v)): v for n in nodes for key, v in n.overrides.items() if key == name}
-    if values:
-        rows = [f"- {code(node)}: {_value(value)}" for (node, _), value in sorted(values.items(), key=lambda r: r[0])]
+    rows = dict.fromkeys(f"- {code(node.name or '?')}: {_value(value)}" for node, value in known.values)
+    if rows:
         yield "Value when launched:\n" + "\n".join(rows)
-    for words, role in (("Set at", "set"), ("Read at", "get")):
-        places = sorted({other.place for other in every if other.role == role})
+    for words, places in (("Set at", known.set_at), ("Read at", known.read_at)):
         if places:
             yield f"{words} " + ", ".join(map(where, places))
 

@@ -45,13 +45,19 @@ class Index:
             mentions += mentions_of_starts(system, rank)
         self._by_file: dict[str, list[Mention]] = {}
         self._by_subject: dict[Subject, list[Mention]] = {}
+        best: dict[object, int] = {}
+        for mention in mentions:
+            key = (mention.place, mention.role, mention.subject.kind)
+            best[key] = min(mention.rank, best.get(key, mention.rank))
         for mention in sorted(mentions, key=lambda each: each.sort_key):
             self.texts.lines(mention.place.file)  # now, as long as they are those of the run
             self._by_file.setdefault(mention.place.file, []).append(mention)
-            self._by_subject.setdefault(mention.subject, []).append(mention)
+            if mention.rank == best[mention.place, mention.role, mention.subject.kind]:
+                self._by_subject.setdefault(mention.subject, []).append(mention)
 
     def of(self, subject: Subject) -> list[Mention]:
-        """Where a subject is mentioned, in the order of files and lines."""
+        """Where a subject is mentioned, in the order of files and lines: not where the same text means another one in
+        systems that count more."""
         return self._by_subject.get(subject, [])
 
     def in_file(self, file: str) -> list[Mention]:

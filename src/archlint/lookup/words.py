@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
+from itertools import islice, zip_longest
 from typing import TYPE_CHECKING
 
-from archlint.lookup.mentions import Mention
 from archlint.model import EntityKind
 from archlint.visible import visible
 
@@ -47,29 +47,22 @@ def qos_words(qos: Qos) -> str:
     return ", ".join(words)
 
 
-def ends_list(words: str, rows: Sequence[Mention], rates: Mapping[int, float]) -> str:
-    """The ends on one side of a connection, each with its node and place."""
-    if not rows:
+def ends_list(words: str, ends: Sequence[Endpoint], rates: Sequence[float | None]) -> str:
+    """The ends on one side of a connection, each with its node, place and, if known, messages a second."""
+    if not ends:
         return f"{words} nothing in this workspace"
-    told = [f"- {_end_words(row.end, rates)}" for row in rows[:MOST] if row.end is not None]
-    more = [f"- and {len(rows) - MOST} more"] if len(rows) > MOST else []
+    told = [f"- {_end_words(end, rate)}" for end, rate in islice(zip_longest(ends, rates), MOST)]
+    more = [f"- and {len(ends) - MOST} more"] if len(ends) > MOST else []
     return "\n".join([words, *told, *more])
 
 
-def _end_words(end: Endpoint, rates: Mapping[int, float]) -> str:
+def _end_words(end: Endpoint, rate: float | None) -> str:
     node = code(end.node.name) if end.node.name else "a node that is not known"
     notes = [qos_words(end.qos)] if end.qos is not None and end.kind in _OF_TOPICS else []
-    rate = rates.get(id(end.creation))
-    if rate is not None:
-        notes.append(f"{rate:g} Hz")
-    if end.conditional:
-        notes.append("under a condition")
+    notes += [f"{rate:g} Hz"] if rate is not None else []
+    notes += ["under a condition"] if end.conditional else []
     launched = f" ({visible(end.node.launched_by)})" if end.node.launched_by else ""
-    return (
-        f"{node}: {', '.join([*notes, where(end.place)])}{launched}"
-        if notes
-        else f"{node}: {where(end.place)}{launched}"
-    )
+    return f"{node}: {', '.join([*notes, where(end.place)])}{launched}"
 
 
 def node_words(node: Node) -> Iterator[str]:

@@ -53,7 +53,7 @@ def document(system: System) -> dict[str, Any]:
     return {
         "version": VERSION,
         "system": system.name,
-        "nodes": [_node(node) for node in system.entries],
+        "nodes": [node_data(node) for node in system.entries],
         "topics": [
             {**_connection(c, "publishers", "subscribers"), "undelivered": _undelivered(system, c)}
             for c in system.topics.values()
@@ -87,23 +87,24 @@ def _difference(difference: Difference) -> dict[str, Any]:
         "expected": difference.expected or None,
         "observed": difference.observed or None,
         "message": difference.message,
-        "file": _file(difference.place.file),
+        "file": shown_file(difference.place.file),
         "line": difference.place.line,
         "column": difference.place.column,
     }
 
 
-def _node(node: Node) -> dict[str, Any]:
+def node_data(node: Node) -> dict[str, Any]:
+    """A node with all that it has."""
     blueprint = node.blueprint
     place = blueprint.place if blueprint else node.launch_place
-    lists = {name: [_endpoint(e) for e in node.of_kind(kind)] for name, kind in _LISTS.items()}
+    lists = {name: [endpoint_data(e) for e in node.of_kind(kind)] for name, kind in _LISTS.items()}
     return {
         "name": node.name,
         "class": blueprint.class_name if blueprint else None,
         "package": node.package,
         "executable": node.executable,
         "executables": list(node.executables),
-        "file": _file(place.file) if place else None,
+        "file": shown_file(place.file) if place else None,
         "line": place.line if place else None,
         "is_node": node.is_node,
         "lifecycle": blueprint.lifecycle if blueprint else False,
@@ -117,7 +118,8 @@ def _node(node: Node) -> dict[str, Any]:
         "error": node.error,
         **lists,
         "timers": [_timer(timer) for timer in node.timers],
-        "parameters": [_parameter(parameter, node) for parameter in node.parameters] + [*map(_setting, node.settings)],
+        "parameters": [parameter_data(parameter, node) for parameter in node.parameters]
+        + [*map(_setting, node.settings)],
     }
 
 
@@ -127,13 +129,14 @@ def _remappings(node: Node) -> list[dict[str, Any]]:
     return [{"from": remap.source.text, "to": remap.target.text} for remap in remaps]
 
 
-def _endpoint(endpoint: Endpoint) -> dict[str, Any]:
+def endpoint_data(endpoint: Endpoint) -> dict[str, Any]:
+    """An end of a topic, service or action."""
     place = endpoint.place
     described = {
         "name": endpoint.name,
         "type": endpoint.type,
         "qos": _qos(endpoint.qos),
-        "file": _file(place.file),
+        "file": shown_file(place.file),
         "line": place.line,
         "column": place.column,
         "end_line": place.end_line,
@@ -174,9 +177,9 @@ def _qos(qos: Qos | None) -> dict[str, Any] | None:
 
 def _timer(timer: Creation) -> dict[str, Any]:
     return {
-        "period_s": _plain(timer.period),
+        "period_s": plain(timer.period),
         "callback": _callback(timer),
-        "file": _file(timer.place.file),
+        "file": shown_file(timer.place.file),
         "line": timer.place.line,
         "column": timer.place.column,
         "parameter": timer.period_parameter,
@@ -185,21 +188,22 @@ def _timer(timer: Creation) -> dict[str, Any]:
     }
 
 
-def _parameter(parameter: ParameterDeclaration, node: Node) -> dict[str, Any]:
+def parameter_data(parameter: ParameterDeclaration, node: Node) -> dict[str, Any]:
+    """A parameter that a node declares."""
     described = {
         "name": parameter.name.text,
         "type": parameter.type,
-        "default": _plain(parameter.default) if parameter.known else None,
-        "file": _file(parameter.place.file),
+        "default": plain(parameter.default) if parameter.known else None,
+        "file": shown_file(parameter.place.file),
         "line": parameter.place.line,
         "column": parameter.place.column,
         "conditional": parameter.conditional,
     }
     if parameter.given:
-        described["override"] = _plain(parameter.given[0])
+        described["override"] = plain(parameter.given[0])
     elif (name := parameter.name.text) is not None and name in node.overrides and not parameter.ignore_override:
         given = node.overrides[name]
-        described |= {"override": _plain(given), "override_reason": _why_unknown(given)}
+        described |= {"override": plain(given), "override_reason": why_unknown(given)}
     return described
 
 
@@ -209,29 +213,30 @@ def _setting(setting: Setting) -> dict[str, Any]:
         "name": setting.name,
         "type": type_of(setting.value),
         "default": None,
-        "value": _plain(setting.value),
-        "reason": _why_unknown(setting.value),
-        "file": _file(setting.place.file),
+        "value": plain(setting.value),
+        "reason": why_unknown(setting.value),
+        "file": shown_file(setting.place.file),
         "line": setting.place.line,
         "column": setting.place.column,
         "conditional": False,
     }
 
 
-def _why_unknown(value: object) -> str | None:
+def why_unknown(value: object) -> str | None:
+    """The reason of a value that is not known."""
     match value:
         case NotKnown(reason=reason):
             return reason
     return None
 
 
-def _plain(value: object) -> object:
+def plain(value: object) -> object:
     """A parameter's value in JSON; what JSON has no word for (nan, infinity) is a string."""
     match value:
         case float() if not math.isfinite(value):
             return str(value)
         case bytes() | bytearray() | list() | tuple():
-            return [_plain(item) for item in value]
+            return [plain(item) for item in value]
         case None | bool() | int() | float() | str():
             return value
     return None
@@ -270,24 +275,25 @@ def unresolved(system: System) -> list[dict[str, Any]]:
     entries: dict[tuple[str, int, int, str, str], None] = {}
     if system.launched is not None:
         for gap in system.launched.not_followed():
-            entries[_file(gap.place.file), gap.place.line, gap.place.column, gap.kind, gap.reason] = None
+            entries[shown_file(gap.place.file), gap.place.line, gap.place.column, gap.kind, gap.reason] = None
     for node in system.entries:
         place = node.launch_place
         why = node.unfollowed or node.doubt
         if why is not None and place is not None:
-            entries[_file(place.file), place.line, place.column, "node", why] = None
+            entries[shown_file(place.file), place.line, place.column, "node", why] = None
         for endpoint in node.endpoints:
             if endpoint.resolution == "unknown":
                 place = endpoint.place
-                entries[_file(place.file), place.line, place.column, endpoint.kind, endpoint.reason or ""] = None
+                entries[shown_file(place.file), place.line, place.column, endpoint.kind, endpoint.reason or ""] = None
         for blueprint in node.blueprints:
             for place, reason in blueprint.gaps:
-                entries[_file(place.file), place.line, place.column, "call", reason] = None
+                entries[shown_file(place.file), place.line, place.column, "call", reason] = None
     return [
         {"kind": kind, "file": file, "line": line, "column": column, "reason": reason}
         for file, line, column, kind, reason in sorted(entries)
     ]
 
 
-def _file(path: str) -> str:
+def shown_file(path: str) -> str:
+    """A path with ``/``."""
     return PurePath(path).as_posix()

@@ -31,11 +31,12 @@ _VERBS = {
     program.EntityKind.ACTION_SERVER: "acts on",
     program.EntityKind.ACTION_CLIENT: "sends goals",
 }
-_ENDS: Mapping[ConnectionKind, tuple[str, str]] = {
+SIDES: Mapping[ConnectionKind, tuple[str, str]] = {
     "topic": ("published by", "subscribed by"),
     "service": ("served by", "called by"),
     "action": ("served by", "called by"),
 }
+"""What the two sides of a connection are called."""
 Style = Literal["plain", "title", "node", "name", "quiet", "alarm", "added", "changed"]
 _STYLES: Mapping[Style, str] = {
     "plain": "",
@@ -57,7 +58,7 @@ Paint = Callable[[str, Style], str]
 
 
 def render(system: System, *, color: bool = False) -> str:
-    paint = partial(_paint, color)
+    paint = partial(painted_text, color)
     remapped = _remapped(system)
     sections = [
         _nodes(system, paint),
@@ -73,7 +74,7 @@ def render(system: System, *, color: bool = False) -> str:
     return "\n\n".join(blocks or ["no nodes"]) + "\n"
 
 
-def _paint(color: bool, text: str, style: Style) -> str:
+def painted_text(color: bool, text: str, style: Style) -> str:
     """``text`` made safe to show, and marked up where colour is on."""
     shown = visible(text)
     code = _STYLES[style]
@@ -83,19 +84,20 @@ def _paint(color: bool, text: str, style: Style) -> str:
 def _nodes(system: System, paint: Paint) -> Iterator[str]:
     if system.nodes:
         yield paint(look.counted(len(system.nodes), "node"), "title")
-    yield from (_entry(node, paint) for node in system.nodes)
+    yield from (entry(node, paint) for node in system.nodes)
 
 
 def _unowned(system: System, paint: Paint) -> Iterator[str]:
     """The classes and functions that are no nodes, and what they create on one that is not known."""
     if system.unowned:
         yield paint(look.UNOWNED, "title")
-    yield from (_entry(node, paint) for node in system.unowned)
+    yield from (entry(node, paint) for node in system.unowned)
 
 
-def _entry(node: Node, paint: Paint) -> str:
+def entry(node: Node, paint: Paint) -> str:
+    """A node with what it has, a line each."""
     heading = "  ".join(paint(*cell) for cell in _heading(node) if cell[0])
-    return "\n".join([heading, *_table([*_rows(node)], paint)])
+    return "\n".join([heading, *table([*_rows(node)], paint)])
 
 
 def _heading(node: Node) -> Iterator[Cell]:
@@ -162,13 +164,14 @@ def _timer_row(timer: Creation) -> Sequence[Cell]:
 
 
 def _setting_row(setting: Setting) -> Sequence[Cell]:
-    known = _given(setting.value)
+    known = given_words(setting.value)
     kind = type_of(setting.value) or ""
     place = f"{setting.place.file}:{setting.place.line}"
     return [("parameter", "plain"), (setting.name, "plain"), (f"{kind} {known}".strip(), "plain"), (place, "quiet")]
 
 
-def _given(value: object) -> str:
+def given_words(value: object) -> str:
+    """``= 2.0``, or why the value is not known."""
     return f"= ? ({value.reason})" if isinstance(value, NotKnown) else f"= {value!r}"
 
 
@@ -177,7 +180,7 @@ def _parameter_row(parameter: ParameterDeclaration, node: Node) -> Sequence[Cell
     name = parameter.name.text
     if name is not None and name in node.overrides and not parameter.ignore_override:
         given = node.overrides[name]
-        default = f"{_given(given)}, set by the launch" + (f" (default {default[2:]})" if default else "")
+        default = f"{given_words(given)}, set by the launch" + (f" (default {default[2:]})" if default else "")
     return [
         ("parameter", "plain"),
         (name or "?", "plain"),
@@ -209,7 +212,7 @@ def _connections(
             " ≠ ".join(connection.types) or "type not known",
             "alarm" if len(connection.types) > 1 else "plain",
         )
-        ends = zip(_ENDS[kind], (connection.providers, connection.users), strict=True)
+        ends = zip(SIDES[kind], (connection.providers, connection.users), strict=True)
         lines = [f"  {words:<13}  {_names(endpoints, paint)}" for words, endpoints in ends]
         if connection.name in remapped:
             lines.append(f"  {'remapped for':<13}  {paint(', '.join(remapped[connection.name]), 'plain')}")
@@ -243,7 +246,7 @@ def _unresolved(system: System, paint: Paint) -> Iterator[str]:
     entries = json.unresolved(system)
     if entries:
         yield paint(f"{len(entries)} not resolved", "title")
-        yield "\n".join(_table([_unresolved_row(entry) for entry in entries], paint))
+        yield "\n".join(table([_unresolved_row(entry) for entry in entries], paint))
 
 
 def _unresolved_row(entry: dict[str, object]) -> Sequence[Cell]:
@@ -260,7 +263,7 @@ def _compared(system: System, paint: Paint) -> Iterator[str]:
     yield "\n".join(f"  {paint(line, 'plain')}" for line in comparison_words(compared))
     if compared.differences:
         rows = sorted(compared.differences, key=lambda difference: (difference.status, difference.message))
-        yield "\n".join(_table([_difference_row(row) for row in rows], paint))
+        yield "\n".join(table([_difference_row(row) for row in rows], paint))
     quiet = [*(f"not compared: {words}" for words in compared.left_open), *compared.notes]
     if quiet:
         yield "\n".join(f"  {paint(line, 'quiet')}" for line in quiet)
@@ -271,7 +274,7 @@ def _difference_row(difference: Difference) -> Sequence[Cell]:
     return [(difference.status, _STATUS[difference.status]), (difference.message, "plain"), (place, "quiet")]
 
 
-def _table(rows: Sequence[Sequence[Cell]], paint: Paint) -> Iterator[str]:
+def table(rows: Sequence[Sequence[Cell]], paint: Paint) -> Iterator[str]:
     """Rows with aligned columns, indented by two; the last column is as wide as it is."""
     texts = [[visible(text) for text, _ in row] for row in rows]
     painted = [[paint(text, style) for text, style in row] for row in rows]

@@ -1,0 +1,100 @@
+"""``archlint show NAME``: one node, topic, service, action or parameter with both ends and all places."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from archlint.cli import console, exits
+from archlint.cli.exits import UsageError
+from archlint.cli.options import (
+    add_configuration,
+    add_launch,
+    add_paths,
+    add_running,
+    add_talking,
+    launch_of,
+    paths_of,
+    settings_of,
+)
+from archlint.cli.parser import Parser
+from archlint.cli.watch import Watch
+from archlint.suggestions import did_you_mean
+
+if TYPE_CHECKING:
+    from archlint.lookup.index import Index
+    from archlint.systems.model import System
+
+
+def parser() -> argparse.ArgumentParser:
+    parser = Parser("show", "Show one name with both ends: who publishes, who listens, types, QoS, values and places.")
+    parser.add_argument(
+        "name", metavar="NAME", help="the name of a topic, service, action, node, node class or parameter"
+    )
+    add_paths(parser)
+    output = parser.add_argument_group("output")
+    output.add_argument(
+        "--format", metavar="F", choices=("text", "json"), default="text", help="text (default) or json"
+    )
+    output.add_argument("-o", metavar="FILE", dest="file", help="write to FILE")
+    add_launch(parser)
+    add_configuration(parser)
+    add_running(parser)
+    add_talking(parser)
+    return parser
+
+
+def run(arguments: argparse.Namespace) -> int:
+    from archlint.engine.pipeline import NothingToDo, Request, systems  # wrong words need none of it
+    from archlint.lookup.summaries import known_names, summaries
+    from archlint.render.shown import render_json, render_text
+
+    launch, launch_arguments = launch_of(arguments)
+    paths = paths_of(arguments)
+    settings = settings_of(arguments, paths[0])
+    request = Request(
+        paths,
+        settings,
+        cached=not arguments.no_cache,
+        jobs=arguments.jobs,
+        launch=launch,
+        launch_arguments=launch_arguments,
+    )
+    watch = Watch(sys.stderr, arguments.quiet, arguments.verbose)
+    try:
+        with watch as monitor:
+            indexes = _indexes(systems(replace(request, monitor=monitor)))
+    except NothingToDo as error:
+        raise UsageError(str(error)) from None
+    answers = [answer for index in indexes for answer in summaries(index, arguments.name)]
+    if not answers:
+        known = sorted({name for index in indexes for name in known_names(index)})
+        near = did_you_mean(arguments.name, known)
+        raise UsageError(f"no node, topic, service, action or parameter is called `{arguments.name}`{near}")
+    color = arguments.file in (None, "-") and console.wants_color(arguments.color, sys.stdout)
+    is_json = arguments.format == "json"
+    console.write(
+        render_json(arguments.name, answers) if is_json else render_text(answers, color=color), arguments.file
+    )
+    watch.note_costs()
+    return exits.CLEAN
+
+
+def _indexes(systems: list[System]) -> list[Index]:
+    """One for each of the workspaces that were asked for."""
+    from archlint.lookup.index import Index
+
+    parts: dict[int, list[System]] = {}
+    for system in systems:
+        parts.setdefault(id(system.workspace), []).append(system)
+    return [Index(part, _text_of) for part in parts.values()]
+
+
+def _text_of(file: str) -> str | None:
+    try:
+        return Path(file).read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError):
+        return None
