@@ -21,7 +21,7 @@ from archlint.cli.options import (
     settings_of,
 )
 from archlint.cli.parser import Parser
-from archlint.cli.watch import Watch
+from archlint.cli.progress import Progress
 from archlint.suggestions import did_you_mean
 
 if TYPE_CHECKING:
@@ -63,9 +63,9 @@ def run(arguments: argparse.Namespace) -> int:
         launch=launch,
         launch_arguments=launch_arguments,
     )
-    watch = Watch(sys.stderr, arguments.quiet, arguments.verbose)
+    progress = Progress(sys.stderr, arguments.quiet, arguments.verbose)
     try:
-        with watch as monitor:
+        with progress as monitor:
             indexes = _indexes(systems(replace(request, monitor=monitor)))
     except NothingToDo as error:
         raise UsageError(str(error)) from None
@@ -79,7 +79,7 @@ def run(arguments: argparse.Namespace) -> int:
     console.write(
         render_json(arguments.name, answers) if is_json else render_text(answers, color=color), arguments.file
     )
-    watch.note_costs()
+    progress.note_costs()
     return exits.CLEAN
 
 
