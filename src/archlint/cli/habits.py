@@ -14,7 +14,6 @@ COMMANDS = {
     "format": "check --fix",
     "draw": "graph",
     "plot": "graph",
-    "show": "graph",
     "list": "rules",
     "rule": "explain CODE",
     "why": "explain CODE",
