@@ -6,7 +6,7 @@ VENV   := .venv
 BIN    := $(VENV)/bin
 STAMP  := $(VENV)/.installed-$(shell cksum < pyproject.toml | tr -d ' ')
 
-.PHONY: demo test test-ros test-ros-full adoption check style types layers suite clean
+.PHONY: demo test test-ros test-ros-full adoption docs check style types layers suite clean
 
 # A Debian without python3-venv cannot make an environment with pip in it: install that package where we may.
 $(STAMP): pyproject.toml
@@ -55,7 +55,22 @@ test-ros-%: $(STAMP)
 adoption: $(STAMP)  ## what a team does, with pre-commit and colcon from PyPI; WORKSPACES="…": not on the fixtures
 	$(BIN)/python -m benchmarks.adoption --install $(WORKSPACES)
 
+# The documentation site: the sources in build/docs, what a browser opens in build/docs/site.  Broken links fail.
+DOCS_STAMP := .venv-docs/.installed-$(shell cksum < pyproject.toml | tr -d ' ')
+
+$(DOCS_STAMP): $(STAMP)
+	$(BIN)/python -m venv .venv-docs
+	.venv-docs/bin/python -m pip install --quiet --disable-pip-version-check --upgrade "pip>=25.1"
+	.venv-docs/bin/python -m pip install --quiet --disable-pip-version-check -e . --group docs
+	@rm -f .venv-docs/.installed-* && touch $@
+
+docs: $(DOCS_STAMP)
+	.venv-docs/bin/python -m website build/docs
+	@rm -rf build/docs/site
+	cd build/docs && ../../.venv-docs/bin/zensical build --strict --config-file mkdocs.yml
+	@echo "open build/docs/site/index.html"
+
 check: test
 
 clean:
-	rm -rf $(VENV) .venv-ros-* .venv-adoption demo-output dist build .pytest_cache .mypy_cache .ruff_cache .hypothesis .import_linter_cache
+	rm -rf $(VENV) .venv-docs .venv-ros-* .venv-adoption demo-output dist build .pytest_cache .mypy_cache .ruff_cache .hypothesis .import_linter_cache

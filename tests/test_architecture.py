@@ -34,6 +34,7 @@ OF_ANOTHER_FOLDER = {
     "mutations": "benchmarks/mutations",
     "oracle": "benchmarks/accuracy/oracle",
     "structure": "benchmarks/structure",
+    "website": "website",
 }
 """Folders of tests that belong to no package of src, and what they are for."""
 
