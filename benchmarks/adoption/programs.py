@@ -6,7 +6,7 @@ import os
 import subprocess
 import sys
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
@@ -47,7 +47,6 @@ class Programs:
     python: Path
     """The Python that has archlint's requirements."""
     home: Path
-    more: Mapping[str, str] = field(default_factory=dict)
     installs: bool = False
     """Whether steps may install something from PyPI."""
 
@@ -78,7 +77,7 @@ class Programs:
         names = {f"GIT_{role}_NAME": "Kim" for role in ("AUTHOR", "COMMITTER")}
         mails = {f"GIT_{role}_EMAIL": "kim@example.com" for role in ("AUTHOR", "COMMITTER")}
         path = f"{self.folder}{os.pathsep}{kept.get('PATH', os.defpath)}"
-        return kept | names | mails | {"HOME": str(self.home), "PATH": path} | self.more | (variables or {})
+        return kept | names | mails | {"HOME": str(self.home), "PATH": path} | (variables or {})
 
 
 def of_this_checkout(folder: Path, home: Path) -> Programs:
@@ -102,4 +101,4 @@ def installed(home: Path) -> Programs | str:
         if done.returncode != 0:
             last = (done.stdout + done.stderr).strip().splitlines()[-1:]
             return f"pip cannot install {', '.join(NEEDED)}: {''.join(last)}"
-    return Programs(ENVIRONMENT / "bin", python, home, {"PRE_COMMIT_HOME": str(ENVIRONMENT / "hooks")}, installs=True)
+    return Programs(ENVIRONMENT / "bin", python, home, installs=True)
