@@ -22,6 +22,7 @@ from benchmarks.speed.rows import ROWS, Row, Tools
 from benchmarks.speed.rules import shares
 
 _GROWTH_BAR, _PEAK_BAR, _FILE_BAR = 1.15, 1200, 5
+_EDIT_AIM = 300
 
 
 def compare(arguments: argparse.Namespace) -> None:
@@ -102,6 +103,16 @@ def stall(arguments: argparse.Namespace) -> None:
         print(f"| {name} | {seconds:.2f} | {share:.2f} |")
 
 
+def serve(arguments: argparse.Namespace) -> None:
+    """How long an editor waits for the diagnostics after an edit."""
+    from benchmarks.speed.server import waits  # with the extra lsp, which the other commands do without
+
+    print(f"{arguments.packages} packages of four Python files, load {os.getloadavg()[0]:.1f}\n")
+    print(f"| edit | median, ms (aim: {_EDIT_AIM}) | longest, ms | CPU of the server, ms |\n|---|---|---|---|")
+    for row in waits(arguments.packages, arguments.rounds):
+        print("| " + " | ".join([row.kind, *(f"{1000 * seconds:.0f}" for seconds in row.medians)]) + " |", flush=True)
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     commands = parser.add_subparsers(dest="command", required=True)
@@ -126,6 +137,10 @@ def main() -> None:
     command = commands.add_parser("hostile", help=stall.__doc__)
     command.add_argument("--parts", type=int, default=200_000)
     command.set_defaults(run=stall)
+    command = commands.add_parser("server", help=serve.__doc__)
+    command.add_argument("--packages", type=int, default=150)
+    command.add_argument("--rounds", type=int, default=7)
+    command.set_defaults(run=serve)
     arguments = parser.parse_args()
     arguments.run(arguments)
 
