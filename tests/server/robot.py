@@ -55,6 +55,8 @@ _MANIFEST = """\
 """
 
 _SETUP = """\
+from glob import glob
+
 from setuptools import setup
 
 setup(
@@ -64,6 +66,7 @@ setup(
     data_files=[
         ('share/ament_index/resource_index/packages', ['resource/robot']),
         ('share/robot', ['package.xml']),
+        ('share/robot/launch', glob('launch/*')),
     ],
     entry_points={'console_scripts': ['talker = robot.talker:main', 'listener = robot.listener:main']},
 )
@@ -86,6 +89,10 @@ class Robot:
         self._write(package / "setup.cfg", _SETUP_CFG)
         self._write(package / "setup.py", _SETUP)
         (folder / ".git").mkdir()
+
+    def write(self, path: str, text: str) -> Path:
+        """Write a file of the package."""
+        return self._write(self.folder / "src" / "robot" / path, text)
 
     def configure(self, text: str) -> Path:
         return self._write(self.folder / "archlint.toml", text)

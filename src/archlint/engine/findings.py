@@ -33,6 +33,7 @@ from archlint.systems.model import WorkspaceIndex
 
 if TYPE_CHECKING:
     from archlint.config.settings import Settings
+    from archlint.engine.memory import Memory
     from archlint.finding import Finding
     from archlint.launch.files import LaunchFiles
     from archlint.syntax.files import FactsOfFiles
@@ -115,7 +116,7 @@ def _judged(
     index = systems[0].workspace or WorkspaceIndex()
     faults, launch_files = index.faults, index.launch_files
     imported = [f for f in python_files(workspace) if f not in known and facts.was_read(f) and not facts.is_ros1(f)]
-    candidates = [*_problems(workspace, [*known, *imported], facts), *merged(_rules(request, systems))]
+    candidates = [*_problems(workspace, [*known, *imported], facts), *merged(_rules(request, systems, inputs.memory))]
     candidates.extend(_of_interfaces(workspace, systems, inputs.tree, faults))
     by_file = {file.relative: read.suppressions for file in known if (read := facts.facts_of(file)) is not None}
     candidates.extend(unreadable(*problem) for problem in launch_files.problems())
@@ -173,7 +174,7 @@ def _passed_over(inputs: Inputs, facts: FactsOfFiles, launch_files: LaunchFiles)
     yield from for_ros1(python, launch)
 
 
-def _rules(request: Request, systems: Sequence[System]) -> Iterator[Finding]:
+def _rules(request: Request, systems: Sequence[System], memory: Memory | None = None) -> Iterator[Finding]:
     settings, checks = request.settings, registered()
     selection = settings.selection
     request.monitor.judging(len(systems))
@@ -181,7 +182,11 @@ def _rules(request: Request, systems: Sequence[System]) -> Iterator[Finding]:
         codes = [code for code in selection.codes if selection.runs(code, system.closed)]
         if system.launched is not None and len(systems) > 1:
             codes = [code for code in codes if code in checks and checks[code].scope.of_each_system]
-        yield from judge_alternatives(system, options_for(settings, codes))
+        selected = options_for(settings, codes)
+        if memory is None:
+            yield from judge_alternatives(system, selected)
+        else:
+            yield from memory.judged(system, selected, judge_alternatives)
         request.monitor.judged()
 
 

@@ -78,6 +78,7 @@ def systems_of(inputs: Inputs, facts: FactsOfFiles) -> list[System]:
         arguments=dict(request.launch_arguments),
         configured=request.settings.launch,
         distro=distro,
+        memory=inputs.memory,
     )
     cache.save()
     if not systems:  # only where one launch file was asked for: the open system is always there

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -70,7 +70,7 @@ class Snapshot:
         return attach(mine, Surroundings(paths, self.tree.given, self.tree.base))
 
 
-def shown_now(findings: Sequence[Finding], shifts: Mapping[str, Shifts]) -> list[Finding]:
+def shown_now(findings: Iterable[Finding], shifts: Mapping[str, Shifts]) -> list[Finding]:
     """Findings of a state in which some files, by the paths of findings, had other lines: at their lines of now, and
     without those whose lines have changed."""
     shown = []

@@ -13,20 +13,23 @@ from archlint.config.filters import Filters
 from archlint.config.seen_from import seen_from
 from archlint.engine.findings import judged_in_parts
 from archlint.engine.inputs import Inputs, is_input, is_of_package, refuse_nothing
+from archlint.engine.memory import Memory
 from archlint.engine.request import NothingToDo, Request
+from archlint.live.buffers import Shifts
 from archlint.live.facts import LiveFacts
 from archlint.live.readable import LastReadable, Readable
 from archlint.live.snapshot import Snapshot, shown_now
 from archlint.live.store import LiveStore
-from archlint.live.tree import LiveTree
+from archlint.live.tree import DiskMemory, LiveTree
 from archlint.monitor import Monitor
 from archlint.syntax.cache import NullStore, Store
 from archlint.syntax.python.deep_stack import call_with_deep_stack
 from archlint.syntax.secret import user_key
 from archlint.syntax.signed import CACHE_FOLDER
+from archlint.workspace.around import is_below
 from archlint.workspace.discovery import find
 from archlint.workspace.membership import read_file
-from archlint.workspace.model import PYTHON_KINDS, SourceFile, Workspace
+from archlint.workspace.model import LAUNCH_TEXT_KINDS, PYTHON_KINDS, SourceFile, SourceKind, Workspace
 
 if TYPE_CHECKING:
     from archlint.config.settings import Settings
@@ -45,6 +48,19 @@ class Asked:
     baseline: Baseline | None = None
 
 
+@dataclass(frozen=True)
+class _Last:
+    """A whole analysis, and what the next one may use of it."""
+
+    asked: Asked
+    memory: Memory
+    snapshot: Snapshot
+
+
+_CODE: tuple[SourceKind, ...] = ("python", "launch_python", *LAUNCH_TEXT_KINDS)
+"""What may be edited without a change of anything but what it says itself."""
+
+
 class LiveWorkspace:
     """The workspace at ``root``, an absolute path, from which findings name their files.  One analysis at a time."""
 
@@ -54,7 +70,10 @@ class LiveWorkspace:
         self._store = LiveStore(NullStore())
         self._readable = LastReadable(self._store)
         self._found: tuple[Asked, Workspace] | None = None
+        self._disk = DiskMemory()
         self._decoded: Decoded = {}
+        self._last: _Last | None = None
+        """The last whole analysis; None where something has changed since that a first answer would not see."""
 
     def analyse(self, asked: Asked, buffers: Buffers, monitor: Monitor | None = None) -> Snapshot:
         """What is found with these texts in the editor.
@@ -63,23 +82,48 @@ class LiveWorkspace:
         """
         asked = replace(asked, settings=seen_from(self.root, asked.settings))
         self._open_store(asked.settings)
-        return call_with_deep_stack(lambda: self._analyse(asked, buffers, monitor or Monitor()))
+        memory = Memory()
+        snapshot = call_with_deep_stack(lambda: self._analyse(asked, buffers, monitor or Monitor(), memory))
+        self._last = _Last(asked, memory, snapshot)
+        return snapshot
+
+    def first_answer(self, asked: Asked, buffers: Buffers, monitor: Monitor | None = None) -> Snapshot | None:
+        """As :meth:`analyse`, but soon: what other launch files start than those with edited code counts as judged.
+        None where there is nothing to begin with, or more than code has been edited."""
+        asked = replace(asked, settings=seen_from(self.root, asked.settings))
+        memory = self._memory_for(asked, buffers)
+        if memory is None:
+            return None
+        return call_with_deep_stack(lambda: self._analyse(asked, buffers, monitor or Monitor(), memory))
+
+    def _memory_for(self, asked: Asked, buffers: Buffers) -> Memory | None:
+        last = self._last
+        if last is None or self._found is None or last.asked != asked or len(last.snapshot.systems) != 1:
+            return None
+        before, now = last.snapshot.tree.held, self._readable.of(self._own(buffers)).held
+        edited = [path for path in before.keys() & now.keys() if before[path] != now[path]]
+        code = {file.path: file.relative for file in last.snapshot.workspace.of_kind(*_CODE)}
+        if before.keys() != now.keys() or not edited or not code.keys() >= set(edited):
+            return None
+        shifts = {code[path]: Shifts(_text(before[path]), _text(now[path])) for path in edited}
+        return Memory(last.memory, frozenset(shifts), lambda findings: shown_now(findings, shifts))
 
     def look_again(self) -> None:
         """Files may have come or gone, or changed on the disk: have the next analysis look at all of them."""
-        self._found = None
+        self._found = self._last = None
+        self._disk = DiskMemory()
 
     def close(self) -> None:
         """Write down what the next server can use."""
         self._store.close()
 
-    def _analyse(self, asked: Asked, buffers: Buffers, monitor: Monitor) -> Snapshot:
+    def _analyse(self, asked: Asked, buffers: Buffers, monitor: Monitor, memory: Memory) -> Snapshot:
         asked.settings.activate_plugins()
-        own = {path: buffer for path, buffer in buffers.items() if self._is_inside(path)}
+        own = self._own(buffers)
         readable = self._readable.of(own)
         self._store.hold(readable.held)
         workspace = self._files(asked, readable)
-        tree = LiveTree(Path(self.root), Path(workspace.root), readable.held)
+        tree = LiveTree(Path(self.root), Path(workspace.root), readable.held, self._disk)
         request = Request(
             asked.paths,
             asked.settings,
@@ -90,7 +134,7 @@ class LiveWorkspace:
             baseline=asked.baseline,
             monitor=monitor,
         )
-        inputs = Inputs(request, workspace, tree, self._store)
+        inputs = Inputs(request, workspace, tree, self._store, memory)
         facts = LiveFacts(self._store, readable.held, self._decoded, monitor)
         systems: list[list[System]] = []
         shifts = {os.path.relpath(path, self.root).replace(os.sep, "/"): row for path, row in readable.shifts.items()}
@@ -117,8 +161,9 @@ class LiveWorkspace:
             self._found = asked, find(asked.paths, exclude=exclude, working_directory=self.root, read=_reader(readable))
         return self._found[1]
 
-    def _is_inside(self, path: str) -> bool:
-        return path.startswith(self.root.rstrip(os.sep) + os.sep)
+    def _own(self, buffers: Buffers) -> Buffers:
+        """The texts that lie in this workspace."""
+        return {path: buffer for path, buffer in buffers.items() if is_below(path, self.root)}
 
     def _open_store(self, settings: Settings) -> None:
         """The cache on the disk, where the configuration wants it; a run of ``archlint check`` uses the same."""
@@ -129,6 +174,10 @@ class LiveWorkspace:
         self._cache_folder = folder
         self._store = LiveStore(NullStore() if key is None else Store(folder, __version__, key))
         self._readable = LastReadable(self._store)
+
+
+def _text(data: bytes) -> str:
+    return data.decode("utf-8", "replace")
 
 
 def _refuse_no_input(workspace: Workspace) -> None:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import hashlib
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeVar
@@ -113,6 +113,11 @@ class KeptResults(ABC, Generic[Result]):
             self.index.imported.update(group)
         if row.writes:  # what they have changed has to be here
             self.import_now(path for group in row.imports for path in group)
+
+    def files_of(self, key: ProgramKey) -> Collection[str] | None:
+        """The files whose code a program has seen; None for one that is not kept."""
+        row = self._rows.get(key.text)
+        return None if row is None else row.files
 
     def read_by(self) -> Iterable[str]:
         """The files whose code the programs have seen, followed again or not."""
@@ -252,6 +257,9 @@ class NothingKept:
         return None
 
     def put(self, key: ProgramKey, late: bool, result: Followed, reads: Reads) -> None:
+        return None
+
+    def files_of(self, key: ProgramKey) -> Collection[str] | None:
         return None
 
     def first_of(self, path: str) -> str | None:

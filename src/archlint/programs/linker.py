@@ -84,6 +84,9 @@ class Linker:
         self.earlier.of(self.kept)
         self.files = sorted(files.files, key=lambda file: file.relative)
         self._shown = {file.relative: file for file in self.files}
+        self._by_path = {file.path: file for file in self.files}
+        self._keys: dict[int, ProgramKey] = {}
+        """Of the programs that were followed, by the ``id`` of each, which lives as long as this."""
         self.relevant = files.relevant
         self.interfaces = interfaces
         self.jobs = jobs
@@ -181,8 +184,15 @@ class Linker:
             if self.faults.count == faults:
                 self.kept.put(key, late, followed, self.index.all_read(reads))
             self.monitor.followed(key.text, _words(key, followed.program), seconds)
+        self._keys[id(followed.program)] = key
         self.progress.add(followed)
         return followed
+
+    def files_read_by(self, program: model.Program) -> list[str] | None:
+        """The files, by their shown paths, that a program was followed through; None where that was not kept."""
+        key = self._keys.get(id(program))
+        files = None if key is None else self.kept.files_of(key)
+        return None if files is None else [self._by_path[path].relative for path in files if path in self._by_path]
 
     def _import(self, module: Module) -> None:
         self.new_run(module.name, module).import_module(module)

@@ -190,8 +190,8 @@ class Editor:
         collects = gc.isenabled()
         gc.disable()  # a third of the time; what is left over is collected afterwards
         try:
-            snapshot = session.analyse(self.documents.buffers, monitor)
-            self._publish(root, snapshot, session.configuration.mistakes)
+            for snapshot in session.analyse(self.documents.buffers, monitor):
+                self._publish(root, snapshot, session.configuration.mistakes)
         finally:
             if collects:
                 gc.enable()

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.live.workspace import Asked, LiveWorkspace
@@ -37,15 +37,20 @@ class Session:
         """Files may have come or gone, or changed on the disk."""
         self._is_stale = True
 
-    def analyse(self, buffers: Buffers, monitor: Monitor) -> Snapshot:
-        """What is found now.  ``monitor`` may raise what is no ``Exception`` to end the analysis."""
+    def analyse(self, buffers: Buffers, monitor: Monitor) -> Iterator[Snapshot]:
+        """What is found now: a first answer where there can be one soon, and the whole one.  ``monitor`` may raise what
+        is no ``Exception`` to end the analysis."""
         if self._is_stale or self._decides(buffers):
             self.configuration = self.configuration.again(self.root, buffers)
             self._live.look_again()
-        held = self.configuration
-        snapshot = self._live.analyse(Asked(self._paths, held.settings, held.baseline), buffers, monitor)
-        self._buffers, self._is_stale, self.snapshot = buffers, False, snapshot
-        return snapshot
+        asked = Asked(self._paths, self.configuration.settings, self.configuration.baseline)
+        first = self._live.first_answer(asked, buffers, monitor)
+        if first is not None:
+            self.snapshot = first
+            yield first
+        whole = self._live.analyse(asked, buffers, monitor)
+        self._buffers, self._is_stale, self.snapshot = buffers, False, whole
+        yield whole
 
     def close(self) -> None:
         self._live.close()

@@ -52,6 +52,8 @@ class LaunchSystems:
             (*key, program.file): program for key, program in linker.started.items()
         }
         self._modules: dict[tuple[str | None, str, str], Module | None] = {}
+        self.asked: list[Program] = []
+        """The programs that systems were made of, in this order, since somebody cleared it."""
 
     def system(self, launched: Launched) -> System:
         nodes: list[Node] = []
@@ -68,6 +70,12 @@ class LaunchSystems:
             package_dependencies=self.dependencies,
             launched=launched,
         )
+
+    def files_asked(self) -> frozenset[str] | None:
+        """The files, by their shown paths, that the programs in :attr:`asked` have read; None where that is not
+        known."""
+        rows = [self.linker.files_read_by(program) for program in self.asked]
+        return None if None in rows else frozenset(file for row in rows for file in row or ())
 
     def _doubt(self, started: Started, nodes: Sequence[Node]) -> str | None:
         """Why nodes whose source is here do not fit what the launch file says of them; None where they do."""
@@ -158,7 +166,10 @@ class LaunchSystems:
             if len(self._programs) > RERUNS:
                 return self._programs.get((package, executable, module.path))
             self._programs[key] = self.linker.run_entry(entry, module, changes, words)
-        return self._programs[key]
+        program = self._programs[key]
+        if program is not None:
+            self.asked.append(program)
+        return program
 
     def _module(self, entry: EntryPoint, folder: str) -> Module | None:
         key = (entry.package, entry.executable, folder)

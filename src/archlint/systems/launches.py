@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence, Set
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Protocol
 
 from archlint.finding import Place
 from archlint.launch.kinds import FileStatus
@@ -34,15 +34,16 @@ def launch_systems(
     arguments: Mapping[str, str] | None = None,
     configured: Sequence[Glob] = (),
     distro: str | None = None,
+    memory: KeptSystems | None = None,
 ) -> list[System]:
     """The open system and one for each launch file (of those that are configured); only the chosen one, where
-    one is named.
+    one is named.  ``memory`` may have some from an earlier run, and is told of those that are made.
 
     All of them share one index: ``workspace`` with what is known of launch files and systems.
     """
     launched = _launched(launches, chosen, arguments)
     maker = LaunchSystems(linker, entries, launches, opened.package_dependencies, distro)
-    making = _Making(maker, launches, _parts(launched), closed, chosen, configured)
+    making = _Making(maker, launches, _parts(launched), closed, chosen, configured, memory)
     linker.ahead(lambda: [partial(making.systems_of, group) for group in _batches(launched)])
     systems = making.systems_of(launched)
     others = [other.launched for system in systems for _, other in system.alternatives if other.launched is not None]
@@ -59,6 +60,13 @@ def launch_systems(
     return list(index.systems)
 
 
+class KeptSystems(Protocol):
+    """Systems of launch files that an earlier run has made."""
+
+    def system(self, launched: Launched) -> System | None: ...
+    def note(self, system: System, files: Iterable[str] | None) -> None: ...
+
+
 @dataclass(frozen=True)
 class _Making:
     """How launches become systems; ``parts`` are the launch files that others include."""
@@ -69,14 +77,27 @@ class _Making:
     closed: bool
     chosen: str | None
     configured: Sequence[Glob]
+    memory: KeptSystems | None
 
     def systems_of(self, group: Iterable[Launched]) -> list[System]:
         systems = []
         for launch in group:
             place = Place(launch.file, 1, 1, 1, 1)
             with self.launches.faults.contained("making the system of this launch file", place):
-                systems.append(self._system_of(launch))
+                systems.append(self._known_or_made(launch))
         return [system for system in systems if system is not None]
+
+    def _known_or_made(self, launch: Launched) -> System | None:
+        if self.memory is None:
+            return self._system_of(launch)
+        known = self.memory.system(launch)
+        if known is not None:
+            return known
+        self.maker.asked.clear()
+        system = self._system_of(launch)
+        if system is not None:
+            self.memory.note(system, self.maker.files_asked())
+        return system
 
     def _system_of(self, launch: Launched) -> System | None:
         """The system of a launch file; None where it is none, or not one of those that are configured."""

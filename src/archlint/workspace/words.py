@@ -23,11 +23,14 @@ class Words:
         self.asked_of_all: dict[str, set[str]] = {}
         """The files of the workspace's code that a word occurs in, for all words that were asked for."""
 
+        self.split: Callable[[str, str], frozenset[str]] = _split
+        """Gives the words of a file, by its path and its text."""
+
     def of(self, path: str) -> frozenset[str]:
         """The words of a file; none where it cannot be read."""
         words = self._words.get(path)
         if words is None:
-            words = self._words[path] = frozenset(WORD.findall(self._text_of(path) or ""))
+            words = self._words[path] = self.split(path, self._text_of(path) or "")
         return words
 
     def stand_in(self, path: str, word: str) -> bool:
@@ -39,6 +42,10 @@ class Words:
         """These are the files of a workspace that a word occurs in; several may stand side by side."""
         self.asked_of_all.setdefault(word, set()).update(files)
         return files
+
+
+def _split(path: str, text: str) -> frozenset[str]:
+    return frozenset(WORD.findall(text))
 
 
 __all__ = ["WORD", "Words"]

@@ -1,0 +1,81 @@
+"""What a run over a workspace leaves in memory, so that the next one, after an edit of code, has a first answer soon.
+
+The first answer has everything that the edited files themselves can change: the open system is linked and judged anew,
+and so is each launched system that has code of theirs.  Of the other launched systems, and of what packages say of each
+other, it repeats what the run before has found; a whole run then says what else has changed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+from archlint.checks.registry import registered
+from archlint.checks.scope import Scope
+
+if TYPE_CHECKING:
+    from archlint.checks.registry import Options
+    from archlint.finding import Finding
+    from archlint.launch.model import Launched
+    from archlint.systems.model import System
+
+Selected = Mapping[str, "Options"]
+Judge = Callable[["System", Selected], Iterable["Finding"]]
+
+
+@dataclass
+class Memory:
+    """What one run has made and found.  ``before`` is that of the run whose findings it may repeat, and ``changed``
+    are the files, by their shown paths, that are not as they were then."""
+
+    before: Memory | None = None
+    changed: frozenset[str] = frozenset()
+    moved: Callable[[Iterable[Finding]], list[Finding]] = list
+    """Findings of the run before at the lines where their code is now."""
+    _systems: dict[str, System] = field(default_factory=dict)
+    """Those of launch files, by their paths."""
+    _files: dict[str, frozenset[str]] = field(default_factory=dict)
+    """The files that each of them was made of; none of one of which that is not known."""
+    _findings: dict[str, list[Finding]] = field(default_factory=dict)
+    _of_packages: list[Finding] = field(default_factory=list)
+    """What was found for all the workspace, whatever nodes there are."""
+
+    def system(self, launched: Launched) -> System | None:
+        """The system of a launch file, if nothing of it was edited."""
+        before = self.before
+        if before is None or launched.file not in before._systems or launched.file not in before._findings:
+            return None
+        files = before._files.get(launched.file)
+        if files is None or not self.changed.isdisjoint({*files, *launched.sources}):
+            return None
+        return before._systems[launched.file]
+
+    def note(self, system: System, files: Iterable[str] | None) -> None:
+        """A system has been made of these files; None where not all of them are known."""
+        if system.name is not None:
+            self._systems[system.name] = system
+            if files is not None:
+                self._files[system.name] = frozenset(files)
+
+    def judged(self, system: System, selected: Selected, judge: Judge) -> Iterator[Finding]:
+        """What ``judge`` finds in a system, or the run before has found."""
+        if system.launched is not None:
+            file = system.launched.file
+            if self.before is not None and self.system(system.launched) is not None:
+                self._findings[file] = self.moved(self.before._findings[file])
+            else:
+                self._findings[file] = list(judge(system, selected))
+            yield from self._findings[file]
+            return
+        checks = registered()
+        whole = {code for code in selected if code in checks and checks[code].scope is Scope.WORKSPACE}
+        if self.before is None:
+            self._of_packages = list(judge(system, {code: selected[code] for code in selected if code in whole}))
+        else:
+            self._of_packages = self.moved(self.before._of_packages)
+        yield from self._of_packages
+        yield from judge(system, {code: selected[code] for code in selected if code not in whole})
+
+
+__all__ = ["Memory"]

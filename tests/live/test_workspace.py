@@ -1,0 +1,137 @@
+"""A workspace that is kept in memory: unsaved text counts, and a first answer says what the whole analysis says."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from archlint.config.settings import Settings
+from archlint.finding import Finding
+from archlint.live.buffers import Buffer, Buffers, as_saved
+from archlint.live.snapshot import Snapshot
+from archlint.live.workspace import Asked, LiveWorkspace
+from server.robot import LISTENER, TALKER, Robot
+
+LAUNCH = """\
+<launch>
+  <node pkg="robot" exec="{}" name="{}">
+    <remap from="nothing" to="something"/>
+  </node>
+</launch>
+"""
+
+
+class Live:
+    """The workspace of the robot, and what an editor holds of it."""
+
+    def __init__(self, robot: Robot) -> None:
+        self.robot = robot
+        self.workspace = LiveWorkspace(str(robot.folder))
+        self._texts: dict[Path, str] = {}
+
+    def hold(self, file: Path, text: str) -> Live:
+        self._texts[file] = text
+        return self
+
+    @property
+    def buffers(self) -> Buffers:
+        return {str(file): Buffer(as_saved(text)) for file, text in self._texts.items()}
+
+    @property
+    def asked(self) -> Asked:
+        return Asked((str(self.robot.folder),), Settings())
+
+    def analyse(self) -> Snapshot:
+        return self.workspace.analyse(self.asked, self.buffers)
+
+    def first_answer(self) -> Snapshot | None:
+        return self.workspace.first_answer(self.asked, self.buffers)
+
+
+@pytest.fixture
+def live(tmp_path: Path) -> Live:
+    robot = Robot(tmp_path)
+    for name in ("talker", "listener"):
+        robot.write(f"launch/{name}.launch.xml", LAUNCH.format(name, name))
+    return Live(robot)
+
+
+def lines(findings: list[Finding] | tuple[Finding, ...], code: str) -> list[tuple[str, int]]:
+    return [(Path(one.place.file).name, one.place.line) for one in findings if one.code == code]
+
+
+def test_what_is_not_saved_counts(live: Live) -> None:
+    assert lines([*live.analyse().findings], "TOP001") == []
+
+    live.hold(live.robot.listener, LISTENER.replace("String", "Float64"))
+
+    assert lines([*live.analyse().findings], "TOP001") == [("talker.py", 9)]
+
+
+def test_a_manifest_that_is_not_saved_counts(live: Live) -> None:
+    before = live.robot.manifest.read_text("utf-8")
+    assert lines([*live.analyse().findings], "PKG001") == []
+
+    live.workspace.look_again()
+    live.hold(live.robot.manifest, before.replace("  <exec_depend>std_msgs</exec_depend>\n", ""))
+
+    assert lines([*live.analyse().findings], "PKG001") == [("listener.py", 3)]
+
+
+def test_the_first_answer_is_the_whole_one(live: Live) -> None:
+    live.hold(live.robot.listener, LISTENER).analyse()
+    edited = LISTENER.replace("'chatter'", "'/chatter'").replace("import rclpy\n", "import rclpy\n\n\n")
+    live.hold(live.robot.listener, edited)
+
+    first, whole = live.first_answer(), live.analyse()
+
+    assert first is not None
+    assert first.findings == whole.findings
+    assert lines([*first.findings], "NME001") == [("listener.py", 11)]
+    assert lines([*first.findings], "LCH002") == [("listener.launch.xml", 3), ("talker.launch.xml", 3)]
+
+
+def test_the_first_answer_makes_only_the_systems_that_have_edited_code(
+    live: Live, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from archlint.systems.launched import LaunchSystems
+
+    live.hold(live.robot.listener, LISTENER).analyse()
+    made: list[str] = []
+    make = LaunchSystems.system
+    monkeypatch.setattr(LaunchSystems, "system", lambda self, run: (made.append(run.file), make(self, run))[1])
+
+    live.hold(live.robot.listener, LISTENER + "\nx = 1\n").first_answer()
+
+    assert [Path(file).name for file in made] == ["listener.launch.xml"]
+
+
+def test_there_is_no_first_answer_to_what_is_more_than_an_edit_of_code(live: Live) -> None:
+    assert live.hold(live.robot.listener, LISTENER).first_answer() is None
+    live.analyse()
+    assert live.hold(live.robot.talker, TALKER).first_answer() is None
+    live.analyse()
+    assert live.hold(live.robot.manifest, live.robot.manifest.read_text("utf-8")).first_answer() is None
+
+
+def test_what_does_not_compile_stands_for_what_it_said_before(live: Live) -> None:
+    wrong = LISTENER.replace("String", "Float64").replace("'chatter'", "'/chatter'")
+    assert lines([*live.hold(live.robot.listener, wrong).analyse().findings], "NME001") == [("listener.py", 9)]
+
+    broken = wrong.replace("import rclpy\n", "import rclpy\nfrom (\n")
+    findings = [*live.hold(live.robot.listener, broken).analyse().findings]
+
+    assert lines(findings, "LNT002") == [("listener.py", 2)]
+    assert lines(findings, "NME001") == [("listener.py", 10)]  # where its line is now
+
+
+def test_a_broken_launch_file_stands_for_what_it_said_before(live: Live) -> None:
+    launch = live.robot.folder / "src/robot/launch/talker.launch.xml"
+    text = launch.read_text("utf-8")
+    assert ("talker.launch.xml", 3) in lines([*live.hold(launch, text).analyse().findings], "LCH002")
+
+    findings = [*live.hold(launch, text.replace("</launch>", "<node")).analyse().findings]
+
+    assert lines(findings, "LNT002") == [("talker.launch.xml", 5)]
+    assert ("talker.launch.xml", 3) in lines(findings, "LCH002")
