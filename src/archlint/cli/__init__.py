@@ -14,7 +14,20 @@ if TYPE_CHECKING:  # most starts end before anything of this is needed, so nothi
     from collections.abc import Sequence
     from typing import NoReturn
 
-COMMANDS = ("check", "graph", "show", "facts", "observe", "explain", "rules", "config", "init", "server")
+COMMANDS = (
+    "check",
+    "graph",
+    "show",
+    "facts",
+    "observe",
+    "explain",
+    "rules",
+    "config",
+    "init",
+    "server",
+    "completion",
+    "man",
+)
 """Each is a module of this package with ``parser()`` and ``run(arguments)``; a new command is a new row."""
 
 
@@ -53,9 +66,9 @@ def _dispatch(arguments: list[str]) -> int:
             stream.reconfigure(errors="backslashreplace")
     first = arguments[0] if arguments else ""
     if first in ("-h", "--help", "help"):
-        from archlint.cli.overview import OVERVIEW
+        from archlint.cli.overview import overview
 
-        print(OVERVIEW, end="")
+        print(overview(), end="")
         return 0
     if first in ("-V", "--version"):
         print(f"archlint {__version__}")

@@ -27,7 +27,11 @@ from archlint.report.groups import GROUPS
 def parser() -> argparse.ArgumentParser:
     """The options of ``archlint check``."""
     parser = Parser("check", "Find what is wrong between the nodes of a ROS 2 system and inside their callbacks.")
+    parser.usage = f"{parser.prog} [OPTIONS] [PATH ...]"
     add_paths(parser)
+    add_launch(parser)
+    add_observed(parser)
+    add_facts(parser)
     rules = parser.add_argument_group(
         "rules", "CODES: rule codes, prefixes such as SRV, names or ALL, separated by commas; repeatable"
     )
@@ -52,9 +56,6 @@ def parser() -> argparse.ArgumentParser:
     suppressing = parser.add_argument_group("suppressions")
     suppressing.add_argument("--add-ignores", action="store_true", help="suppress what is found where it stands")
     suppressing.add_argument("--reason", metavar="TEXT", default="", help="with --add-ignores: why, for each comment")
-    add_launch(parser)
-    add_observed(parser)
-    add_facts(parser)
     add_configuration(parser, with_plugins=True)
     add_running(parser)
     add_scheduler(parser)
@@ -81,7 +82,7 @@ def _add_output(parser: argparse.ArgumentParser) -> None:
         "--statistics", action="store_true", help="count the findings of each rule instead of showing them"
     )
     output.add_argument(
-        "--group-by", metavar="WHAT", choices=list(GROUPS), help=f"group the findings by {', '.join(GROUPS)}"
+        "--group-by", metavar="WHAT", choices=list(GROUPS), help="group the findings by rule, package, node or file"
     )
     output.add_argument("--max", metavar="N", type=positive, help="show the N most important findings only")
     output.add_argument("--watch", action="store_true", help="check again whenever a file has changed; Ctrl-C ends")

@@ -32,6 +32,7 @@ def parser() -> argparse.ArgumentParser:
         "facts",
         "Compile a workspace into shards, one a package, which `archlint check --facts DIR...` links elsewhere.",
     )
+    parser.usage = f"{parser.prog} -o DIR [OPTIONS] [PATH ...]"
     add_paths(parser)
     output = parser.add_argument_group("output")
     output.add_argument("-o", metavar="DIR", dest="folder", required=True, help="the folder of the shards")

@@ -36,6 +36,7 @@ from archlint.render.errors import CannotDraw
 
 def parser() -> argparse.ArgumentParser:
     parser = Parser("graph", "Draw which node talks to which, from the source alone.")
+    parser.usage = f"{parser.prog} [OPTIONS] [PATH ...]"
     add_paths(parser)
     output = parser.add_argument_group("output")
     output.add_argument(

@@ -10,7 +10,8 @@ from archlint.cli.exits import CLEAN, UsageError
 from archlint.cli.parser import Parser
 
 _EPILOG = """\
-The script needs rclpy and nothing else. Run it where ROS 2 is sourced while the system is running, then compare:
+The script needs rclpy and nothing else. Run it where ROS 2 is sourced while the
+system is running, then compare:
 
   archlint observe --print-script -o record.py
   python3 record.py -o robot.json

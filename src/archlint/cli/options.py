@@ -21,6 +21,12 @@ if TYPE_CHECKING:
     from archlint.observed.model import Observed
 
 
+def _group(parser: argparse.ArgumentParser, title: str) -> argparse._ArgumentGroup:
+    """The group of options with a title, made where there is none."""
+    groups = (group for group in parser._action_groups if group.title == title)
+    return next(groups, None) or parser.add_argument_group(title)
+
+
 def add_paths(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "paths", metavar="PATH", nargs="*", help="a workspace, a package, a folder or files (default: .)"
@@ -76,14 +82,14 @@ def plugins_here(arguments: argparse.Namespace) -> str:
 
 
 def add_running(parser: argparse.ArgumentParser) -> None:
-    group = parser.add_argument_group("running")
+    group = _group(parser, "running")
     group.add_argument("--no-cache", action="store_true", help="neither read nor write the cache")
     group.add_argument("--cache-dir", metavar="DIR", help="the folder of the cache")
     group.add_argument("--jobs", metavar="N", type=positive, help="the maximum number of processes")
 
 
 def add_scheduler(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument(
+    _group(parser, "running").add_argument(
         "--scheduler",
         metavar="ADDRESS",
         help="compile and follow programs on the Dask cluster with this scheduler, such as tcp://10.0.0.1:8786 "
@@ -111,7 +117,7 @@ def pool_of(arguments: argparse.Namespace) -> Iterator[ExecutorPool | None]:
 
 
 def add_launch(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument(
+    _group(parser, "what is read").add_argument(
         "--launch",
         metavar=("FILE", "ARG:=VALUE"),
         nargs="+",
@@ -120,7 +126,7 @@ def add_launch(parser: argparse.ArgumentParser) -> None:
 
 
 def add_facts(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument(
+    _group(parser, "what is read").add_argument(
         "--facts",
         metavar="DIR",
         nargs="+",
@@ -144,7 +150,7 @@ def linked_of(arguments: argparse.Namespace) -> LinkedFacts | None:
 
 
 def add_observed(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument(
+    _group(parser, "what is read").add_argument(
         "--observed",
         metavar="FILE",
         help="compare the system with a running one: a recording (`archlint observe`), the "

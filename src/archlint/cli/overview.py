@@ -2,33 +2,50 @@
 
 from __future__ import annotations
 
-OVERVIEW = """\
+DESCRIPTION = "The architecture linter and graph analyzer for ROS 2: it reads rclpy code without running it."
+OPTIONS = {
+    "-V, --version": "print the version",
+    "-h, --help": "print this; after a command, print its options",
+}
+EXIT_STATUSES = {
+    0: "everything was analysed and nothing is at or above the failing severity",
+    1: "findings",
+    2: "the run failed: wrong options, no input, an internal error",
+}
+
+
+def overview() -> str:
+    """What ``archlint --help`` prints."""
+    options = "".join(f"  {names:<18}  {words}\n" for names, words in OPTIONS.items())
+    statuses = "".join(f"  {status}  {words}\n" for status, words in EXIT_STATUSES.items())
+    return f"{_USAGE}\noptions:\n{options}\nexit status:\n{statuses}"
+
+
+_USAGE = """\
 usage: archlint [COMMAND] [OPTIONS] [PATH ...]
 
-The architecture linter and graph analyzer for ROS 2: reads rclpy code without running it.
+The architecture linter and graph analyzer for ROS 2: it reads rclpy code
+without running it.
 
 commands:
-  check [PATH ...]    find what is wrong between nodes and inside their callbacks
+  check [PATH ...]    find what is wrong between nodes and in their callbacks
                       (`archlint PATH` and `archlint` alone mean this)
-  graph [PATH ...]    the communication graph: text, json, dot, svg, png, pdf, mermaid ...
-  show NAME [PATH ...]
-                      one node, topic, service, action or parameter: both ends, types, QoS, places
-  facts -o DIR        compile this workspace into DIR; `check --facts DIR ...` links it elsewhere
-  observe             a script that records a running system; `check --observed FILE` and
-                      `graph --observed FILE` compare it with the source
-  explain CODE        a rule's page: what it finds, why it matters, what to write instead
+  graph [PATH ...]    the communication graph: text, json, dot, svg, png, pdf,
+                      mermaid ...
+  show NAME           one node, topic, service, action or parameter: both ends,
+                      types, QoS, places
+  facts -o DIR        compile this workspace into DIR; `check --facts DIR ...`
+                      links it elsewhere
+  observe             a script that records a running system; `--observed FILE`
+                      of check and graph compares it with the source
+  explain CODE        a rule's page: what it finds, why it matters, what to
+                      write instead
   rules               the table of rules
-  config [PATH]       the effective configuration, and the origin of each value;
-                      `config --schema` prints the JSON Schema of a configuration file
+  config [PATH]       the effective configuration and the origin of each value;
+                      `config --schema` prints its JSON Schema
   server              the language server for editors (needs archlint[lsp])
-  init [PATH]         a commented configuration, a pre-commit hook and a CI job to start with
-
-options:
-  -V, --version       print the version
-  -h, --help          print this; `archlint COMMAND --help` prints the options of a command
-
-exit status:
-  0  everything was analysed and nothing is at or above the failing severity
-  1  findings
-  2  the run failed: a wrong option or configuration, no input, an internal error
+  init [PATH]         a commented configuration, a pre-commit hook and a CI job
+  completion SHELL    a script with which bash, zsh or fish completes commands,
+                      options, rules and launch files
+  man                 the manual page; `archlint man | man -l -` shows it
 """

@@ -9,12 +9,13 @@ from archlint.cli.exits import CLEAN, UsageError
 from archlint.cli.parser import Parser
 
 _EPILOG = """\
-Editors start it themselves and talk with it over its standard input and output. It needs archlint[lsp].
+Editors start it themselves and talk with it over its standard input and output.
+It needs archlint[lsp].
 """
 
 
 def parser() -> argparse.ArgumentParser:
-    parser = Parser("server", "Serve an editor: findings while you type, and their fixes (Language Server Protocol).")
+    parser = Parser("server", "Serve an editor: findings while you type, and their fixes.")
     parser.formatter_class = argparse.RawDescriptionHelpFormatter
     parser.epilog = _EPILOG
     parser.add_argument("--stdio", action="store_true", help="talk over standard input and output, as it always does")
