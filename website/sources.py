@@ -61,10 +61,24 @@ def _of_readme() -> list[Source]:
     return [*pages, *(Source(README, f"# {title}\n{parts[title]}", page) for title, page in OF_README.items())]
 
 
+def highlighted(page: str) -> str:
+    """The page of a rule, whose marks become lines with a colour."""
+
+    def block(match: re.Match[str]) -> str:
+        lines = match["code"].splitlines()
+        marked = [str(number) for number, line in enumerate(lines, 1) if without_marks(line) != line]
+        return f'{match["fence"]} hl_lines="{" ".join(marked)}"\n{match["code"]}```' if marked else match[0]
+
+    return without_marks(_BLOCK.sub(block, page))
+
+
+_BLOCK = re.compile(r"^(?P<fence>```[a-z]+)\n(?P<code>.*?)^```", re.MULTILINE | re.DOTALL)
+
+
 def _of_rules() -> list[Source]:
     folder = pages_folder()
     return [
-        Source(f"rules/{rule.code}-{rule.name}.md", without_marks(rule.body), f"rules/{rule.code}-{rule.name}.md")
+        Source(f"rules/{rule.code}-{rule.name}.md", highlighted(rule.body), f"rules/{rule.code}-{rule.name}.md")
         for rule in rules().values()
         if (folder / f"{rule.code}-{rule.name}.md").is_file()
     ]

@@ -11,7 +11,7 @@ import pytest
 import yaml
 from website.__main__ import main
 from website.links import anchors_of, targets_of
-from website.sources import ROOT
+from website.sources import ROOT, highlighted
 
 from archlint import api
 from archlint.checks.registry import registered
@@ -31,6 +31,11 @@ def test_every_rule_has_a_page_without_marks(pages: dict[str, str]):
         page = pages[f"rules/{rule.code}-{rule.name}.md"]
         assert page.startswith(f"# {rule.title}\n\n*{rule.severity.label}, ")
         assert "expect:" not in page
+
+
+def test_a_line_that_breaks_a_rule_has_a_colour():
+    page = "```python\na()\nb()  # expect: SRV003\nc()\nd()  # expect: SRV003, TMO002\n```\n\n```python\na()\n```\n"
+    assert highlighted(page) == '```python hl_lines="2 4"\na()\nb()\nc()\nd()\n```\n\n```python\na()\n```\n'
 
 
 @pytest.mark.parametrize("command", COMMANDS)
