@@ -16,7 +16,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from summary import SourceLinks, markdown
+from summary import SourceLinks, failure, markdown
 
 LIMIT = 1_000_000
 """Bytes of a summary; GitHub shows none that is larger than 1 MiB, and other steps write to it, too."""
@@ -131,11 +131,12 @@ def main(variables: Mapping[str, str]) -> int:
     for path in (found, sarif):
         path.parent.mkdir(parents=True, exist_ok=True)
         path.unlink(missing_ok=True)
-    status = subprocess.run(command, cwd=folder, env=environment, check=False).returncode
-    outputs = {"exit-code": str(status)}
+    done = subprocess.run(command, cwd=folder, env=environment, stderr=subprocess.PIPE, check=False)
+    status, messages = done.returncode, done.stderr.decode("utf-8", "replace")
+    sys.stderr.write(messages)
     if not found.is_file():
-        _append(variables, "GITHUB_OUTPUT", _lines(outputs))
-        return status
+        return _failed(messages.strip() or f"archlint ended with exit status {status}", variables, status)
+    outputs = {"exit-code": str(status)}
     report = json.loads(found.read_text("utf-8"))
     counts = report["summary"]
     outputs |= {"findings": str(len(report["diagnostics"])), "json-file": str(found)}
@@ -165,10 +166,12 @@ def _drawn(step: Step, report: Mapping[str, Any], environment: Mapping[str, str]
     return ""
 
 
-def _failed(message: str, variables: Mapping[str, str]) -> int:
+def _failed(message: str, variables: Mapping[str, str], status: int = 2) -> int:
+    """Say why there are no findings, where people look: at the job, and in its summary."""
     print(f"::error title=archlint::{_escaped(message)}", flush=True)
-    _append(variables, "GITHUB_OUTPUT", _lines({"exit-code": "2"}))
-    return 2
+    _append(variables, "GITHUB_OUTPUT", _lines({"exit-code": str(status)}))
+    _append(variables, "GITHUB_STEP_SUMMARY", failure(message))
+    return status
 
 
 def _escaped(message: str) -> str:

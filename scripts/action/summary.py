@@ -55,6 +55,11 @@ def markdown(report: Mapping[str, Any], drawn: str, links: SourceLinks, since: s
     return "\n".join(parts) + "\n"
 
 
+def failure(message: str) -> str:
+    """The summary of a run that has no findings to show, because it failed."""
+    return "## archlint: the run failed\n\n" + "\n".join(f"    {line}" for line in message.splitlines()) + "\n\n"
+
+
 def _counted(counts: Mapping[str, Any]) -> str:
     words = [("errors", "error"), ("warnings", "warning"), ("infos", "information")]
     told = [_count(counts[key], word) for key, word in words if counts[key]]

@@ -130,7 +130,8 @@ def test_a_checkout_without_the_history_is_told_what_to_do(job: Job):
     assert done.returncode == 2
     assert "origin/main" in done.stderr
     assert job.outputs() == {"exit-code": "2"}
-    assert not job.summary.exists()
+    assert done.stdout.startswith("::error title=archlint::archlint: error: ")
+    assert job.summary.read_text("utf-8").startswith("## archlint: the run failed\n\n    archlint: error: ")
 
 
 def test_inputs_are_words_and_never_code(job: Job):

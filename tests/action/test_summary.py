@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import re
+from html import unescape
 from typing import Any
 
 import pytest
-from summary import MOST_CHARACTERS, MOST_EDGES, MOST_FINDINGS, SourceLinks, markdown
+from hypothesis import given, strategies
+from markdown_it import MarkdownIt
+from summary import MOST_CHARACTERS, MOST_EDGES, MOST_FINDINGS, SourceLinks, failure, markdown
 
 COUNTS = {"files": 3, "nodes": 2, "errors": 1, "warnings": 0, "infos": 0, "suppressed": 0, "unresolved": 0}
 
@@ -76,5 +80,20 @@ def test_a_graph_is_drawn_where_github_can(drawn: str, fits: bool):
     assert ("too large for GitHub to draw" in text) is not fits
 
 
+def test_the_reason_of_a_failure_is_a_block_of_plain_text():
+    assert failure("error: <b>\n```") == "## archlint: the run failed\n\n    error: <b>\n    ```\n\n"
+
+
 def test_a_graph_that_would_end_its_block_is_left_out():
     assert "evil" not in markdown(report(), "flowchart LR\n```\nevil\n", SourceLinks())
+
+
+@given(strategies.text("ab1 \\`*_{}[]()<>#+-.!|~&;:/@$^='\"\n\t", min_size=1))
+def test_every_message_is_read_back_as_it_was(message: str):
+    rendered = MarkdownIt("gfm-like", {"linkify": False}).render(
+        markdown(report(finding(message=message)), "", SourceLinks())
+    )
+    [cell] = re.findall(r"<td>robot/a.py:3</td>\n<td>(.*?)</td>", rendered, re.DOTALL)
+    assert "<" not in cell
+    shown = "".join(char if char.isprintable() else " " for char in message)
+    assert unescape(cell).split() == shown.split()
