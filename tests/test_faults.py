@@ -183,14 +183,14 @@ def test_a_launch_file_that_fails_is_told_and_the_others_are_judged(explode, mon
     write("p/launch/b.launch.xml", "<launch><arg name='x' default='1'/></launch>")
     write("p/launch/c.launch.xml", "<launch><node pkg='p' exec='nowhere'/></launch>")
     before = [one for one in findings() if one.place.file != "p/launch/a.launch.py"]
-    read = launch_files._read
+    read = launch_files.launch_facts_of
 
     def fails(path, text):
         if path.endswith("b.launch.xml"):
             raise ZeroDivisionError("boom")
         return read(path, text)
 
-    monkeypatch.setattr(launch_files, "_read", fails)
+    monkeypatch.setattr(launch_files, "launch_facts_of", fails)
     explode(ZeroDivisionError)
     after = findings()
 
