@@ -66,6 +66,11 @@ def test_an_executable_of_a_launch_file(launched: Editor):
     assert "- publishes `/north/front/scan` (`std_msgs/msg/String`)\n- timer every 0.5 s\n- parameter `topic`" in told
 
 
+def test_the_node_that_a_parameter_file_names(launched: Editor):
+    told = launched.hover("patrol.yaml", "/north/sc^anner:") or ""
+    assert told.startswith("node `/north/scanner`: class `Scanner`, src/patrol/patrol/scanner.py:6")
+
+
 def test_an_executable_from_elsewhere(launched: Editor):
     assert (
         launched.hover("fleet.launch.py", "name='b^ag'") == "node `/tools/bag`, whose source is not in this workspace"
@@ -101,6 +106,21 @@ def test_nothing_of_what_has_changed_since(lesson: Editor):
     lesson.buffers[file] = (lesson.text_of(file) or "").replace("'set_motor'", "'set_speed'")
     try:
         assert lesson.hover("motor_node.py", "'set^_speed'") is None
+    finally:
+        lesson.buffers.clear()
+
+
+def test_lines_that_have_moved(lesson: Editor):
+    """Above the line somebody types what no parser takes: what is below is known all the same, where it is now."""
+    file = lesson.path("motor_node.py")
+    lesson.buffers[file] = "import (\n\n" + (lesson.text_of(file) or "")
+    try:
+        assert (lesson.hover("motor_node.py", "'set^_motor'") or "").startswith("service `/set_motor`")
+        assert lesson.definition("control_node.py", "'set^_motor'") == ["motor_node.py:14 'set_motor'"]
+        assert lesson.references("motor_node.py", "'set^_motor'") == [
+            "control_node.py:22 'set_motor'",
+            "motor_node.py:14 'set_motor'",
+        ]
     finally:
         lesson.buffers.clear()
 

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from archlint.lookup.answers import Hover
 from archlint.lookup.index import Index
 from archlint.lookup.mentions import Mention, Subject, SubjectKind
+from archlint.lookup.moved import Moves
 from archlint.lookup.rule_codes import rule_at
 from archlint.lookup.summaries import connection_summary, parameter_summary
 from archlint.lookup.texts import Texts
@@ -33,10 +34,11 @@ def hover(index: Index, texts: Texts, file: str, line: int, column: int) -> Hove
         for subject, mention in by_subject.items()
         if (lines := [*_TELL.get(subject.kind, _nothing)(index, mention)])
     ]
-    if not parts:
+    place = Moves(index.texts, texts).place_now(mentions[0].place) if parts else None
+    if place is None:
         return None
     more = f"\n\n---\n\nand {len(parts) - MOST} more" if len(parts) > MOST else ""
-    return Hover("\n\n---\n\n".join(dict.fromkeys(parts[:MOST])) + more, mentions[0].place)
+    return Hover("\n\n---\n\n".join(dict.fromkeys(parts[:MOST])) + more, place)
 
 
 def _nothing(index: Index, mention: Mention) -> Iterable[str]:

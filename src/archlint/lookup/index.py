@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.delivery import undelivered_on
 from archlint.lookup.ends import mentions_of_ends
 from archlint.lookup.mentions import Mention, Subject
+from archlint.lookup.moved import Moves
 from archlint.lookup.starts import mentions_of_entries, mentions_of_starts
 from archlint.lookup.texts import TextOf, Texts, contains
 from archlint.lookup.values import mentions_of_parameters
@@ -29,7 +30,7 @@ class Index:
     """What one run knows of names.  ``systems`` are those of one workspace, the open one first, as
     :func:`archlint.engine.loading.systems_of` makes them; ``text_of`` gives the texts that the run has read.
 
-    An editor may have changed a text since: what has moved or changed there is then mentioned nowhere."""
+    An editor may have changed a text since: what is on lines that have changed is then mentioned nowhere."""
 
     def __init__(self, systems: Sequence[System], text_of: TextOf) -> None:
         self.systems = [(system, rank) for each in systems for system, rank in _ranked(each)]
@@ -42,7 +43,7 @@ class Index:
         for system, rank in self.systems:
             mentions += mentions_of_ends(system, rank)
             mentions += mentions_of_parameters(system, rank, self.workspace, self.texts)
-            mentions += mentions_of_starts(system, rank)
+            mentions += mentions_of_starts(system, rank, self.workspace)
         self._by_file: dict[str, list[Mention]] = {}
         self._by_subject: dict[Subject, list[Mention]] = {}
         best: dict[object, int] = {}
@@ -69,14 +70,15 @@ class Index:
         return self._by_subject
 
     def at(self, texts: Texts, file: str, line: int, column: int) -> list[Mention]:
-        """What is mentioned at a position: by the smallest place around it, in the systems that count most there."""
-        around = [
-            mention
-            for mention in self.in_file(file)
-            if contains(mention.place, line, column) and texts.at(mention.place) == self.texts.at(mention.place)
-        ]
+        """What is mentioned at a position: by the smallest place around it, in the systems that count most there.
+
+        The position is one of the texts as they are now, the places of the mentions are those of the run."""
+        before = Moves(self.texts, texts).line_before(file, line)
+        if before is None:
+            return []
+        around = [mention for mention in self.in_file(file) if contains(mention.place, before, column)]
         names = [mention for mention in around if mention.role != "call"]
-        calls = [m for m in around if m.role == "call" and texts.is_callee(m.place, line, column)]
+        calls = [m for m in around if m.role == "call" and self.texts.is_callee(m.place, before, column)]
         nearest = min((_size(mention.place) for mention in names or calls), default=None)
         here = [mention for mention in names or calls if _size(mention.place) == nearest]
         best = min((mention.rank for mention in here), default=_OPEN)

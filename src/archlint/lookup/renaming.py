@@ -11,6 +11,7 @@ from archlint.lookup.doubts import refuse_doubtful
 from archlint.lookup.index import Index
 from archlint.lookup.instances import Instance, instances
 from archlint.lookup.mentions import Mention
+from archlint.lookup.moved import Moves
 from archlint.lookup.renamed_names import CannotRename, NameChange, refuse_wrong_name
 from archlint.lookup.renamed_parameters import parameter_texts
 from archlint.lookup.texts import Texts
@@ -34,10 +35,11 @@ def prepare_rename(index: Index, texts: Texts, file: str, line: int, column: int
     mention = _renamed_at(index, texts, file, line, column)
     if mention is None:
         return None
-    place = texts.name_at(mention.place, mention.written or "")
+    place = index.texts.name_at(mention.place, mention.written or "")
     if mention.written is None or place is None:
-        return _not_written(texts, mention)
-    return Renamable(place, mention.written)
+        return _not_written(index.texts, mention)
+    now = Moves(index.texts, texts).place_now(place)
+    return None if now is None else Renamable(now, mention.written)
 
 
 def _not_written(texts: Texts, mention: Mention) -> Refused | None:
@@ -53,11 +55,11 @@ def rename(index: Index, texts: Texts, file: str, line: int, column: int, new: s
     keep their form, absolute, private or relative.  Refused, with the reason, where any end cannot be changed along or
     is not known."""
     mention = _renamed_at(index, texts, file, line, column)
-    place = None if mention is None else texts.name_at(mention.place, mention.written or "")
     if mention is None:
         return Refused(_NOTHING)
+    place = index.texts.name_at(mention.place, mention.written or "")
     if mention.written is None or place is None:
-        return _not_written(texts, mention) or Refused(_NOTHING)
+        return _not_written(index.texts, mention) or Refused(_NOTHING)
     try:
         if mention.subject.kind == "parameter":
             changed: Mapping[Place, str] = parameter_texts(index, mention, _whole(mention, new))
@@ -129,8 +131,9 @@ def _text_after(texts: Texts, text: Text, change: NameChange) -> str:
 
 
 def _refuse_moved(index: Index, texts: Texts, changed: Iterable[Place]) -> None:
+    """Files that have changed since may name it in new places, too."""
     for place in sorted(changed):
-        if texts.at(place) != index.texts.at(place):
+        if texts.lines(place.file) != index.texts.lines(place.file):
             raise CannotRename(f"{place.file} has changed since archlint looked at it", place)
 
 

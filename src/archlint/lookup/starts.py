@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from archlint.launch.parameter_sources import files_among
 from archlint.lookup.mentions import Mention, Role, Subject
 from archlint.place import Place
 from archlint.syntax import facts
+from archlint.systems.overrides import key_matches
 
 if TYPE_CHECKING:
     from archlint.launch.model import Launched
@@ -18,7 +20,7 @@ if TYPE_CHECKING:
     from archlint.systems.nodes import Node
 
 
-def mentions_of_starts(system: System, rank: int) -> Iterator[Mention]:
+def mentions_of_starts(system: System, rank: int, workspace: WorkspaceIndex) -> Iterator[Mention]:
     """What a launch file starts, and which files it names."""
     launched = system.launched
     if launched is None:
@@ -30,6 +32,8 @@ def mentions_of_starts(system: System, rank: int) -> Iterator[Mention]:
     for started in launched.started:
         yield from _of_started(started, nodes.get(id(started), []), rank)
     yield from _of_files(launched, rank)
+    for node in system.nodes:
+        yield from _of_sections(node, rank, workspace)
 
 
 def _of_started(started: Started, nodes: list[Node], rank: int) -> Iterator[Mention]:
@@ -53,6 +57,18 @@ def _at(
     for place in dict.fromkeys((started.places.get(argument), text.origin)):
         if place is not None:
             yield Mention(place, subject, role, rank, text.text if place == text.origin else None, node=node)
+
+
+def _of_sections(node: Node, rank: int, workspace: WorkspaceIndex) -> Iterator[Mention]:
+    """The keys of parameter files that name a node."""
+    if node.started is None or node.name is None:
+        return
+    for use in files_among(node.started.parameters):
+        sections = workspace.parameters_of(use.reference.source).sections if use.reference.source else ()
+        for section in sections:
+            if use.reference.source and "*" not in section.key and key_matches(section.key, node.name):
+                place = Place.of(use.reference.source, section.span)
+                yield Mention(place, Subject("node", node.name), "start", rank, section.written, node=node)
 
 
 def references_of(launched: Launched) -> list[FileReference]:

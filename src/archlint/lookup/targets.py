@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from archlint.lookup.index import PROVIDERS, Index
 from archlint.lookup.mentions import Mention, Role, Subject
+from archlint.lookup.moved import Moves
 from archlint.lookup.starts import main_of
 from archlint.lookup.texts import Texts
 from archlint.place import Place
@@ -23,14 +24,15 @@ def definition(index: Index, texts: Texts, file: str, line: int, column: int) ->
     function that it runs, from an include to the file, from a type to its definition.
     """
     mentions = index.at(texts, file, line, column)
-    return _sorted(place for mention in mentions for place in places_meant(index, mention))
+    return _sorted(index, texts, (place for mention in mentions for place in places_meant(index, mention)))
 
 
 def references(index: Index, texts: Texts, file: str, line: int, column: int) -> list[Place]:
     """All places that mention what is mentioned at a position."""
     subjects = dict.fromkeys(mention.subject for mention in index.at(texts, file, line, column))
     every = (mention for subject in subjects for mention in index.of(subject))
-    return _sorted(mention.place for mention in every if mention.role != "call" or _stands_for_name(mention))
+    named = (mention.place for mention in every if mention.role != "call" or _stands_for_name(mention))
+    return _sorted(index, texts, named)
 
 
 def _stands_for_name(mention: Mention) -> bool:
@@ -93,8 +95,8 @@ def _of_interface(index: Index, subject: Subject) -> Iterator[Place]:
         yield Place(source.relative, 1, 1, 1, 1)
 
 
-def _sorted(places: Iterable[Place]) -> list[Place]:
-    return sorted(set(places))
+def _sorted(index: Index, texts: Texts, places: Iterable[Place]) -> list[Place]:
+    return Moves(index.texts, texts).places_now(sorted(set(places)))
 
 
 __all__ = ["definition", "named_at", "places_meant", "references"]

@@ -14,7 +14,7 @@ from archlint.place import Place
 
 _CREATING = {row.path.rpartition(".")[2]: row for row in tables.ROWS if row.effect == "endpoint" and row.name}
 _READING = frozenset({"get_parameter", "get_parameter_or", "has_parameter", "undeclare_parameter", "get_parameters"})
-_NODES = frozenset({"Node", "LifecycleNode"})
+_NODES = frozenset({"Node", "LifecycleNode", "ComposableNode", "ComposableLifecycleNode", "ComposableNodeContainer"})
 _PACKAGES = frozenset({"get_package_share_directory", "get_package_prefix", "FindPackageShare", "FindPackagePrefix"})
 _IMPORT = re.compile(r"^\s*from\s+([\w.]+)\.(msg|srv|action)\s+import\s+(?:\(([^)]*)\)?|([^\n#]*))", re.MULTILINE)
 _IMPORTING = re.compile(r"^\s*from\s+(\w+)\.(msg|srv|action)\s+import\s+\(?(?:[\w\s]+,)*\s*(\w*)\Z")
@@ -95,7 +95,7 @@ def imported(text: str) -> Mapping[str, str]:
 def _of_node(typing: Typing, call: Open, place: Place, before: str, behind: str) -> Wanted | None:
     """In ``Node(…)`` of a launch file."""
     inside = typing.opened[typing.opened.index(call) + 1 :]
-    around = before + behind.split("Node(")[0]
+    around = before + re.split(r"Node\w*\(", behind)[0]
     package, executable = _keyword(around, "package"), _keyword(around, "executable")
     brackets = "".join(each.bracket for each in inside)
     match call.keyword, brackets:
