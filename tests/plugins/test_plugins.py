@@ -195,6 +195,7 @@ def test_an_editor_shows_it_where_the_environment_says_so(
     ("code", "said"),
     [
         ("raise ZeroDivisionError('no rate')", "ZeroDivisionError: no rate (our_rules.py:"),
+        ("options.number('rate')", "KeyError: 'rate' (our_rules.py:14)"),
         ("raise SystemExit(0)", "it ends the process: sys.exit(0)"),
         ("yield finding('NME001', system.nodes[0].blueprint.place, 'm')", "which is no finding of XRT001"),
         ("yield 'a text'", "it yields 'a text', which is no finding of XRT001"),

@@ -197,6 +197,16 @@ def test_an_exclusion_with_a_slash_is_for_one_path(tmp_path):
     assert found(tmp_path, exclude=("./b/test/*",)) == ["a/test/x.py"]
 
 
+def test_an_exclusion_from_a_folder_above_is_for_what_is_here_too(tmp_path):
+    plant(tmp_path, {"pkg/gen/x.py": "", "pkg/sub/gen/x.py": "", "pkg/x.py": ""})
+    here = tmp_path / "pkg"
+    assert found(here) == ["gen/x.py", "sub/gen/x.py", "x.py"]
+    assert found(here, exclude=("../pkg/gen/*",)) == ["sub/gen/x.py", "x.py"]
+    assert found(here, exclude=("../pkg/x.py",)) == ["gen/x.py", "sub/gen/x.py"]
+    assert found(here / "sub", exclude=("../../pkg/sub/gen",)) == []
+    assert found(here / "sub", "..", exclude=("../../pkg/gen",)) == ["../sub/gen/x.py", "../x.py"]
+
+
 # --- paths
 
 

@@ -54,7 +54,7 @@ class LinkedFacts:
 
     def workspace(self, exclude: Sequence[str]) -> Workspace:
         """The workspace that they make up, without what ``exclude`` matches."""
-        excluder = Excluder(exclude)
+        excluder = Excluder(exclude, str(self._base))
         rows = [row for path, row in self._files.items() if not any(map(excluder, _from_top(path)))]
         problems = dict.fromkeys(_problem(row) for shard in self._shards for row in shard.problems)
         workspace = place(

@@ -18,6 +18,9 @@ def guarded(code: str, function: RuleFunction) -> RuleFunction:
     def guarded_rule(system: System, options: Options) -> Iterator[Finding]:
         try:
             findings = list(function(system, options))
+        except Exception as error:
+            _end_in(function.__code__.co_filename, error)
+            raise
         except SystemExit as error:
             raise RuntimeError(f"it ends the process: sys.exit({error.code})") from None
         for finding in findings:
@@ -26,3 +29,12 @@ def guarded(code: str, function: RuleFunction) -> RuleFunction:
         return iter(findings)
 
     return guarded_rule
+
+
+def _end_in(file: str, error: Exception) -> None:
+    """Cut off what the plugin has called from the way to an error: the last line is one of the plugin."""
+    last, frame = None, error.__traceback__
+    while frame is not None:
+        last, frame = (frame if frame.tb_frame.f_code.co_filename == file else last), frame.tb_next
+    if last is not None:
+        last.tb_next = None

@@ -47,7 +47,7 @@ def find(
     here = os.path.abspath(working_directory or os.curdir)
     typed = list(paths) or [os.curdir]
     asked = [_absolute(path, here) for path in typed]
-    excluder = Excluder(exclude)
+    excluder = Excluder(exclude, here)
     walk = Walk(here, excluder if exclude else None)
     folders = [path for path in asked if os.path.isdir(path)]
     for name, path in zip(typed, asked, strict=True):
@@ -111,25 +111,39 @@ def _add_file(walk: Walk, typed: str, path: str) -> None:
 
 
 class Excluder:
-    """Says of paths whether a pattern leaves them out, and remembers which patterns ever did."""
+    """Says of paths from ``here``, a folder, whether a pattern leaves them out; remembers which patterns ever did."""
 
-    def __init__(self, patterns: Sequence[str]) -> None:
-        self._matches = [(pattern, _matcher(pattern)) for pattern in patterns]
+    def __init__(self, patterns: Sequence[str], here: str) -> None:
+        self._matches = [(pattern, _matcher(pattern, here)) for pattern in patterns]
         self.idle = list(dict.fromkeys(patterns))
 
     def __call__(self, shown: str) -> bool:
         name = shown.rpartition("/")[2]
-        hits = [pattern for pattern, matches in self._matches if matches(shown) or matches(name)]
+        hits = [
+            pattern
+            for pattern, matches in self._matches
+            if matches(shown) or ("/" not in pattern.rstrip("/") and matches(name))
+        ]
         for pattern in hits:
             if pattern in self.idle:
                 self.idle.remove(pattern)
         return bool(hits)
 
 
-def _matcher(pattern: str) -> Callable[[str], object]:
+def _matcher(pattern: str, here: str) -> Callable[[str], object]:
+    """Says whether a pattern is for a path.  One that leads upwards (``../tools/*``) is also for paths that do not:
+    those in ``here`` itself, where that is ``tools``."""
     from fnmatch import translate
 
-    return re.compile(translate(pattern.removeprefix("./").rstrip("/"))).match
+    pattern = pattern.removeprefix("./").rstrip("/")
+    upwards = 0
+    while pattern.startswith("../"):
+        pattern, upwards = pattern.removeprefix("../"), upwards + 1
+    matches = re.compile(translate(pattern)).match
+    if not upwards:
+        return matches
+    above = "/".join(here.replace(os.sep, "/").split("/")[-upwards:])
+    return lambda path: matches(os.path.normpath(f"{above}/{path}").replace(os.sep, "/"))
 
 
 def _root(folders: Sequence[str]) -> str:
