@@ -238,6 +238,37 @@ def test_a_cpp_source_with_the_name(robot: Path):
     assert "`/chatter` stands at src/heard.cpp:1, too" in editor.rename("talker.py", "'chat^ter'", "speech")
 
 
+def test_a_remapping_of_a_node_from_elsewhere(launched: Editor):
+    reason = launched.rename("fleet.launch.py", "'spl^it'", "parts")
+    assert reason == "cannot rename `split`: it is a name of a node whose source is not in this workspace"
+
+
+def test_the_default_of_an_argument_that_every_launch_gives(launched: Editor):
+    reason = launched.rename("robot.launch.xml", 'default="sc^an"', "laser")
+    assert reason == "cannot rename `scan`: this text names nothing in what runs, as far as the workspace says"
+
+
+def test_another_end_with_the_same_text_that_is_remapped(robot: Path):
+    """What the listener calls chatter is not the talker's chatter."""
+    launch = (
+        '<launch><node pkg="robot" exec="talker"/>\n'
+        '<node pkg="robot" exec="listener">\n<remap from="/chatter" to="/other"/>\n</node></launch>\n'
+    )
+    editor = robot_with(
+        robot,
+        node("talker", publish("'/chatter'")),
+        node("listener", subscribe("'/chatter'")),
+        launch__it_DOT_launch_DOT_xml=launch,
+    )
+    assert editor.rename("talker.py", "'/chat^ter'", "/speech") == [
+        "talker.py:10 self.create_publisher(String, '/speech', 10)"
+    ]
+    assert editor.rename("listener.py", "'/chat^ter'", "/speech") == [
+        'it.launch.xml:3 <remap from="/speech" to="/other"/>',
+        "listener.py:10 self.create_subscription(String, '/speech', self.on, 10)",
+    ]
+
+
 def test_a_remapping_on_the_command_line_of_a_node(robot: Path):
     launch = '<launch><node pkg="robot" exec="talker" args="--ros-args -r chatter:=speech"/></launch>'
     editor = robot_with(robot, node("talker", publish("'chatter'")), launch__it_DOT_launch_DOT_xml=launch)

@@ -34,7 +34,7 @@ def refuse_doubtful(index: Index, rows: Sequence[Instance], change: NameChange) 
             _refuse_unknown_ends(index, kind, old, {r.end.type for r in ends if r.end is not None})
             _refuse_open_side(index, old, ends)
             _refuse_overrides(index, old)
-            _refuse_other_texts(index, old, change)
+            _refuse_other_texts(index, old, rows)
     _refuse_taken(rows, change, [key for key, ends in real.items() if ends])
     _refuse_computed(rows, change)
     _refuse_dormant(index, {written.text for row in change.changed for written in row.literals})
@@ -121,15 +121,12 @@ def _refuse_dormant(index: Index, olds: set[str]) -> None:
                     raise CannotRename(words, remap.place)
 
 
-def _refuse_other_texts(index: Index, old: str, change: NameChange) -> None:
+def _refuse_other_texts(index: Index, old: str, rows: Iterable[Instance]) -> None:
     """The name in files of other kinds, and in code that does not create anything."""
+    known = {(w.place.file, w.place.line) for row in rows for w in (*row.literals, row.source, row.target) if w}
     for place in other_texts(index, old):
-        if not any(_holds(place, edited) for edited in change.texts):
+        if (place.file, place.line) not in known:
             raise CannotRename(f"{code(old)} stands at {where(place)}, too, and what that means is not known", place)
-
-
-def _holds(place: Place, edited: Place) -> bool:
-    return place.file == edited.file and place.line == edited.line
 
 
 def other_texts(index: Index, old: str) -> Iterator[Place]:

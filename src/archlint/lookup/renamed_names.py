@@ -45,8 +45,10 @@ class NameChange:
             for part, written in _parts(row):
                 self._uses.setdefault(written.place, []).append((row, part))
         self._to_do: list[Place] = []
-        if not any(row.end is not None for row, _ in self._uses.get(start, [])):
+        if start not in self._uses:
             raise CannotRename("this text names nothing in what runs, as far as the workspace says", start)
+        if all(row.end is None for row, _ in self._uses[start]):
+            raise CannotRename("it is a name of a node whose source is not in this workspace", start)
         self._set_text(start, new)
         while self._to_do:
             self._follow(self._to_do.pop(0))
