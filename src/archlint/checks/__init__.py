@@ -34,6 +34,7 @@ MODULES: tuple[str, ...] = (
     "packages",
     "circles",
     "clock_topics",
+    "parameter_members",
     "parameter_reads",
     "unused_parameters",
     "parameter_overrides",

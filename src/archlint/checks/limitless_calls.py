@@ -51,7 +51,7 @@ def call_without_timeout(system: System, options: Options) -> Iterator[Finding]:
     yield from one_for_each_place(
         _limitless_call(system, program, call, options.distros)
         for program, call in _limitless(system, options)
-        if not _is_unanswerable(program, call)
+        if not is_unanswerable(program, call)
     )
 
 
@@ -60,7 +60,7 @@ def unanswerable_calls(system: System, options: Options) -> Iterator[Finding]:
     return (
         _unanswerable(system, program, call, options.distros)
         for program, call in _limitless(system, options)
-        if _is_unanswerable(program, call)
+        if is_unanswerable(program, call)
     )
 
 
@@ -75,9 +75,15 @@ def _limitless(system: System, options: Options) -> Iterator[tuple[Program, ApiC
     )
 
 
-def _is_unanswerable(program: Program, call: ApiCall) -> bool:
-    """Whether a program waits at its start, on the thread that would spin the node afterwards."""
-    known = program.executable and not program.exhausted and call.creation is not None and not is_uncalled(call)
+def is_unanswerable(program: Program, call: ApiCall) -> bool:
+    """Whether a program waits at its start, on the thread that would spin the node of an endpoint or a rate
+    afterwards."""
+    return program.executable and is_unanswerable_at_start(program, call)
+
+
+def is_unanswerable_at_start(program: Program, call: ApiCall) -> bool:
+    """The same of code that nothing here is seen to start."""
+    known = not program.exhausted and call.creation is not None and not is_uncalled(call)
     at_start = call.context.role in (Role.INIT, Role.MAIN, Role.MODULE)
     return known and at_start and _spinner(call, program) in (_NOBODY, _EXECUTOR)
 

@@ -1,0 +1,82 @@
+"""Which member of a ``ParameterValue`` code reads, held against the type of the parameter.
+
+Source: ``rcl_interfaces/msg/ParameterValue`` has a member for each type, of which only the one that ``type`` names is
+set; the others keep what a new message has.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Final
+
+from archlint.analysis.declared_parameters import declared_by
+from archlint.analysis.source_code import source_code
+from archlint.model.given import Constant
+from archlint.place import Place
+from archlint.syntax import facts
+from archlint.syntax.parts import everything_in
+
+if TYPE_CHECKING:
+    from archlint.ros.parameter_types import ParameterType
+    from archlint.systems.model import System
+    from archlint.systems.nodes import Node
+
+EMPTY: Final = {
+    "bool_value": "False",
+    "integer_value": "0",
+    "double_value": "0.0",
+    "string_value": "''",
+    "byte_array_value": "empty",
+    "bool_array_value": "empty",
+    "integer_array_value": "empty",
+    "double_array_value": "empty",
+    "string_array_value": "empty",
+}
+"""The members by name, with what they are where the parameter has another type."""
+_READ = "rclpy.node.Node.get_parameter"
+
+
+@dataclass(frozen=True)
+class WrongMember:
+    """``get_parameter('count').get_parameter_value().double_value`` of a parameter that is an integer."""
+
+    place: Place
+    node: Node
+    name: str
+    member: str
+    type: ParameterType
+    declared_at: Place
+
+
+def wrong_members(system: System) -> Iterator[WrongMember]:
+    """Each such read whose parameter has one type for certain."""
+    for node in system.nodes:
+        declared = declared_by(node)
+        if declared is None or node.program is None:
+            continue
+        reads = [call for call in node.program.calls if call.node is node.blueprint and call.api == _READ]
+        read_at = [(call.place, call.arguments.get("name")) for call in reads]
+        at = [(place, name.value) for place, name in read_at if isinstance(name, Constant) and not name.parameters]
+        at += [(row.place, name) for name, rows in declared.items() for row in rows]
+        for place, name in at:
+            rows = declared.get(name, []) if isinstance(name, str) else []
+            types = {None if row.dynamic else row.type for row in rows}
+            if len(types) == 1 and (type_ := types.pop()) is not None:
+                for read in _member_reads(system, place):
+                    if read.attr in EMPTY and read.attr != f"{type_}_value":
+                        whole = Place(place.file, *read.span)
+                        yield WrongMember(whole, node, str(name), read.attr, type_, rows[0].place)
+
+
+def _member_reads(system: System, place: Place) -> Iterator[facts.Attribute]:
+    """The members that are read of a call's parameter in the same expression."""
+    code = source_code(system).facts_at(place.file)
+    for part in everything_in(code.body, facts.Attribute) if code is not None else ():
+        match part.value:
+            case facts.Call(func=facts.Attribute(attr="get_parameter_value", value=facts.Call(span=span))):
+                if span[:2] == (place.line, place.column):
+                    yield part
+
+
+__all__ = ["EMPTY", "WrongMember", "wrong_members"]

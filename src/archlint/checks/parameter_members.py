@@ -1,0 +1,34 @@
+"""PRM010: the wrong member of a parameter's value."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from archlint.analysis.parameter_members import EMPTY, wrong_members
+from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
+from archlint.finding import Finding, Related
+
+if TYPE_CHECKING:
+    from archlint.systems.model import System
+
+
+@rule("PRM010", scope=Scope.CODE, in_use=True)
+def wrong_parameter_member(system: System, options: Options) -> Iterator[Finding]:
+    """Members of a ParameterValue that a parameter's type does not set."""
+    for read in wrong_members(system):
+        kind = read.type.replace("_", " ")
+        article = "an" if kind[0] in "aeiou" else "a"
+        yield finding(
+            "PRM010",
+            read.place,
+            f"'{read.member}' is always {EMPTY[read.member]} here: the parameter '{read.name}' is {article} {kind}",
+            help=f"read {read.type}_value, or get_parameter('{read.name}').value, which has the right type",
+            related=[Related(read.declared_at, "it is declared here")],
+            node=read.node.name,
+            identity=(read.name, read.member),
+        )
+
+
+__all__ = ["wrong_parameter_member"]

@@ -1,0 +1,58 @@
+"""PRM010: members of a ParameterValue that a parameter's type does not set."""
+
+from __future__ import annotations
+
+import pytest
+
+from checks.judging import Judge
+
+NODE = """
+from rclpy.node import Node
+from rclpy.parameter import Parameter
+from rcl_interfaces.msg import ParameterDescriptor
+
+class Robot(Node):
+    def __init__(self):
+        super().__init__('robot')
+        {declare}
+        {read}
+"""
+VALUE = "self.get_parameter('it').get_parameter_value()"
+
+
+@pytest.mark.parametrize(
+    ("given", "member", "message"),
+    [
+        ("1000", "double_value", "'double_value' is always 0.0 here: the parameter 'it' is an integer"),
+        ("1.5", "integer_value", "'integer_value' is always 0 here: the parameter 'it' is a double"),
+        ("'a'", "string_array_value", "'string_array_value' is always empty here: the parameter 'it' is a string"),
+        ("[1.5]", "double_value", "'double_value' is always 0.0 here: the parameter 'it' is a double array"),
+        ("True", "integer_value", "'integer_value' is always 0 here: the parameter 'it' is a bool"),
+        ("Parameter.Type.STRING", "bool_value", "'bool_value' is always False here: the parameter 'it' is a string"),
+    ],
+)
+def test_a_member_of_another_type(judge: Judge, given: str, member: str, message: str):
+    read = f"self.it = {VALUE}.{member}  # here"
+    (finding,) = judge("PRM010", NODE.format(declare=f"self.declare_parameter('it', {given})", read=read))
+    assert finding.message == message
+
+
+def test_a_value_that_is_read_as_it_is_declared(judge: Judge):
+    declare = "self.it = self.declare_parameter('it', 5).get_parameter_value().double_value  # here"
+    judge("PRM010", NODE.format(declare=declare, read="pass"))
+
+
+@pytest.mark.parametrize(
+    ("declare", "read"),
+    [
+        ("self.declare_parameter('it', 1000)", f"{VALUE}.integer_value"),
+        ("self.declare_parameter('it', [1, 2])", f"{VALUE}.integer_array_value"),
+        ("self.declare_parameter('it', 1000)", f"{VALUE}.type"),
+        ("self.declare_parameter('it', self.default())", f"{VALUE}.double_value"),
+        ("self.declare_parameter('it', 1, ParameterDescriptor(dynamic_typing=True))", f"{VALUE}.double_value"),
+        ("self.declare_parameter('it')", f"{VALUE}.double_value"),
+        ("self.declare_parameter('other', 1)", f"{VALUE}.double_value"),
+    ],
+)
+def test_a_member_that_may_be_right(judge: Judge, declare: str, read: str):
+    judge("PRM010", NODE.format(declare=declare, read=f"self.it = {read}"))

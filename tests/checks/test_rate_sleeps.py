@@ -1,0 +1,84 @@
+"""EXE009: rates that sleep on the thread that would have to spin their node.
+
+Tried with rclpy of jazzy: each of these loops stops, the ones below go on.
+"""
+
+from __future__ import annotations
+
+import pytest
+
+from checks.judging import Judge
+
+PROGRAM = """
+import threading
+import rclpy
+from rclpy.executors import SingleThreadedExecutor
+from rclpy.node import Node
+from std_msgs.msg import String
+
+
+class Robot(Node):
+    def __init__(self):
+        super().__init__('robot')
+        self.pub = self.create_publisher(String, 'out', 10)
+        {more}
+        self.rate = self.create_rate(10)
+
+    def run(self):
+        while rclpy.ok():
+            self.pub.publish(String())
+            {spin}
+            self.rate.sleep(){here}
+
+
+def main():
+    rclpy.init()
+    robot = Robot()
+    {first}
+    robot.run()
+    {last}
+
+
+main()
+"""
+LISTENS = "self.create_subscription(String, 'in', print, 10)"
+
+
+def program(spin: str = "pass", more: str = "pass", first: str = "pass", last: str = "pass", here: str = "") -> str:
+    return PROGRAM.format(spin=spin, more=more, first=first, last=last, here=here)
+
+
+@pytest.mark.parametrize("last", ["pass", "rclpy.spin(robot)"])
+def test_a_node_that_nobody_spins_meanwhile(judge: Judge, last: str):
+    (finding,) = judge("EXE009", program(last=last, here="  # here"))
+    assert finding.message == (
+        "Rate.sleep() blocks for ever: nothing spins the node while this thread sleeps, so its timer never wakes it"
+    )
+
+
+@pytest.mark.parametrize(
+    ("spin", "more"),
+    [
+        ("rclpy.spin_once(self)", LISTENS),
+        ("rclpy.spin_once(self, timeout_sec=0.05)", LISTENS),
+        ("rclpy.spin_once(self, timeout_sec=0)", "pass"),
+        ("rclpy.spin_once(self, timeout_sec=0.05)", "pass"),
+    ],
+)
+def test_a_spin_that_may_miss_the_timer(judge: Judge, spin: str, more: str):
+    (finding,) = judge("EXE009", program(spin, more, here="  # here"))
+    assert finding.message.startswith("Rate.sleep() soon blocks for ever: the timer that wakes it runs in spin_once()")
+    assert [row.message for row in finding.related] == ["the node is spun here, in the same thread"]
+
+
+@pytest.mark.parametrize(
+    ("spin", "first"),
+    [
+        ("rclpy.spin_once(self)", "pass"),  # comes back when the timer is due, as nothing else is
+        ("rclpy.spin_once(self, timeout_sec=1.0)", "pass"),
+        ("pass", "threading.Thread(target=rclpy.spin, args=(robot,), daemon=True).start()"),
+        ("pass", "threading.Thread(target=somewhere.run, args=(robot,)).start()"),
+    ],
+)
+def test_a_rate_that_is_woken_or_may_be(judge: Judge, spin: str, first: str):
+    judge("EXE009", program(spin, first=first))
