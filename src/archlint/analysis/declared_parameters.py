@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from archlint.analysis.completeness import in_sight
+from archlint.analysis.kept import once
 
 if TYPE_CHECKING:
     from archlint.model import ParameterDeclaration
+    from archlint.systems.model import WorkspaceIndex
     from archlint.systems.nodes import Node
 
 _ALWAYS = frozenset({"use_sim_time", "start_type_description_service"})
@@ -36,3 +39,16 @@ def followed(node: Node) -> bool:
     """Whether no code from elsewhere has the node, which may declare, read and set what it likes, and what is known
     of it fits what the launch file says."""
     return node.doubt is None and all(in_sight(blueprint) for blueprint in node.blueprints)
+
+
+def names_in_package(workspace: WorkspaceIndex | None, package: str | None) -> set[str]:
+    """The names that the nodes of a package declare."""
+    return set() if workspace is None else _names_by_package(workspace).get(package, set())
+
+
+@once
+def _names_by_package(workspace: WorkspaceIndex) -> Mapping[str | None, set[str]]:
+    names: dict[str | None, set[str]] = {}
+    for node in (node for system in workspace.systems if system.launched is None for node in system.nodes):
+        names.setdefault(node.package, set()).update(declared_by(node) or ())
+    return names

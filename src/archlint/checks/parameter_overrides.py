@@ -7,7 +7,7 @@ from dataclasses import astuple, replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.chosen_names import executable_is_chosen, executable_is_picked
-from archlint.analysis.declared_parameters import always_declared, declared_by, followed
+from archlint.analysis.declared_parameters import always_declared, declared_by, followed, names_in_package
 from archlint.analysis.files_read_in_code import is_read_in_code
 from archlint.analysis.kept import once
 from archlint.analysis.set_parameters import (
@@ -19,6 +19,7 @@ from archlint.analysis.set_parameters import (
     set_nodes,
 )
 from archlint.checks.folding import folds
+from archlint.checks.misspelt_parameters import is_misspelt, misspelt_for_every_node
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related
@@ -36,6 +37,7 @@ if TYPE_CHECKING:
 @rule("PRM004", scope=Scope.SYSTEM)
 def unknown_parameter_override(system: System, options: Options) -> Iterator[Finding]:
     """Values for parameters that the node does not declare."""
+    yield from misspelt_for_every_node(system)
     every: dict[tuple[str, str], set[str] | None] = {}
     said: set[tuple[Place, Place, str]] = set()
     shared = _Bundles(system)
@@ -50,7 +52,7 @@ def unknown_parameter_override(system: System, options: Options) -> Iterator[Fin
             continue  # what the launch file sets is for the node that the process is there for
         others = [_declared_in_sight(other) for other in siblings]
         for setting in settings:
-            if setting.name in declared or always_declared(setting.name) or setting.shared:
+            if setting.name in declared or always_declared(setting.name) or setting.shared or is_misspelt(setting.name):
                 continue
             if _for_another_choice(setting.name, declared, settings) or _by_default(system, node, setting.name):
                 continue
@@ -103,20 +105,7 @@ def _is_for_another_choice(system: System, node: Node, name: str) -> bool:
         return False
     if not executable_is_chosen(launched, started) and not executable_is_picked(workspace, started):
         return False
-    return name in _names_in(system.workspace, started.package.text)
-
-
-def _names_in(workspace: WorkspaceIndex | None, package: str | None) -> set[str]:
-    """The names that the nodes of a package declare."""
-    return set() if workspace is None else _names_by_package(workspace).get(package, set())
-
-
-@once
-def _names_by_package(workspace: WorkspaceIndex) -> Mapping[str | None, set[str]]:
-    names: dict[str | None, set[str]] = {}
-    for node in (node for system in workspace.systems if system.launched is None for node in system.nodes):
-        names.setdefault(node.package, set()).update(declared_by(node) or ())
-    return names
+    return name in names_in_package(system.workspace, started.package.text)
 
 
 @once
@@ -172,7 +161,7 @@ class _Bundles:
     def is_for_another(self, setting: Setting, settings: Sequence[Setting]) -> bool:
         """Whether another node that gets the same dict declares a name of it, or may."""
         bundled = _is_bundled(setting, settings)
-        if bundled and any(setting.name in _names_in(self._workspace, package) for package in self._packages):
+        if bundled and any(setting.name in names_in_package(self._workspace, package) for package in self._packages):
             return True  # what is read from a file is for all programs, those of other launch files, too
         for node, place, also in self._given.get(setting.name, ()):
             if place == setting.place or (bundled and also):

@@ -1,0 +1,58 @@
+"""What PRM004 says of names that are almost that of a parameter which every node has."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Final
+
+from archlint.analysis.declared_parameters import declared_by
+from archlint.checks.registry import finding
+from archlint.finding import Finding
+from archlint.suggestions import distance
+from archlint.systems.overrides import settings_of
+
+if TYPE_CHECKING:
+    from archlint.launch.started import Started
+    from archlint.systems.model import System
+
+_OF_EVERY_NODE: Final = "use_sim_time"
+"""The one parameter that every node has, of C++ or of Python, and that is set from outside."""
+_SLIP = 2
+"""By how many letters a name may differ from it, without being another one."""
+
+
+def is_misspelt(name: str) -> bool:
+    """Whether a name is almost that of the parameter."""
+    return name != _OF_EVERY_NODE and distance(name, _OF_EVERY_NODE, _SLIP) <= _SLIP
+
+
+def misspelt_for_every_node(system: System) -> Iterator[Finding]:
+    """Settings of ``use_sime_time`` and the like, whether the source of the node is here or not."""
+    if system.launched is None or system.workspace is None:
+        return
+    seen = set()
+    for started in system.launched.started:
+        for setting in settings_of(started, None, system.workspace.parameters_of):
+            name = setting.name
+            if not is_misspelt(name):
+                continue
+            if (setting.place, name) in seen or _is_declared(system, started, name):
+                continue
+            seen.add((setting.place, name))
+            yield finding(
+                "PRM004",
+                setting.place,
+                f"no node has a parameter '{name}'; did you mean '{_OF_EVERY_NODE}', which every node has?",
+                help=f"write '{_OF_EVERY_NODE}': until then the node goes by the time of the machine",
+                identity=(setting.key, name),
+                meant=_OF_EVERY_NODE,
+            )
+
+
+def _is_declared(system: System, started: Started, name: str) -> bool:
+    """Whether a node of the process whose source is here declares the name itself, or may."""
+    nodes = [node for node in system.entries if node.started is started and not node.external]
+    return any((declared := declared_by(node)) is None or name in declared for node in nodes)
+
+
+__all__ = ["is_misspelt", "misspelt_for_every_node"]
