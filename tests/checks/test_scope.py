@@ -78,7 +78,7 @@ def _judged(write, folder: Path) -> Iterator[Judged]:
     with pytest.MonkeyPatch.context() as patch:
         systems: list[System] = []
         patch.chdir(folder)
-        patch.setattr(findings, "_rules", lambda _, found: iter(systems.extend(found) or ()))
+        patch.setattr(findings, "_rules", lambda _, found, memory: iter(systems.extend(found) or ()))
         write(folder)
         settings = load(folder)
         check(Request((".",), settings, cached=False, jobs=1))
