@@ -13,6 +13,7 @@ from archlint.checks.scope import Scope
 from archlint.config.filters import Filters
 from archlint.config.options import options_for
 from archlint.engine import suppressions, uninstalled
+from archlint.engine.broken_packages import broken_packages
 from archlint.engine.half_ported import as_information, half_ported, with_reason
 from archlint.engine.inputs import Inputs, is_input, is_of_package, known_files, parts_of, python_files
 from archlint.engine.judging import judge_alternatives
@@ -116,6 +117,7 @@ def _judged(
     index = systems[0].workspace or WorkspaceIndex()
     faults, launch_files = index.faults, index.launch_files
     imported = [f for f in python_files(workspace) if f not in known and facts.was_read(f) and not facts.is_ros1(f)]
+    imported.extend(broken_packages(python_files(workspace), facts))
     candidates = [*_problems(workspace, [*known, *imported], facts), *merged(_rules(request, systems, inputs.memory))]
     candidates.extend(_of_interfaces(workspace, systems, inputs.tree, faults))
     by_file = {file.relative: read.suppressions for file in known if (read := facts.facts_of(file)) is not None}
