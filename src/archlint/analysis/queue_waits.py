@@ -15,7 +15,7 @@ from archlint.analysis.waiting_functions import EndlessWait, Waiting, classes_of
 from archlint.finding import Place
 from archlint.syntax import facts
 from archlint.syntax.control_flow import graph_of
-from archlint.syntax.parts import everything_in, parts_of
+from archlint.syntax.parts import everything_in, once_for, parts_of
 from archlint.syntax.walk import calls_in
 
 if TYPE_CHECKING:
@@ -49,7 +49,7 @@ def _waits_of(system: System, program: Program, waiting: Waiting) -> Iterator[Qu
     code = source_code(system).facts_at(waiting.file)
     if code is None:
         return
-    for call in parts_of(waiting.function.body, facts.Call):
+    for call in _calls_that_wait(waiting.function):
         match call.func:
             case facts.Attribute(attr="get" | "wait" as method, value=facts.Attribute(attr=attribute, value=owner)):
                 if owner.variable != waiting.variable or not _is_endless(call):
@@ -67,6 +67,13 @@ def _waits_of(system: System, program: Program, waiting: Waiting) -> Iterator[Qu
                         setter=setter,
                         why=why,
                     )
+
+
+@once_for
+def _calls_that_wait(function: facts.Function) -> list[facts.Call]:
+    """The calls of a function that look like waits for an attribute of something."""
+    calls = parts_of(function.body, facts.Call)
+    return [call for call in calls if call.func.attribute in ("get", "wait") and _is_endless(call)]
 
 
 def _is_endless(call: facts.Call) -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -33,6 +33,7 @@ from archlint.syntax.interfaces import interface_problems
 from archlint.systems.model import WorkspaceIndex
 
 if TYPE_CHECKING:
+    from archlint.checks.registry import Options
     from archlint.config.settings import Settings
     from archlint.engine.memory import Memory
     from archlint.finding import Finding
@@ -180,11 +181,15 @@ def _rules(request: Request, systems: Sequence[System], memory: Memory | None = 
     settings, checks = request.settings, registered()
     selection = settings.selection
     request.monitor.judging(len(systems))
+    options: dict[tuple[str, ...], Mapping[str, Options]] = {}
     for system in systems:
         codes = [code for code in selection.codes if selection.runs(code, system.closed)]
         if system.launched is not None and len(systems) > 1:
             codes = [code for code in codes if code in checks and checks[code].scope.of_each_system]
-        selected = options_for(settings, codes)
+        key = tuple(codes)
+        if key not in options:
+            options[key] = options_for(settings, codes)
+        selected = options[key]
         if memory is None:
             yield from judge_alternatives(system, selected)
         else:

@@ -13,6 +13,7 @@ from archlint.engine.inputs import Inputs, is_subset
 from archlint.engine.kept_programs import ProgramCache
 from archlint.engine.request import NothingToDo, Request
 from archlint.faults import Faults
+from archlint.interpreter.modules import ModuleIndex
 from archlint.launch.launches import Launches
 from archlint.programs.entry_points import entry_points, read_installs
 from archlint.programs.kept_launches import keep_launches
@@ -27,7 +28,6 @@ from archlint.systems.model import System, WorkspaceIndex
 from archlint.systems.shown import only
 
 if TYPE_CHECKING:
-    from archlint.interpreter.modules import ModuleIndex
     from archlint.launch.files import LaunchFiles
     from archlint.observed.model import Observed
     from archlint.programs.kept import KeptPrograms
@@ -41,7 +41,7 @@ def systems_of(inputs: Inputs, facts: FactsOfFiles) -> list[System]:
     request, workspace, tree = inputs.request, inputs.workspace, inputs.tree
     faults = Faults()
     files = WorkspaceFiles(workspace.files, facts.facts_of, facts.relevant, tree)
-    installs = read_installs(workspace.packages, files, faults)
+    installs = _installs(inputs, files, faults)
     linker, cache = _linker(inputs, facts, files, installs, faults)
     entries = entry_points(installs, workspace.files)
     programs = linker.run_all(entries)
@@ -87,6 +87,19 @@ def systems_of(inputs: Inputs, facts: FactsOfFiles) -> list[System]:
     if request.observed is not None:
         systems[0] = _compared(systems[0], request.observed, request, workspace)
     return systems
+
+
+def _installs(inputs: Inputs, files: WorkspaceFiles, faults: Faults) -> dict[str, Installs]:
+    """What each package installs, by its name."""
+    memory = inputs.memory
+    known = None if memory is None else memory.installs()
+    if known is not None:
+        return known
+    index = ModuleIndex(files.files, files.facts_of)
+    installs = read_installs(inputs.workspace.packages, files, faults, index)
+    if memory is not None and not faults.count:
+        memory.note_installs(installs, index.asked_for())
+    return installs
 
 
 def _compared(system: System, observed: Observed, request: Request, workspace: Workspace) -> System:

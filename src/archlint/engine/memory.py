@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from archlint.finding import Finding
     from archlint.launch.model import Launched
     from archlint.systems.model import System
+    from archlint.workspace.installed import Installs
 
 Selected = Mapping[str, "Options"]
 Judge = Callable[["System", Selected], Iterable["Finding"]]
@@ -37,9 +38,22 @@ class Memory:
     """Those of launch files, by their paths."""
     _files: dict[str, frozenset[str]] = field(default_factory=dict)
     """The files that each of them was made of; none of one of which that is not known."""
+    _installs: tuple[dict[str, Installs], frozenset[str]] | None = None
     _findings: dict[str, list[Finding]] = field(default_factory=dict)
     _of_packages: list[Finding] = field(default_factory=list)
     """What was found for all the workspace, whatever nodes there are."""
+
+    def installs(self) -> dict[str, Installs] | None:
+        """What packages install, if nothing was edited that says so."""
+        before = self.before
+        if before is None or before._installs is None:
+            return None
+        installs, files = before._installs
+        return installs if self.changed.isdisjoint(files) else None
+
+    def note_installs(self, installs: dict[str, Installs], files: Iterable[str]) -> None:
+        """What packages install has been read from their build files and these modules."""
+        self._installs = installs, frozenset(files)
 
     def system(self, launched: Launched) -> System | None:
         """The system of a launch file, if nothing of it was edited."""

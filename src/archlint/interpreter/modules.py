@@ -134,6 +134,10 @@ class ModuleIndex:
             stem = path.removesuffix("/__init__.py").removesuffix(".py")
             self._by_tail.setdefault(stem.rpartition("/")[2], []).append(file)
 
+    def asked_for(self) -> list[str]:
+        """The shown paths of the modules that anybody has asked for."""
+        return [module.path for module in self._modules.values() if module is not None]
+
     def module(self, file: SourceFile) -> Module | None:
         """The module of a file; None where it could not be compiled."""
         if self._readers:

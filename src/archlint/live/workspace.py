@@ -100,12 +100,15 @@ class LiveWorkspace:
         last = self._last
         if last is None or self._found is None or last.asked != asked or len(last.snapshot.systems) != 1:
             return None
-        before, now = last.snapshot.tree.held, self._readable.of(self._own(buffers)).held
-        edited = [path for path in before.keys() & now.keys() if before[path] != now[path]]
-        code = {file.path: file.relative for file in last.snapshot.workspace.of_kind(*_CODE)}
-        if before.keys() != now.keys() or not edited or not code.keys() >= set(edited):
+        held, tree = self._readable.of(self._own(buffers)).held, last.snapshot.tree
+        now = LiveTree(tree.base, Path(last.snapshot.workspace.root), held, self._disk)
+        touched = {os.path.relpath(path, self.root).replace(os.sep, "/") for path in (*tree.held, *held)}
+        texts = {file: (tree.content(file), now.content(file)) for file in sorted(touched)}
+        edited = {file: contents for file, contents in texts.items() if contents[0] != contents[1]}
+        code = {file.relative for file in last.snapshot.workspace.of_kind(*_CODE)}
+        if not edited or not code.issuperset(edited):
             return None
-        shifts = {code[path]: Shifts(_text(before[path]), _text(now[path])) for path in edited}
+        shifts = {file: Shifts(_text(before), _text(after)) for file, (before, after) in edited.items()}
         return Memory(last.memory, frozenset(shifts), lambda findings: shown_now(findings, shifts))
 
     def look_again(self) -> None:
@@ -176,8 +179,8 @@ class LiveWorkspace:
         self._readable = LastReadable(self._store)
 
 
-def _text(data: bytes) -> str:
-    return data.decode("utf-8", "replace")
+def _text(data: bytes | None) -> str:
+    return (data or b"").decode("utf-8", "replace")
 
 
 def _refuse_no_input(workspace: Workspace) -> None:

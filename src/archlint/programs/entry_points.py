@@ -48,11 +48,15 @@ class PackageFolder(Protocol):
 
 
 def read_installs(
-    packages: Iterable[PackageFolder], workspace: WorkspaceFiles, faults: Faults | None = None
+    packages: Iterable[PackageFolder],
+    workspace: WorkspaceFiles,
+    faults: Faults | None = None,
+    index: ModuleIndex | None = None,
 ) -> dict[str, Installs]:
-    """What each package installs, by package name.  What fails here is noted in ``faults``."""
+    """What each package installs, by package name.  What fails here is noted in ``faults``; the modules that were run
+    for it are those of ``index``."""
     files, tree = workspace.files, workspace.tree
-    index = ModuleIndex(files, workspace.facts_of)
+    index = index or ModuleIndex(files, workspace.facts_of)
     setups = {file.relative: file for file in files if file.kind == "setup_py"}
     faults = faults or Faults()
     by_package: dict[str, Installs] = {}

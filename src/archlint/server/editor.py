@@ -47,6 +47,8 @@ class Client:
     log: Callable[[str], None]
     units: Units = len
     versioned: bool = True
+    watches: bool = False
+    """Whether it says which files change on the disk; else files are looked at again whenever one is saved."""
 
 
 class Editor:
@@ -63,7 +65,7 @@ class Editor:
         self._shown: dict[str, dict[str, object]] = {}
         """What was last published, by workspace and path."""
         self._lock = threading.Lock()
-        self._worker = Worker(self._analyse, self._failed)
+        self._worker = Worker(self._analyse, self._failed, gc.collect)
         self._answering = ThreadPoolExecutor(1, "archlint-names")
         self._pause = {} if pause is None else {"pause": pause}
 
@@ -77,7 +79,7 @@ class Editor:
 
     def opened(self, uri: str, text: str, version: int | None) -> None:
         path = self.documents.put(uri, text, version)
-        if path is not None:
+        if path is not None and not self._is_known(path, text):
             self._touch_around(path)
 
     def changed(self, uri: str, text: str, version: int | None) -> None:
@@ -86,7 +88,7 @@ class Editor:
             self._touch_around(path, looks_again=False)
 
     def saved(self, path: str | None) -> None:
-        if path is not None:
+        if path is not None and not self.client.watches:
             self._touch_around(path)
 
     def closed(self, uri: str) -> None:
@@ -95,6 +97,8 @@ class Editor:
             self._touch_around(path)
 
     def changed_on_disk(self, paths: Sequence[str]) -> None:
+        """Files have come, gone or changed.  Those that are open count as the editor has them."""
+        paths = [path for path in paths if path not in self.documents.buffers]
         for root, session in self._sessions.items():
             if any(is_below(path, root) or is_below(root, os.path.dirname(path)) for path in paths):
                 session.look_again()
@@ -155,6 +159,14 @@ class Editor:
             self._sessions[root].look_again()
         self._worker.touch(root, **self._pause)
 
+    def _is_known(self, path: str, text: str) -> bool:
+        """Whether a text that comes from the editor is the one that was analysed."""
+        session = self._sessions.get(self._root_of(path))
+        snapshot = None if session is None else session.snapshot
+        if snapshot is None or path in snapshot.buffers:
+            return False
+        return snapshot.text(os.path.relpath(path, snapshot.root).replace(os.sep, "/")) == text
+
     def _root_of(self, path: str) -> str:
         return place_of(path, self._folders)[0]
 
@@ -187,14 +199,8 @@ class Editor:
         session = self._sessions.get(root)
         if session is None:
             return
-        collects = gc.isenabled()
-        gc.disable()  # a third of the time; what is left over is collected afterwards
-        try:
-            for snapshot in session.analyse(self.documents.buffers, monitor):
-                self._publish(root, snapshot, session.configuration.mistakes)
-        finally:
-            if collects:
-                gc.enable()
+        for snapshot in session.analyse(self.documents.buffers, monitor):
+            self._publish(root, snapshot, session.configuration.mistakes)
 
     def _publish(self, root: str, snapshot: Snapshot, mistakes: Sequence[Mistake]) -> None:
         """Say what has changed: of a file whose findings are those that they were, nothing is said again."""

@@ -13,6 +13,10 @@ from archlint.monitor import Monitor
 
 PAUSE = 0.05
 """Seconds without an edit after which an analysis begins."""
+REST = 1.0
+"""Seconds with nothing to do after which what analyses have left over is cleared away."""
+MOST = 10
+"""After so many analyses without such a pause it is cleared away all the same."""
 PATIENCE = 5.0
 """Seconds after which an analysis is finished though there are newer edits: who types without a pause gets
 answers, too."""
@@ -27,12 +31,21 @@ class Overtaken(BaseException):
 class Worker:
     """Analyses workspaces, by their roots, one after the other, in a thread of its own.
 
-    ``analyse`` is called with a root and with who may raise :class:`Overtaken`; ``failed`` with what it raised.
+    ``analyse`` is called with a root and with who may raise :class:`Overtaken`; ``failed`` with what it raised;
+    ``rest`` when there is time to clear away what analyses have left over.
     """
 
-    def __init__(self, analyse: Callable[[str, Monitor], None], failed: Callable[[str, Exception], None]) -> None:
+    def __init__(
+        self,
+        analyse: Callable[[str, Monitor], None],
+        failed: Callable[[str, Exception], None],
+        rest: Callable[[], object] = lambda: None,
+    ) -> None:
         self._analyse = analyse
         self._failed = failed
+        self._rest = rest
+        self._since_rest = 0
+        """How many analyses have begun since then."""
         self._changed = threading.Condition()
         self._due: dict[str, float] = {}
         self._tasks: deque[Callable[[], None]] = deque()
@@ -83,16 +96,25 @@ class Worker:
     def _run(self) -> None:
         while True:
             with self._changed:
-                while not (self._ends or self._tasks or self._next_due() == 0):
-                    self._changed.wait(self._next_due())
+                self._wait()
                 if self._ends:
                     return
                 task = self._tasks.popleft() if self._tasks else None
-                root = None if task is not None else min(self._due, key=lambda root: self._due[root])
+                root = min(self._due, key=lambda root: self._due[root]) if self._next_due() == 0 else None
             if task is not None:
                 task()
-            elif root is not None:
+            elif root is not None and self._since_rest < MOST:
                 self._analyse_now(root)
+            else:
+                self._since_rest = 0
+                self._rest()
+
+    def _wait(self) -> None:
+        """Until there is something to do, or time for a rest that is due."""
+        while not (self._ends or self._tasks or self._next_due() == 0):
+            rests = self._since_rest > 0 and not self._due
+            if not self._changed.wait(REST if rests else self._next_due()) and rests:
+                return
 
     def _next_due(self) -> float | None:
         """Seconds until the next analysis; None where there is none to come."""
@@ -102,6 +124,7 @@ class Worker:
         with self._changed:
             self._due.pop(root, None)
             began = self._began.get(root, time.monotonic())
+            self._since_rest += 1
 
         def is_overtaken() -> bool:
             newer = root in self._due and time.monotonic() - began < PATIENCE
