@@ -37,7 +37,10 @@ def test_of_a_setup_file(launched: Editor):
 
 
 def test_of_types_that_are_here(lesson: Editor):
-    assert shown(lesson, "motor_node.py") == ["11 SetMotorSpeed -> SetMotorSpeed.srv:1"]
+    assert shown(lesson, "motor_node.py") == [
+        "3 SetMotorSpeed -> SetMotorSpeed.srv:1",
+        "11 SetMotorSpeed -> SetMotorSpeed.srv:1",
+    ]
 
 
 def test_not_of_standard_types(launched: Editor):

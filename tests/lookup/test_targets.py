@@ -50,6 +50,31 @@ def test_a_type_leads_to_its_file(lesson: Editor):
     assert lesson.definition("sensor_node.py", "^SensorReading, 'sensor_data'") == ["SensorReading.msg:1"]
 
 
+def test_the_type_of_a_field_and_its_import(robot: Path):
+    scaffold = "project(robot_msgs)\nrosidl_generate_interfaces(robot_msgs msg/Wheel.msg msg/Base.msg srv/Turn.srv)\n"
+    files = {
+        "package.xml": manifest(
+            "robot_msgs", "ament_cmake", "<member_of_group>rosidl_interface_packages</member_of_group>"
+        ),
+        "CMakeLists.txt": scaffold,
+        "msg/Wheel.msg": "float64 speed\n",
+        "msg/Base.msg": "# The wheels, left and right.\nWheel[2] wheels\nstd_msgs/Header header\n",
+        "srv/Turn.srv": "robot_msgs/Wheel wheel\n---\nbool done\n",
+        "it.py": "import rclpy\nfrom robot_msgs.msg import Wheel as Wheel\n",
+    }
+    write_files(robot, files)
+    editor = Editor()
+    assert editor.definition("Base.msg", "Whe^el[2] wheels") == ["Wheel.msg:1"]
+    assert editor.definition("it.py", "import Whe^el as") == ["Wheel.msg:1"]
+    assert editor.references("Turn.srv", "robot_msgs/Whe^el wheel") == [
+        "it.py:2 Wheel",
+        "Base.msg:2 Wheel",
+        "Turn.srv:1 robot_msgs/Wheel",
+    ]
+    assert "float64 speed" in (editor.hover("Base.msg", "Whe^el[2] wheels") or "")
+    assert editor.definition("Base.msg", "std_msgs/Head^er") == []
+
+
 def test_a_remapping_leads_to_the_create_call(launched: Editor):
     assert launched.definition("robot.launch.xml", 'from="sc^an"') == ["driver.py:10 'scan'"]
     assert launched.definition("fleet.launch.py", "'/north^/front/scan'") == ["driver.py:10 'scan'"]

@@ -12,6 +12,7 @@ from archlint.lookup.mentions import Mention, Subject
 from archlint.lookup.moved import Moves
 from archlint.lookup.starts import mentions_of_entries, mentions_of_starts
 from archlint.lookup.texts import TextOf, Texts, contains
+from archlint.lookup.types_named import mentions_of_fields, mentions_of_imports
 from archlint.lookup.values import mentions_of_parameters
 from archlint.model import EntityKind
 from archlint.ros import standard_interfaces
@@ -40,6 +41,8 @@ class Index:
         self.kept: dict[object, object] = {}
         """What answers work out once (:func:`archlint.analysis.kept.once`)."""
         mentions = list(mentions_of_entries(self.workspace))
+        mentions += mentions_of_fields(self.workspace, self.texts)
+        mentions += mentions_of_imports(self.workspace, self.texts)
         for system, rank in self.systems:
             mentions += mentions_of_ends(system, rank)
             mentions += mentions_of_parameters(system, rank, self.workspace, self.texts)
