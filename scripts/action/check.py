@@ -11,17 +11,15 @@ import os
 import shlex
 import subprocess
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
+from drawing import Draughtsman, Drawing
 from summary import SourceLinks, failure, markdown
 
 LIMIT = 1_000_000
 """Bytes of a summary; GitHub shows none that is larger than 1 MiB, and other steps write to it, too."""
-MOST_FILES = 40
-"""The files whose nodes a graph shows: more make a picture that nobody reads."""
 
 
 class WrongInput(Exception):
@@ -112,11 +110,11 @@ class Step:
             *("--output", f"json={found}", "--output", f"sarif={sarif}"),
         ]
 
-    def graph(self, paths: Sequence[str]) -> list[str]:
-        """The command that draws the nodes in these files or folders, and those that they talk to."""
+    def graph(self) -> list[str]:
+        """The command that draws what lies in the paths that follow it."""
         return [
-            *(self.archlint, "graph", *map(_no_option, paths)),
-            *("--format", "mermaid", "--quiet", "--cache-dir", str(self.cache / "results")),
+            *(self.archlint, "graph", "--format", "mermaid", "--quiet"),
+            *("--cache-dir", str(self.cache / "results")),
         ]
 
 
@@ -128,9 +126,12 @@ def main(variables: Mapping[str, str]) -> int:
     except WrongInput as error:
         return _failed(str(error), variables)
     found, sarif = step.results
-    for path in (found, sarif):
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.unlink(missing_ok=True)
+    try:
+        for path in (found, sarif):
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.unlink(missing_ok=True)
+    except OSError as error:
+        return _failed(f"cannot write {error.filename}: {error.strerror}", variables)
     done = subprocess.run(command, cwd=folder, env=environment, stderr=subprocess.PIPE, check=False)
     status, messages = done.returncode, done.stderr.decode("utf-8", "replace")
     sys.stderr.write(messages)
@@ -145,25 +146,11 @@ def main(variables: Mapping[str, str]) -> int:
         outputs["sarif-file"] = str(sarif)
     _append(variables, "GITHUB_OUTPUT", _lines(outputs))
     if wants_summary:
-        drawn = _drawn(step, report, environment) if wants_graph else ""
-        text = markdown(report, drawn, SourceLinks.of(variables, folder), step.since)
+        drawing = Draughtsman(step.graph(), folder, environment).of(report, step.since) if wants_graph else Drawing()
+        text = markdown(report, drawing, SourceLinks.of(variables, folder), step.since)
         if len(text.encode()) < LIMIT:
             _append(variables, "GITHUB_STEP_SUMMARY", text)
     return status
-
-
-def _drawn(step: Step, report: Mapping[str, Any], environment: Mapping[str, str]) -> str:
-    """The graph of what the findings are in, as Mermaid; empty where there is nothing to draw."""
-    files = list(dict.fromkeys(finding["file"] for finding in report["diagnostics"]))[:MOST_FILES]
-    python = [file for file in files if file.endswith(".py")]
-    packages = dict.fromkeys(package for file in files if (package := _package_of(file, step.folder)))
-    for paths in (python, [*packages]):  # a launch file alone, say, has no nodes
-        if paths:
-            done = subprocess.run(step.graph(paths), cwd=step.folder, env=environment, capture_output=True, check=False)
-            drawn = done.stdout.decode("utf-8", "replace")
-            if done.returncode == 0 and "n0" in drawn:
-                return drawn
-    return ""
 
 
 def _failed(message: str, variables: Mapping[str, str], status: int = 2) -> int:
@@ -177,11 +164,6 @@ def _failed(message: str, variables: Mapping[str, str], status: int = 2) -> int:
 def _escaped(message: str) -> str:
     """As GitHub's commands need it."""
     return message.replace("%", "%25").replace("\r", "%0D").replace("\n", "%0A")
-
-
-def _package_of(file: str, folder: Path) -> str:
-    """The folder of the package that a file belongs to; empty where it is in none."""
-    return next((path.as_posix() for path in Path(file).parents if (folder / path / "package.xml").is_file()), "")
 
 
 def _no_option(path: str) -> str:

@@ -10,6 +10,8 @@ from pathlib import Path
 from typing import Any
 from urllib.parse import quote
 
+from drawing import Drawing
+
 MOST_FINDINGS = 50
 """Rows of the table; all findings are in the SARIF and the JSON."""
 MOST_CHARACTERS, MOST_EDGES = 50_000, 500
@@ -44,14 +46,14 @@ class SourceLinks:
         return f"[{shown}]({self.address}/{quote(path)}#L{line})"
 
 
-def markdown(report: Mapping[str, Any], drawn: str, links: SourceLinks, since: str = "") -> str:
-    """The summary of ``check --format json``.  ``drawn`` is Mermaid, and ``since`` the revision of ``--new-only``."""
+def markdown(report: Mapping[str, Any], drawing: Drawing, links: SourceLinks, since: str = "") -> str:
+    """The summary of ``check --format json``; ``since`` is the revision of ``--new-only``, or empty."""
     findings = report["diagnostics"]
     parts = [f"## archlint: {_counted(report['summary'])}\n", _scope(report["summary"], since)]
     if findings:
         parts.append("\n".join(_table(findings, links)) + "\n")
-    if drawn:
-        parts.append(_graph(drawn))
+    if drawing.text:
+        parts.append(_graph(drawing))
     return "\n".join(parts) + "\n"
 
 
@@ -89,13 +91,13 @@ def _table(findings: list[Mapping[str, Any]], links: SourceLinks) -> Iterator[st
         yield f"\n… and {left} more: the log and the SARIF have all."
 
 
-def _graph(drawn: str) -> str:
-    title = "The nodes where these findings are, and what they talk to"
-    if len(drawn) > MOST_CHARACTERS or len(re.findall(r"^  n\d+ \S*[-=]", drawn, re.MULTILINE)) > MOST_EDGES:
+def _graph(drawing: Drawing) -> str:
+    title, text = drawing.title, drawing.text
+    if len(text) > MOST_CHARACTERS or len(re.findall(r"^  n\d+ \S*[-=]", text, re.MULTILINE)) > MOST_EDGES:
         return f"{title}: too large for GitHub to draw. `archlint graph -o graph.svg` draws it.\n"
-    if "```" in drawn:
+    if "```" in text:
         return ""
-    return f"<details open><summary>{title}</summary>\n\n```mermaid\n{drawn}```\n\n</details>\n"
+    return f"<details open><summary>{title}</summary>\n\n```mermaid\n{text}```\n\n</details>\n"
 
 
 def _text(text: str) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -122,6 +123,22 @@ def test_a_pull_request_reports_what_it_brings_in(job: Job):
     assert "What is new since origin/main, in 3 files with 2 nodes; 1 not new.\n" in job.summary.read_text("utf-8")
 
 
+def test_a_pull_request_without_findings_shows_the_nodes_that_it_changes(job: Job):
+    write_files(job.checkout, {"robot/listener.py": LISTENER.replace("Int32", "String")})
+    job.git("init", "-q", "-b", "main")
+    job.git("add", "-A")
+    job.git("commit", "-qm", "a robot")
+    job.git("update-ref", "refs/remotes/origin/main", "HEAD")
+    write_files(job.checkout, {"robot/listener.py": LISTENER.replace("Int32", "String").replace("'listener'", "'ear'")})
+    job.git("commit", "-qam", "another name")
+    assert job.run(INPUT_NEW_ONLY="pull-request", GITHUB_BASE_REF="main").returncode == 0
+    text = job.summary.read_text("utf-8")
+    assert "<summary>The nodes in the files that have changed, and what they talk to</summary>" in text
+    drawn = text.partition("```mermaid\n")[2]
+    assert 'n0(["/ear"])' in drawn
+    assert re.findall(r"class n0 (\w+)", drawn) == ["node"]
+
+
 def test_a_checkout_without_the_history_is_told_what_to_do(job: Job):
     job.git("init", "-q", "-b", "main")
     job.git("add", "-A")
@@ -162,6 +179,7 @@ def test_paths_options_and_a_folder_to_work_in(job: Job):
         ({"INPUT_GRAPH": "maybe"}, "graph is true or false, not 'maybe'"),
         ({"INPUT_ARGS": "--select 'TOP"}, "args cannot be split into words"),
         ({"INPUT_SARIF_FILE": "a\nexit-code=0"}, "sarif-file has a character that cannot be printed"),
+        ({"INPUT_SARIF_FILE": "robot"}, "cannot write "),
         ({"INPUT_WORKING_DIRECTORY": "nowhere"}, "working-directory: there is no folder nowhere"),
     ],
 )

@@ -7,6 +7,7 @@ from html import unescape
 from typing import Any
 
 import pytest
+from drawing import Drawing
 from hypothesis import given, strategies
 from markdown_it import MarkdownIt
 from summary import MOST_CHARACTERS, MOST_EDGES, MOST_FINDINGS, SourceLinks, failure, markdown
@@ -24,19 +25,19 @@ def report(*findings: dict[str, Any], **counts: int) -> dict[str, Any]:
 
 
 def test_the_counts_come_first_and_errors_before_the_rest():
-    text = markdown(report(finding(severity="info"), finding(), warnings=2, infos=1), "", SourceLinks())
+    text = markdown(report(finding(severity="info"), finding(), warnings=2, infos=1), Drawing(), SourceLinks())
     assert text.startswith("## archlint: 1 error, 2 warnings, 1 information\n\nIn 3 files with 2 nodes.\n")
     assert [line.split()[1] for line in text.splitlines() if "TOP001" in line] == ["error", "info"]
 
 
 def test_what_is_not_reported_is_counted():
-    text = markdown(report(suppressed=1, baselined=4, older=2), "", SourceLinks(), "origin/main")
+    text = markdown(report(suppressed=1, baselined=4, older=2), Drawing(), SourceLinks(), "origin/main")
     assert "What is new since origin/main, in 3 files with 2 nodes; 1 suppressed; 4 held back by the baseline; " in text
     assert "; 2 not new.\n" in text
 
 
 def test_a_long_table_says_what_it_leaves_out():
-    text = markdown(report(*[finding()] * (MOST_FINDINGS + 7)), "", SourceLinks())
+    text = markdown(report(*[finding()] * (MOST_FINDINGS + 7)), Drawing(), SourceLinks())
     assert text.count("| error |") == MOST_FINDINGS
     assert "… and 7 more: " in text
 
@@ -52,7 +53,7 @@ def test_a_long_table_says_what_it_leaves_out():
     ],
 )
 def test_text_of_the_source_is_shown_and_means_nothing(hostile: str, shown: str):
-    text = markdown(report(finding(message=hostile, file=f"{hostile}.py")), "", SourceLinks())
+    text = markdown(report(finding(message=hostile, file=f"{hostile}.py")), Drawing(), SourceLinks())
     assert f"| {shown}.py:3 | {shown} |\n" in text
 
 
@@ -75,7 +76,7 @@ def graph(edges: int) -> str:
     ],
 )
 def test_a_graph_is_drawn_where_github_can(drawn: str, fits: bool):
-    text = markdown(report(finding()), drawn, SourceLinks())
+    text = markdown(report(finding()), Drawing("the nodes", drawn), SourceLinks())
     assert (f"```mermaid\n{drawn}```\n" in text) is fits
     assert ("too large for GitHub to draw" in text) is not fits
 
@@ -85,13 +86,13 @@ def test_the_reason_of_a_failure_is_a_block_of_plain_text():
 
 
 def test_a_graph_that_would_end_its_block_is_left_out():
-    assert "evil" not in markdown(report(), "flowchart LR\n```\nevil\n", SourceLinks())
+    assert "evil" not in markdown(report(), Drawing("the nodes", "flowchart LR\n```\nevil\n"), SourceLinks())
 
 
 @given(strategies.text("ab1 \\`*_{}[]()<>#+-.!|~&;:/@$^='\"\n\t", min_size=1))
 def test_every_message_is_read_back_as_it_was(message: str):
     rendered = MarkdownIt("gfm-like", {"linkify": False}).render(
-        markdown(report(finding(message=message)), "", SourceLinks())
+        markdown(report(finding(message=message)), Drawing(), SourceLinks())
     )
     [cell] = re.findall(r"<td>robot/a.py:3</td>\n<td>(.*?)</td>", rendered, re.DOTALL)
     assert "<" not in cell
