@@ -101,11 +101,11 @@ def test_another_workspace_is_judged_in_between(tmp_path: Path, monkeypatch: pyt
     monkeypatch.chdir(tmp_path)
     judged, inside = findings._rules, []
 
-    def rules(settings, systems):
+    def rules(settings, systems, memory):
         if not inside:
             inside.append("other")
             inside.append(places("other"))
-        return judged(settings, systems)
+        return judged(settings, systems, memory)
 
     def places(folder: str) -> list[tuple[str, str]]:
         report = check(Request((folder,), Settings(), cached=False, jobs=1))

@@ -188,6 +188,20 @@ def test_an_editor_shows_it_where_the_environment_says_so(
     assert [found.code for found in seen.findings] == codes
 
 
+def test_an_editor_has_it_as_it_is_now(repository: Path, monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setenv("ARCHLINT_PLUGINS", "1")
+    first = Configuration().again(str(repository), {})
+    assert [name for name in (RULES, PAGE, "wheels.py") if first.is_read_from(str(repository / name))] == [RULES, PAGE]
+    change(RULES, "our computer", "this computer")
+    edited = first.again(str(repository), {})
+    assert edited.settings != first.settings
+    assert not edited.mistakes
+    change(RULES, "def fast_timer", "def")
+    [mistake] = first.again(str(repository), {}).mistakes
+    assert (mistake.path, mistake.line) == (str(repository / "archlint.toml"), 1)
+    assert "our_rules.py: line 11: SyntaxError" in mistake.message
+
+
 # --- rules that fail
 
 

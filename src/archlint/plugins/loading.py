@@ -59,6 +59,7 @@ def plugin_of(module: ModuleType, name: str, folder: Path, files: Mapping[str, b
         _digest(parts),
         {code: replace(check, function=guarded(code, check.function)) for code, check in sorted(checks.items())},
         rules,
+        tuple(str(folder / part) for part in sorted(parts)),
     )
 
 

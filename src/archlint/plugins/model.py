@@ -22,6 +22,8 @@ class Plugin:
     digest: str
     checks: Mapping[str, Check] = field(compare=False, repr=False)
     rules: Mapping[str, Rule] = field(compare=False, repr=False)
+    files: tuple[str, ...] = field(compare=False, repr=False)
+    """The paths of its modules and pages."""
 
 
 def activate(plugins: Sequence[Plugin], left_out: bool = False) -> None:

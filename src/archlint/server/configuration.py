@@ -57,7 +57,8 @@ class Configuration:
     def is_read_from(self, path: str) -> bool:
         """Whether a file, by its absolute path, may decide what holds."""
         baseline = self.settings.baseline
-        named = (*self.settings.read, *([] if baseline is None else [baseline]))
+        plugins = (file for plugin in self.settings.running_plugins for file in plugin.files)
+        named = (*self.settings.read, *plugins, *([] if baseline is None else [baseline]))
         return os.path.basename(path) in FILE_NAMES or any(os.path.normpath(file) == path for file in named)
 
 
