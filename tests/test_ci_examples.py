@@ -109,15 +109,15 @@ def started(folder: Path, command: str, **variables: str) -> int:
     return subprocess.run(["sh", "-ec", command], cwd=folder, env=environment, check=False).returncode
 
 
-def test_the_job_for_gitlab_reports_what_a_merge_request_brings_in(checkout: Path):
+def test_the_job_for_gitlab_fails_for_what_a_merge_request_brings_in_and_reports_all(checkout: Path):
     [job] = [yaml.safe_load(text) for text in examples().values() if "CI_MERGE_REQUEST" in text]
     script = "\n".join(job["archlint"]["script"])
-    project = {"CI_PROJECT_DIR": str(checkout)}
-    assert started(checkout, script, **project) == 1
-    report = checkout / "archlint.json"
-    assert [found["check_name"] for found in json.loads(report.read_text("utf-8"))] == ["TMO001", "TOP001"]
-    assert started(checkout, script, **project, CI_MERGE_REQUEST_DIFF_BASE_SHA="HEAD~1") == 1
-    assert [found["check_name"] for found in json.loads(report.read_text("utf-8"))] == ["TOP001"]
+    for base, tested in (("", {"TMO001", "TOP001"}), ("HEAD~1", {"TOP001"})):
+        assert started(checkout, script, CI_MERGE_REQUEST_DIFF_BASE_SHA=base) == 1
+        quality = json.loads((checkout / "archlint.json").read_text("utf-8"))
+        assert [issue["check_name"] for issue in quality] == ["TMO001", "TOP001"]
+        tests = ElementTree.parse(checkout / "archlint.xml").iter("testcase")
+        assert {case.get("name", "").split()[0] for case in tests} == tested
 
 
 def test_the_stage_for_jenkins_fails_only_where_the_run_does(checkout: Path):
