@@ -86,7 +86,7 @@ Where to start:
   1 error in code that a launch file starts:
     pkg/node.py:8:18 SRV003 nested-service-call
   TMO001 wait-without-timeout has 7 of the 13 findings: `archlint explain TMO001`
-  the package planner has 8 of them"""
+  the package planner has 8 of the 13 findings"""
     )
 
 
@@ -99,3 +99,8 @@ def test_where_no_error_is_launched_all_count():
 
 def test_one_rule_that_finds_everything_is_no_news():
     assert starting_points(report(*[UNREADABLE] * 20)) == ""
+
+
+def test_what_has_as_many_as_another_is_no_start():
+    findings = [*[UNREADABLE] * 6, *[UNSAFE] * 6]
+    assert starting_points(report(*findings)) == ""

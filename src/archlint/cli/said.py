@@ -88,7 +88,19 @@ def remarks(
         cache = settings.cache_folder if request.cached else "none"
         notes.append(f"configuration: {settings.file or 'none'}; cache: {cache}")
         notes.append(f"took {report.summary.elapsed_s:.2f} s")
-    return "".join(map(console.noted, warnings)), "".join(map(console.noted, notes))
+    said = "".join(map(console.noted, warnings)), "".join(map(console.noted, notes))
+    return _apart(*said) if _ends_in_a_frame(report, arguments) else said
+
+
+def _ends_in_a_frame(report: Report, arguments: argparse.Namespace) -> bool:
+    """Whether the line before the remarks is one of a finding in full, on the terminal."""
+    in_full = arguments.format == "text" and not arguments.statistics
+    return bool(report.findings) and in_full and arguments.file in (None, "-") and sys.stdout.isatty()
+
+
+def _apart(warnings: str, notes: str) -> tuple[str, str]:
+    """The remarks after an empty line."""
+    return (f"\n{warnings}", notes) if warnings else (warnings, f"\n{notes}")
 
 
 def _shape(request: Request, shown: Sequence[System]) -> str:

@@ -32,11 +32,11 @@ def _lines(report: Report) -> Iterator[str]:
     launched = [finding for finding in errors if is_launched(finding, report)]
     yield from _errors(launched or errors, " in code that a launch file starts" if launched else "")
     code, count = _most_frequent(f"{finding.code} {finding.name}" for finding in report.findings)
-    if 1 < count < every:
+    if code:
         yield f"  {code} has {count} of the {every} findings: `archlint explain {code.split()[0]}`"
     package, count = _most_frequent(package_of(finding, report) or "" for finding in report.findings)
-    if package and 1 < count < every:
-        yield f"  the package {visible(package)} has {count} of them"
+    if package:
+        yield f"  the package {visible(package)} has {count} of the {every} findings"
 
 
 def _errors(errors: list[Finding], where: str) -> Iterator[str]:
@@ -51,8 +51,9 @@ def _errors(errors: list[Finding], where: str) -> Iterator[str]:
 
 
 def _most_frequent(words: Iterable[str]) -> tuple[str, int]:
-    """The word that comes most often and how often; the first of equals."""
-    return min(Counter(words).items(), key=lambda row: (-row[1], row[0]))
+    """The word that comes more often than each other one, and how often; an empty one where none does."""
+    first, *others = Counter(words).most_common(2)
+    return first if others and first[1] > others[0][1] else ("", 0)
 
 
 __all__ = ["MANY", "starting_points"]
