@@ -46,7 +46,8 @@ def add_plugins(parser: argparse._ActionsContainer) -> None:
     parser.add_argument(
         "--plugins",
         action=argparse.BooleanOptionalAction,
-        help="run the plugins that the configuration names, code of the repository among them, or leave them out",
+        help="run the plugins that the configuration names, code of the repository among them, or leave them out "
+        "(default: what ARCHLINT_PLUGINS=1 or 0 says)",
     )
 
 
