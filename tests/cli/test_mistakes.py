@@ -32,6 +32,7 @@ def workspace(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
         (package / f"{name}.py").write_text(NODE)
         (package / "launch" / f"{name}.launch.py").write_text(LAUNCH)
     (tmp_path / "build").mkdir()
+    (tmp_path / "archlint.toml").write_text("")
     (tmp_path / "src" / "resource" / "driver").mkdir(parents=True)
     monkeypatch.chdir(tmp_path)
     return tmp_path
@@ -77,6 +78,9 @@ def workspace(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
         ("check --launch src/driver", "is a folder; the launch files in it: src/driver/launch/driver.launch.py"),
         ("check --launch driver driver.launch.py", "did you mean src/driver/launch/driver.launch.py?"),
         ("check --launch src/driver/launch/driver.launch.py sim=true", "write sim:=true, as for `ros2 launch`"),
+        ("check --config archlnt.toml", "cannot be read: No such file or directory; did you mean archlint.toml?"),
+        ("check --select ,", "--select: no rule is named, so nothing would be checked"),
+        ("rules SVR", "unknown rule `SVR`; did you mean SRV?"),
         ("graph -o robot.jpg", "the suffix of robot.jpg does not name a format: use one of .txt, .json"),
     ],
 )
@@ -85,6 +89,31 @@ def test_a_mistake_is_answered_with_what_was_meant(
 ):
     assert main(words.split()) == 2
     assert hint in capsys.readouterr().err
+
+
+def test_a_variable_that_is_unset_is_no_path(workspace: Path, capsys: pytest.CaptureFixture[str]):
+    assert main(["check", ""]) == 2
+    assert "an empty word is no path: is a variable of the shell unset?" in capsys.readouterr().err
+
+
+def test_a_launch_file_of_another_package_is_found_in_the_workspace(
+    workspace: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+):
+    monkeypatch.chdir(workspace / "src" / "driver")
+    assert main(["check", "--launch", "planner.launch.py"]) == 2
+    assert "did you mean ../planner/launch/planner.launch.py?" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("words", ["help graph", "--help graph", "graph --help"])
+def test_help_is_asked_for_in_any_order(capsys: pytest.CaptureFixture[str], words: str):
+    assert main(words.split()) == 0
+    assert capsys.readouterr().out.startswith("usage: archlint graph ")
+
+
+def test_rules_lists_those_that_are_named(capsys: pytest.CaptureFixture[str]):
+    assert main(["rules", "OWN", "nested-service-call"]) == 0
+    codes = [line.split()[0] for line in capsys.readouterr().out.splitlines()]
+    assert codes == ["code", "OWN001", "OWN002", "OWN003", "SRV003"]
 
 
 def test_no_habit_hides_a_command_or_an_option_of_archlint():

@@ -65,6 +65,8 @@ def _dispatch(arguments: list[str]) -> int:
         if hasattr(stream, "reconfigure"):
             stream.reconfigure(errors="backslashreplace")
     first = arguments[0] if arguments else ""
+    if first in ("-h", "--help", "help") and arguments[1:2] and arguments[1] in COMMANDS:
+        first, arguments = arguments[1], [arguments[1], "--help"]
     if first in ("-h", "--help", "help"):
         from archlint.cli.overview import overview
 

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from archlint.cli import COMMANDS, habits
 from archlint.rulebook import codes_of
 from archlint.suggestions import listed, meant, nearest
+from archlint.workspace.around import workspace_around
 
 _MOST = 20_000
 """How many files and folders are looked through for a name."""
@@ -59,16 +60,20 @@ def near_path(path: str) -> str:
 
 
 def named_below(name: str) -> list[str]:
-    """Paths below the working directory that end in a name without folders: packages only, if there are any."""
+    """Paths that end in a name without folders, below the working directory or else in the workspace around it:
+    packages only, if there are any."""
     if not name or name != os.path.basename(name):
         return []
-    paths = sorted(path for path in _all_below() if os.path.basename(path) == name)
+    around = workspace_around(os.getcwd())
+    paths: list[str] = []
+    for start in (".", *([] if around is None else [os.path.relpath(around)])):
+        paths = paths or sorted(path for path in _all_below(start) if os.path.basename(path) == name)
     return [path for path in paths if os.path.isfile(os.path.join(path, "package.xml"))] or paths
 
 
-def _all_below() -> Iterator[str]:
+def _all_below(start: str = ".") -> Iterator[str]:
     left = _MOST
-    for folder, folders, files in os.walk("."):
+    for folder, folders, files in os.walk(start):
         folders[:] = sorted(name for name in folders if not name.startswith(".") and name not in _PASSED_OVER)
         left -= len(folders) + len(files)
         if left < 0:

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 from archlint.cli import console
 from archlint.cli.exits import UsageError
 from archlint.engine.looked_at import without_plugins
+from archlint.suggestions import meant
 
 if TYPE_CHECKING:
     from archlint.config.settings import Settings
@@ -215,6 +216,8 @@ def paths_of(arguments: argparse.Namespace) -> tuple[str, ...]:
     """The paths given, ``.`` without any.  Raises :class:`UsageError` for one that does not exist."""
     paths: Sequence[str] = arguments.paths or ["."]
     for path in paths:
+        if not path:
+            raise UsageError("an empty word is no path: is a variable of the shell unset?")
         if not Path(path).exists():
             from archlint.cli.near_paths import no_such_path  # looks around, and most paths are right
 
@@ -235,6 +238,10 @@ def settings_of(arguments: argparse.Namespace, start: str, plugins: bool | None 
     try:
         settings = Settings() if arguments.isolated else load(Path(start), file, plugins=plugins)
     except ConfigurationError as error:
+        if file is not None and not file.exists():
+            from archlint.cli.near_paths import near_path  # as above
+
+            raise UsageError(f"{error}{meant(near_path(arguments.config))}") from None
         raise UsageError(str(error)) from None
     settings.activate_plugins()
     cache_dir = getattr(arguments, "cache_dir", None)
@@ -267,6 +274,8 @@ def split_selectors(values: Sequence[str] | None, option: str) -> tuple[str, ...
     from archlint.rulebook import may_be_rule
 
     selectors = tuple(part.strip() for value in values for part in value.split(",") if part.strip())
+    if not selectors and option == "--select":
+        raise UsageError(f"{option}: no rule is named, so nothing would be checked")
     for selector in selectors:
         if not may_be_rule(selector):
             raise UsageError(f"{option}: {unknown_rule(selector)}")

@@ -40,7 +40,7 @@ commands:
                       of check and graph compares it with the source
   explain CODE        a rule's page: what it finds, why it matters, what to
                       write instead
-  rules               the table of rules
+  rules [CODES ...]   the table of rules
   config [PATH]       the effective configuration and the origin of each value;
                       `config --schema` prints its JSON Schema
   server              the language server for editors (needs archlint[lsp])

@@ -4,18 +4,20 @@ from __future__ import annotations
 
 import argparse
 import sys
+from collections.abc import Sequence
 from typing import Any
 
 from archlint import cells
 from archlint.cli import console
-from archlint.cli.exits import CLEAN
+from archlint.cli.exits import CLEAN, UsageError
 from archlint.cli.options import add_plugins, plugins_here
 from archlint.cli.parser import Parser
-from archlint.rulebook import Rule, rules
+from archlint.rulebook import Rule, codes_of, rules, suggestion
 
 
 def parser() -> argparse.ArgumentParser:
     parser = Parser("rules", "List every rule: its severity, whether it is on by default, what it finds.")
+    parser.add_argument("rule", metavar="CODES", nargs="*", help="these only: codes, prefixes such as SRV, or names")
     add_plugins(parser)
     parser.add_argument("--format", metavar="F", choices=("text", "json"), default="text", help="text or json")
     return parser
@@ -25,9 +27,18 @@ def run(arguments: argparse.Namespace) -> int:
     left_out = plugins_here(arguments)
     if left_out:
         console.note(f"archlint: {left_out}")
-    book = list(rules().values())
+    chosen = _chosen(arguments.rule)
+    book = [rule for rule in rules().values() if rule.code in chosen]
     sys.stdout.write(_json(book) if arguments.format == "json" else _text(book))
     return CLEAN
+
+
+def _chosen(words: Sequence[str]) -> set[str]:
+    """The codes that are meant; all without a word.  Raises :class:`UsageError` for a rule that there is not."""
+    for word in words:
+        if not codes_of(word):
+            raise UsageError(f"unknown rule `{word}`{suggestion(word)}")
+    return {code for word in words or ["ALL"] for code in codes_of(word)}
 
 
 def _text(book: list[Rule]) -> str:
