@@ -320,3 +320,84 @@ def test_what_is_spun_is_no_node(judge: Judge, base: str, init: str, method: str
         if refused
         else []
     )
+
+
+IMPORTS_OF_WAITS = """
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import String
+from std_srvs.srv import Trigger
+
+"""
+
+
+def test_a_client_that_a_helper_makes_behind_an_early_end(judge: Judge):
+    text = (
+        IMPORTS_OF_WAITS
+        + """
+class Algorithm(Node):
+    def __init__(self):
+        super().__init__('algorithm')
+        self.goal = None
+        self.create_subscription(String, 'goal', self.on_goal, 10)
+        self.create_subscription(String, 'fix', self.on_fix, 10)
+
+    def on_goal(self, message):
+        self.goal = message.data
+
+    def on_fix(self, message):
+        if self.goal is not None:
+            self.ask()
+            self.goal = None
+
+    def ask(self):
+        self.client = self.create_client(Trigger, 'next')
+        while not self.client.wait_for_service(timeout_sec=1.0):
+            self.get_logger().info('waiting')
+"""
+    )
+    [loop] = judge("TMO004", text)
+    assert loop.help.startswith("create the client in the constructor")
+
+
+def test_a_loop_over_clients_waits_for_several(judge: Judge):
+    text = (
+        IMPORTS_OF_WAITS
+        + """
+class Planner(Node):
+    def __init__(self):
+        super().__init__('planner')
+        self.inverse = self.create_client(Trigger, 'inverse')
+        self.forward = self.create_client(Trigger, 'forward')
+        self.create_subscription(String, 'goal', print, 10)
+        for client in (self.inverse, self.forward):
+            client.wait_for_service()
+"""
+    )
+    [wait] = judge("TMO001", text)
+    assert wait.message.startswith("wait_for_service() waits for 2 services, one after the other, without a timeout")
+
+
+def test_a_callback_that_spins_needs_no_more_threads(judge: Judge):
+    text = (
+        IMPORTS_OF_WAITS
+        + """
+class Adapter(Node):
+    def __init__(self):
+        super().__init__('adapter')
+        self.client = self.create_client(Trigger, 'forward')
+        self.create_service(Trigger, 'move', self.on_move)
+        self.create_timer(0.1, self.tick)
+
+    def tick(self):
+        self.get_logger().info("on")
+
+    def on_move(self, request, response):
+        if self.client.wait_for_service(timeout_sec=5.0):
+            {spin}
+        return response
+"""
+    )
+    spin = "rclpy.spin_once(self, timeout_sec=0.1)"
+    assert judge("EXE003", text.replace("{spin}", spin)) == []
+    assert len(judge("EXE003", text.replace("{spin}", "pass"))) == 1

@@ -21,6 +21,7 @@ from archlint.analysis.processes import ends_the_machine, ends_with_the_node, is
 from archlint.analysis.reach import argument, creations_of, judged_calls, one_for_each_place
 from archlint.analysis.sleeps import Stay, stay_of
 from archlint.analysis.source_code import SourceCode, source_code
+from archlint.analysis.spins import is_spin_call
 from archlint.analysis.states import leaves_its_state
 from archlint.analysis.stuck import clients_of_handlers, functions_that_ask
 from archlint.checks.callback_findings import finding_in_callback
@@ -59,6 +60,7 @@ def slow_callback(system: System, options: Options) -> Iterator[Finding]:
     asked = clients_of_handlers(system, options.distros)
     reported = functions_that_ask(system, options.distros)
     endless = {loop.loop for loop in attribute_loops(system)}
+    spinning = {id(call.context) for _, call in judged_calls(system) if is_spin_call(call)}
     functions: dict[tuple[str, str], dict[Place, _Row]] = {}
     for program, call, stay in _stays(system):
         if call.context.role == Role.SERVICE and stay.kind == "sleep":
@@ -67,6 +69,8 @@ def slow_callback(system: System, options: Options) -> Iterator[Finding]:
             continue  # a transition may take its time, and the node does nothing until it is over
         if not endless.isdisjoint(call.loops):
             continue  # EXE009 says that the loop never ends
+        if stay.kind == "discovery" and id(call.context) in spinning:
+            continue  # EXE001 says what is wrong: with more threads such a spin takes the node away from its executor
         if call.cleaning:
             continue  # something has failed, and the callback ends with it
         if not asked.isdisjoint((call.context.place, client.place) for client in creations_of(call.receiver)):

@@ -8,9 +8,11 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.asking_scripts import is_step_of_asking_script
 from archlint.analysis.callback_roles import runs_in_executor
+from archlint.analysis.client_loops import is_for_each_client
 from archlint.analysis.left_over import is_dead, is_never_made
 from archlint.analysis.limit_sites import sites_of_wait
 from archlint.analysis.reach import (
+    awaited_at,
     calls_of,
     node_name,
     one_for_each_place,
@@ -82,7 +84,10 @@ class _Cure(StringEnum):
 
 def _limitless_wait(system: System, program: Program, call: ApiCall) -> Finding:
     function = call.api.rpartition(".")[2]
+    several = call.api != WAIT_FOR_MESSAGE and len(awaited_at(system).get(call.place, ())) > 1
     awaited = "a message" if call.api == WAIT_FOR_MESSAGE else server_words(system, call.creation, kind_of(call))
+    if several:
+        awaited = f"{len(awaited_at(system)[call.place])} {kind_of(call)}s, one after the other,"
     cure = _cure(call)
     diagnostic = finding(
         "TMO001",
@@ -99,7 +104,7 @@ def _limitless_wait(system: System, program: Program, call: ApiCall) -> Finding:
         diagnostic,
         sites=None
         if runs_in_executor(call.context)
-        else sites_of_wait(system.workspace, call.place, name_of(call.creation)),
+        else sites_of_wait(system.workspace, call.place, "" if several else name_of(call.creation)),
         severity=severity,
         group=(call.file, class_around(call.function), severity.label, cure, function),
     )

@@ -14,7 +14,7 @@ from archlint.analysis.reach import (
     related_creation,
 )
 from archlint.finding import Related
-from archlint.model import EntityKind
+from archlint.model import EntityKind, Role
 from archlint.model.given import Constant
 
 if TYPE_CHECKING:
@@ -31,8 +31,18 @@ MAKE_IT_EARLIER = "create the client in the constructor, and check here without 
 
 def made_here(call: ApiCall) -> bool:
     """Whether the client is made by the same run of the callback: no server is found yet, however ready it is."""
-    creations = creations_of(call.receiver)
-    return any(creation.context is call.context for creation in creations)
+    return any(
+        creation.context is call.context or _made_in_function_of(call, creation)
+        for creation in creations_of(call.receiver)
+    )
+
+
+def _made_in_function_of(call: ApiCall, creation: Creation) -> bool:
+    """Whether the function makes the client in front of the call.  It may have been followed by itself, before what
+    leads a callback there was."""
+    context = creation.context
+    of_function = context is not None and context.role == Role.METHOD and context.name == call.function
+    return of_function and creation.place.file == call.file and creation.place.span < call.place.span
 
 
 def kind_of(call: ApiCall) -> AskedKind:
