@@ -64,10 +64,12 @@ def source(constructor: str, methods: str, main: str = ON_ONE_THREAD) -> str:
 
 
 def findings(folder: Path, text: str, distro: str | None = None) -> list[Finding]:
-    """What the rules that are on by default find in a file."""
+    """What the rules that are on by default find in a file; API002 is left out: the callbacks of tests read attributes
+    that no code of theirs assigns."""
     (folder / "robot.py").write_text(text, encoding="utf-8")
     settings = replace(load(folder), distro=distro)
-    return check(Request((".",), settings, cached=False, jobs=1)).findings
+    found = check(Request((".",), settings, cached=False, jobs=1)).findings
+    return [one for one in found if one.code != "API002"]
 
 
 def codes(found: list[Finding]) -> list[str]:

@@ -352,7 +352,7 @@ class Algorithm(Node):
 
     def ask(self):
         self.client = self.create_client(Trigger, 'next')
-        while not self.client.wait_for_service(timeout_sec=1.0):
+        while not self.client.wait_for_service(timeout_sec=1.0):  # here
             self.get_logger().info('waiting')
 """
     )
@@ -371,11 +371,11 @@ class Planner(Node):
         self.forward = self.create_client(Trigger, 'forward')
         self.create_subscription(String, 'goal', print, 10)
         for client in (self.inverse, self.forward):
-            client.wait_for_service()
+            client.wait_for_service()  # here
 """
     )
     [wait] = judge("TMO001", text)
-    assert wait.message.startswith("wait_for_service() waits for 2 services, one after the other, without a timeout")
+    assert wait.message.startswith("wait_for_service() waits for service after service without a timeout")
 
 
 def test_a_callback_that_spins_needs_no_more_threads(judge: Judge):
@@ -400,4 +400,4 @@ class Adapter(Node):
     )
     spin = "rclpy.spin_once(self, timeout_sec=0.1)"
     assert judge("EXE003", text.replace("{spin}", spin)) == []
-    assert len(judge("EXE003", text.replace("{spin}", "pass"))) == 1
+    judge("EXE003", text.replace("{spin}", "pass").replace("5.0):", "5.0):  # here"))

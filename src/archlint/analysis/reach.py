@@ -151,15 +151,6 @@ def names_at(system: System) -> dict[Place, frozenset[str | None]]:
     return {place: frozenset(texts) for place, texts in names.items()}
 
 
-@once
-def awaited_at(system: System) -> dict[Place, frozenset[str | None]]:
-    """The names of the clients whose servers a line asks for or waits for: several in a loop over clients."""
-    names: dict[Place, set[str | None]] = {}
-    for _, call in judged_calls(system):
-        names.setdefault(call.place, set()).update(client.name.text for client in creations_of(call.receiver))
-    return {place: frozenset(texts) for place, texts in names.items()}
-
-
 # ------------------------------------------------------------------------------------- related places
 
 

@@ -12,7 +12,6 @@ from archlint.analysis.client_loops import is_for_each_client
 from archlint.analysis.left_over import is_dead, is_never_made
 from archlint.analysis.limit_sites import sites_of_wait
 from archlint.analysis.reach import (
-    awaited_at,
     calls_of,
     node_name,
     one_for_each_place,
@@ -84,10 +83,10 @@ class _Cure(StringEnum):
 
 def _limitless_wait(system: System, program: Program, call: ApiCall) -> Finding:
     function = call.api.rpartition(".")[2]
-    several = call.api != WAIT_FOR_MESSAGE and len(awaited_at(system).get(call.place, ())) > 1
+    several = call.api != WAIT_FOR_MESSAGE and is_for_each_client(source_code(system), call)
     awaited = "a message" if call.api == WAIT_FOR_MESSAGE else server_words(system, call.creation, kind_of(call))
     if several:
-        awaited = f"{len(awaited_at(system)[call.place])} {kind_of(call)}s, one after the other,"
+        awaited = f"{kind_of(call)} after {kind_of(call)}"
     cure = _cure(call)
     diagnostic = finding(
         "TMO001",
