@@ -35,6 +35,7 @@ _KINDS: dict[CompletionKind, lsp.CompletionItemKind] = {
     "parameter": lsp.CompletionItemKind.Property,
     "package": lsp.CompletionItemKind.Module,
     "executable": lsp.CompletionItemKind.File,
+    "node": lsp.CompletionItemKind.Module,
 }
 TRIGGERS = ("'", '"', "/", ".")
 """What a name begins with, or a part of one."""
@@ -134,6 +135,7 @@ class Names:
             sort_text=f"{number:05}",
             filter_text=row.text,
             text_edit=lsp.TextEdit(self._range(row.replaces), row.text),
+            additional_text_edits=[lsp.TextEdit(self._range(edit.place), edit.text) for edit in row.also] or None,
         )
 
     def _edit(self, edits: Iterable[Edit]) -> lsp.WorkspaceEdit:
