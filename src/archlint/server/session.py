@@ -79,6 +79,8 @@ def place_of(path: str, folders: Sequence[str]) -> tuple[str, tuple[str, ...]]:
         root = inside or package_around(path)
     if root is None:
         return os.path.dirname(path), (path,)
+    if os.path.dirname(root) in folders and os.path.basename(root) == "src":
+        root = os.path.dirname(root)  # who opens a workspace means all of it, as who checks it there does
     asked = tuple(folder for folder in folders if is_below(folder, root) and folder != root)
     return root, asked if inside is not None and inside in asked else (root,)
 
