@@ -805,7 +805,7 @@ def test_a_misspelt_interface_keeps_its_advice(judge: Judge):
 @pytest.mark.parametrize(
     ("line", "renamed"),
     [
-        ("from mavros_msgs.msg import VFR_HUD", "VfrHud"),
+        ("from hud_msgs.msg import VFR_HUD", "VfrHud"),
         ("from my_robot_interfaces.srv import Set_led_panel", "SetLedPanel"),
         ("from some_srvs.srv import Pose_V", "PoseV"),
         ("from some_msgs.action import Drive_TO as DriveTo", "DriveTo"),
