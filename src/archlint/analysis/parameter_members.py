@@ -62,11 +62,11 @@ def wrong_members(system: System) -> Iterator[WrongMember]:
         for place, name in at:
             rows = declared.get(name, []) if isinstance(name, str) else []
             types = {None if row.dynamic else row.type for row in rows}
-            if len(types) == 1 and (type_ := types.pop()) is not None:
+            if len(types) == 1 and (kind := types.pop()) is not None:
                 for read in _member_reads(system, place):
-                    if read.attr in EMPTY and read.attr != f"{type_}_value":
+                    if read.attr in EMPTY and read.attr != f"{kind}_value":
                         whole = Place(place.file, *read.span)
-                        yield WrongMember(whole, node, str(name), read.attr, type_, rows[0].place)
+                        yield WrongMember(whole, node, str(name), read.attr, kind, rows[0].place)
 
 
 def _member_reads(system: System, place: Place) -> Iterator[facts.Attribute]:

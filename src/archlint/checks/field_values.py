@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
+from archlint.analysis.byte_fields import ByteCompared, bytes_compared
 from archlint.analysis.pinned import named_distros
 from archlint.analysis.reach import judged_notes
 from archlint.checks.folding import folds, with_others
@@ -36,6 +37,7 @@ def field_value_type(system: System, options: Options) -> Iterator[Finding]:
         consequence = _consequence(system, values[key], options.distros)
         if consequence:
             yield _finding(values[key], consequence)
+    yield from map(_compared, bytes_compared(system))
 
 
 def _consequence(system: System, value: WrongValue, distros: Sequence[str]) -> str:
@@ -61,6 +63,21 @@ def _finding(value: WrongValue, consequence: str) -> Finding:
         node=None if value.node is None else value.node.name.text,
         identity=(value.type, value.section_name, value.name, value.wanted),
         group=(value.place.file, of, value.name, value.wanted),
+    )
+
+
+def _compared(row: ByteCompared) -> Finding:
+    use = row.use
+    of = f"{use.type}.{use.section_name}" if use.section_name else use.type
+    comes = "this line raises TypeError" if row.fails else f"it never equals {row.number}"
+    return finding(
+        "MSG003",
+        row.place,
+        f"'{use.name}' of {of} is a byte, which Python has as bytes of length one: {comes}",
+        help=f"compare it with a constant of the message, or {use.name}[0] with the number",
+        node=None if use.node is None else use.node.name.text,
+        identity=(use.type, use.section_name, use.name, "compared"),
+        group=(row.place.file, of, use.name, comes.rstrip("0123456789")),
     )
 
 
