@@ -39,6 +39,17 @@ def test_a_topic_with_both_ends(lesson, capsys):
     )
 
 
+def test_a_service_lines_up(lesson, capsys):
+    lines = show(capsys, "set_motor").splitlines()[1:]
+    assert [line[:13] for line in lines] == [
+        "  served by  ",
+        "  called by  ",
+        "  named at   ",
+        "             ",
+    ]
+    assert all(line[13] != " " for line in lines)
+
+
 def test_a_service_as_data(lesson, capsys):
     shown = json.loads(show(capsys, "/set_motor", "--format", "json"))
     [service] = shown["matches"]

@@ -54,7 +54,7 @@ def _connection(answer: ConnectionSummary, paint: Paint) -> Iterator[str]:
     )
     yield from text.table(rows, paint)
     yield from (f"  {paint(f'no message arrives: {reason}', 'alarm')}" for reason in answer.undelivered)
-    yield from _places("named at", answer.mentioned, paint)
+    yield from _places("named at", answer.mentioned, paint, rows)
 
 
 def _ends(answer: ConnectionSummary) -> tuple[Sequence[Endpoint], Sequence[Endpoint]]:
@@ -74,9 +74,11 @@ def _where(place: Place) -> str:
     return f"{place.file}:{place.line}:{place.column}"
 
 
-def _places(words: str, places: Sequence[Place], paint: Paint) -> Iterator[str]:
+def _places(words: str, places: Sequence[Place], paint: Paint, rows: Sequence[Sequence[Cell]]) -> Iterator[str]:
+    """One to a line, below the second column of the rows above."""
+    width = max(len(row[0][0]) for row in rows)
     for number, place in enumerate(places):
-        yield f"  {words if number == 0 else '':<13}  {paint(_where(place), 'quiet')}"
+        yield f"  {words if number == 0 else '':<{width}}  {paint(_where(place), 'quiet')}"
 
 
 def _parameter(answer: ParameterSummary, paint: Paint) -> Iterator[str]:
@@ -94,8 +96,8 @@ def _parameter(answer: ParameterSummary, paint: Paint) -> Iterator[str]:
     if not answer.declarations:
         rows.append([("declared", "plain"), ("nowhere in this workspace", "quiet"), ("", "plain")])
     yield from text.table(rows, paint)
-    yield from _places("set at", answer.set_at, paint)
-    yield from _places("read at", answer.read_at, paint)
+    yield from _places("set at", answer.set_at, paint, rows)
+    yield from _places("read at", answer.read_at, paint, rows)
 
 
 def render_json(name: str, answers: Sequence[Summary]) -> str:
