@@ -98,3 +98,13 @@ def test_what_a_parameter_file_holds_for_other_launch_files_is_not_judged(folder
     shown = capsys.readouterr().out
     assert "PRM004" in shown
     assert "PRM005" in shown
+
+
+def test_a_launch_file_of_another_package_that_starts_nothing_of_this_one_is_told(folder, capsys):
+    write_files(folder, {"src/arm/package.xml": manifest("arm"), "src/arm/arm/talker.py": TALKER})
+    (folder / ".git").mkdir()
+    main(["check", "--no-cache", "src/arm", "--launch", FILE])
+    assert f"{FILE} starts no node of src/arm, so little is checked there" in capsys.readouterr().err
+    for path in ("src/robot", ".", FILE, "src/robot/robot/talker.py"):
+        main(["check", "--no-cache", path, "--launch", FILE])
+        assert "starts no node" not in capsys.readouterr().err

@@ -20,7 +20,7 @@ from archlint.engine.judging import judge_alternatives
 from archlint.engine.known import Sieve
 from archlint.engine.launched_code import launched_files
 from archlint.engine.loading import as_asked_for, systems_of
-from archlint.engine.looked_at import followed_in_part, for_ros1, without_start
+from archlint.engine.looked_at import followed_in_part, for_ros1, started_elsewhere, without_start
 from archlint.engine.merging import folded, merged, once_for_copies
 from archlint.engine.request import NothingToDo, Request
 from archlint.engine.stale_entries import Judgement, stale_entry
@@ -153,6 +153,7 @@ def _judged(
     notices = [*_passed_over(inputs, facts, launch_files)]
     if request.launch is not None:
         notices.extend(argument_notices(systems[0]))
+        notices.extend(started_elsewhere(request, systems[0], workspace))
     notices.extend(comparison_notices(systems[0].compared))
     notices.extend(without_start(systems, {file.relative for file in workspace.files if file.context}))
     notices.extend(followed_in_part(index.cut_short()))

@@ -11,6 +11,7 @@ from archlint.workspace.around import is_below
 
 if TYPE_CHECKING:
     from archlint.config.settings import Settings
+    from archlint.engine.request import Request
     from archlint.globs import Glob
     from archlint.report.model import Summary
     from archlint.systems.model import System
@@ -68,6 +69,18 @@ def without_start(systems: Iterable[System], context: Set[str]) -> Iterator[str]
         for gap in [gap for gap in launched.gaps if not gap.dormant][:1]:
             place = f"{gap.place.file}:{gap.place.line}"
             yield f"{place}: what this launch file starts is not known, so it is not checked: {gap.reason}"
+
+
+def started_elsewhere(request: Request, system: System, workspace: Workspace) -> Iterator[str]:
+    """A sentence where the launch file of ``--launch`` is another package's, and starts nothing of what was asked
+    for."""
+    asked = {file.relative: file.package for file in workspace.files if not file.context}
+    if request.launch is None or request.launch in asked or not system.nodes:
+        return
+    packages = {package for package in asked.values() if package is not None}
+    files = {blueprint.place.file for node in system.nodes for blueprint in node.blueprints}
+    if files.isdisjoint(asked) and packages.isdisjoint(node.package for node in system.nodes):
+        yield f"{request.launch} starts no node of {', '.join(request.paths)}, so little is checked there"
 
 
 _NAMED = 10
