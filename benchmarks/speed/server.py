@@ -110,18 +110,18 @@ class _Client:
             self._versions[uri] = 0
             item = lsp.TextDocumentItem(uri, "python", 0, file.read_text())
             self._client.text_document_did_open(lsp.DidOpenTextDocumentParams(item))
-            await self._until(uri, 0)
-            await asyncio.sleep(1)  # whatever else the server does after an analysis
+            await self._until(lambda: uri in self._shown)
+            await asyncio.sleep(2)  # whatever else the server does after an analysis
         self._versions[uri] += 1
         version, began, used = self._versions[uri], time.perf_counter(), self._processor_time()
         document = lsp.VersionedTextDocumentIdentifier(version=version, uri=uri)
         change = lsp.TextDocumentContentChangeWholeDocument(text)
         self._client.text_document_did_change(lsp.DidChangeTextDocumentParams(document, [change]))
-        await self._until(uri, version)
+        await self._until(lambda: self._shown.get(uri) == version)
         return time.perf_counter() - began, self._processor_time() - used
 
-    async def _until(self, uri: str, version: int) -> None:
-        while self._shown.get(uri) != version:
+    async def _until(self, holds: Callable[[], bool]) -> None:
+        while not holds():
             self._heard.clear()
             await asyncio.wait_for(self._heard.wait(), _PATIENCE)
 

@@ -126,6 +126,17 @@ def test_what_does_not_compile_stands_for_what_it_said_before(live: Live) -> Non
     assert lines(findings, "NME001") == [("listener.py", 10)]  # where its line is now
 
 
+def test_nothing_is_judged_again_while_code_does_not_compile(live: Live, monkeypatch: pytest.MonkeyPatch) -> None:
+    text = LISTENER.replace("'chatter'", "'/chatter'")
+    live.hold(live.robot.listener, text).analyse()
+    monkeypatch.setattr("archlint.live.workspace.judged_in_parts", None)
+
+    findings = [*live.hold(live.robot.listener, f"{text}\ndef (\n").analyse().findings]
+
+    assert lines(findings, "NME001") == [("listener.py", 9)]
+    assert lines(findings, "LNT002") == [("listener.py", 19)]
+
+
 def test_a_broken_launch_file_stands_for_what_it_said_before(live: Live) -> None:
     launch = live.robot.folder / "src/robot/launch/talker.launch.xml"
     text = launch.read_text("utf-8")

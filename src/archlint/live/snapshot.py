@@ -38,6 +38,8 @@ class Snapshot:
     systems: Sequence[Sequence[System]] = ()
     """For each of the workspaces side by side the open system, then one for each launch file."""
     findings: Sequence[Finding] = ()
+    judged: Sequence[Finding] = ()
+    """The findings at their lines in the texts that were analysed; without those about files that do not compile."""
     shifts: Mapping[str, Shifts] = field(default_factory=dict)
     """Where the lines of files that do not compile now are, by absolute path, beside the text that was analysed."""
     notices: Sequence[str] = ()

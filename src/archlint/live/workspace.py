@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -34,6 +34,7 @@ from archlint.workspace.model import LAUNCH_TEXT_KINDS, PYTHON_KINDS, SourceFile
 if TYPE_CHECKING:
     from archlint.config.settings import Settings
     from archlint.engine.known import Baseline
+    from archlint.finding import Finding
     from archlint.live.buffers import Buffers
     from archlint.live.facts import Decoded
     from archlint.systems.model import System
@@ -82,6 +83,9 @@ class LiveWorkspace:
         """
         asked = replace(asked, settings=seen_from(self.root, asked.settings))
         self._open_store(asked.settings)
+        known = self._known(asked, buffers)
+        if known is not None:
+            return known
         memory = Memory()
         snapshot = call_with_deep_stack(lambda: self._analyse(asked, buffers, monitor or Monitor(), memory))
         self._last = _Last(asked, memory, snapshot)
@@ -96,20 +100,38 @@ class LiveWorkspace:
             return None
         return call_with_deep_stack(lambda: self._analyse(asked, buffers, monitor or Monitor(), memory))
 
+    def _known(self, asked: Asked, buffers: Buffers) -> Snapshot | None:
+        """The last analysis, where all that can be compiled says what it said then; None where something does not."""
+        last = self._last
+        if last is None or self._found is None or last.asked != asked:
+            return None
+        own = self._own(buffers)
+        readable = self._readable.of(own)
+        same = not self._edited(last, readable)
+        return self._finished(replace(last.snapshot, buffers=own), readable) if same else None
+
     def _memory_for(self, asked: Asked, buffers: Buffers) -> Memory | None:
         last = self._last
         if last is None or self._found is None or last.asked != asked or len(last.snapshot.systems) != 1:
             return None
-        held, tree = self._readable.of(self._own(buffers)).held, last.snapshot.tree
-        now = LiveTree(tree.base, Path(last.snapshot.workspace.root), held, self._disk)
-        touched = {os.path.relpath(path, self.root).replace(os.sep, "/") for path in (*tree.held, *held)}
-        texts = {file: (tree.content(file), now.content(file)) for file in sorted(touched)}
-        edited = {file: contents for file, contents in texts.items() if contents[0] != contents[1]}
+        shifts = self._edited(last, self._readable.of(self._own(buffers)))
         code = {file.relative for file in last.snapshot.workspace.of_kind(*_CODE)}
-        if not edited or not code.issuperset(edited):
+        if not shifts or not code.issuperset(shifts):
             return None
-        shifts = {file: Shifts(_text(before), _text(after)) for file, (before, after) in edited.items()}
         return Memory(last.memory, frozenset(shifts), lambda findings: shown_now(findings, shifts))
+
+    def _edited(self, last: _Last, readable: Readable) -> dict[str, Shifts]:
+        """Where the lines of the files are, by their shown paths, whose texts are not those of the last analysis."""
+        tree = last.snapshot.tree
+        now = LiveTree(tree.base, Path(last.snapshot.workspace.root), readable.held, self._disk)
+        texts = {
+            file: (tree.content(file), now.content(file))
+            for file in sorted({self._shown(path) for path in (*tree.held, *readable.held)})
+        }
+        return {file: Shifts(_text(old), _text(new)) for file, (old, new) in texts.items() if old != new}
+
+    def _shown(self, path: str) -> str:
+        return os.path.relpath(path, self.root).replace(os.sep, "/")
 
     def look_again(self) -> None:
         """Files may have come or gone, or changed on the disk: have the next analysis look at all of them."""
@@ -140,23 +162,30 @@ class LiveWorkspace:
         inputs = Inputs(request, workspace, tree, self._store, memory)
         facts = LiveFacts(self._store, readable.held, self._decoded, monitor)
         systems: list[list[System]] = []
-        shifts = {os.path.relpath(path, self.root).replace(os.sep, "/"): row for path, row in readable.shifts.items()}
-        wanted = Filters(asked.settings, workspace)
-        broken = [kept for finding in readable.findings(self.root) if (kept := wanted.apply(finding)) is not None]
+        findings: Sequence[Finding] = ()
         try:
             _refuse_no_input(workspace)
             facts.prepare(workspace.of_kind(*PYTHON_KINDS), _catkin(workspace))
             refuse_nothing(request, workspace, facts)
             judged = judged_in_parts(inputs, facts, loaded=systems)
         except NothingToDo as error:
-            findings, notices = broken, [str(error)]
+            notices = [str(error)]
         else:
-            findings, notices = [*shown_now(judged.findings, shifts), *broken], judged.notices
+            findings, notices = judged.findings, judged.notices
         self._decoded = facts.used
-        ordered = sorted(findings, key=lambda finding: finding.sort_key)
-        return Snapshot(
-            self.root, asked.settings, own, workspace, tree, systems, ordered, readable.shifts, tuple(notices)
+        snapshot = Snapshot(
+            self.root, asked.settings, own, workspace, tree, systems, judged=findings, notices=tuple(notices)
         )
+        return self._finished(snapshot, readable)
+
+    def _finished(self, snapshot: Snapshot, readable: Readable) -> Snapshot:
+        """With what is wrong with files that do not compile, and all findings where their lines are now."""
+        shifts = {self._shown(path): shift for path, shift in readable.shifts.items()}
+        wanted = Filters(snapshot.settings, snapshot.workspace)
+        broken = [kept for finding in readable.findings(self.root) if (kept := wanted.apply(finding)) is not None]
+        findings = [*shown_now(snapshot.judged, shifts), *broken]
+        ordered = sorted(findings, key=lambda finding: finding.sort_key)
+        return replace(snapshot, findings=ordered, shifts=readable.shifts)
 
     def _files(self, asked: Asked, readable: Readable) -> Workspace:
         if self._found is None or self._found[0] != asked:
