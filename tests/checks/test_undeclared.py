@@ -75,6 +75,20 @@ def test_what_a_declared_package_brings_along_is_there(lint: Lint, declared: str
     assert lint({"package.xml": manifest("talk", *depends("rclpy", declared)), "talk/node.py": node(*lines)}) == []
 
 
+@pytest.mark.parametrize(
+    ("line", "needed"),
+    [
+        ("from nav2_common.launch import RewrittenYaml", "nav2_common"),
+        ("from moveit_configs_utils import MoveItConfigsBuilder", "moveit_configs_utils"),
+        ("import rqt_gui.main", "rqt_gui"),
+        ("from python_qt_binding.QtWidgets import QWidget", "python_qt_binding"),
+    ],
+)
+def test_modules_of_ros_packages(lint: Lint, line: str, needed: str):
+    files = {"package.xml": manifest("robot", *depends("rclpy")), "robot/talk.py": node(line)}
+    assert missing(lint(files)) == [needed]
+
+
 def test_what_a_declared_package_does_not_bring_is_missing(lint: Lint):
     files = {"package.xml": manifest("talk", *depends("rclpy", "std_srvs")), "talk/node.py": node(POSE)}
     assert missing(lint(files)) == ["geometry_msgs"]
