@@ -82,3 +82,7 @@ def test_a_spin_that_may_miss_the_timer(judge: Judge, spin: str, more: str):
 )
 def test_a_rate_that_is_woken_or_may_be(judge: Judge, spin: str, first: str):
     judge("EXE009", program(spin, first=first))
+
+
+def test_a_node_that_hangs_there_is_not_told_twice(judge: Judge):
+    judge("EXE008", program(more=LISTENS))

@@ -87,7 +87,7 @@ def test_a_folder_that_cmake_copies_is_imported_by_either_name(tmp_path, monkeyp
     write(tmp_path, COPIES + STARTS, imports, sender)
     assert topics(cached=False) == ["setpoint", "start"]
     found = check(Request((".",), Settings(), cached=False, jobs=1)).findings
-    assert [finding.code for finding in found] == ["EXE008"]  # what the node is passed to does not spin it
+    assert [finding.code for finding in found] == ["EXE009"]  # what the node is passed to does not spin it
 
 
 def test_the_installed_name_means_nothing_where_the_folder_is_not_copied(tmp_path, monkeypatch):

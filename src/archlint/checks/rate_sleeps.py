@@ -29,17 +29,29 @@ _TAKE_IN = frozenset({EntityKind.SUBSCRIBER, EntityKind.SERVICE, EntityKind.ACTI
 
 def endless_sleeps(system: System) -> Iterator[Finding]:
     """Sleeps of rates that nothing ends, since nobody spins the node while they sleep."""
-    for program, call in calls_of(system, (RATE_SLEEP,)):
-        if call.creation is None or not call.enclosing_loops or not _is_alone(program, call):
-            continue
-        spins = [other for other in program.calls if is_spin_call(other) and _in_one_loop(other, call)]
+    for call, spins in _endless(system):
         if not spins:
             yield _finding(
                 system, call, "nothing spins the node while this thread sleeps, so its timer never wakes it", []
             )
-        elif all(_misses_the_timer(spin, call) for spin in spins):
+        else:
             why = "the timer that wakes it runs in spin_once() only, which takes one callback at a time"
             yield _finding(system, call, why, spins)
+
+
+def asleep(system: System) -> frozenset[int]:
+    """The identities of the nodes that such a sleep keeps from ever being spun."""
+    return frozenset(id(call.creation.node) for call, spins in _endless(system) if call.creation and not spins)
+
+
+def _endless(system: System) -> Iterator[tuple[ApiCall, Sequence[ApiCall]]]:
+    """Each such sleep, and the spins in its loop that miss the rate's timer."""
+    for program, call in calls_of(system, (RATE_SLEEP,)):
+        if call.creation is None or not call.enclosing_loops or not _is_alone(program, call):
+            continue
+        spins = [other for other in program.calls if is_spin_call(other) and _in_one_loop(other, call)]
+        if all(_misses_the_timer(spin, call) for spin in spins):
+            yield call, spins
 
 
 def _is_alone(program: Program, call: ApiCall) -> bool:
@@ -77,4 +89,4 @@ def _finding(system: System, call: ApiCall, why: str, spins: Sequence[ApiCall]) 
     )
 
 
-__all__ = ["endless_sleeps"]
+__all__ = ["asleep", "endless_sleeps"]

@@ -12,6 +12,7 @@ from archlint.analysis.idle_nodes import SERVED, Idle, _all_is_seen, idle_of, st
 from archlint.analysis.object_uses import read_off
 from archlint.analysis.reach import node_name, one_for_each_place
 from archlint.analysis.source_code import source_code
+from archlint.checks.rate_sleeps import asleep
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
@@ -27,10 +28,12 @@ def node_never_spun(system: System, options: Options) -> Iterator[Finding]:
     """Nodes that wait for work which no executor ever gives them."""
     judged = [(program, node, _idle(system, program, node)) for program, node in started_nodes(system)]
     spun = {node.made_at or node.place for _, node, idle in judged if idle is None}
+    sleeping = asleep(system)  # EXE009 says where these hang
     yield from one_for_each_place(
         _never_spun(system, node, idle)
         for program, node, idle in judged
         if idle is not None
+        and id(node) not in sleeping
         and (node.made_at or node.place) not in spun
         and _all_is_seen(program, node)
         and not _never_gets_there(system, program, (node.made_at or node.place).file)
