@@ -64,7 +64,8 @@ def links(system: System, *groups: Globs) -> Iterator[Link]:
 
 def _may_coexist(end: Endpoint, other: Endpoint) -> bool:
     return (
-        not exclusive(end.node.alternatives, other.node.alternatives)
+        end.node.domain == other.node.domain
+        and not exclusive(end.node.alternatives, other.node.alternatives)
         and not exclusive(end.creation.branch_arms, other.creation.branch_arms)
         and end.node.name != other.node.name
     )

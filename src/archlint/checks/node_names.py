@@ -59,7 +59,7 @@ def _twins(system: System) -> Iterator[Twins]:
 
 def _coexist(system: System, node: Node, other: Node) -> bool:
     """Whether two nodes certainly run at the same time."""
-    if not runs_along(node.alternatives, other.alternatives):
+    if node.domain != other.domain or not runs_along(node.alternatives, other.alternatives):
         return False
     if any(_is_tool(each) or is_brief(system, each) for each in (node, other)):
         return False

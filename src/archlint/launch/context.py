@@ -70,6 +70,11 @@ class Context:
             if now is not then:
                 missing = Unknown(f"the launch configuration '{name}' is set in {why}")
                 self.configurations[name] = one_of((then or missing, now or missing))
+        for name in sorted({*self.environment, *before.environment}):
+            now, then = self.environment.get(name), before.environment.get(name)
+            if now is not then:
+                missing = Unknown(f"the environment variable {name} is set in {why}")
+                self.environment[name] = one_of((then or missing, now or missing))
         if self.namespace is not before.namespace:
             self.namespace = one_of((before.namespace or Known("/"), self.namespace or Known("/")))
 

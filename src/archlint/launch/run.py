@@ -108,6 +108,8 @@ class LaunchRun(Run):
         self.around_groups: Context | None = None
         """The context around the outermost group that is visited now."""
         self.without_namespace = False
+        self.unknown_domains: list[Value] = []
+        """What ``ROS_DOMAIN_ID`` was set to where that is not known."""
         """Whether what is visited now starts when the groups around it, and the namespace that they push, have gone."""
         self.asked_files: set[str] = set()
         """The paths of which the code asks whether a file exists."""

@@ -53,6 +53,9 @@ class Started:
     """The includes that lead to the file it is in, outermost first."""
     without_namespace: bool = False
     """Whether a timer or an event starts it, when the group around it has ended, and with it the group's namespace."""
+    domain: str | None = None
+    """The ``ROS_DOMAIN_ID`` that the launch file starts it with, ``?`` and a number for one that is not known; None
+    where it sets none."""
     visited: tuple[tuple[int, int], ...] = ()
     """The actions that lead to it, itself included, each with the number of its visit."""
 
@@ -141,6 +144,7 @@ _ALIKE = (
     "ros_arguments",
     "container",
     "includes",
+    "domain",
 )
 
 

@@ -144,10 +144,10 @@ class System:
     def may_coexist(self, node: Node, other: Node) -> bool:
         """Whether two nodes can run in one system: a launch file starts both, or they are of one package,
         or one package depends on the other.  Test code never runs together with anything else; opposite
-        branches exclude each other."""
+        branches exclude each other, and nodes of different DDS domains do not see each other."""
         if node.test or other.test:
             return False
-        if exclusive(node.alternatives, other.alternatives):
+        if node.domain != other.domain or exclusive(node.alternatives, other.alternatives):
             return False
         if self.name is None and self.in_same_launch(node, other):
             return False  # the launch file's own system judges them, under their final names

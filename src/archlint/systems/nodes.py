@@ -150,6 +150,11 @@ class Node:
         """False for what only stands for a node that is not known: a helper to which nothing here passes one."""
         return self.blueprint is None or not all(blueprint.caller_unknown for blueprint in self.blueprints)
 
+    @property
+    def domain(self) -> str | None:
+        """The DDS domain that a launch file puts it in; None where it sets none."""
+        return None if self.started is None else self.started.domain
+
     def of_kind(self, *kinds: EntityKind) -> Iterator[Endpoint]:
         return (endpoint for endpoint in self.endpoints if endpoint.kind in kinds)
 

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from archlint.finding import Place
 from archlint.interpreter.values import Items, Known, Value, alternatives
 from archlint.launch.actions.branches import callable_value, each_alternative, visit_items
+from archlint.launch.actions.domains import environment_of
 from archlint.launch.actions.pairs import pairs_of
 from archlint.launch.actions.scopes import later
 from archlint.launch.context import Context
@@ -93,11 +94,13 @@ def _is_configuration(run: LaunchRun, value: Value, name: str) -> bool:
     return kind_of(value) == LaunchClass.LAUNCH_CONFIGURATION and run.text_of(argument(value, "variable_name")) == name
 
 
-def launch_in_own_process(run: LaunchRun, package: str, name: str, words: Sequence[str | None]) -> None:
+def launch_in_own_process(
+    run: LaunchRun, entity: LaunchObject, what: tuple[str, str], words: Sequence[str | None]
+) -> None:
     """``ros2 launch package file argument:=value …``: a launch with a context of its own."""
-    reference = run.reference(FileKind.LAUNCH, run.paths.launch_file_named(package, name), run.place_now)
+    reference = run.reference(FileKind.LAUNCH, run.paths.launch_file_named(*what), run.place_now)
     run.result.included.append(Included(reference, (), run.place_now, run.file, run.is_dormant, own_process=True))
-    kept, run.launch = run.launch, Context()
+    kept, run.launch = run.launch, Context(environment=environment_of(run, entity))
     for word in words:
         argument_name, assigned, value = (word or "").partition(":=")
         if assigned:

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from archlint.finding import Place
 from archlint.interpreter.values import Holed, Instance, Known, ListValue, Unknown, Value, alternatives, reason
 from archlint.launch.actions.branches import arms_of, each_alternative, verdict_on
+from archlint.launch.actions.domains import domain_of
 from archlint.launch.actions.included import launch_in_own_process
 from archlint.launch.actions.pairs import pairs_of
 from archlint.launch.actions.scopes import remap
@@ -36,7 +37,7 @@ def node(run: LaunchRun, entity: LaunchObject) -> None:
     started.lifecycle = entity.kind == LaunchClass.LIFECYCLE_NODE
     run.start(started)
     if is_container:
-        _components(run, entity, started.name)
+        _components(run, entity, started)
 
 
 def _text_of(run: LaunchRun, value: Value, missing: str) -> Text:
@@ -76,6 +77,7 @@ def _started(run: LaunchRun, entity: LaunchObject, kind: StartedKind) -> Started
         dormant=run.is_dormant,
         places=entity.places,
         without_namespace=run.without_namespace,
+        domain=domain_of(run, entity),
     )
     started.remaps = [*(run.launch.remaps or ()), *_remaps(run, entity.argument("remappings"))]
     words, all_known = _texts(run, entity.argument("arguments"))
@@ -175,7 +177,7 @@ def _check_keywords(run: LaunchRun, entity: LaunchObject) -> None:
             run.note_unknown_attribute(UnknownAttribute(entity.kind, name, tuple(known), places[name]))
 
 
-def _components(run: LaunchRun, entity: LaunchObject, container: Text | None) -> None:
+def _components(run: LaunchRun, entity: LaunchObject, container: Started | Text | None) -> None:
     value = entity.argument("composable_node_descriptions")
     for item in run.items(value):
         for option in each_alternative(run, item):
@@ -189,14 +191,24 @@ def _components(run: LaunchRun, entity: LaunchObject, container: Text | None) ->
             run.gap("a list of components that is only partly known")
 
 
-def _component(run: LaunchRun, entity: LaunchObject, container: Text | None) -> None:
+def _component(run: LaunchRun, entity: LaunchObject, container: Started | Text | None) -> None:
     verdict, own = verdict_on(run, entity), arms_of(run, entity) - run.code_arms
     kept, run.place_now = run.place_now, entity.place or run.place_now
     with run.under(own, verdict, run.place_now):
         started = _started(run, entity, StartedKind.COMPONENT)
-        started.container = container
+        match container:
+            case Started():
+                started.container, started.domain = container.name, container.domain
+            case _:
+                started.container, started.domain = container, _domain_of_container(run, container)
         run.start(started)
     run.place_now = kept
+
+
+def _domain_of_container(run: LaunchRun, name: Text | None) -> str | None:
+    """The domain of a container that is started elsewhere: its components are in that of its process."""
+    containers = (other for other in run.result.started if other.kind == StartedKind.CONTAINER)
+    return next((other.domain for other in containers if other.name == name), None)
 
 
 def load(run: LaunchRun, entity: LaunchObject) -> None:
@@ -230,10 +242,11 @@ def process(run: LaunchRun, entity: LaunchObject) -> None:
             arguments=words[4:],
             knows_all_arguments=all_known,
             bare=True,
+            domain=domain_of(run, entity),
         )
         started.parameters = _parameter_files(run, words[4:], run.place_now)
     elif words[:2] == ["ros2", "launch"] and len(words) > 3 and words[2] and words[3]:
-        launch_in_own_process(run, words[2], words[3], words[4:])
+        launch_in_own_process(run, entity, (words[2], words[3]), words[4:])
         return
     else:
         name = Text(words[0], "exact") if words and words[0] else Text(None, "unknown", reason="a command")

@@ -57,7 +57,7 @@ def later(run: LaunchRun) -> Iterator[None]:
     nodes in them is gone.
 
     Source: launch, where a scoped ``GroupAction`` is followed by ``PopLaunchConfigurations``; namespaces, remappings
-    and parameters for all nodes are kept among these.
+    and parameters for all nodes are kept among these.  ``PopEnvironment`` does the same for the environment.
     """
     run.later += 1
     try:
@@ -74,17 +74,18 @@ def _without_groups(run: LaunchRun) -> Iterator[None]:
         yield
         return
     now = run.launch
-    before = now.namespace, now.remaps, now.parameters
+    before = now.namespace, now.remaps, now.parameters, now.environment
     without = run.without_namespace
     run.without_namespace = without or now.namespace != around.namespace
     now.namespace, now.remaps, now.parameters = around.namespace, around.remaps, around.parameters
+    now.environment = dict(around.environment)
     run.around_groups = None
     try:
         yield
     finally:
         run.around_groups = around
         run.without_namespace = without
-        now.namespace, now.remaps, now.parameters = before
+        now.namespace, now.remaps, now.parameters, now.environment = before
 
 
 def timer(run: LaunchRun, entity: LaunchObject) -> None:
@@ -159,6 +160,12 @@ def environment(run: LaunchRun, entity: LaunchObject) -> None:
     name = run.text_of(entity.argument("name"))
     if name is not None:
         run.launch.environment[name] = run.perform(entity.argument("value"))
+
+
+def forget_environment(run: LaunchRun, entity: LaunchObject) -> None:
+    name = run.text_of(entity.argument("name"))
+    if name is not None:
+        run.launch.environment.pop(name, None)
 
 
 def push_namespace(run: LaunchRun, entity: LaunchObject) -> None:

@@ -78,6 +78,7 @@ def _node(frontend: Frontend, element: Element, kind: LaunchClass = LaunchClass.
     for name, parameter in (("args", "arguments"), ("ros_args", "ros_arguments")):
         _command_line(frontend, element, name, parameter, given, places)
     _described(frontend, element, given)
+    _environment(frontend, element, given)
     return frontend.make(kind, frontend.place(element.span), given, places)
 
 
@@ -117,6 +118,12 @@ def _described(frontend: Frontend, element: Element, given: dict[str, Value]) ->
         given["parameters"] = frontend.list([value for value in parameters if value is not None])
     if remaps:
         given["remappings"] = frontend.list(remaps)
+
+
+def _environment(frontend: Frontend, element: Element, given: dict[str, Value]) -> None:
+    pairs = [_pair(frontend, child, "name", "value") for child in element.of("env")]
+    if pairs:
+        given["additional_env"] = frontend.dict_of(pairs)
 
 
 def _pair(frontend: Frontend, element: Element, first: str, second: str) -> Value:
@@ -189,6 +196,7 @@ def _argument(frontend: Frontend, element: Element) -> LaunchObject:
 def _executable(frontend: Frontend, element: Element) -> LaunchObject:
     given, places = frontend.arguments(element, {"name": "name"})
     _command_line(frontend, element, "cmd", "cmd", given, places)
+    _environment(frontend, element, given)
     return frontend.make(LaunchClass.EXECUTE_PROCESS, frontend.place(element.span), given, places)
 
 
