@@ -205,3 +205,44 @@ def test_calls_of_a_file_that_are_wrong_in_the_same_way_are_one_finding(judge: J
     )
     assert finding.help == "write create_publisher(msg_type, topic, qos_profile)"
     assert [related.place.line for related in finding.related] == [16]
+
+
+MIXED = """
+    import rclpy
+    from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
+    from rclpy.lifecycle import LifecycleNodeMixin
+    from rclpy.node import Node
+
+
+    class Drone({bases}):
+        def __init__(self):
+            {first}
+            {second}
+
+
+    def main():
+        rclpy.init()
+        rclpy.spin(Drone())
+"""
+
+
+@pytest.mark.parametrize(
+    ("bases", "first", "second"),
+    [
+        (
+            "Node, LifecycleNodeMixin",
+            "Node.__init__(self, 'drone')",
+            "LifecycleNodeMixin.__init__(self, callback_group=MutuallyExclusiveCallbackGroup())",
+        ),
+        ("Node, LifecycleNodeMixin", "super().__init__('drone')", "LifecycleNodeMixin.__init__(self)"),
+        (
+            "Node, LifecycleNodeMixin",
+            "Node.__init__(self, 'drone')",
+            "LifecycleNodeMixin.__init__(self, 'drone')  # here",
+        ),
+        # Python asks the first base, which takes no name; tried with the rclpy of Jazzy.
+        ("LifecycleNodeMixin, Node", "super().__init__('drone')  # here", "pass"),
+    ],
+)
+def test_the_mixin_of_lifecycle_nodes_takes_no_name(judge: Judge, bases: str, first: str, second: str):
+    judge("API001", MIXED.format(bases=bases, first=first, second=second))

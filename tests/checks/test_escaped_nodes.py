@@ -246,3 +246,47 @@ def test_code_behind_an_attribute_that_a_method_changes_is_live(judge: Judge, ch
 
 def test_code_behind_an_attribute_that_never_changes_is_dead(judge: Judge):
     judge("EXE006", IDLE.format(change="self.open = False").replace("  # here", ""))
+
+
+NAVIGATOR = """
+    import time
+    import rclpy
+    {imports}
+    from nav_msgs.msg import OccupancyGrid
+
+
+    class Navigator({base}):
+        def __init__(self):
+            super().__init__('navigator')
+            self.create_subscription(OccupancyGrid, 'costmap', self.keep, 10)
+
+        def keep(self, grid):
+            self.grid = grid
+
+
+    def main():
+        rclpy.init()
+        navigator = Navigator(){mark}
+        {then}
+
+
+    if __name__ == '__main__':
+        main()
+"""
+COMMANDER = "from nav2_simple_commander.robot_navigator import BasicNavigator"
+RCLPY = "from rclpy.node import Node"
+
+
+@pytest.mark.parametrize(
+    ("imports", "base", "then", "mark"),
+    [
+        (COMMANDER, "BasicNavigator", "navigator.waitUntilNav2Active()", ""),
+        (COMMANDER, "BasicNavigator", "time.sleep(60)", "  # here"),  # its constructor does not spin
+        (COMMANDER, "BasicNavigator", "navigator.get_logger().info('ready')", "  # here"),
+        ("from robot_base import RobotNode", "RobotNode", "time.sleep(60)", ""),  # the constructor may start a thread
+        (RCLPY, "Node", "time.sleep(60)", "  # here"),
+        (RCLPY + "\n    from threading import Thread", "Node, Thread", "time.sleep(60)", "  # here"),
+    ],
+)
+def test_methods_of_a_base_elsewhere_may_spin_a_node(judge: Judge, imports: str, base: str, then: str, mark: str):
+    judge("EXE008", NAVIGATOR.format(imports=imports, base=base, then=then, mark=mark))

@@ -53,7 +53,7 @@ def _all_is_seen(program: Program, node: Blueprint) -> bool:
         use.kind == ExecutorKind.UNKNOWN or use.astray or (use.spun and not use.nodes and use.place is None)
         for use in program.executors
     )
-    return not (program.exhausted or unknown or node.escapes) and node.complete
+    return not (program.exhausted or unknown or node.escapes or node.runs_elsewhere) and node.complete
 
 
 def idle_of(system: System, program: Program, node: Blueprint) -> Idle | None:

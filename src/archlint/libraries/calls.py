@@ -81,6 +81,7 @@ def call_method(run: Run, offers: Offers, function: ApiMethod, site: CallSite) -
     if method is not None:
         return method(run, receiver, site)
     absent_names.note_method(run, path, receiver, site)
+    made_nodes.note_foreign_method(run, receiver, path)
     if not escapes.is_own(path) or names.is_missing_method(path):
         escapes.to_call(run, site.values, path.removeprefix("?."), site.expression)
     return Unknown(f"{path.removeprefix('?.')}() is outside of this workspace")

@@ -73,7 +73,12 @@ def _is_known(api: Api, receiver: Value | None) -> bool:
 def _early(run: Run, api: Api, receiver: Value | None, place: Place) -> model.RefusedCall | None:
     """A method of a node that a constructor of its class calls before ``Node.__init__``, or without it."""
     cls = None if receiver is None else receiver.own_class
-    if cls is None or not isinstance(receiver, Instance) or api.effect in ("node_init", "destroy_node"):
+    if (
+        cls is None
+        or not isinstance(receiver, Instance)
+        or api.effect == "destroy_node"
+        or api.path.endswith(".__init__")
+    ):
         return None
     if not node_classes.is_node(cls):
         return None  # it may be mixed into a node, whose constructor has run by then

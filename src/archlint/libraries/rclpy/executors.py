@@ -87,7 +87,9 @@ def settle(program: model.Program) -> None:
             for use in program.executors_of(node)
         }
         if not kinds:
-            node.executor = model.ExecutorKind.UNKNOWN if astray or node.escapes else model.ExecutorKind.NONE
+            node.executor = (
+                model.ExecutorKind.UNKNOWN if astray or node.escapes or node.runs_elsewhere else model.ExecutorKind.NONE
+            )
         elif len(kinds) == 1:
             node.executor = kinds.pop()
         else:

@@ -13,7 +13,7 @@ from archlint.interpreter.values import (
     ListValue,
     Value,
 )
-from archlint.libraries.rclpy import refusals, short_lived
+from archlint.libraries.rclpy import names, node_classes, refusals, short_lived
 from archlint.libraries.rclpy.blueprints import ROOT, new_blueprint
 from archlint.libraries.rclpy.fields import OVERRIDES
 from archlint.libraries.rclpy.nodes import blueprint_of_instance, known_node
@@ -94,6 +94,15 @@ def name_by_foreign_base(run: Run, receiver: Instance, path: str) -> None:
         owner = path.removesuffix(".__init__")
         blueprint.constructed = True
         blueprint.name = model.Text(None, "unknown", reason=f"{owner}, outside of this workspace, names the node")
+
+
+def note_foreign_method(run: Run, receiver: Value | None, path: str) -> None:
+    """A method of a base class that is neither here nor rclpy's nor Python's own runs on a node, which it may spin:
+    ``isTaskComplete()`` of BasicNavigator does."""
+    node = known_node(run, receiver)
+    owner, _, name = path.rpartition(".")
+    if node is not None and not names.is_node_attribute(name):
+        node.runs_elsewhere |= not node_classes.is_harmless(owner)
 
 
 def _set_names(run: Run, blueprint: model.Blueprint, call: ApiUse) -> None:

@@ -13,8 +13,12 @@ if TYPE_CHECKING:
 
 NODE = "rclpy.node.Node"
 LIFECYCLE_NODE = "rclpy.lifecycle.node.LifecycleNode"
+LIFECYCLE_MIXIN = "rclpy.lifecycle.node.LifecycleNodeMixin"
+"""What LifecycleNode adds to Node, for classes that derive from both; its constructor takes no name."""
 
-NODE_CLASSES = frozenset({NODE, LIFECYCLE_NODE, "rclpy.node.BaseNode", "rclpy.experimental.async_node.AsyncNode"})
+NODE_CLASSES = frozenset(
+    {NODE, LIFECYCLE_NODE, LIFECYCLE_MIXIN, "rclpy.node.BaseNode", "rclpy.experimental.async_node.AsyncNode"}
+)
 
 FOREIGN_NODES = frozenset(
     {
@@ -28,8 +32,8 @@ _ALIASES = {
     "rclpy.Node": NODE,
     "rclpy.lifecycle.LifecycleNode": LIFECYCLE_NODE,
     "rclpy.lifecycle.Node": LIFECYCLE_NODE,
-    "rclpy.lifecycle.node.LifecycleNodeMixin": LIFECYCLE_NODE,
-    "rclpy.lifecycle.LifecycleNodeMixin": LIFECYCLE_NODE,
+    "rclpy.lifecycle.LifecycleNodeMixin": LIFECYCLE_MIXIN,
+    "rclpy.lifecycle.NodeMixin": LIFECYCLE_MIXIN,
     "rclpy.lifecycle.managed_entity.ManagedEntity": "rclpy.lifecycle.ManagedEntity",
     "rclpy.action.ActionServer": "rclpy.action.server.ActionServer",
     "rclpy.action.ActionClient": "rclpy.action.client.ActionClient",
@@ -219,10 +223,10 @@ _LIFECYCLE_ONLY = frozenset({"create_lifecycle_publisher", "trigger_configure", 
 
 
 def method(cls: str, name: str) -> str:
-    """The canonical name of a node's method: what LifecycleNode inherits is Node's."""
-    if cls in NODE_CLASSES and name not in _LIFECYCLE_ONLY and name != "__init__" and not name.startswith("on_"):
-        return f"{NODE}.{name}"
-    return f"{cls}.{name}"
+    """The canonical name of a node's method: what LifecycleNode inherits is Node's, wherever it stands among bases."""
+    if cls not in NODE_CLASSES or name == "__init__" or name.startswith("on_"):
+        return f"{cls}.{name}"
+    return f"{LIFECYCLE_NODE if name in _LIFECYCLE_ONLY else NODE}.{name}"
 
 
 _INTERFACE = re.compile(r"^([a-z][a-z0-9_]*)\.(msg|srv|action)\.(?:_\w+\.)?([A-Z]\w*)((?:\.\w+)*)$")

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import sys
+
 from archlint import model
 from archlint.finding import Place
 from archlint.interpreter.python_classes import PLAIN_BASES
@@ -15,8 +17,8 @@ def is_node(cls: ClassValue) -> bool:
 
 
 def is_lifecycle(cls: ClassValue) -> bool:
-    """Whether a class derives from rclpy's LifecycleNode."""
-    return names.LIFECYCLE_NODE in cls.external_bases()
+    """Whether a class derives from rclpy's LifecycleNode, or from what makes one of a Node."""
+    return not {names.LIFECYCLE_NODE, names.LIFECYCLE_MIXIN}.isdisjoint(cls.external_bases())
 
 
 def may_be_node(cls: ClassValue) -> bool:
@@ -56,6 +58,20 @@ def _is_seen(other: Value) -> bool:
 _KNOWN = names.NODE_CLASSES | PLAIN_BASES
 
 
+def is_harmless(path: str) -> bool:
+    """Whether a foreign class is rclpy's or Python's own, none of which spins a node that derives from it."""
+    return path.partition(".")[0] in _HARMLESS
+
+
+_HARMLESS = sys.stdlib_module_names | {"rclpy", "?"}
+
+
+def may_spin_itself(cls: ClassValue) -> bool:
+    """Whether the constructor of a base from elsewhere may start a thread that spins the node."""
+    foreign = (path for path in cls.external_bases() if path not in _KNOWN and path not in names.FOREIGN_NODES)
+    return not all(map(is_harmless, foreign))
+
+
 def described(cls: ClassValue) -> tuple[model.NodeClass, ...]:
     """A class of a node and the bases of it that are of this workspace, in Python's order of resolution."""
     return tuple(_described(base) for base in cls.classes)
@@ -71,4 +87,14 @@ def keys(cls: ClassValue) -> tuple[model.ClassKey, ...]:
     return tuple((Place(base.scope.module.path, *base.ir.name_span), base.qualified) for base in cls.classes)
 
 
-__all__ = ["described", "has_only", "is_lifecycle", "is_node", "keys", "may_be_node", "may_inherit"]
+__all__ = [
+    "described",
+    "has_only",
+    "is_harmless",
+    "is_lifecycle",
+    "is_node",
+    "keys",
+    "may_be_node",
+    "may_inherit",
+    "may_spin_itself",
+]

@@ -49,6 +49,7 @@ def blueprint_of_instance(run: Run, instance: Instance) -> model.Blueprint:
     blueprint.lifecycle = node_classes.is_lifecycle(cls)
     blueprint.caller_unknown = not node_classes.may_be_node(cls)
     blueprint.classes = node_classes.described(cls)
+    blueprint.runs_elsewhere = node_classes.may_spin_itself(cls)
     run.nodes.by_object[instance.key] = blueprint
     return blueprint
 

@@ -27,6 +27,11 @@ ROWS = (
         effect="node_init",
         lifecycle=True,
     ),
+    Api(
+        "rclpy.lifecycle.node.LifecycleNodeMixin.__init__",
+        "* enable_communication_interface callback_group",
+        watched=True,
+    ),
     Api("rclpy.experimental.async_node.AsyncNode", f"node_name {_NODE_OPTIONS}", effect="create_node"),
     Api("rclpy.experimental.async_node.AsyncNode.__init__", f"node_name {_NODE_OPTIONS}", effect="node_init"),
     # ---- what makes a node of C++ in the same process (moveit_py, moveit/planning.py)
