@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.assumptions import MOST, NOTHING, Known, after, dotted, variables, within
 from archlint.analysis.handler_ends import HandlerEnd, handlers_of, is_stub
 from archlint.analysis.kept import once
+from archlint.analysis.raising_helpers import never_returns
 from archlint.analysis.reach import calls_of, judged_calls
 from archlint.analysis.source_code import FunctionFacts, source_code
 from archlint.finding import Place
@@ -52,6 +53,7 @@ def _undecided(system: System, callback: Callback, function: facts.Function) -> 
     name = _parameter(callback, function)
     if name is None or is_stub(function.body) or _reaches_elsewhere(function, name):
         return
+    raises = never_returns(system.workspace, callback.file, function)
     followed = variables(function.body)
     if len(followed) > MOST:
         return
@@ -61,7 +63,8 @@ def _undecided(system: System, callback: Callback, function: facts.Function) -> 
 
     def step(state: _State, fact: facts.Base) -> _State:
         decided, known = state
-        return decided or _decides(fact, goal) or _passes_on(fact, goal), after(known, fact, followed)
+        settled = decided or _decides(fact, goal) or _passes_on(fact, goal) or raises(fact)
+        return settled, after(known, fact, followed)
 
     def branch(state: _State, test: facts.Expr, truth: bool) -> _State | None:
         if _says_it_is_down(test, truth):

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
 from archlint.analysis.assumptions import Known, asked, proven, within
+from archlint.analysis.raising_helpers import NeverReturns, never_returns
 from archlint.analysis.source_code import SourceCode, source_code
 from archlint.finding import Place
 from archlint.model import Role
@@ -88,7 +89,7 @@ def _ends_without_answer(system: System, role: Role) -> Iterator[HandlerEnd]:
     code = source_code(system)
     for callback, function in handlers_of(system, role):
         if not is_stub(function.body):
-            yield from _ends_of(code, callback, function)
+            yield from _ends_of(code, callback, function, never_returns(system.workspace, callback.file, function))
     for callback in _callbacks(system, role):
         written = code.function(callback)
         gives = _no_answer(written.body) if isinstance(written, facts.Lambda) else None
@@ -96,19 +97,24 @@ def _ends_without_answer(system: System, role: Role) -> Iterator[HandlerEnd]:
             yield HandlerEnd(callback, callback.place, "lambda", gives)
 
 
-def _ends_of(code: SourceCode, callback: Callback, function: facts.Function) -> Iterator[HandlerEnd]:
-    ends = _ends_as_created(code, callback, function)
-    for end in {id(end): end for end, states in ends.returns if states}.values():
+def _ends_of(
+    code: SourceCode, callback: Callback, function: facts.Function, raises: NeverReturns
+) -> Iterator[HandlerEnd]:
+    ends = _ends_as_created(code, callback, function, raises)
+    for end in {id(end): end for end, states in ends.returns if states - {None}}.values():
         gives = _no_answer(end.value)
         if gives is not None:
             yield HandlerEnd(callback, Place.of(callback.file, end.span), "return", gives)
-    if ends.falls:
+    if ends.falls - {None}:
         yield HandlerEnd(callback, callback.place, "end")
 
 
-def _ends_as_created(code: SourceCode, callback: Callback, function: facts.Function) -> Ends[Known]:
+def _ends_as_created(
+    code: SourceCode, callback: Callback, function: facts.Function, raises: NeverReturns
+) -> Ends[Known | None]:
     """The ends of a handler that is there at all: what was asked before its service was created still holds, where it
-    asks for a name of the module that the handler does not set."""
+    asks for a name of the module that the handler does not set.  Behind a helper that always raises, the state is
+    None."""
     conditions = code.proven(callback.creation) if callback.creation is not None else ()
     own = {param.name for param in function.params} | {
         part.id
@@ -117,11 +123,15 @@ def _ends_as_created(code: SourceCode, callback: Callback, function: facts.Funct
         for part in parts_of(target, facts.Name)
     }
     followed = asked(conditions) - own
-    return graph_of(function.body).ends(
-        proven(conditions, followed),
-        lambda known, fact: known,
-        lambda known, test, truth: within(known, test, truth, followed),
-    )
+
+    def step(known: Known | None, fact: facts.Base) -> Known | None:
+        return None if raises(fact) else known
+
+    def branch(known: Known | None, test: facts.Expr, truth: bool) -> Known | None:
+        return None if known is None else within(known, test, truth, followed)
+
+    start: Known | None = proven(conditions, followed)
+    return graph_of(function.body).ends(start, step, branch)
 
 
 def _no_answer(value: facts.Expr | None) -> str | None:
