@@ -22,6 +22,7 @@ from archlint.interpreter.roots import enter_root
 from archlint.interpreter.values import DictValue, Known, OneOf, Value
 from archlint.launch.argument_names import AGAIN, ArgumentNames
 from archlint.launch.context import Context
+from archlint.launch.domains import Domains
 from archlint.launch.given_arguments import GivenArguments
 from archlint.launch.kinds import FileKind, GapKind
 from archlint.launch.mistakes import NotACondition, NotAPath, UndeclaredUse, UnknownAttribute, WithoutContext
@@ -81,8 +82,7 @@ class LaunchRun(Run):
         self.file = file
         self.result = result
         self.place_now = place
-        self.visits = 0
-        self.nesting = 0
+        self.visits = self.nesting = 0
         self.current_arms: BranchArms = frozenset()
         self.code_arms: BranchArms = frozenset()
         """Branches of the code that have already been taken note of."""
@@ -97,6 +97,7 @@ class LaunchRun(Run):
         """The actions around what is visited now, outermost first, each with the number of its visit."""
         self.given = GivenArguments(result)
         self.names = ArgumentNames()
+        self.domains = Domains()
         self.declaring: str | None = None
         """The argument whose default value is performed now."""
         self._values: dict[str, list[str]] = {}
@@ -108,8 +109,6 @@ class LaunchRun(Run):
         self.around_groups: Context | None = None
         """The context around the outermost group that is visited now."""
         self.without_namespace = False
-        self.unknown_domains: list[Value] = []
-        """What ``ROS_DOMAIN_ID`` was set to where that is not known."""
         """Whether what is visited now starts when the groups around it, and the namespace that they push, have gone."""
         self.asked_files: set[str] = set()
         """The paths of which the code asks whether a file exists."""

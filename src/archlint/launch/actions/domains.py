@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from archlint.launch.objects import LaunchObject, known_text
+from archlint.launch.objects import LaunchObject
 
 if TYPE_CHECKING:
     from archlint.interpreter.values import Value
@@ -20,7 +20,7 @@ VARIABLE = "ROS_DOMAIN_ID"
 def domain_of(run: LaunchRun, entity: LaunchObject) -> str | None:
     """The domain of the process that an action starts; None for that of whoever starts the launch file."""
     value = environment_of(run, entity).get(VARIABLE)
-    return None if value is None else _named(run, value)
+    return None if value is None else run.domains.named(value)
 
 
 def environment_of(run: LaunchRun, entity: LaunchObject) -> dict[str, Value]:
@@ -32,13 +32,3 @@ def environment_of(run: LaunchRun, entity: LaunchObject) -> dict[str, Value]:
             if variable is not None:
                 environment[variable] = run.perform(value)
     return environment
-
-
-def _named(run: LaunchRun, value: Value) -> str:
-    """The number of a domain, or a name for one that is not known: the same only where it is the same value."""
-    text = known_text(value)
-    if text is not None:
-        return text
-    if not any(value is other for other in run.unknown_domains):
-        run.unknown_domains.append(value)
-    return f"?{next(number for number, other in enumerate(run.unknown_domains) if other is value)}"

@@ -60,7 +60,7 @@ def inherited(run: Run, value: Value, base: str, name: str) -> Value:
     if base in names.NODE_CLASSES:
         special = _node_attribute(run, value, name)
         return special or ApiMethod(names.method(base, name), value)
-    if name in names.NODE_METHODS and not names.is_api_class(base):
+    if name in names.NODE_METHODS and not names.is_api_class(base) and not names.is_of_other_system(base):
         return ApiMethod(f"{names.NODE}.{name}", value)
     return ApiMethod(f"{base}.{name}", value)
 

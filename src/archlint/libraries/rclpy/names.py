@@ -28,6 +28,15 @@ FOREIGN_NODES = frozenset(
 )
 """Node classes of other packages whose name does not say so."""
 
+_OF_OTHER_SYSTEMS = ("gz.", "ignition.", "dora.")
+"""Gazebo's transport and dora have nodes of their own."""
+
+
+def is_of_other_system(path: str) -> bool:
+    """Whether a foreign class that is called a node is none of ROS."""
+    return path.startswith(_OF_OTHER_SYSTEMS)
+
+
 _ALIASES = {
     "rclpy.Node": NODE,
     "rclpy.lifecycle.LifecycleNode": LIFECYCLE_NODE,

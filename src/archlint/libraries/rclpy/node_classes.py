@@ -23,7 +23,11 @@ def is_lifecycle(cls: ClassValue) -> bool:
 
 def may_be_node(cls: ClassValue) -> bool:
     """Whether a class derives from rclpy's Node, or from something elsewhere that is called or known as a node."""
-    return is_node(cls) or any(path.endswith("Node") or path in names.FOREIGN_NODES for path in cls.external_bases())
+    return is_node(cls) or any(map(_may_be_node, cls.external_bases()))
+
+
+def _may_be_node(path: str) -> bool:
+    return path in names.FOREIGN_NODES or (path.endswith("Node") and not names.is_of_other_system(path))
 
 
 def may_inherit(cls: ClassValue) -> bool:
