@@ -61,9 +61,9 @@ def _meant(
     if file_facts is None or "." in owner or not name:
         return
     if not owner:
-        found = [statement for statement in file_facts.body if name in _bound_by(statement)]
-        if len(found) == 1 and isinstance(found[0], facts.Function):
-            yield file, found[0]
+        bound = [statement for statement in file_facts.body if name in _bound_by(statement)]
+        if len(bound) == 1 and isinstance(bound[0], facts.Function):
+            yield file, bound[0]
     elif function.params and owner == function.params[0].name:
         own = next((cls for cls in classes_of(file_facts) if any(m is function for m in methods_of(cls))), None)
         if own is not None:
