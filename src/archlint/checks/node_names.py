@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.brief_programs import is_brief
 from archlint.branches import exclusive, runs_along
+from archlint.checks.doubled_includes import Again, Twins, included_twice, of_includes
 from archlint.checks.folding import folds, with_others
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -22,19 +23,17 @@ if TYPE_CHECKING:
     from archlint.systems.model import System
     from archlint.systems.nodes import Node
 
-Twins = tuple["Node", "Node"]
-
 
 @rule("NME004", scope=Scope.SYSTEM)
 def duplicate_node_name(system: System, options: Options) -> Iterator[Finding]:
     """Nodes of one launched system under one name."""
     if system.launched is None:
         return
-    included: dict[tuple[Place, Place, str], list[Twins]] = {}
+    included: dict[Again, list[Twins]] = {}
     of_actions: dict[tuple[int, int], list[Twins]] = {}
     for twins in _twins(system):
         node, other = twins
-        again = None if node.started is other.started else _included_twice(node.started, other.started)
+        again = None if node.started is other.started else included_twice(node.started, other.started)
         if again is not None:
             included.setdefault(again, []).append(twins)
         elif node.started is other.started:
@@ -43,8 +42,7 @@ def duplicate_node_name(system: System, options: Options) -> Iterator[Finding]:
             of_actions.setdefault((id(node.started), id(other.started)), []).append(twins)
     for several in of_actions.values():
         yield from _of_two_actions(system, several)
-    for (before, place, file), several in included.items():
-        yield _of_an_include(before, place, file, several)
+    yield from of_includes(included)
 
 
 def _twins(system: System) -> Iterator[Twins]:
@@ -110,41 +108,6 @@ def _gone_before(node: Node, other: Node) -> bool:
     if first.until is None or any(c.callbacks for c in first.creations):
         return False
     return second.number >= first.until
-
-
-def _included_twice(started: Started | None, other: Started | None) -> tuple[Place, Place, str] | None:
-    """The two includes of one file that two processes come from, and that file; None where it is not included
-    twice."""
-    if started is None or other is None or started.place != other.place:
-        return None
-    file = started.file
-    for before, place in zip(reversed(started.includes), reversed(other.includes), strict=False):
-        if before != place:
-            return before, place, file
-        file = place.file
-    return None
-
-
-def _of_an_include(before: Place, place: Place, file: str, several: list[Twins]) -> Finding:
-    names = sorted(node.name or "" for node, _ in several)
-    some = f"{len(names)} nodes twice, such as '{names[0]}'"
-    starts = f"'{names[0]}' twice" if len(names) == 1 else some
-    return finding(
-        "NME004",
-        place,
-        f"this system includes {posixpath.basename(file)} twice, which starts {starts}",
-        help="include it once, or in a different namespace each time",
-        related=[
-            Related(before, "it is first included here"),
-            *(
-                Related(node.launch_place, f"{node.name} is started here")
-                for node, _ in several[:1]
-                if node.launch_place
-            ),
-        ],
-        node=names[0],
-        identity=(posixpath.basename(file), *names),
-    )
 
 
 def _of_two_actions(system: System, several: list[Twins]) -> Iterator[Finding]:

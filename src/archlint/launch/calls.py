@@ -23,6 +23,7 @@ from archlint.launch.tables import CLASSES, CONDITIONS, SUBSTITUTIONS, LaunchCla
 from archlint.libraries.api_use import argument_places
 
 if TYPE_CHECKING:
+    from archlint.finding import Place
     from archlint.interpreter.call_site import CallSite
     from archlint.libraries.api_use import ApiUse
     from archlint.libraries.run import Run
@@ -44,12 +45,28 @@ def made_object(run: Run, call: ApiUse) -> LaunchObject:
         rest=tuple(call.rest),
         open=call.open,
         branch_arms=frozenset(run.branch_arms),
+        called_at=_call_of_helper(run),
     )
     if isinstance(call.receiver, Instance):
         run.store.set(
             call.receiver.key, MADE_BY_BASE, instance
         )  # super().__init__(…) of a class derived from an action
     return instance
+
+
+def _call_of_helper(run: Run) -> Place | None:
+    """Where the function is called that makes an object of what it is given; where another such function does that,
+    the call of that one."""
+    place = None
+    for activation in reversed(run.activations):
+        if activation.scope.kind == "comprehension":
+            continue
+        function = activation.function
+        own = 0 if activation.self_value is None else 1
+        if function is None or activation.call_place is None or len(function.ir.params) <= own:
+            break
+        place = activation.call_place
+    return place
 
 
 def _made_description(run: Run, call: ApiUse) -> LaunchObject:

@@ -44,7 +44,7 @@ class Launcher(LaunchRun):
     def visit(self, entity: Value) -> None:
         visiting.visit(self, entity)
 
-    def include(self, reference: FileReference, plain: bool = False) -> None:
+    def include(self, reference: FileReference, plain: bool = False, called_at: Place | None = None) -> None:
         self.included += 1
         if reference.source is None:
             if reference.status == FileStatus.UNKNOWN:
@@ -61,7 +61,7 @@ class Launcher(LaunchRun):
         if len(self.stack) >= INCLUDE_DEPTH or self.included > INCLUDES:
             self.gap("more includes than can be followed")
             return
-        self.includes.append(reference.place)
+        self.includes.append(called_at or reference.place)
         self.enter(reference.source)
         self.includes.pop()
 

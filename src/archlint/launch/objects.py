@@ -54,6 +54,8 @@ class LaunchObject(Instance):
     """Whether there may be more arguments than are known."""
     branch_arms: BranchArms = frozenset()
     """The branches of the launch file's own code that it is made in."""
+    called_at: Place | None = None
+    """The call of the helper that makes it of what it is given; None for one that no such function makes."""
 
     @property
     def is_substitution(self) -> bool:
@@ -79,10 +81,11 @@ def launch_object(
     rest: tuple[Value, ...] = (),
     open: bool = False,
     branch_arms: BranchArms = frozenset(),
+    called_at: Place | None = None,
 ) -> LaunchObject:
     """An object of a class of launch."""
     cls = External(f"{OWN}{kind}")
-    return LaunchObject(cls, key, place, arguments, "", places or {}, rest, open, branch_arms, kind=kind)
+    return LaunchObject(cls, key, place, arguments, "", places or {}, rest, open, branch_arms, called_at, kind=kind)
 
 
 def given(value: Value | None) -> Value | None:

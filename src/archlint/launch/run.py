@@ -134,9 +134,9 @@ class LaunchRun(Run):
         """Run an action, or a list of them."""
 
     @abstractmethod
-    def include(self, reference: FileReference, plain: bool = False) -> None:
+    def include(self, reference: FileReference, plain: bool = False, called_at: Place | None = None) -> None:
         """Run an included file in the same context: includes are not scoped.  A ``plain`` include gives no arguments,
-        on which the included file might stop."""
+        on which the included file might stop; one that a helper makes is ``called_at`` a place."""
 
     # -------------------------------------------------------------------------------------------- where
 

@@ -50,7 +50,7 @@ class Started:
     places: dict[str, Place] = field(default_factory=dict)
     container: Text | None = None
     includes: tuple[Place, ...] = ()
-    """The includes that lead to the file it is in, outermost first."""
+    """The includes that lead to the file it is in, outermost first; for one that a helper makes, the helper's call."""
     without_namespace: bool = False
     """Whether a timer or an event starts it, when the group around it has ended, and with it the group's namespace."""
     domain: str | None = None

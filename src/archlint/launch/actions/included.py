@@ -54,7 +54,7 @@ def include(run: LaunchRun, entity: LaunchObject) -> None:
         visible = None if given is not None and run.is_open(given) else _visible_texts(run, [name for name, _ in names])
         run.result.included.append(Included(reference, names, place, run.file, run.is_dormant, visible))
         with run.given.passing([name for name, _ in names]):
-            run.include(reference, plain=not names and option is path)
+            run.include(reference, plain=not names and option is path, called_at=entity.called_at)
 
 
 def _visible_texts(run: LaunchRun, names: Sequence[str]) -> tuple[str, ...] | None:
