@@ -140,6 +140,28 @@ def test_what_only_sounds_like_it(path: str):
     assert not FileRoles().is_put_aside(path)
 
 
+@pytest.mark.parametrize(
+    ("files", "told"),
+    [
+        ({"robot/old_driver.py": NODE}, 0),
+        ({"robot/old_driver.py": NODE, "robot/arm.py": "# from robot import new_driver\n"}, 0),
+        ({"robot/old_driver.py": NODE, "robot/arm.py": "from robot.old_driver import Talker\n"}, 1),
+        ({"robot/old_driver.py": NODE, "launch/robot.launch.py": "# runs robot.old_driver\n" + LAUNCH}, 0),
+        ({"robot/old_driver.py": NODE, "launch/robot.launch.py": LAUNCH + "cmd = ['python3', 'old_driver.py']\n"}, 1),
+        ({"robot/old_gripper.py": NODE}, 1),  # there is no gripper.py
+        ({"robot/olddriver.py": NODE}, 1),
+        ({"robot/backup_driver.py": NODE}, 1),  # drives where the driver fails
+        ({"robot/arms/old_driver.py": NODE, "robot/arms/__init__.py": ""}, 1),
+    ],
+)
+def test_a_file_beside_the_one_that_has_replaced_it(named, files: dict[str, str], told: int):
+    assert len(named(files)) == told
+
+
+def test_an_old_file_that_is_still_an_entry_point(named):
+    assert len(named({"robot/old_driver.py": NODE}, more="'old = robot.old_driver:main',")) == 1
+
+
 def test_what_a_launch_file_starts_is_not_put_aside(named):
     files = {"robot/old/talker.py": NODE, "robot/old/__init__.py": ""}
     assert named(files, more="'talker = robot.old.talker:main',") == []

@@ -170,6 +170,27 @@ def test_a_broken_file_is_a_finding_where_it_is_named():
     assert places(run("template.py")) == [("LNT002", "template.py", 1)]
 
 
+@pytest.mark.parametrize(
+    ("broken", "files", "told"),
+    [
+        ("view_old.py", {}, False),
+        ("old/view.py", {}, False),
+        ("old_view.py", {"view.py": NODE}, False),
+        ("old_view.py", {}, True),  # nothing has replaced it
+        ("view.py", {"view_old.py": NODE}, True),
+        ("view_old.py", {"main.py": f"import view_old\n{NODE}"}, True),
+        ("old/view.py", {"main.py": f"from old.view import View\n{NODE}"}, True),
+        ("old/__init__.py", {"main.py": f"from old import view\n{NODE}", "old/view.py": ""}, True),
+    ],
+)
+def test_a_broken_file_that_is_put_aside(broken: str, files: dict[str, str], told: bool):
+    write(broken, "import rclpy\ndef start()\n")
+    for path, text in {"good.py": NODE, **files}.items():
+        write(path, text)
+    assert [place[1] for place in places(run()) if place[0] == "LNT002"] == [broken] * told
+    assert ("LNT002", broken, 2) in places(run(broken))
+
+
 @pytest.mark.parametrize("line", ["from pkg import motor", "from pkg.motor import Motor", "from .motor import Motor"])
 def test_a_broken_module_beside_a_file_is_told_where_that_file_imports_it(workspace: Path, line: str):
     write("pkg/package.xml", PACKAGE.format(name="pkg"))

@@ -28,11 +28,33 @@ def is_aside(workspace: WorkspaceIndex | None, file: str) -> bool:
 
 
 def is_disused(workspace: WorkspaceIndex | None, file: str) -> bool:
-    """Whether a file is put aside, and no launch file of what is in use starts a node of it or includes it."""
+    """Whether a file is put aside, and no launch file of what is in use starts a node of it or includes it; or whether
+    it is an ``old_driver.py`` beside ``driver.py``, and nothing names it."""
     roles = FileRoles() if workspace is None else workspace.roles
     if not roles.is_put_aside(file):
-        return False
+        return workspace is not None and _is_retired(workspace, file)
     return workspace is None or not (file in _in_use(workspace) or file in _included(workspace))
+
+
+def is_left_alone(workspace: WorkspaceIndex, file: str) -> bool:
+    """Whether a file is put aside and no Python code has a word for it: nobody imports it, or misses what it says."""
+    aside = workspace.roles.is_put_aside(file) or _is_retired(workspace, file)
+    return aside and not (file in _in_use(workspace) or file in _reached(workspace) or _is_mentioned(workspace, file))
+
+
+def _is_retired(workspace: WorkspaceIndex, file: str) -> bool:
+    successor = workspace.roles.successor_of(file)
+    if successor is None or not workspace.tree.is_file(successor):
+        return False
+    installs = workspace.installs.get(workspace.package_of(file) or "")
+    named = file in _reached(workspace) or (installs is not None and _is_named(workspace, installs, file))
+    return not named and not _is_mentioned(workspace, file)
+
+
+def _is_mentioned(workspace: WorkspaceIndex, file: str) -> bool:
+    """Whether other code has a word for a module, as whoever imports it must."""
+    stem = posixpath.basename(file.removesuffix("/__init__.py")).removesuffix(".py")
+    return any(path != file for path in workspace.code.files_that_mention(stem))
 
 
 @once
@@ -213,4 +235,4 @@ def _reached(workspace: WorkspaceIndex) -> frozenset[str]:
     return workspace.code.in_use()
 
 
-__all__ = ["import_that_fails", "is_aside", "is_disused", "is_not_installed", "starts_ros"]
+__all__ = ["import_that_fails", "is_aside", "is_disused", "is_left_alone", "is_not_installed", "starts_ros"]

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from archlint.analysis.aside import is_left_alone
 from archlint.checks.idle_contracts import idle_patterns
 from archlint.checks.launch_notices import argument_notices
 from archlint.checks.registry import failure, registered, unreadable, unreadable_interface
@@ -119,7 +121,8 @@ def _judged(
     faults, launch_files = index.faults, index.launch_files
     imported = [f for f in python_files(workspace) if f not in known and facts.was_read(f) and not facts.is_ros1(f)]
     imported.extend(broken_packages(python_files(workspace), facts))
-    candidates = [*_problems(workspace, [*known, *imported], facts), *merged(_rules(request, systems, inputs.memory))]
+    to_report = _without_left_alone([*known, *imported], request, index, facts)
+    candidates = [*_problems(workspace, to_report, facts), *merged(_rules(request, systems, inputs.memory))]
     candidates.extend(_of_interfaces(workspace, systems, inputs.tree, faults))
     by_file = {file.relative: read.suppressions for file in known if (read := facts.facts_of(file)) is not None}
     candidates.extend(unreadable(*problem) for problem in launch_files.problems())
@@ -232,6 +235,17 @@ def _problems(workspace: Workspace, files: Sequence[SourceFile], facts: FactsOfF
         for fault in read.problems:
             finding = unreadable(file.relative, fault.line, fault.column, fault.message, fault.internal)
             yield replace(finding, related=tuple(Related(place, "it is imported here") for place in importers))
+
+
+def _without_left_alone(
+    files: Sequence[SourceFile], request: Request, index: WorkspaceIndex, facts: FactsOfFiles
+) -> list[SourceFile]:
+    """The files, without those that cannot be read and that nobody misses: they are put aside, and not asked for by
+    name."""
+    named = {os.path.abspath(path) for path in request.paths}
+    broken = (f for f in files if f.path not in named and (read := facts.facts_of(f)) is not None and read.problems)
+    alone = {file.path for file in broken if is_left_alone(index, file.relative)}
+    return [file for file in files if file.path not in alone]
 
 
 def _of_interfaces(

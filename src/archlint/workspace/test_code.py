@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import posixpath
 import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
@@ -18,6 +19,7 @@ _NAMED_OLD = re.compile(
 )
 _MARKED = re.compile(r"[(\[](?:archived?|backup|deprecated|obsolete|old|unused)[)\]]")
 _COPY = re.compile(r"\(copy|[ _.-]copy\W|sync-conflict-|\(\d+\)|[ _.-](?:bak|backup|old|orig|unused)\.")
+_RETIRED = re.compile(r"(?:old|archived|deprecated|unused)_(?=.*\.py$)(?!.*\.launch\.py$)", re.IGNORECASE)
 
 
 @dataclass(frozen=True)
@@ -60,6 +62,14 @@ class FileRoles:
         old = any(folder in _PUT_ASIDE or _NAMED_OLD.fullmatch(folder) for folder in folders)
         marked = any(_MARKED.search(part) for part in (*folders, name))
         return old or marked or _COPY.search(name) is not None
+
+    @staticmethod
+    def successor_of(path: str) -> str | None:
+        """The file that has taken the place of another if it is there, by the name of that one: ``driver.py`` of
+        ``old_driver.py``; None for a name of another kind.  A launch file may be started by hand."""
+        folder, name = posixpath.split(path)
+        word = _RETIRED.match(name)
+        return None if word is None else posixpath.join(folder, name[word.end() :])
 
     def _parts(self, path: str) -> list[str]:
         below = self.below.rstrip("/") + "/" if self.below not in ("", ".") else ""
