@@ -365,6 +365,34 @@ def test_somebody_has_to_wait(run: Run, beside: str, severity: Severity | None):
     assert [one.severity for one in found if one.code == "EXE003"] == ([] if severity is None else [severity])
 
 
+LISTENS = """
+self.buffer = Buffer()
+self.listener = TransformListener(self.buffer, self)
+self.nav = ActionClient(self, Fibonacci, 'count')
+self.create_subscription(Empty, 'go', self.go, 10)
+"""
+LOOKS = "self.buffer.lookup_transform('map', 'base', rclpy.time.Time())"
+SERVER = "self.nav.wait_for_server(timeout_sec=5.0)"
+
+
+@pytest.mark.parametrize(
+    ("first", "then", "more", "expected"),
+    [
+        pytest.param(LOOKS, SERVER, "", [], id="it has looked by then"),
+        pytest.param(LOOKS, "self.drive()", f"def drive(self):\n    {SERVER}\n", [], id="in a function of its own"),
+        pytest.param(SERVER, LOOKS, "", ["EXE003"], id="it looks afterwards"),
+        pytest.param("pass", SERVER, "", ["EXE003"], id="nobody looks, for all that is seen"),
+        pytest.param(LOOKS, SERVER, f"def where(self):\n    return {LOOKS}\n", ["EXE003"], id="somebody else looks"),
+        pytest.param(LOOKS, SERVER, "def buffers(self):\n    return [self.buffer]\n", ["EXE003"], id="it is passed on"),
+        pytest.param(f"if message: {LOOKS}", SERVER, "", ["EXE003"], id="it may not have looked"),
+        pytest.param(LOOKS, f"while True: {SERVER}", "", ["EXE003"], id="it looks again and again"),
+    ],
+)
+def test_the_transforms_that_only_the_waiting_callback_reads(run: Run, first: str, then: str, more: str, expected):
+    method = f"def go(self, message):\n    {first}\n    {then}\n\n{more}"
+    assert [code for code in codes(run(source(LISTENS, method))) if code == "EXE003"] == expected
+
+
 def test_an_action_alone_holds_up_its_own_cancelling(run: Run):
     create = "self.server = ActionServer(self, Fibonacci, 'count', self.execute{})\n"
     [found] = [one for one in run(source(create.format(", cancel_callback=print"), EXECUTE)) if one.code == "EXE003"]

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis import blocking
 from archlint.analysis.callback_roles import runs_in_executor
 from archlint.analysis.deadlock import threads_of
+from archlint.analysis.own_buffers import fills_what_is_read_before
 from archlint.model import EntityKind, ExecutorKind, Role
 
 if TYPE_CHECKING:
@@ -63,6 +64,7 @@ def _takes_in_more(code: SourceCode, node: Blueprint, call: ApiCall, program: Pr
         and id(creation) not in later
         and not (several_threads and creation.group != callback.group)
         and (not creation.callbacks or any(handler.place != callback.place for handler in creation.callbacks.values()))
+        and not fills_what_is_read_before(code, creation, call, program)
         for creation in entities
     ) or any(
         other.place != callback.place
