@@ -45,6 +45,54 @@ def script(line: str) -> str:
     return SCRIPT.format(line=line)
 
 
+DRIVEN = """
+    import rclpy
+    from rclpy.node import Node
+    from std_msgs.msg import String
+    from std_srvs.srv import Trigger
+
+
+    class Planner(Node):
+        def __init__(self):
+            super().__init__('planner')
+            self.create_subscription(String, 'words', print, 10)
+            self.far = self.create_client(Trigger, 'far')
+            self.far.wait_for_service()  # here
+
+        def plan(self):
+            self.get_logger().info('planned')
+
+
+    def main():
+        rclpy.init()
+        node = Planner()
+
+        def pump(times):
+            for _ in range(times):
+                rclpy.spin_once(node, timeout_sec=0.05)
+
+        {line}
+
+
+    if __name__ == '__main__':
+        main()
+"""
+
+
+@pytest.mark.parametrize(
+    ("line", "severity"),
+    [
+        ("while rclpy.ok():\n            node.plan()\n            pump(9)", Severity.INFO),
+        ("node.plan()\n        while rclpy.ok():\n            pump(9)", Severity.WARNING),
+        ("while rclpy.ok():\n            node.get_logger().info('so')\n            pump(9)", Severity.WARNING),
+        ("while rclpy.ok():\n            node.plan()\n            rclpy.spin(node)", Severity.WARNING),
+    ],
+)
+def test_the_constructor_of_a_node_that_main_drives_by_hand(judge: Judge, line: str, severity: Severity):
+    [found] = judge("TMO001", DRIVEN.format(line=line))
+    assert found.severity is severity
+
+
 def test_a_method_that_nothing_calls_says_nothing_of_those_that_are(judge: Judge):
     text = """
         import rclpy

@@ -20,7 +20,7 @@ def is_step_of_asking_script(system: System, program: Program, call: ApiCall) ->
     starts."""
     if call.context.role not in _ON_ITS_WAY or not program.executable or program.exhausted or not program.nodes:
         return False
-    return all(_takes_in_nothing(node) and not _is_launched(system.workspace, node) for node in program.nodes)
+    return all(_takes_in_nothing(node) and not is_launched(system.workspace, node) for node in program.nodes)
 
 
 def _takes_in_nothing(node: Blueprint) -> bool:
@@ -29,8 +29,9 @@ def _takes_in_nothing(node: Blueprint) -> bool:
     return not any(creation.kind in _TAKES_IN for creation in node.creations)
 
 
-def _is_launched(workspace: WorkspaceIndex | None, node: Blueprint) -> bool:
+def is_launched(workspace: WorkspaceIndex | None, node: Blueprint) -> bool:
+    """Whether a launch file starts a node."""
     return workspace is not None and key_of(node) in workspace.started_by_launch
 
 
-__all__ = ["is_step_of_asking_script"]
+__all__ = ["is_launched", "is_step_of_asking_script"]

@@ -6,8 +6,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.analysis.asking_scripts import is_step_of_asking_script
+from archlint.analysis.asking_scripts import is_launched, is_step_of_asking_script
 from archlint.analysis.callback_roles import runs_in_executor
+from archlint.analysis.called_by_hand import is_driven_by_hand
 from archlint.analysis.client_loops import is_for_each_client
 from archlint.analysis.left_over import is_dead, is_never_made
 from archlint.analysis.limit_sites import sites_of_wait
@@ -117,7 +118,12 @@ def of_one_owner(findings: Sequence[Finding]) -> Finding:
 
 def _is_minor(system: System, program: Program, call: ApiCall) -> bool:
     """Whether whoever runs the program sees that it waits, and nothing else of it does."""
-    return is_uncalled(call) or _is_step_of_script(call) or is_step_of_asking_script(system, program, call)
+    if is_uncalled(call) or _is_step_of_script(call) or is_step_of_asking_script(system, program, call):
+        return True
+    node = call.node or call.context.node
+    if node is None or call.context.role not in (Role.MAIN, Role.INIT) or is_launched(system.workspace, node):
+        return False
+    return is_driven_by_hand(source_code(system), program, node)
 
 
 def is_uncalled(call: ApiCall) -> bool:
