@@ -41,7 +41,7 @@ def test_the_readme_shows_commands():
 @pytest.mark.parametrize("words", commands(), ids=" ".join)
 def test_a_command_is_one_that_archlint_understands(words: list[str]):
     assert words[0] in COMMANDS
-    importlib.import_module(f"archlint.cli.{words[0]}").parser().parse_intermixed_args(words[1:])
+    importlib.import_module(f"archlint.cli.{words[0]}").parser().parse_words(words[1:])
 
 
 @pytest.mark.parametrize("option", sorted(set(re.findall(r"`(--[a-z-]+)", README))))

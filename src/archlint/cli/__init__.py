@@ -35,15 +35,21 @@ def main(argv: Sequence[str] | None = None) -> int:
     """Run one command and return its exit status.  Without ``argv`` the process ends here, at once."""
     if argv is not None:
         return _guarded(list(argv))
+    if None in (sys.stdin, sys.stdout, sys.stderr):
+        from archlint.cli.streams import reopen_closed
+
+        reopen_closed()
     gc.disable()  # a run is short, and its data lives until the end
     return _leave(_guarded(sys.argv[1:]))
 
 
 def _guarded(arguments: list[str]) -> int:
     """The exit status of a command, whatever happens in it: no exception and no traceback gets out."""
+    from archlint.cli.console import flush
+
     try:
         status = _dispatch(arguments)
-        sys.stdout.flush()
+        flush()
     except BrokenPipeError:
         return READER_GONE
     except KeyboardInterrupt:
@@ -61,6 +67,8 @@ def _guarded(arguments: list[str]) -> int:
 
 
 def _dispatch(arguments: list[str]) -> int:
+    from archlint.cli.console import say
+
     for stream in (sys.stdout, sys.stderr):
         if hasattr(stream, "reconfigure"):
             stream.reconfigure(errors="backslashreplace")
@@ -70,10 +78,10 @@ def _dispatch(arguments: list[str]) -> int:
     if first in ("-h", "--help", "help"):
         from archlint.cli.overview import overview
 
-        print(overview(), end="")
+        say(overview())
         return 0
     if first in ("-V", "--version"):
-        print(f"archlint {__version__}")
+        say(f"archlint {__version__}\n")
         return 0
     command, rest = (first, arguments[1:]) if first in COMMANDS else ("check", arguments)
     if (status := _answered(command, arguments)) is not None:
@@ -82,7 +90,7 @@ def _dispatch(arguments: list[str]) -> int:
     from importlib import import_module
 
     module = import_module(f"archlint.cli.{command}")
-    options = module.parser().parse_intermixed_args(rest)
+    options = module.parser().parse_words(rest)
     options.words = arguments
     return int(copy_context().run(module.run, options))  # what the command activates ends with it
 
@@ -109,6 +117,8 @@ def _note(text: str) -> int:
 
 
 def _failed(error: Exception, verbose: bool) -> int:
+    if _is_nowhere():
+        return _note("error: the working directory no longer exists; change to one that does")
     if verbose:
         import traceback
 
@@ -122,13 +132,22 @@ def _failed(error: Exception, verbose: bool) -> int:
     )
 
 
+def _is_nowhere() -> bool:
+    try:
+        os.getcwd()
+    except OSError:
+        return True
+    return False
+
+
 def _leave(status: int) -> NoReturn:
     """End the process without the long way out of the interpreter."""
     try:
         sys.stdout.flush()
-        sys.stderr.flush()
     except BrokenPipeError:
         status = READER_GONE
     except KeyboardInterrupt:
         status = INTERRUPTED
+    except OSError:  # what could not be written has been reported, and is still there to be written
+        status = FAILED
     os._exit(status)

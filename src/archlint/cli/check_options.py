@@ -24,7 +24,7 @@ from archlint.finding import Severity
 from archlint.report.groups import GROUPS
 
 
-def parser() -> argparse.ArgumentParser:
+def parser() -> Parser:
     """The options of ``archlint check``."""
     parser = Parser("check", "Find what is wrong between the nodes of a ROS 2 system and inside their callbacks.")
     parser.usage = f"{parser.prog} [OPTIONS] [PATH ...]"

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import argparse
-import sys
 
+from archlint.cli import console
 from archlint.cli.exits import CLEAN, UsageError
 from archlint.cli.parser import Parser
 
@@ -20,7 +20,7 @@ Again after an update: the script knows the rules of the archlint that wrote it.
 """
 
 
-def parser() -> argparse.ArgumentParser:
+def parser() -> Parser:
     parser = Parser("completion", "Print the script that makes a shell complete commands, options and rules.")
     parser.formatter_class = argparse.RawDescriptionHelpFormatter
     parser.epilog = _EPILOG
@@ -33,5 +33,5 @@ def run(arguments: argparse.Namespace) -> int:
         raise UsageError("for which shell: bash, zsh or fish? --help says where to put the script")
     from archlint.cli.completers import script  # with shtab, and the options of all commands
 
-    sys.stdout.write(script(arguments.shell))
+    console.say(script(arguments.shell))
     return CLEAN

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import argparse
 import json
-import sys
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
 from archlint import cells
+from archlint.cli import console
 from archlint.cli.exits import CLEAN
 from archlint.cli.options import add_configuration, add_paths, paths_of, plugins_of, settings_of
 from archlint.cli.parser import Parser
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from archlint.config.settings import Settings
 
 
-def parser() -> argparse.ArgumentParser:
+def parser() -> Parser:
     parser = Parser("config", "Print the effective configuration as TOML, with the origin of each value.")
     add_paths(parser)
     add_configuration(parser, with_plugins=True)
@@ -34,14 +34,14 @@ def run(arguments: argparse.Namespace) -> int:
 
         if plugins_of(arguments):
             settings_of(arguments, paths_of(arguments)[0], plugins=True)
-        sys.stdout.write(json.dumps(json_schema(), indent=2) + "\n")
+        console.say(json.dumps(json_schema(), indent=2) + "\n")
         return CLEAN
     settings = settings_of(arguments, paths_of(arguments)[0], plugins_of(arguments) or False)
     origins = settings.origins
     rows = [(visible(f"{key} = {_toml(value)}"), origins.get(key, "default")) for key, value in _values(settings)]
     width = min(max(cells.width(text) for text, _ in rows), 60)
-    sys.stdout.write("".join(f"{cells.padded(text, width)}  # {visible(origin)}\n" for text, origin in rows))
-    sys.stdout.write(f"# rules that run: {', '.join(_running(settings))}\n")
+    console.say("".join(f"{cells.padded(text, width)}  # {visible(origin)}\n" for text, origin in rows))
+    console.say(f"# rules that run: {', '.join(_running(settings))}\n")
     return CLEAN
 
 

@@ -35,10 +35,10 @@ def noted(text: str) -> str:
 
 def give(answer: Answer) -> int:
     """Say what a command has to say; returns its exit status."""
-    sys.stdout.write(answer.text)
+    say(answer.text)
     _tell(answer.warnings)
     if answer.notes:
-        sys.stdout.flush()
+        flush()
         _tell(answer.notes)
     return answer.status
 
@@ -46,8 +46,43 @@ def give(answer: Answer) -> int:
 def _tell(lines: str) -> None:
     try:
         sys.stderr.write(lines)
-    except BrokenPipeError:
+        sys.stderr.flush()
+    except OSError:  # nobody is left to tell
         return
+
+
+def say(text: str) -> None:
+    """Write to standard output; every command does it here.
+
+    Raises :class:`UsageError` where it takes nothing: it is closed, or the disk is full.
+    """
+    if not text:
+        return  # even to write nothing fails on a full disk
+    try:
+        sys.stdout.write(text)
+    except OSError as error:
+        raise _refused(error) from None
+
+
+def flush() -> None:
+    """Hand on what was said, with the errors of :func:`say`."""
+    try:
+        sys.stdout.flush()
+    except OSError as error:
+        raise _refused(error) from None
+
+
+def _say_bytes(content: bytes) -> None:
+    flush()
+    try:
+        sys.stdout.buffer.write(content)
+    except OSError as error:
+        raise _refused(error) from None
+
+
+def _refused(error: OSError) -> Exception:
+    """What to raise instead of an error of standard output; a reader that went away is none that is told."""
+    return error if isinstance(error, BrokenPipeError) else UsageError(f"cannot write the output: {error.strerror}")
 
 
 def terminal() -> list[str]:
@@ -91,10 +126,9 @@ def write(content: str | bytes, file: str | None) -> None:
     if file is not None and file != "-":
         _write_file(content.encode("utf-8", "replace") if isinstance(content, str) else content, file)
     elif isinstance(content, str):
-        sys.stdout.write(content)
+        say(content)
     else:
-        sys.stdout.flush()
-        sys.stdout.buffer.write(content)
+        _say_bytes(content)
 
 
 def _write_file(content: bytes, file: str) -> None:
@@ -102,6 +136,8 @@ def _write_file(content: bytes, file: str) -> None:
 
     from archlint.disk import replace_file
 
+    if file.endswith(("/", os.sep)) and not os.path.isdir(file):
+        raise UsageError(f"cannot write {file}: that names a folder, and there is none; name a file")
     path = Path(file)
     try:
         target = path.resolve()  # a symbolic link stays one

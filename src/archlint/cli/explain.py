@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 import sys
 
-from archlint.cli.console import wants_color
+from archlint.cli import console
 from archlint.cli.exits import CLEAN, UsageError
 from archlint.cli.options import add_plugins, add_talking, plugins_here
 from archlint.cli.parser import Parser
@@ -16,7 +16,7 @@ from archlint.suggestions import listed, meant
 LEVELS = {"on": "on by default", "off": "opt-in", "closed-world": "on in a closed world"}
 
 
-def parser() -> argparse.ArgumentParser:
+def parser() -> Parser:
     parser = Parser("explain", "Print a rule's page: what it finds, why it matters, what to write instead.")
     parser.add_argument("rule", metavar="CODE", nargs="?", help="the code or the name of a rule")
     parser.add_argument("--all", action="store_true", help="show all examples, not only the first of each kind")
@@ -36,10 +36,10 @@ def run(arguments: argparse.Namespace) -> int:
             near = f"\n{left_out}" if left_out else _suggested(arguments.rule)
             raise UsageError(f"unknown rule `{arguments.rule}`{near}")
     page = full_page(rule, _facts(rule)) if arguments.all else _short(rule)
-    if wants_color(arguments.color, sys.stdout):
+    if console.wants_color(arguments.color, sys.stdout):
         _print_rendered(page)
     else:
-        sys.stdout.write(page)
+        console.say(page)
     return CLEAN
 
 
@@ -60,8 +60,12 @@ def _facts(rule: Rule) -> str:
 
 
 def _print_rendered(page: str) -> None:
+    from io import StringIO
+
     from rich.console import Console
     from rich.markdown import Markdown
 
-    console = Console(force_terminal=True, force_interactive=False, highlight=False)
-    console.print(Markdown(page, code_theme="ansi_dark"), width=min(console.width, 100))
+    rendered = StringIO()
+    terminal = Console(file=rendered, force_terminal=True, force_interactive=False, highlight=False)
+    terminal.print(Markdown(page, code_theme="ansi_dark"), width=min(terminal.width, 100))
+    console.say(rendered.getvalue())

@@ -27,7 +27,7 @@ from archlint.engine.compile_facts import FactsError, write_facts
 from archlint.engine.request import NothingToDo, Request
 
 
-def parser() -> argparse.ArgumentParser:
+def parser() -> Parser:
     parser = Parser(
         "facts",
         "Compile a workspace into shards, one a package, which `archlint check --facts DIR...` links elsewhere.",

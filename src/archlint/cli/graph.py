@@ -34,7 +34,7 @@ from archlint.engine.pipeline import NothingToDo, Request, draw
 from archlint.render.errors import CannotDraw
 
 
-def parser() -> argparse.ArgumentParser:
+def parser() -> Parser:
     parser = Parser("graph", "Draw which node talks to which, from the source alone.")
     parser.usage = f"{parser.prog} [OPTIONS] [PATH ...]"
     add_paths(parser)

@@ -5,12 +5,11 @@ from __future__ import annotations
 import argparse
 import os
 import re
-import sys
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from archlint.cli import starter_files
+from archlint.cli import console, starter_files
 from archlint.cli.exits import CLEAN, UsageError
 from archlint.cli.options import paths_of
 from archlint.cli.parser import Parser
@@ -28,7 +27,7 @@ _EXAMPLES = 5
 """How many of a kind a comment lists."""
 
 
-def parser() -> argparse.ArgumentParser:
+def parser() -> Parser:
     parser = Parser(
         "init",
         "Write a commented configuration, a pre-commit hook and a CI job that pass as they are. Findings of today go "
@@ -41,7 +40,7 @@ def parser() -> argparse.ArgumentParser:
 def run(arguments: argparse.Namespace) -> int:
     from archlint.config.files import repository_of  # most commands end without it
 
-    [path] = paths_of(argparse.Namespace(paths=[arguments.paths] if arguments.paths else []))
+    [path] = paths_of(argparse.Namespace(paths=[] if arguments.paths is None else [arguments.paths]))
     folder = Path(path)
     if not folder.is_dir():
         raise UsageError(f"init needs a folder, the workspace, and {path} is a file")
@@ -51,7 +50,7 @@ def run(arguments: argparse.Namespace) -> int:
         said = [*_configured(folder), *_hooked(root, inside), *_in_ci(root, inside)]
     except OSError as error:
         raise UsageError(f"cannot write {error.filename}: {error.strerror}") from None
-    sys.stdout.write("".join(f"{visible(line)}\n" for text in said for line in text.splitlines()))
+    console.say("".join(f"{visible(line)}\n" for text in said for line in text.splitlines()))
     return CLEAN
 
 

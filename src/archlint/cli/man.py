@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import argparse
-import sys
 
+from archlint.cli import console
 from archlint.cli.exits import CLEAN
 from archlint.cli.parser import Parser
 
@@ -15,7 +15,7 @@ Read it with `archlint man | man -l -`; for `man archlint`, once for each user:
 """
 
 
-def parser() -> argparse.ArgumentParser:
+def parser() -> Parser:
     parser = Parser("man", "Print the manual page, in the form that `man` reads.")
     parser.formatter_class = argparse.RawDescriptionHelpFormatter
     parser.epilog = _EPILOG
@@ -25,5 +25,5 @@ def parser() -> argparse.ArgumentParser:
 def run(arguments: argparse.Namespace) -> int:
     from archlint.cli.man_page import man_page  # with the options of all commands
 
-    sys.stdout.write(man_page())
+    console.say(man_page())
     return CLEAN

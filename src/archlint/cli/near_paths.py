@@ -18,6 +18,8 @@ _PASSED_OVER = frozenset({"build", "install", "log", "node_modules", "__pycache_
 def no_such_path(path: str, is_first: bool, rest: list[str]) -> str:
     """The message for a path that does not exist.  ``is_first`` says whether it is the first word of the command line,
     where a command might stand; ``rest`` are the words after it."""
+    if os.path.islink(path):
+        return f"{path} is a symbolic link that leads nowhere"
     return f"no such file or directory: {path}{_hint(path, is_first, rest)}"
 
 

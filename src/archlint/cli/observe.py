@@ -19,7 +19,7 @@ system is running, then compare:
 """
 
 
-def parser() -> argparse.ArgumentParser:
+def parser() -> Parser:
     parser = Parser("observe", "Print the script that records the graph of a running ROS 2 system.")
     parser.formatter_class = argparse.RawDescriptionHelpFormatter
     parser.epilog = _EPILOG

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import sys
 from collections.abc import Sequence
 from typing import Any
 
@@ -15,7 +14,7 @@ from archlint.cli.parser import Parser
 from archlint.rulebook import Rule, codes_of, rules, suggestion
 
 
-def parser() -> argparse.ArgumentParser:
+def parser() -> Parser:
     parser = Parser("rules", "List every rule: its severity, whether it is on by default, what it finds.")
     parser.add_argument("rule", metavar="CODES", nargs="*", help="these only: codes, prefixes such as SRV, or names")
     add_plugins(parser)
@@ -29,7 +28,7 @@ def run(arguments: argparse.Namespace) -> int:
         console.note(f"archlint: {left_out}")
     chosen = _chosen(arguments.rule)
     book = [rule for rule in rules().values() if rule.code in chosen]
-    sys.stdout.write(_json(book) if arguments.format == "json" else _text(book))
+    console.say(_json(book) if arguments.format == "json" else _text(book))
     return CLEAN
 
 

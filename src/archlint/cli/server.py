@@ -14,7 +14,7 @@ It needs archlint[lsp].
 """
 
 
-def parser() -> argparse.ArgumentParser:
+def parser() -> Parser:
     parser = Parser("server", "Serve an editor: findings while you type, and their fixes.")
     parser.formatter_class = argparse.RawDescriptionHelpFormatter
     parser.epilog = _EPILOG

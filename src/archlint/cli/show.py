@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from archlint.systems.model import System
 
 
-def parser() -> argparse.ArgumentParser:
+def parser() -> Parser:
     parser = Parser("show", "Show one name with both ends: who publishes, who listens, types, QoS, values and places.")
     parser.add_argument(
         "name", metavar="NAME", help="the name of a topic, service, action, node, node class or parameter"

@@ -34,7 +34,7 @@ def main_with_errors(argv: Sequence[str] = ()) -> tuple[int, list[str]]:
 
 
 def _failing(results: Path, argv: Sequence[str]) -> list[str]:
-    lowest = Severity.parse(check.parser().parse_intermixed_args([*argv]).severity)
+    lowest = Severity.parse(check.parser().parse_words([*argv]).severity)
     return [
         f"{finding['file']}:{finding['line']}:{finding['column']}: {finding['code']} {finding['message']}"
         for finding in json.loads(results.read_text("utf-8"))["diagnostics"]
