@@ -427,6 +427,17 @@ def test_the_root_is_the_repository_or_the_workspace(tmp_path):
     assert look(tmp_path, "single/a.py", "loose").root == str(tmp_path)
 
 
+def test_the_root_holds_what_is_read_as_context(tmp_path):
+    names = ("talker", "bringup")
+    plant(
+        tmp_path, {f"ws/src/{name}/package.xml": manifest(name) for name in names} | {"ws/src/bringup/a.launch.xml": ""}
+    )
+    for path in ("ws/src/talker", "ws/src/talker/package.xml"):
+        workspace = look(tmp_path, path)
+        assert "ws/src/bringup/a.launch.xml" in [file.relative for file in workspace.files]
+        assert workspace.root == str(tmp_path / "ws/src")
+
+
 # --- links and other obstacles
 
 

@@ -59,7 +59,8 @@ def find(
     for package in packages:
         walk.add_folder(package, context=True)
     complete_folders = [*folders, *packages, *_add_workspaces(walk, asked, read)]
-    root = _root([path if path in folders else os.path.dirname(path) for path in asked])
+    # What is read as context lies in the root, too, or no launch file of a neighbour could be read.
+    root = _root([path if path in folders else os.path.dirname(path) for path in asked] + complete_folders)
     workspace = place(root, walk.files.values(), walk.problems.values(), complete_folders, walk.cpp_folders, read)
     return replace(workspace, idle_exclusions=tuple(excluder.idle), looked_at=tuple(walk.looked_at))
 
