@@ -11,6 +11,7 @@ from archlint.analysis.completeness import enclosing_class
 from archlint.checks.folding import folds
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
+from archlint.checks.wrong_keywords import outcome_of_keyword
 from archlint.finding import Related
 from archlint.model import NAMED
 from archlint.suggestions import listed, nearest
@@ -39,22 +40,25 @@ def unknown_field(system: System, options: Options) -> Iterator[Finding]:
         for function, calls in program.callers.items():
             callers.setdefault(function, set()).update(calls)
     reported: set[Place] = set()
+    keyword = outcome_of_keyword(system.workspace, options.distros)
     for place in sorted(uses):
         missing = sorted(
             (use for use in uses[place] if use.exists is False), key=lambda use: (use.type, use.section_name)
         )
         wrong = _wrongly_passed(uses[place], missing, callers)
         if wrong:
-            yield from (_passed_to(system, use, hop) for use, hop in wrong if use.certain and hop.call not in reported)
+            yield from (
+                _passed_to(system, use, hop, keyword) for use, hop in wrong if use.certain and hop.call not in reported
+            )
             reported.update(hop.call for _, hop in wrong)
             continue
         if len(missing) == len(uses[place]):
-            yield _unknown_field(system, missing[0])
+            yield _unknown_field(system, missing[0], keyword)
             continue
         certain = [use for use in missing if use.delivered is not None and use.delivered.place not in reported]
         if certain:  # once for each that delivers: the first use ends the callback
             reported.update(use.delivered.place for use in certain if use.delivered is not None)
-            yield _of_one_type(system, certain[0], uses[place])
+            yield _of_one_type(system, certain[0], uses[place], keyword)
 
 
 def _wrongly_passed(
@@ -76,23 +80,23 @@ def _wrongly_passed(
     return [by_call[call] for call in sorted(by_call)]
 
 
-def _passed_to(system: System, use: FieldUse, hop: Passed) -> Finding:
+def _passed_to(system: System, use: FieldUse, hop: Passed, keyword: str) -> Finding:
     """The finding for a call that passes a message to a function which works with others."""
     fields = listed(use.fields, shown=_SHOWN)
     return replace(
-        _unknown_field(system, use),
+        _unknown_field(system, use, keyword),
         place=hop.call,
         group=(),
         message=f"{hop.helper}() is called with {_message_of(use)}, which has no {_kind(use)} '{use.name}'",
-        help=f"this call raises {_raised([use.access])} when it runs; the fields are {fields}",
+        help=f"{_consequence([use.access], keyword, 'this call raises {} when it runs')}; the fields are {fields}",
         related=(Related(use.place, f"'{use.name}' is used here"),),
     )
 
 
-def _of_one_type(system: System, use: FieldUse, others: Sequence[FieldUse]) -> Finding:
+def _of_one_type(system: System, use: FieldUse, others: Sequence[FieldUse], keyword: str) -> Finding:
     """The finding for a callback that several subscriptions or the like share, of which not all messages have the
     field."""
-    diagnostic = _unknown_field(system, use)
+    diagnostic = _unknown_field(system, use, keyword)
     assert use.delivered is not None
     having = sorted({other.delivered.place for other in others if other.exists and other.delivered is not None})
     word, name = NAMED.get(use.delivered.kind, ""), use.delivered.name.text
@@ -120,7 +124,7 @@ def _kind(use: FieldUse) -> str:
     return "constant" if use.access == "constant" else "field"
 
 
-def _unknown_field(system: System, use: FieldUse) -> Finding:
+def _unknown_field(system: System, use: FieldUse, keyword: str) -> Finding:
     of, what = _message_of(use), _kind(use)
     inside, near = _meant(use)
     hint = _did_you_mean({use.name: near}, inside)
@@ -130,19 +134,20 @@ def _unknown_field(system: System, use: FieldUse) -> Finding:
         "MSG001",
         use.place,
         f"{of} has no {what} '{use.name}'{hint}",
-        help=f"this line raises {_raised([use.access])} when it runs; the {what}s are {fields}",
+        help=f"{_consequence([use.access], keyword, 'this line raises {} when it runs')}; the {what}s are {fields}",
         node=None if use.node is None else use.node.name.text,
         identity=(use.type, use.section_name, use.name, use.access),
-        group=(use.place.file, owner, of, what, inside, fields),
+        group=(use.place.file, owner, of, what, inside, fields, keyword),
         meant=near,
     )
 
 
-def _raised(accesses: Iterable[str]) -> str:
+def _consequence(accesses: Iterable[str], keyword: str, lines: str) -> str:
+    """What comes of it; ``keyword`` says that of keywords of constructors, and ``lines`` where attributes are used."""
     keywords = {access == "keyword" for access in accesses}
     if len(keywords) > 1:
-        return "an exception"
-    return "TypeError or AssertionError" if True in keywords else "AttributeError"
+        return f"an attribute raises AttributeError, and {keyword}"
+    return keyword if True in keywords else lines.format("AttributeError")
 
 
 def _meant(use: FieldUse) -> tuple[str, str]:
@@ -171,17 +176,17 @@ def _did_you_mean(meant: Mapping[str, str], inside: str) -> str:
 def of_one_cause(findings: Sequence[Finding]) -> Finding:
     """The finding for all fields that one class takes for those of a message: at the first, the others related."""
     first = findings[0]
-    _, owner, of, what, inside, listed = first.group
+    _, owner, of, what, inside, listed, keyword = first.group
     meant = {diagnostic.identity[2]: diagnostic.meant for diagnostic in findings}
     names = list(meant)
     shown = [f"'{name}'" for name in names]
     where = f"used at {len(findings)} places" + (f" of {owner}" if owner else " of this file")
     several = f"s {', '.join(shown[:-1])} and {shown[-1]}" if len(names) > 1 else f" {shown[0]}"
-    raised = _raised(diagnostic.identity[3] for diagnostic in findings)
+    accesses = [diagnostic.identity[3] for diagnostic in findings]
     return replace(
         first,
         message=f"{of} has no {what}{several}, {where}{_did_you_mean(meant, inside)}",
-        help=f"these lines raise {raised} when they run; the {what}s are {listed}",
+        help=f"{_consequence(accesses, keyword, 'these lines raise {} when they run')}; the {what}s are {listed}",
         related=tuple(
             Related(diagnostic.place, f"'{diagnostic.identity[2]}' is used here") for diagnostic in findings[1:]
         ),
