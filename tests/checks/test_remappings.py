@@ -60,3 +60,17 @@ def test_dead_remappings_of_one_node_are_one_finding(findings):
     ]
     misspelt = remaps.replace("odom", "chater")
     assert len(findings("LCH002", node(misspelt), **{"launch/more.launch.xml": "<launch/>"})) == 2
+
+
+def test_a_parameter_is_no_name_to_remap(findings):
+    (found,) = findings("LCH002", node('<remap from="use_sim_time" to="false"/>'))
+    assert found.help == "'use_sim_time' is a parameter: set it with <param>"
+    (found,) = findings("LCH002", node('<remap from="rate" to="fast"/>'))
+    assert found.help == "'rate' is a parameter: set it with <param>"
+
+
+def test_the_only_name_of_a_node_is_no_advice_where_it_is_nothing_like_it(findings):
+    (found,) = findings("LCH002", node('<remap from="odometry" to="odom"/>'))
+    assert found.help == "remove it; the only name of the node is /chatter"
+    (found,) = findings("LCH002", node('<remap from="chater" to="words"/>'))
+    assert found.help == "use a full name of the node: /chatter"

@@ -19,7 +19,10 @@ SOURCE = """
 """
 
 
-ALL = "such a keyword raises AssertionError on humble and TypeError on lyrical and rolling, and jazzy and kilted ignore it"
+ALL = (
+    "such a keyword raises AssertionError on humble and TypeError on lyrical and rolling, and jazzy and kilted "
+    "ignore it"
+)
 
 
 @pytest.mark.parametrize(

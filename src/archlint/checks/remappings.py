@@ -9,6 +9,7 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from archlint.analysis.completeness import is_complete
+from archlint.analysis.declared_parameters import always_declared
 from archlint.analysis.kept import kept, once
 from archlint.checks.folding import folds, with_places
 from archlint.checks.launched_names import rejection_of
@@ -112,16 +113,47 @@ def _finding(remap: Remap, nodes: list[Node], dead: _Dead) -> Finding:
     shown = [name.rpartition("/")[2] if is_name else name for name in dead.known]
     node_name, hint = nodes[0].name, did_you_mean(dead.source, shown)
     blueprint = nodes[0].blueprint
-    cause = () if hint or blueprint is None else (*map(str, astuple(blueprint.place)), blueprint.class_name)
+    parameter = _parameter_meant(nodes, dead.source)
+    cause = (
+        ()
+        if hint or blueprint is None or parameter is not None
+        else (*map(str, astuple(blueprint.place)), blueprint.class_name)
+    )
     return finding(
         "LCH002",
         remap.place,
         f"{node_name} has no name '{dead.expanded}', so this remapping has no effect{hint}",
-        help=f"use a full name of the node: {listed(sorted(name for name in dead.known if '/_action/' not in name))}",
+        help=_advice(remap, dead, hint) if parameter is None else _as_parameter(remap, parameter),
         node=node_name,
         identity=(node_name or "", dead.expanded),
         group=cause,
     )
+
+
+def _parameter_meant(nodes: Sequence[Node], source: str) -> str | None:
+    """The parameter of one of the nodes that a remapping names."""
+    name = source.removeprefix("~/").strip("/").replace("/", ".")
+    declared = any(name == row.name.text for node in nodes for row in node.parameters)
+    return name if declared or always_declared(name) else None
+
+
+def _as_parameter(remap: Remap, name: str) -> str:
+    if remap.place.file.endswith(".py"):
+        return f"'{name}' is a parameter: set it with parameters=[{{'{name}': …}}]"
+    return (
+        f"'{name}' is a parameter: set it with <param>"
+        if remap.place.file.endswith(".xml")
+        else (f"'{name}' is a parameter: set it under param:")
+    )
+
+
+def _advice(remap: Remap, dead: _Dead, hint: str) -> str:
+    """A name of the node that may be meant; the only one that it has is no advice where it is nothing like it."""
+    own = sorted(name for name in dead.known if "/_action/" not in name)
+    last = dead.source.rpartition("/")[2]
+    if len(own) > 1 or hint or any(name.endswith(f"/{last}") for name in own):
+        return f"use a full name of the node: {listed(own)}"
+    return f"remove it; the only name of the node is {own[0]}" if own else "remove it; the node has no names"
 
 
 @folds("LCH002", across_systems=True)
