@@ -117,6 +117,16 @@ def test_a_number_that_is_given_a_dict(findings):
     assert found.help == "give it one value of type double"
 
 
+@pytest.mark.parametrize("default", ["None", "{}"])
+def test_code_that_wants_the_dict_has_to_declare_its_parts(findings, default: str):
+    more = f"        self.filter = self.declare_parameter('filter', {default}).value or {{}}\n"
+    talker = TALKER.replace("\ndef main", f"{more}\ndef main")
+    (found,) = findings("{'filter': {'mean': 0.0, 'sigma': 0.1}}", talker=talker)
+    assert found.help == (
+        "declare each of them in the node ('filter.mean'), and read them with get_parameters_by_prefix('filter')"
+    )
+
+
 def test_a_dict_in_a_parameter_file(findings):
     (found,) = findings("file", yaml="talker:\n  ros__parameters:\n    limits:\n      a: 1.0\n      b: 2.0\n")
     assert (found.place.file, found.place.line) == ("config/p.yaml", 4)

@@ -303,7 +303,11 @@ def _split_dict(node: Node, name: str, place: Place, parts: Sequence[Setting]) -
     text = bool(rows) and rows[0].type == "string"
     in_launch = parts[0].written is None
     more = f" and {len(parts) - 1} more" if len(parts) > 1 else ""
-    advice = f"give it one value of type {rows[0].type}" if rows and rows[0].type else "give it one value"
+    advice = (
+        f"declare each of them in the node ('{parts[0].name}'), and read them with get_parameters_by_prefix('{name}')"
+    )
+    if rows and rows[0].type:
+        advice = f"give it one value of type {rows[0].type}"
     if text:
         # Without its type, launch_ros reads a text as YAML and comes to a dict again.
         wrapped = "ParameterValue(json.dumps(…), value_type=str)"
