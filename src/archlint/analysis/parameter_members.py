@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
 from archlint.analysis.declared_parameters import declared_by
-from archlint.analysis.source_code import source_code
+from archlint.analysis.kept import once_for_each_file
 from archlint.model.given import Constant
 from archlint.place import Place
 from archlint.syntax import facts
@@ -69,14 +69,21 @@ def wrong_members(system: System) -> Iterator[WrongMember]:
                         yield WrongMember(whole, node, str(name), read.attr, kind, rows[0].place)
 
 
-def _member_reads(system: System, place: Place) -> Iterator[facts.Attribute]:
+def _member_reads(system: System, place: Place) -> list[facts.Attribute]:
     """The members that are read of a call's parameter in the same expression."""
-    code = source_code(system).facts_at(place.file)
-    for part in everything_in(code.body, facts.Attribute) if code is not None else ():
+    members = None if system.workspace is None else _members_by_call(system.workspace, place.file)
+    return [] if members is None else members.get((place.line, place.column), [])
+
+
+@once_for_each_file
+def _members_by_call(file_facts: facts.Facts) -> dict[tuple[int, int], list[facts.Attribute]]:
+    """What is read of ``….get_parameter_value()``, by where the call that gives the parameter begins."""
+    members: dict[tuple[int, int], list[facts.Attribute]] = {}
+    for part in everything_in(file_facts.body, facts.Attribute):
         match part.value:
             case facts.Call(func=facts.Attribute(attr="get_parameter_value", value=facts.Call(span=span))):
-                if span[:2] == (place.line, place.column):
-                    yield part
+                members.setdefault(span[:2], []).append(part)
+    return members
 
 
 __all__ = ["EMPTY", "WrongMember", "wrong_members"]
