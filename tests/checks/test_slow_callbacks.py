@@ -393,6 +393,19 @@ def test_the_transforms_that_only_the_waiting_callback_reads(run: Run, first: st
     assert [code for code in codes(run(source(LISTENS, method))) if code == "EXE003"] == expected
 
 
+@pytest.mark.parametrize(
+    ("beside", "help"),
+    [
+        ("", "do it in a ThreadPoolExecutor(max_workers=1), which keeps the order"),
+        ("self.create_timer(5.0, print)", "do it in a separate thread or a ThreadPoolExecutor"),
+    ],
+)
+def test_what_is_said_one_after_the_other_stays_in_order(run: Run, beside: str, help: str):
+    speaks = "def go(self, message):\n    subprocess.run(['mpv', 'speech.mp3'])\n"
+    found = run(source(f"self.create_subscription(Empty, 'go', self.go, 10)\n{beside}\n", speaks))
+    assert [one.help for one in found if one.code == "EXE003"] == [help]
+
+
 def test_an_action_alone_holds_up_its_own_cancelling(run: Run):
     create = "self.server = ActionServer(self, Fibonacci, 'count', self.execute{})\n"
     [found] = [one for one in run(source(create.format(", cancel_callback=print"), EXECUTE)) if one.code == "EXE003"]

@@ -230,7 +230,7 @@ def _slow(system: System, rows: Sequence[_Row], only_network: bool) -> Finding:
         program,
         call,
         f"{callback_words(callback)} {stay.words}{end}: {meanwhile}",
-        help=_instead(program, call, stay),
+        help=_instead(program, call, stay, in_order=waiting == {Waiting.NOBODY}),
         further=(Related(other.place, f"here it {words.words}", again=True) for _, other, words in others),
         identity=(call.api,),
         group=_cause(callback, only_network),
@@ -297,8 +297,9 @@ def _answers_in_time(call: ApiCall, stay: Stay) -> bool:
     return stay.kind == "discovery" and stay.seconds is not None and call.context.role in _ANSWERS
 
 
-def _instead(program: Program, call: ApiCall, stay: Stay) -> str:
-    """What to do; where the callback's return value is the answer, nothing can go on later."""
+def _instead(program: Program, call: ApiCall, stay: Stay, in_order: bool) -> str:
+    """What to do; where the callback's return value is the answer, nothing can go on later.  What a node does with one
+    message after the other stays ``in_order``."""
     if stay.kind == "lock":
         return "request it with LOCK_NB, and try again later if another process has it"
     if stay.kind == "discovery" and made_here(call):
@@ -310,6 +311,8 @@ def _instead(program: Program, call: ApiCall, stay: Stay) -> str:
     if call.context.role in _ANSWERS:
         several = threads_of(call.context.node, program) == blocking.SEVERAL
         return _OWN_GROUP if several else f"spin the node with a MultiThreadedExecutor, and {_OWN_GROUP}"
+    if in_order and stay.kind not in _INSTEAD:
+        return "do it in a ThreadPoolExecutor(max_workers=1), which keeps the order"
     return _INSTEAD.get(stay.kind, "do it in a separate thread or a ThreadPoolExecutor")
 
 
