@@ -45,6 +45,75 @@ def script(line: str) -> str:
     return SCRIPT.format(line=line)
 
 
+BESIDE = """
+    import threading
+    import rclpy
+    from rclpy.executors import MultiThreadedExecutor, SingleThreadedExecutor
+    from rclpy.node import Node
+    from std_srvs.srv import Trigger
+
+
+    class Handler(Node):
+        def __init__(self):
+            super().__init__('handler')
+            self.far = self.create_client(Trigger, 'far')
+
+        def read_keys(self):
+            while input():
+                future = self.far.call_async(Trigger.Request())
+                rclpy.spin_until_future_complete(self, future{more})  # here
+
+
+    def main():
+        rclpy.init()
+        node = Handler()
+        thread = threading.Thread(target=node.read_keys, daemon=True)
+        thread.start()
+        {line}
+
+
+    if __name__ == '__main__':
+        main()
+"""
+OWN = "executor = MultiThreadedExecutor()\n        executor.add_node(node)\n        executor.spin()"
+RAISES = (
+    "spins a node, and another thread spins this node already: this works in humble and raises 'Executor is already "
+    "spinning' from jazzy on (works in jazzy before rclpy 7.1.9 and kilted before rclpy 9.1.5)"
+)
+TAKES = (
+    "spins a node, and another thread spins this node on its own executor: this takes the node away from its executor, "
+    "so none of its callbacks runs again"
+)
+WAITS = "spins until the response from the service 'far' arrives, without a timeout: "
+
+
+@pytest.mark.parametrize(
+    ("line", "more", "distro", "said"),
+    [
+        pytest.param("rclpy.spin(node)", "", None, RAISES, id="the global executor"),
+        pytest.param("rclpy.spin(node)", "", "humble", WAITS, id="which works in humble"),
+        pytest.param(OWN, "", None, TAKES, id="an executor of its own"),
+        pytest.param("thread.join()", "", None, WAITS, id="nobody else spins"),
+        pytest.param("thread.join()\n        rclpy.spin(node)", "", None, WAITS, id="it is over by then"),
+        pytest.param("rclpy.spin(rclpy.create_node('other'))", "", None, WAITS, id="another node"),
+        pytest.param("rclpy.spin(node)", ", SingleThreadedExecutor()", None, WAITS, id="an executor is given"),
+    ],
+)
+def test_a_thread_that_spins_what_main_spins(judge: Judge, line: str, more: str, distro: str | None, said: str):
+    config = "" if distro is None else f'distro = "{distro}"'
+    [found] = judge("TMO003", BESIDE.format(line=line, more=more), config=config)
+    assert found.message.startswith(said)
+
+
+def test_a_method_that_spins_what_a_thread_spins(judge: Judge):
+    text = BESIDE.replace("threading.Thread(target=node.read_keys", "threading.Thread(target=executor.spin")
+    text = text.replace("node = Handler()", "node = Handler()\n        executor = MultiThreadedExecutor()")
+    text = text.replace("import rclpy\n", "import rclpy\n    from PyQt5.QtWidgets import QPushButton\n", 1)
+    line = "executor.add_node(node)\n        QPushButton().clicked.connect(node.read_keys)"
+    [found] = judge("TMO003", text.format(line=line, more=""))
+    assert found.message == TAKES
+
+
 DRIVEN = """
     import rclpy
     from rclpy.node import Node

@@ -20,6 +20,7 @@ from archlint.analysis.reach import (
     waits_for_ever,
 )
 from archlint.analysis.source_code import SourceCode, source_code
+from archlint.analysis.spins_beside import SpunBeside, spun_beside
 from archlint.analysis.stuck import spoken_of
 from archlint.checks.folding import class_around, folds, of_one_class
 from archlint.checks.registry import Options, finding, rule
@@ -31,7 +32,7 @@ from archlint.checks.wait_words import (
     related_path,
     server_words,
 )
-from archlint.finding import Finding, Severity
+from archlint.finding import Finding, Related, Severity
 from archlint.model import Role
 from archlint.model.given import Constant
 
@@ -48,7 +49,7 @@ def spin_without_timeout(system: System, options: Options) -> Iterator[Finding]:
     nothing is seen to make, nobody knows whether it is ever there; a trial is ended by whoever runs it."""
     reported = spoken_of(system, options.distros)
     yield from one_for_each_place(
-        _limitless_spin(system, program, call)
+        _limitless_spin(system, program, call, options)
         for program, call in calls_of(system, (_SPIN, _EXECUTOR_SPIN))
         if waits_for_ever(source_code(system), call, "timeout_sec") and call.place not in reported
         if not is_dead(system.workspace, program, call) and not is_never_made(system.workspace, call)
@@ -71,7 +72,10 @@ def _may_be_meant_as_a_limit(code: SourceCode, call: ApiCall) -> bool:
     return not any(option.executor or option == Constant(None) for option in executor.alternatives)
 
 
-def _limitless_spin(system: System, program: Program, call: ApiCall) -> Finding:
+def _limitless_spin(system: System, program: Program, call: ApiCall, options: Options) -> Finding:
+    beside = spun_beside(source_code(system), call, program, options.distros)
+    if beside is not None:
+        return _second_spin(system, call, beside)
     clients = creations_of(argument(call, "future"))
     client = clients[0] if len({creation.place for creation in clients}) == 1 else None
     awaited = f"the response from {server_words(system, client)} arrives" if client else "the future is complete"
@@ -93,6 +97,21 @@ def _limitless_spin(system: System, program: Program, call: ApiCall) -> Finding:
     return replace(diagnostic, severity=severity, group=group)
 
 
+def _second_spin(system: System, call: ApiCall, beside: SpunBeside) -> Finding:
+    """A limit is no cure: it does not come to wait, or it takes the node from its executor."""
+    spun = [] if beside.place is None else [Related(beside.place, "the node is spun here")]
+    diagnostic = finding(
+        "TMO003",
+        call.place,
+        f"spins a node, and {beside.verdict.why}: this {beside.verdict.words}",
+        help="wait here for a threading.Event that the future's done callback sets: the other thread gets the answer",
+        related=[*spun, *related_path(call, None)],
+        node=node_name(system, call.context.node),
+        identity=(call.function, "", "spin_until_future_complete"),
+    )
+    return replace(diagnostic, group=(call.file, class_around(call.function), "beside"))
+
+
 def _help(system: System, call: ApiCall) -> str:
     """What to write; how long a motion takes, its caller knows best."""
     if is_at_its_default(call):
@@ -107,4 +126,5 @@ def _help(system: System, call: ApiCall) -> str:
 @folds("TMO003")
 def _of_one_owner(findings: Sequence[Finding]) -> Finding:
     """The finding for all such spins of a class or function: an action's goal is sent, and then its result awaited."""
-    return of_one_class(findings, "line", "it spins without a timeout here, too")
+    beside = findings[0].group[-1] == "beside"
+    return of_one_class(findings, "line", "it spins here, too" if beside else "it spins without a timeout here, too")
