@@ -164,6 +164,31 @@ def test_where_there_is_nothing_to_check_it_is_said_what_is_there(
     assert told in capsys.readouterr().err
 
 
+@pytest.mark.parametrize(
+    ("file", "text", "told"),
+    [
+        (
+            "archlint.toml",
+            'exclude = ["src/**"]',
+            "`exclude` in archlint.toml leaves out all of it, such as src/drv/n.py\n",
+        ),
+        ("src/COLCON_IGNORE", "", "all of it is left out, such as src/drv/n.py: there is src/COLCON_IGNORE\n"),
+        ("src/drv/AMENT_IGNORE", "", "such as src/drv/n.py: there is src/drv/AMENT_IGNORE\n"),
+        (".gitignore", "src/drv", "such as src/drv/n.py: git ignores it, or a build has left it\n"),
+    ],
+    ids=["exclude", "colcon", "ament", "git"],
+)
+def test_where_all_is_left_out_it_is_said_why(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], file: str, text: str, told: str
+):
+    (tmp_path / "src" / "drv").mkdir(parents=True)
+    (tmp_path / "src" / "drv" / "n.py").write_text("import rclpy\n")
+    (tmp_path / file).write_text(text)
+    monkeypatch.chdir(tmp_path)
+    assert main(["check", "--no-cache"]) == 2
+    assert told in capsys.readouterr().err
+
+
 def test_inside_of_a_workspace_the_whole_is_offered(
     workspace: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ):

@@ -54,7 +54,15 @@ def _nothing_found(request: Request) -> str:
         return f"nothing to check: no package.xml, no Python file and no launch file in {', '.join(request.paths)}"
     from archlint.engine.nothing import nothing_found  # looks at the disk once more, to say what is there
 
-    return nothing_found(request.paths)
+    return nothing_found(request.paths, request.settings.file if _is_excluded(request) else None)
+
+
+def _is_excluded(request: Request) -> bool:
+    """Whether there would be something to check without ``exclude``."""
+    if not request.settings.exclude:
+        return False
+    workspace = find(request.paths, working_directory=request.folder)
+    return any(is_input(file) or is_of_package(file) for file in workspace.files)
 
 
 def tree_of(request: Request, workspace: Workspace) -> SourceTree:

@@ -8,9 +8,14 @@ from collections.abc import Iterator, Sequence
 from itertools import islice
 
 from archlint.suggestions import listed
+from archlint.workspace.kinds import kind_of
+from archlint.workspace.model import CODE_KINDS, LAUNCH_TEXT_KINDS, SourceKind
+from archlint.workspace.pruning import MARKERS
 
 _MOST = 10_000
 """How many files are counted."""
+_READ: tuple[SourceKind | None, ...] = (*CODE_KINDS, *LAUNCH_TEXT_KINDS, "package_xml", "interface")
+"""The kinds of which one file is enough for a check."""
 _KINDS = {
     ".cpp": "C++",
     ".cc": "C++",
@@ -22,16 +27,27 @@ _KINDS = {
 """What files are, by their suffixes; of others the suffix says it."""
 
 
-def nothing_found(paths: Sequence[str]) -> str:
-    """The message where no file of ``paths`` is one that archlint reads."""
+def nothing_found(paths: Sequence[str], excluding: str | None = None) -> str:
+    """The message where no file of ``paths`` is one that archlint reads.
+
+    ``excluding`` is the configuration without whose ``exclude`` there would be one.
+    """
     where = ", ".join(paths)
+    example = next(
+        (_below(folder, name) for path in paths for folder, name in _files(path) if _is_read(folder, name)), ""
+    )
+    if example and excluding is not None:
+        file = os.path.basename(excluding)
+        return f"nothing to check in {where}: `exclude` in {file} leaves out all of it, such as {example}"
+    if example:
+        return f"nothing to check in {where}: all of it is left out, such as {example}{_why_left_out(example)}"
     text = f"nothing to check in {where}: no package.xml, no Python file and no launch file; there {_there(paths)}"
     advice = next((advice for path in paths if (advice := _to_be_fetched(path))), "")
     return f"{text}\n{advice}" if advice else text
 
 
 def _there(paths: Sequence[str]) -> str:
-    files = list(islice((name for path in paths for name in _files(path)), _MOST))
+    files = list(islice((name for path in paths for _, name in _files(path)), _MOST))
     if not files:
         return "is no file at all"
     count = Counter(_kind(name) for name in files)
@@ -45,12 +61,31 @@ def _kind(name: str) -> str:
     return _KINDS.get(suffix, suffix or "other")
 
 
-def _files(path: str) -> Iterator[str]:
+def _files(path: str) -> Iterator[tuple[str, str]]:
+    """The files there that are not hidden: the folder and the name of each."""
     if os.path.isfile(path):
-        yield os.path.basename(path)
-    for _, folders, names in os.walk(path):
+        yield os.path.split(path)
+    for around, folders, names in os.walk(path):
         folders[:] = sorted(name for name in folders if not name.startswith("."))
-        yield from (name for name in names if not name.startswith("."))
+        yield from ((around, name) for name in sorted(names) if not name.startswith("."))
+
+
+def _is_read(folder: str, name: str) -> bool:
+    return kind_of(name, os.path.basename(folder)) in _READ
+
+
+def _below(folder: str, name: str) -> str:
+    return os.path.normpath(os.path.join(folder, name)).replace(os.sep, "/")
+
+
+def _why_left_out(file: str) -> str:
+    """What leaves a file out that ``exclude`` does not."""
+    parts = file.split("/")[:-1]
+    for folder in ("/".join(parts[: end + 1]) or "/" for end in range(len(parts))):
+        for marker in MARKERS:
+            if os.path.exists(os.path.join(folder, marker)):
+                return f": there is {_below(folder, marker)}"
+    return ": git ignores it, or a build has left it"
 
 
 def _to_be_fetched(path: str) -> str:

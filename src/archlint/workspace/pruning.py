@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Set
 
-_MARKERS = ("COLCON_IGNORE", "AMENT_IGNORE")
+MARKERS = ("COLCON_IGNORE", "AMENT_IGNORE")
 _NEVER = frozenset({"__pycache__", "node_modules", "venv", "site-packages"})
 
 COLCON_FOLDERS = frozenset({"build", "install", "log"})
@@ -33,7 +33,7 @@ def is_pruned_by_content(name: str, names: Set[str], siblings: Set[str]) -> bool
 
     ``siblings`` are the entries of the folder around it.
     """
-    if not names.isdisjoint(_MARKERS) or "pyvenv.cfg" in names:
+    if not names.isdisjoint(MARKERS) or "pyvenv.cfg" in names:
         return True
     return name in COLCON_FOLDERS and _is_build_output(name, names, siblings)
 
