@@ -6,7 +6,7 @@ VENV   := .venv
 BIN    := $(VENV)/bin
 STAMP  := $(VENV)/.installed-$(shell cksum < pyproject.toml | tr -d ' ')
 
-.PHONY: demo test test-ros test-ros-full adoption docs check style types layers suite clean
+.PHONY: demo test test-ros test-ros-full adoption adoption-public docs check style types layers suite clean
 
 # A Debian without python3-venv cannot make an environment with pip in it: install that package where we may.
 $(STAMP): pyproject.toml
@@ -54,6 +54,12 @@ test-ros-%: $(STAMP)
 
 adoption: $(STAMP)  ## what a team does, with pre-commit and colcon from PyPI; WORKSPACES="…": not on the fixtures
 	$(BIN)/python -m benchmarks.adoption --install $(WORKSPACES)
+
+PUBLIC := https://github.com/BYUMarsRover/Autonomy-ROS2@bb1e719266d86001d7f1c4a05838ffdcf8c5d242 \
+  https://github.com/smarc-project/smarc2@c2bd1d0ddc0217126699f87bfe7fdb2999c9c2ee
+
+adoption-public:  ## the same on two public repositories, which git brings
+	@$(MAKE) --no-print-directory adoption WORKSPACES="$(PUBLIC)"
 
 # The documentation site: the sources in build/docs, what a browser opens in build/docs/site.  Broken links fail.
 DOCS_STAMP := .venv-docs/.installed-$(shell cksum < pyproject.toml | tr -d ' ')

@@ -14,7 +14,7 @@ from pathlib import Path
 
 from benchmarks.adoption.programs import ROOT, Programs, installed, of_this_checkout
 from benchmarks.adoption.steps import STEPS, Failed, Skipped, Story
-from benchmarks.adoption.workspace import Workspace
+from benchmarks.adoption.workspace import Workspace, checked_out
 
 WORKSPACES = (ROOT / "fixtures" / "broken_system", ROOT / "fixtures" / "lesson")
 
@@ -50,7 +50,9 @@ def told(source: Path, kept: Path, programs: Programs) -> Iterator[Outcome]:
 
 def main() -> int:
     parser = argparse.ArgumentParser(prog="python -m benchmarks.adoption", description=__doc__)
-    parser.add_argument("workspaces", metavar="WORKSPACE", nargs="*", type=Path, default=WORKSPACES)
+    parser.add_argument(
+        "workspaces", metavar="WORKSPACE", nargs="*", default=WORKSPACES, help="a folder, or URL@COMMIT"
+    )
     parser.add_argument("--install", action="store_true", help="make .venv-adoption with pre-commit and colcon first")
     parser.add_argument("-o", metavar="DIR", dest="folder", type=Path, help="keep what the steps have written here")
     arguments = parser.parse_args()
@@ -59,12 +61,23 @@ def main() -> int:
         home = Path(temporary, "home").resolve()
         programs = _programs(arguments.install, folder / "programs", home)
         failed = False
-        for source in arguments.workspaces:
-            print(f"\n{source}", flush=True)
+        for workspace in arguments.workspaces:
+            print(f"\n{workspace}", flush=True)
+            try:
+                source = _source(str(workspace), Path(temporary, "checkouts"), programs)
+            except OSError as error:
+                print(f"  failed   {error}", flush=True)
+                failed = True
+                continue
             for outcome in told(source, folder / source.resolve().name, programs):
                 print(outcome.line(), flush=True)
                 failed |= outcome.how == "failed"
     return int(failed)
+
+
+def _source(workspace: str, checkouts: Path, programs: Programs) -> Path:
+    """The folder of a workspace, which git brings where it is an address."""
+    return checked_out(workspace, checkouts, programs) if "://" in workspace else Path(workspace)
 
 
 def _programs(install: bool, folder: Path, home: Path) -> Programs:

@@ -71,6 +71,18 @@ def test_archlint():
 _LEFT_OUT = shutil.ignore_patterns(".git", ".archlint_cache", "__pycache__", "build", "install", "log")
 
 
+def checked_out(address: str, folder: Path, programs: Programs) -> Path:
+    """``URL@COMMIT`` as a folder with this one commit.  Raises ``OSError`` where git cannot bring it."""
+    url, _, commit = address.rpartition("@")
+    checkout = folder / url.rstrip("/").rpartition("/")[2].removesuffix(".git")
+    checkout.mkdir(parents=True)
+    for words in (["init", "-q"], ["fetch", "-q", "--depth", "1", url, commit], ["checkout", "-q", "FETCH_HEAD"]):
+        done = programs.git(checkout, *words)
+        if done.status != 0:
+            raise OSError(f"git cannot bring {address}: {done.said.strip()}")
+    return checkout
+
+
 class Workspace:
     """The copy, one commit old; a repository that is one package becomes a package of it."""
 

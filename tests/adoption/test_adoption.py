@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import io
+import json
+import urllib.request
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 from benchmarks.adoption.__main__ import WORKSPACES, Outcome, told
-from benchmarks.adoption.programs import Programs, of_this_checkout
-from benchmarks.adoption.steps import CODE, STEPS
-from benchmarks.adoption.workspace import Workspace
+from benchmarks.adoption.programs import ROOT, Programs, of_this_checkout
+from benchmarks.adoption.steps import CODE, STEPS, Failed, Skipped, Story, sarif
+from benchmarks.adoption.workspace import Workspace, checked_out
 
 from robot_package import write_robot
 
@@ -46,6 +50,45 @@ def test_a_repository_that_is_one_package_becomes_a_workspace(programs: Programs
     assert packages == {"src/robot", "src/late_addition"}
     assert workspace.commit("more")[0]
     assert not [*workspace.root.rglob("build")]
+
+
+def test_an_address_is_checked_out_at_its_commit(programs: Programs, tmp_path: Path):
+    repository = Workspace(ROOT / "fixtures" / "lesson", tmp_path / "lesson", programs).root
+    commit = programs.git(repository, "rev-parse", "HEAD").out.strip()
+    (repository / "later").write_text("")
+    programs.git(repository, "add", "-A")
+    programs.git(repository, "commit", "-q", "-m", "later")
+    checkout = checked_out(f"{repository.as_uri()}@{commit}", tmp_path / "checkouts", programs)
+    assert checkout.name == "lesson" and (checkout / "src").is_dir() and not (checkout / "later").exists()
+    with pytest.raises(OSError, match=r"git cannot bring file:///.*nowhere@main"):
+        checked_out(f"{(tmp_path / 'nowhere').as_uri()}@main", tmp_path / "checkouts", programs)
+
+
+def test_the_schema_of_sarif_is_asked_for(programs: Programs, tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.delenv("SARIF_SCHEMA", raising=False)
+    (tmp_path / "nothing").mkdir()
+    story = Story(
+        Workspace(tmp_path / "nothing", tmp_path / "copy", programs), replace(programs, installs=True), tmp_path
+    )
+    story.sarif = tmp_path / "archlint.sarif"
+    story.sarif.write_text(json.dumps({"runs": [{"results": [{}]}]}), "utf-8")
+
+    def answers(schema: object) -> None:
+        answer = json.dumps(schema).encode()
+        monkeypatch.setattr(urllib.request, "urlopen", lambda address, timeout: io.BytesIO(answer))
+
+    answers({"required": ["runs"]})
+    assert sarif(story) == "1 result, valid"
+    answers({"required": ["version"]})
+    with pytest.raises(Failed, match="'version' is a required property"):
+        sarif(story)
+
+    def silence(address: str, timeout: float) -> io.BytesIO:
+        raise OSError("no network")
+
+    monkeypatch.setattr(urllib.request, "urlopen", silence)
+    with pytest.raises(Skipped, match=r"no answer from https://docs\.oasis-open\.org/.*no network"):
+        sarif(story)
 
 
 def test_an_outcome_is_one_line():
