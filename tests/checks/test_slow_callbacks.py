@@ -551,6 +551,47 @@ def test_nobody_writes_an_action_for_a_moment(run: Run, body: str, expected: lis
     assert codes(run(source("self.create_service(SetBool, 'home', self.handle)\n", method))) == expected
 
 
+COUNTED = """
+def handle(self, request, response):
+    self.known = self.wait({given})
+    return response
+
+def wait(self, timeout):
+    tries = 1
+    while {test}:
+        if self.moves():
+            return True
+        {body}
+    return False
+
+def moves(self):
+    return read()
+"""
+
+
+@pytest.mark.parametrize(
+    ("given", "test", "body", "expected"),
+    [
+        ("3.0", "timeout > 0.0", "time.sleep(0.02)\n        timeout -= 0.02", []),
+        ("0.0", "timeout < 3.0", "time.sleep(0.1)\n        timeout = timeout + 0.1", []),
+        (
+            "3.0",
+            "not self.moves()",
+            "if tries > 5:\n            return 0\n        tries += 1\n        time.sleep(0.5)",
+            [],
+        ),
+        ("30.0", "timeout > 0.0", "time.sleep(0.02)\n        timeout -= 0.02", ["SRV008"]),
+        ("3.0", "timeout > 0.0", "time.sleep(0.02)", ["SRV008"]),
+        ("3.0", "timeout > 0.0", "time.sleep(0.02)\n        timeout += 0.02", ["SRV008"]),
+        ("3.0", "timeout > 0.0", "time.sleep(0.02)\n        if read():\n            timeout -= 0.02", ["SRV008"]),
+        ("read()", "timeout > 0.0", "time.sleep(0.02)\n        timeout -= 0.02", ["SRV008"]),
+    ],
+)
+def test_a_loop_that_counts_its_rounds_ends(run: Run, given: str, test: str, body: str, expected: list[str]):
+    method = COUNTED.replace("{given}", given).replace("{test}", test).replace("{body}", body)
+    assert codes(run(source("self.create_service(Trigger, 'home', self.handle)\n", method))) == expected
+
+
 STEPS = """
 def toggle(self):
     {toggle}

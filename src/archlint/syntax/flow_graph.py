@@ -151,7 +151,7 @@ class Loop:
             edge
             for block in self.blocks
             for edge in block.edges
-            if edge.test is not None and self._ends_it(edge) and self._is_in_every_round(block)
+            if edge.test is not None and self._ends_it(edge) and self.is_in_every_round(block)
         ]
 
     @property
@@ -167,7 +167,8 @@ class Loop:
         onward = [edge, *(later for block in inside for later in block.edges)]
         return all(later.target is not self.head for later in onward)
 
-    def _is_in_every_round(self, block: Block) -> bool:
+    def is_in_every_round(self, block: Block) -> bool:
+        """Whether no round that leads to another one goes past a block."""
         if block is self.head:
             return True
         begins = [edge.target for edge in self.head.edges if self._stays_within(edge)]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from archlint.interpreter.values import Known
+from archlint.libraries.python.countdowns import limit_of_rounds
 from archlint.syntax import facts
 from archlint.syntax.control_flow import loop_of
 from archlint.syntax.walk import called_name, statements_of
@@ -19,10 +20,14 @@ _CLOCKS = frozenset({"time", "monotonic", "perf_counter"})
 def limit_of(run: Run, loop: facts.While | facts.For) -> float | None:
     """The seconds after which a loop of the function that runs now ends in any case; None where nobody knows.
 
-    Its own condition may watch the clock, or one in its body: ``if time.monotonic() - start >= limit: break``.
+    Its own condition may watch the clock or a counter, or one in its body:
+    ``if time.monotonic() - start >= limit: break``.
     """
-    conditions = (condition for edge in loop_of(loop).endings for condition in edge.sufficient)
+    flow = loop_of(loop)
+    conditions = [condition for edge in flow.endings for condition in edge.sufficient]
     limits = [_limit(run, test, holds) for test, holds in conditions]
+    if isinstance(loop, facts.While):
+        limits += [limit_of_rounds(run, flow, test, holds) for test, holds in conditions]
     return min((limit for limit in limits if limit is not None), default=None)
 
 
