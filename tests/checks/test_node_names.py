@@ -9,6 +9,7 @@ import pytest
 from archlint.config.settings import load
 from archlint.engine.pipeline import Request, check
 from archlint.finding import Finding
+from robot_package import write_robot
 
 SETUP = """\
 from glob import glob
@@ -190,3 +191,60 @@ def test_a_class_method_that_main_has_run_makes_no_second_node(findings, decorat
     assert findings(None, [*runner, *body, "Runner.main()"]) == []
     more = ["Runner.main()", "other = Runner()", "rclpy.spin(other)"]
     assert len(findings(None, [*runner, "        global node", *body, *more])) == 1
+
+
+INNER = """\
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, OpaqueFunction, TimerAction
+from launch.substitutions import LaunchConfiguration
+from launch_ros.actions import Node
+
+def setup(context):
+    {reads}
+    return [Node(package='robot', executable='talker', name='talker')]
+
+def generate_launch_description():
+    return LaunchDescription([
+        DeclareLaunchArgument('robot', default_value='a'),
+        TimerAction(period=0.0, actions=[OpaqueFunction(function=setup)]),
+    ])
+"""
+OUTER = """\
+import os
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, GroupAction, IncludeLaunchDescription
+from launch.launch_description_sources import PythonLaunchDescriptionSource
+
+def inner(robot):
+    path = os.path.join(get_package_share_directory('robot'), 'launch', 'inner.launch.py')
+    return IncludeLaunchDescription(PythonLaunchDescriptionSource(path), launch_arguments={'robot': robot}.items())
+
+def generate_launch_description():
+    return LaunchDescription([
+        DeclareLaunchArgument('{declared}', default_value='x'),
+        GroupAction([inner('b')]),
+        GroupAction([inner('c')]),
+    ])
+"""
+
+
+@pytest.mark.parametrize(
+    ("reads", "declared", "told"),
+    [
+        ("LaunchConfiguration('robot').perform(context)", "other", 0),  # launch stops here: the argument is gone
+        ("LaunchConfiguration('robot').perform(context)", "robot", 1),  # the one around the groups is still there
+        ("pass", "other", 1),
+    ],
+)
+def test_a_timer_in_a_group_starts_nothing_with_an_argument_that_is_gone(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, reads: str, declared: str, told: int
+):
+    monkeypatch.chdir(tmp_path)
+    launch = {
+        "launch/inner.launch.py": INNER.format(reads=reads),
+        "launch/outer.launch.py": OUTER.replace("{declared}", declared),
+        "archlint.toml": 'select = ["NME004"]',
+    }
+    write_robot(tmp_path, **launch)
+    assert len(check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings) == told

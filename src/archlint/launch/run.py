@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, TypeVar
 
 from archlint import model
-from archlint.branches import Branch, BranchArm, BranchArms
+from archlint.branches import Branch, BranchArm, BranchArms, UnfollowedCondition
 from archlint.finding import Place
 from archlint.interpreter import containers, values
 from archlint.interpreter.limits import FEW_STEPS, PROGRAM_STEPS
@@ -97,7 +97,7 @@ class LaunchRun(Run):
         """The actions around what is visited now, outermost first, each with the number of its visit."""
         self.given = GivenArguments(result)
         self.names = ArgumentNames()
-        self.domains = Domains()
+        self.domains, self.gone = Domains(), dict[str, Value]()
         self.declaring: str | None = None
         """The argument whose default value is performed now."""
         self._values: dict[str, list[str]] = {}
@@ -192,7 +192,17 @@ class LaunchRun(Run):
     def note_read(self, name: str) -> None:
         """A launch configuration is read, perhaps one that an include in front has set."""
         self.result.read.add(name)
-        self.given.note_read(name, self.launch.configurations.get(name), self.file, self.place_now)
+        value = self.launch.configurations.get(name)
+        self.given.note_read(name, value, self.file, self.place_now)
+        if name in self.gone and value is self.gone[name]:
+            self._note_gone(name)
+
+    def _note_gone(self, name: str) -> None:
+        """A timer or an event reads what only the group around it sets, which has ended by then: launch stops there.
+        What comes after it is never seen to run along with anything."""
+        branch = UnfollowedCondition(f"{name} at visit {self.visits}")
+        self.result.why_open.setdefault(branch, f"the group that sets '{name}' has ended by then")
+        self.current_arms |= {(branch, 0)}
 
     def note_unknown_attribute(self, wrong: UnknownAttribute) -> None:
         self._note(wrong, self.result.unknown_attributes)

@@ -74,18 +74,22 @@ def _without_groups(run: LaunchRun) -> Iterator[None]:
         yield
         return
     now = run.launch
-    before = now.namespace, now.remaps, now.parameters, now.environment
+    before = now.namespace, now.remaps, now.parameters, now.environment, now.configurations
+    arms, gone = run.current_arms, run.gone
     without = run.without_namespace
     run.without_namespace = without or now.namespace != around.namespace
     now.namespace, now.remaps, now.parameters = around.namespace, around.remaps, around.parameters
     now.environment = dict(around.environment)
+    run.gone = {name: value for name, value in now.configurations.items() if name not in around.configurations}
+    now.configurations = now.configurations | around.configurations
     run.around_groups = None
     try:
         yield
     finally:
         run.around_groups = around
         run.without_namespace = without
-        now.namespace, now.remaps, now.parameters, now.environment = before
+        now.namespace, now.remaps, now.parameters, now.environment, now.configurations = before
+        run.current_arms, run.gone = arms, gone
 
 
 def timer(run: LaunchRun, entity: LaunchObject) -> None:
