@@ -289,3 +289,14 @@ def test_humble_checks_what_is_assigned(judge: Judge, value: str):
     source = GUARDED.format(line=f"message.data = {value}  # here")
     [finding] = judge("MSG003", source, config='distro = "humble"')
     assert finding.message.endswith(f"takes a float, not the int {value}: this line raises AssertionError")
+
+
+def test_fields_of_one_type_that_get_the_same_wrong_kind_are_one_finding(judge: Judge):
+    line = "; ".join(["point = Point()", "point.x = 'a'", "point.y = 'b'", "point.z = 'c'", "Twist().linear.x = 'd'"])
+    text = NODE.replace("{line}", line.replace("; ", "\n        ")).replace("{of_joy}", "pass")
+    text = text.replace("point.x = 'a'", "point.x = 'a'  # here").replace("linear.x = 'd'", "linear.x = 'd'  # here")
+    first, other = judge("MSG003", text)
+    assert "'x' of geometry_msgs/msg/Point takes a float" in first.message
+    assert first.message.endswith("; 2 more lines do the same")
+    assert ["'y'" in first.related[0].message, "'z'" in first.related[1].message] == [True, True]
+    assert "'x' of geometry_msgs/msg/Vector3" in other.message

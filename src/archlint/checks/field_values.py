@@ -62,7 +62,7 @@ def _finding(value: WrongValue, consequence: str) -> Finding:
         help=value.cure,
         node=None if value.node is None else value.node.name.text,
         identity=(value.type, value.section_name, value.name, value.wanted),
-        group=(value.place.file, of, value.name, value.wanted),
+        group=(value.place.file, of, value.wanted, consequence),
     )
 
 
@@ -82,6 +82,7 @@ def _compared(row: ByteCompared) -> Finding:
 
 
 @folds("MSG003")
-def of_one_field(findings: Sequence[Finding]) -> Finding:
-    """The first of a file for all that give the same field something that it does not take."""
+def of_one_message(findings: Sequence[Finding]) -> Finding:
+    """The first of a file for all that give fields of one type the same wrong kind of value: whoever writes ``0`` for
+    ``0.0`` does so for x, y and z."""
     return with_others(findings, "another line does", "more lines do", "the same")
