@@ -17,6 +17,7 @@ if TYPE_CHECKING:  # most starts end before anything of this is needed, so nothi
 COMMANDS = (
     "check",
     "graph",
+    "diff",
     "show",
     "facts",
     "observe",

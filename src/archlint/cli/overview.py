@@ -32,6 +32,8 @@ commands:
                       (`archlint PATH` and `archlint` alone mean this)
   graph [PATH ...]    the communication graph: text, json, dot, svg, png, pdf,
                       mermaid ...
+  diff BASE [HEAD]    what a change does to the architecture, and what it
+                      breaks: git revisions, folders or saved graphs
   show NAME           one node, topic, service, action or parameter: both ends,
                       types, QoS, places
   facts -o DIR        compile this workspace into DIR; `check --facts DIR ...`

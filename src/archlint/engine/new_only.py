@@ -8,29 +8,23 @@ from __future__ import annotations
 import hashlib
 import json
 import os
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from archlint.engine.git import GitError, Repository, repository_of
-from archlint.engine.inputs import find_files
 from archlint.engine.known import Older
+from archlint.engine.old_request import Surroundings, commit_of, folder_of, old_request, paths_there, working_in
 from archlint.engine.old_tree import OldTree, old_tree
 from archlint.engine.own_code import own_code
 from archlint.engine.pipeline import NothingToDo, Request, check, store_of
 from archlint.finding import Severity
 from archlint.report.occurrence import Key
-from archlint.suggestions import did_you_mean
-from archlint.syntax.cache import NullStore
-from archlint.workspace.around import is_below
 from archlint.workspace.discovery import PathNotFound
 
 if TYPE_CHECKING:
-    from archlint.config.settings import Settings
-    from archlint.globs import Glob
     from archlint.report.model import Report
-    from archlint.syntax.cache import Store
+    from archlint.syntax.cache import NullStore, Store
 
 __all__ = ["Before", "GitError", "findings_before"]
 
@@ -48,9 +42,9 @@ def findings_before(request: Request, revision: str) -> Before:
 
     Raises :class:`GitError` where that is not known, and :class:`NothingToDo` where there is nothing to check now.
     """
-    repository = repository_of(dict.fromkeys(_folder(path) for path in request.paths))
+    repository = repository_of(dict.fromkeys(folder_of(path) for path in request.paths))
     commit, notices = _commit(repository, revision)
-    surroundings = _Surroundings(request, repository)
+    surroundings = Surroundings(request, repository)
     store = store_of(request)
     kept = _Kept(store, request, repository, commit, surroundings)
     known = kept.load()
@@ -75,16 +69,9 @@ def findings_before(request: Request, revision: str) -> Before:
     return Before(findings, tuple(notices))
 
 
-def _folder(path: str) -> str:
-    absolute = os.path.abspath(path)
-    return absolute if os.path.isdir(absolute) else os.path.dirname(absolute)
-
-
 def _commit(repository: Repository, revision: str) -> tuple[str, list[str]]:
     """The commit to compare with: where the history of the working tree leaves that of the revision."""
-    commit, head = repository.commit(revision), repository.commit("HEAD")
-    if commit is None:
-        raise GitError(_unknown(repository, revision))
+    commit, head = commit_of(repository, revision), repository.commit("HEAD")
     fork = None if head is None else repository.fork(commit, head)
     if fork is not None:
         return fork, []
@@ -92,54 +79,6 @@ def _commit(repository: Repository, revision: str) -> tuple[str, list[str]]:
     return commit, [
         f"--new-only: where HEAD and {revision} part is not known ({why}), so it is compared with {revision}"
     ]
-
-
-def _unknown(repository: Repository, revision: str) -> str:
-    if repository.is_shallow:
-        fetch = "git fetch --unshallow origin '+refs/heads/*:refs/remotes/origin/*'"
-        return f"{revision} is not in this clone, which is shallow; `{fetch}` brings it"
-    near = did_you_mean(revision, repository.names(), quote="")
-    return f"git knows no revision {revision} in {os.path.relpath(repository.root)}{near}"
-
-
-class _Surroundings:
-    """What belongs to a workspace and to no revision of its repository: files outside of it, those of repositories in
-    it, and the configuration, which is that of the working tree."""
-
-    def __init__(self, request: Request, repository: Repository) -> None:
-        self._root = repository.root
-        self._folders = [os.getcwd(), *map(_folder, request.paths)]
-        self._configuration = request.settings.read
-        self._masters: dict[str, bool] = {}
-        self._files = [file for file in find_files(request).files if self._is_foreign(file.path)]
-
-    def add_to(self, tree: OldTree) -> None:
-        written = {folder for folder in tree.written if folder != self._root}
-        files = [file for file in self._files if not any(is_below(file.path, folder) for folder in written)]
-        tree.surround(files, self._folders, self._root)
-        for file in self._configuration:
-            tree.copy(file)
-        for folder in self._folders:
-            if os.path.isdir(folder) and not is_below(folder, self._root):
-                os.makedirs(tree.place(folder), exist_ok=True)
-
-    def rows(self) -> list[object]:
-        """What changes with them."""
-        return [(file.relative, *file.stamp) for file in self._files]
-
-    def _is_foreign(self, path: str) -> bool:
-        if not is_below(path, self._root):
-            return True
-        return self._has_other_master(os.path.dirname(path))
-
-    def _has_other_master(self, folder: str) -> bool:
-        """Whether a folder below the root is reached through a link, or lies in another repository."""
-        if folder == self._root or folder == os.path.dirname(folder):
-            return False
-        if folder not in self._masters:
-            is_other = os.path.islink(folder) or os.path.lexists(os.path.join(folder, ".git"))
-            self._masters[folder] = is_other or self._has_other_master(os.path.dirname(folder))
-        return self._masters[folder]
 
 
 class _Kept:
@@ -151,7 +90,7 @@ class _Kept:
         request: Request,
         repository: Repository,
         commit: str,
-        surroundings: _Surroundings,
+        surroundings: Surroundings,
     ) -> None:
         self._store = store
         here = os.path.relpath(os.getcwd(), repository.root)
@@ -173,37 +112,13 @@ class _Kept:
         self._store.put_run(self._key, json.dumps(rows).encode())
 
 
-class _FactsOnly(NullStore):
-    """A cache of what files say, whichever files these are; nothing else of an earlier revision is kept."""
-
-    def __init__(self, store: Store | NullStore) -> None:
-        self._store = store
-
-    def get(self, digest: str) -> bytes | None:
-        return self._store.get(digest)
-
-    def put(self, digest: str, payload: bytes) -> None:
-        self._store.put(digest, payload)
-
-
 def _report(request: Request, tree: OldTree, store: Store | NullStore) -> Report | None:
     """What is found in an earlier revision; None where there was nothing yet to check."""
     here = os.getcwd()
-    paths = tuple(tree.place(path) if os.path.isabs(path) else path for path in request.paths)
-    old = replace(
-        request,
-        settings=_moved(request.settings, tree),
-        cached=False,
-        store=_FactsOnly(store),
-        baseline=None,
-        before=None,
-        occurrences=True,
-        fixes=False,
-        keeper=None,
-    )
-    with _working_in(tree.place(here)):
-        present = tuple(path for path in paths if os.path.exists(path))
-        if not present or not (request.launch is None or os.path.isfile(request.launch)):
+    old = old_request(request, tree, store)
+    with working_in(tree.place(here)):
+        present = paths_there(old)
+        if not present:
             return None
         try:
             report = check(replace(old, paths=present))
@@ -211,30 +126,3 @@ def _report(request: Request, tree: OldTree, store: Store | NullStore) -> Report
             return None
     # Their files are named from the working directory, which is another one now.
     return report
-
-
-def _moved(settings: Settings, tree: OldTree) -> Settings:
-    """The settings with all that they name in the folder of a revision."""
-
-    def moved(glob: Glob) -> Glob:
-        return replace(glob, base=tree.place(glob.base))
-
-    return replace(
-        settings,
-        exclude=tuple(map(moved, settings.exclude)),
-        launch=tuple(map(moved, settings.launch)),
-        per_file_ignores={moved(glob): codes for glob, codes in settings.per_file_ignores.items()},
-        file=None if settings.file is None else tree.place(settings.file),
-        read=tuple(map(tree.place, settings.read)),
-    )
-
-
-@contextmanager
-def _working_in(folder: str) -> Iterator[None]:
-    before = os.getcwd()
-    os.makedirs(folder, exist_ok=True)
-    os.chdir(folder)
-    try:
-        yield
-    finally:
-        os.chdir(before)

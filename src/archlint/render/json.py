@@ -14,6 +14,7 @@ from archlint import model as program
 from archlint.analysis.delivery import undelivered_on
 from archlint.json_text import json_text
 from archlint.model import Creation, ParameterDeclaration
+from archlint.render.definitions import interfaces, launch_arguments
 from archlint.ros.parameter_types import type_of
 from archlint.ros.qos import Qos
 from archlint.syntax.parameter_files import NotKnown
@@ -61,6 +62,8 @@ def document(system: System) -> dict[str, Any]:
         "services": [_connection(c, "servers", "clients") for c in system.services.values()],
         "actions": [_connection(c, "servers", "clients") for c in system.actions.values()],
         "unresolved": unresolved(system),
+        "launch_arguments": launch_arguments(system),
+        "interfaces": interfaces(system),
         **compared,
     }
 
@@ -120,6 +123,7 @@ def node_data(node: Node) -> dict[str, Any]:
         "timers": [_timer(timer) for timer in node.timers],
         "parameters": [parameter_data(parameter, node) for parameter in node.parameters]
         + [*map(_setting, node.settings)],
+        "overrides": sorted(node.overrides),
     }
 
 

@@ -1,0 +1,1 @@
+"""What ``archlint diff`` says: the formats of a comparison."""

@@ -1,0 +1,123 @@
+"""What a comparison looks like: as text, Markdown, Mermaid and JSON."""
+
+from __future__ import annotations
+
+import json as json_module
+import re
+
+from archlint.comparing.compare import compare
+from archlint.comparing.graphs import Graph
+from archlint.render.changes import json, markdown, mermaid, text
+from archlint.render.changes.model import Difference, SideName
+from small_systems import end, node, parameter, system
+
+PLANNER = node("/planner", subscribers=[end("/scan")])
+BEFORE = system(node("/sensor", publishers=[end("/scan", line=12)], parameters=[parameter("rate", 1.0)]), PLANNER)
+AFTER = system(
+    node("/sensor", parameters=[parameter("rate", 2.0)]),
+    PLANNER,
+    node("/light", services=[end("/light/set", "std_srvs/srv/SetBool")], parameters=[]),
+)
+
+
+def difference(before: Graph = BEFORE, after: Graph = AFTER) -> Difference:
+    compared = compare([before], [after])
+    return Difference(SideName("main", "3f2a" * 10), SideName("the working tree"), compared.changes, compared.sketch)
+
+
+def test_text():
+    assert (
+        text.render(difference())
+        == """\
+main (3f2a3f2a3f2a) → the working tree
+
+breaking
+  /sensor: publisher of /scan removed
+    /planner still subscribes to it, and no node here offers it
+    robot/node.py:12 (base)
+
+risky
+  /sensor: parameter rate, default: 1.0 → 2.0
+    a node that nobody sets it for behaves otherwise
+    robot/node.py:5
+
+safe
+  node /light added
+    nothing that was there is touched
+    it serves /light/set
+    robot/light.py:3
+
+1 breaking, 1 risky, 1 safe changes
+"""
+    )
+
+
+def test_only_what_changed_is_in_the_picture():
+    bystander = node("/bystander", publishers=[end("/other")])
+    before, after = (system(node("/sensor", publishers=ends), PLANNER, bystander) for ends in ([end("/scan")], []))
+    picture = mermaid.render(difference(before, after).sketch).splitlines()
+    assert picture[:6] == [
+        "flowchart LR",
+        '  n0(["/sensor"])',
+        '  n1["/scan"]',
+        '  n2(["/planner"])',
+        "  n0 -.-x|breaking| n1",
+        "  n1 --> n2",
+    ]
+
+
+def test_nothing_to_draw():
+    assert mermaid.render(difference(BEFORE, BEFORE).sketch) == ""
+
+
+def test_a_picture_is_bounded_and_shows_first_what_breaks():
+    many = [end(f"/new{number:03}") for number in range(200)]
+    after = system(node("/sensor", publishers=many), PLANNER)
+    picture = mermaid.render(difference(BEFORE, after).sketch)
+    lines = re.findall(r"^  n\d+ \S*[-=]", picture, re.MULTILINE)
+    assert len(lines) == mermaid.MOST_LINES
+    assert picture.index("|breaking|") < picture.index("|new|")
+    assert 'more["… and 142 more connections"]' in picture
+
+
+HOSTILE = '/a"]; click n0 "x`<script>|**@me**\n# b'
+
+
+def test_names_stay_names():
+    after = system(node("/sensor", publishers=[end(HOSTILE)]))
+    shown = markdown.render(difference(system(node("/sensor")), after))
+    picture = shown.partition("```mermaid\n")[2].partition("```")[0]
+    assert "<script>" not in shown
+    assert '"x' not in picture
+    assert shown.count("```") == 2
+    [row] = [line for line in shown.partition("```mermaid")[0].splitlines() if "publisher" in line]
+    assert re.sub(r"\\.", "", row).count("|") == 4
+    assert "@" not in row
+    assert "\n# b" not in text.render(difference(system(node("/sensor")), after))
+
+
+def test_a_comment_is_bounded():
+    many = [end(f"/old{number:03}") for number in range(100)]
+    shown = markdown.render(difference(system(node("/sensor", publishers=many)), system(node("/sensor"))))
+    assert "### Risky (100)" in shown
+    assert shown.count("| /sensor: publisher of /old") == markdown.MOST_ROWS
+    assert "… and 60 more." in shown
+
+
+def test_no_change():
+    assert markdown.render(difference(BEFORE, BEFORE)) == (
+        "## Architecture: no change of the architecture\n\nmain (3f2a3f2a3f2a) → the working tree\n"
+    )
+
+
+def test_json():
+    document = json_module.loads(json.render(difference()))
+    assert document["base"] == {"name": "main", "commit": "3f2a" * 10}
+    assert document["summary"] == {"breaking": 1, "risky": 1, "safe": 2}
+    assert document["findings"] is None
+    assert [(change["subject"], change["status"], change["side"]) for change in document["changes"]] == [
+        ("publisher", "removed", "base"),
+        ("parameter", "changed", "head"),
+        ("node", "added", "head"),
+        ("service", "added", "head"),
+    ]
