@@ -36,11 +36,16 @@ def is_driven_by_hand(code: SourceCode, program: Program, node: Blueprint) -> bo
         rclpy.spin_once(node, timeout_sec=0.05)
     """
     spins = [call for call in program.calls if is_spin_call(call)]
-    if not program.executable or program.exhausted or len(program.nodes) != 1 or not spins:
+    if not program.executable or len(program.nodes) != 1:
         return False
-    if not all(call.api == "rclpy.spin_once" and call.looped and call.context.role == Role.MAIN for call in spins):
+    if not all(call.api in _FOR_A_MOMENT and call.context.role == Role.MAIN for call in spins):
+        return False
+    if not any(call.api == "rclpy.spin_once" and call.looped for call in spins):
         return False
     return any(in_loop and name in _own_methods(code, node) for in_loop, name in _called(code, node))
+
+
+_FOR_A_MOMENT = ("rclpy.spin_once", "rclpy.spin_until_future_complete")
 
 
 def _own_methods(code: SourceCode, node: Blueprint) -> set[str]:
