@@ -329,6 +329,39 @@ def test_a_nested_spin_does_something_else_in_each_distribution(run: Run):
     assert "raises 'Executor is already spinning'" in jazzy.message
 
 
+ANSWER_AND_MORE = """
+def tick(self):
+    future = self.client.call_async(Trigger.Request())
+    rclpy.spin_until_future_complete(self, future, timeout_sec=1.0)
+    rclpy.spin_once(self, timeout_sec=0.1)
+"""
+ROUND_BY_ROUND = ON_ONE_THREAD.replace("rclpy.spin(Robot())", "node = Robot()\n    while rclpy.ok():\n        {}")
+LOST = "none of its callbacks runs again in humble and raises 'Executor is already spinning' from jazzy on"
+
+
+def test_spin_once_loses_the_node_in_humble_and_leads_what_works_there(run: Run):
+    apart = "group = ReentrantCallbackGroup()\n"
+    apart += "self.client = self.create_client(Trigger, 'check', callback_group=group)\n" + TIMER
+    [found] = run(source(apart, ANSWER_AND_MORE))
+    assert found.code == "EXE001" and found.severity is Severity.ERROR and LOST in found.message
+    [first] = [each for each in found.related if each.message == "it spins here, too"]
+    assert first.place.line == found.place.line - 1
+    [alone] = run(source(apart, ANSWER_AND_MORE.replace("rclpy.spin_once", "print")))
+    assert alone.severity is Severity.WARNING
+
+
+@pytest.mark.parametrize(
+    ("main", "lost"),
+    [
+        (ON_ONE_THREAD, True),
+        (ROUND_BY_ROUND.format("rclpy.spin_once(node)"), False),  # each round adds the node again
+    ],
+)
+def test_who_gives_the_node_back_to_its_executor(run: Run, main: str, lost: bool):
+    found = run(source(TIMER, "def tick(self):\n    rclpy.spin_once(self, timeout_sec=0.1)\n", main))
+    assert [LOST in one.message for one in found if one.code == "EXE001"] == [lost]
+
+
 def test_a_spin_on_another_executor_strands_the_node(run: Run):
     method = """
     def tick(self):

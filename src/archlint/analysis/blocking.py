@@ -207,6 +207,11 @@ class Verdict:
         before = None if self.before is None else _WITH_AN_ACTION_CLIENT.get(self.before, self.before)
         return replace(self, outcomes=outcomes, before=before)
 
+    def stranding_in(self, distro: str) -> Verdict:
+        """The same where the call loses the node in a distribution, once it returns."""
+        outcomes = {each: Outcome.STRANDS if each == distro else outcome for each, outcome in self.outcomes.items()}
+        return replace(self, outcomes=outcomes)
+
     @property
     def words(self) -> str:
         """``deadlocks``; where the distributions and their releases differ, which does what."""

@@ -80,6 +80,17 @@ def spun_by_several(system: System) -> set[int]:
     return {node for node, where in threads.items() if len(where) > 1}
 
 
+def is_dropped_in_humble(call: ApiCall, spun: Blueprint | None, program: Program) -> bool:
+    """Whether a ``rclpy.spin_once(self)`` in a callback takes the node out of the executor that runs ``rclpy.spin()``:
+    in humble it removes the node afterwards, also one that was there before; ``rclpy.spin()`` adds it once.
+
+    Source: rclpy/__init__.py, up to 3.3.15 of humble; 7.1.5 of jazzy and 9.1.2 of kilted remove what they have added.
+    """
+    if call.api != "rclpy.spin_once" or spun is None or spun is not call.context.node or argument(call, "executor"):
+        return False
+    return any(other.api == "rclpy.spin" and spun_node(other, program) is spun for other in program.calls)
+
+
 def is_left_to(call: ApiCall, spun: Blueprint | None, program: Program) -> bool:
     """Whether a callback spins another node than its own, and whoever else does so hands it over for that time only:
     no executor has the node, so its callbacks run in such spins or not at all."""

@@ -21,14 +21,18 @@ class Fold:
     function: Callable[[Sequence[Finding]], Finding]
     across_systems: bool
     """Whether it also folds what several launch files show."""
+    across_severities: bool = False
+    """Whether it also folds what weighs more with what weighs less."""
 
     def __call__(self, findings: Sequence[Finding]) -> Finding:
         return self.function(findings)
 
 
-def folds(code: str, *, across_systems: bool = False) -> Callable[[Callable[[Sequence[Finding]], Finding]], Fold]:
+def folds(
+    code: str, *, across_systems: bool = False, across_severities: bool = False
+) -> Callable[[Callable[[Sequence[Finding]], Finding]], Fold]:
     """Make the decorated function the fold of the rule with this code."""
-    return lambda function: Fold(code, function, across_systems)
+    return lambda function: Fold(code, function, across_systems, across_severities)
 
 
 def all_sites(findings: Sequence[Finding]) -> Sites | None:

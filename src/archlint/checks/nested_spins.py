@@ -18,7 +18,7 @@ from archlint.analysis.reach import (
 )
 from archlint.analysis.source_code import source_code
 from archlint.analysis.spin_flags import is_while_nobody_spins
-from archlint.analysis.spins import is_left_to, is_spin_call, spun_node
+from archlint.analysis.spins import is_dropped_in_humble, is_left_to, is_spin_call, spun_node
 from archlint.analysis.stuck import nested_spins
 from archlint.checks.callback_findings import finding_in_callback
 from archlint.checks.callback_waits import when_done
@@ -55,6 +55,8 @@ def _nested_spin(system: System, program: Program, call: ApiCall, options: Optio
     verdict = judge_spin(call, spun, client, program, limited, options.distros)
     if verdict.safe and set(verdict.outcomes.values()) == {blocking.Outcome.FINE} and spun is not call.context.node:
         return
+    if is_dropped_in_humble(call, spun, program):
+        verdict = verdict.stranding_in("humble")
     if verdict.unknown:
         return
     function = call.api.rpartition(".")[2]
@@ -92,7 +94,8 @@ _PAUSE = "use time.sleep(…) instead: the executor's other threads keep running
 _EVENT = "wait for a threading.Event with a timeout; put the callback that sets it into another callback group"
 
 
-@folds("EXE001")
+@folds("EXE001", across_severities=True)
 def _of_one_callback(findings: Sequence[Finding]) -> Finding:
-    """The finding for all spins of one callback: it must do without any."""
-    return with_places(findings, "it spins here, too")
+    """The finding for all spins of one callback: it must do without any.  The worst of them leads."""
+    worst_first = sorted(findings, key=lambda finding: -finding.severity)
+    return with_places(worst_first, "it spins here, too")

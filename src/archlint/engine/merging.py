@@ -57,8 +57,10 @@ def folded(findings: Iterable[Finding]) -> list[Finding]:
     groups: dict[tuple[object, ...], list[Finding]] = {}
     for finding in findings:
         if finding.group and finding.code in folds:
-            system = None if folds[finding.code].across_systems else (finding.system, finding.condition)
-            groups.setdefault((finding.code, finding.severity, system, *finding.group), []).append(finding)
+            fold = folds[finding.code]
+            system = None if fold.across_systems else (finding.system, finding.condition)
+            severity = None if fold.across_severities else finding.severity
+            groups.setdefault((finding.code, severity, system, *finding.group), []).append(finding)
         else:
             alone.append(finding)
     for several in groups.values():
