@@ -109,3 +109,10 @@ def test_the_paths_of_the_recipes_exist():
     named = set(re.findall(r"`((?:src|tests|tests_ros|scripts|fixtures|benchmarks)/[\w/.]+)`", text))
     assert len(named) > 12
     assert [path for path in sorted(named) if not (ROOT / path).exists()] == []
+
+
+def test_the_tests_of_the_promises_exist():
+    named = re.findall(r"`(tests/[\w/]+\.py)::(\w+)`", (ROOT / "SECURITY.md").read_text("utf-8"))
+    assert len(named) > 20
+    missing = [test for file, test in named if f"def {test}(" not in (ROOT / file).read_text("utf-8")]
+    assert missing == []

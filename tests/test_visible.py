@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from archlint.visible import visible, visible_code
+from archlint.visible import visible, visible_code, visible_text
 
 NASTY = st.text(
     st.one_of(
@@ -82,3 +82,7 @@ def test_columns_keep_their_order(line):
     shown, moved = visible_code(line, *columns)
     assert list(moved) == sorted(moved)
     assert (moved[0], moved[-1]) == (1, len(shown) + 1)
+
+
+def test_a_text_keeps_its_lines_and_tabs():
+    assert visible_text("a\tb\r\n\x1b[2Jc\rd\n\u202ee\n") == "a\tb\r\n\u241b[2Jc\u240dd\n\\u202ee\n"

@@ -6,6 +6,7 @@ import contextlib
 import errno
 import os
 import stat
+from collections.abc import Collection
 from pathlib import Path
 
 
@@ -28,6 +29,13 @@ def read_regular(path: str | Path, limit: int) -> bytes:
     if len(data) > limit:
         raise OSError(errno.EFBIG, f"the file is too large: the limit is {limit // 1000} kB", path)
     return data
+
+
+def lies_in(path: str | Path, folders: Collection[str]) -> bool:
+    """Whether a path leads, through whatever links, to one of some folders or files, or to what is below; those are
+    given by their real paths.  Without any, everything does."""
+    real = os.path.realpath(path)
+    return not folders or any(f"{real}{os.sep}".startswith(folder.rstrip(os.sep) + os.sep) for folder in folders)
 
 
 def replace_file(target: Path, data: bytes, like: os.stat_result | None = None) -> None:

@@ -34,6 +34,16 @@ def visible(text: str) -> str:
     return _UNSAFE.sub(_picture, text)
 
 
+def visible_text(text: str) -> str:
+    """A text of several lines, each made visible; tabs and the ends of lines stay as they are."""
+    return "\n".join(map(_visible_line, text.split("\n")))
+
+
+def _visible_line(line: str) -> str:
+    body, end = (line[:-1], "\r") if line.endswith("\r") else (line, "")
+    return "\t".join(map(visible, body.split("\t"))) + end
+
+
 TAB = 4
 
 

@@ -9,8 +9,10 @@ import pytest
 
 from archlint.config.settings import load
 from archlint.engine.pipeline import Request, check
+from archlint.engine.result_cache import _digest
 from archlint.finding import Finding
 from archlint.syntax.cache import Store
+from archlint.workspace.tree import TEXT_LIMIT
 
 NODE = """\
 from rclpy.node import Node
@@ -113,3 +115,20 @@ def test_fixes_are_made_where_they_are_asked_for_and_kept(tmp_path, findings, ke
     assert findings() == first  # kept with what they edit
     uncached = check(Request((".",), settings, jobs=1, cached=False, fixes=False)).findings
     assert [(one.code, one.place, one.message) for one in uncached] == [(o.code, o.place, o.message) for o in first]
+
+
+def test_of_a_large_file_only_as_much_counts_as_is_ever_read(tmp_path):
+    def digest(first: bytes, last: bytes, size: int) -> str | None:
+        path = tmp_path / "map.yaml"
+        with path.open("wb") as stream:  # with a hole in it: nothing is written in between
+            stream.write(first)
+            stream.seek(size - len(last))
+            stream.write(last)
+        return _digest(path)
+
+    size = 3 * TEXT_LIMIT
+    known = digest(b"a", b"b", size)
+    assert digest(b"a", b"c", size) == known
+    assert digest(b"c", b"b", size) != known
+    assert digest(b"a", b"b", size + 1) != known
+    assert digest(b"a", b"b", 10) != digest(b"a", b"c", 10)

@@ -635,6 +635,58 @@ def test_a_linked_file_is_written_through(workbench: Workbench):
     assert sorted(path.name for path in real.parent.iterdir()) == ["real.txt"]
 
 
+def test_a_diff_on_the_terminal_steers_nothing_and_in_a_file_is_exact(
+    workbench: Workbench, capsys: pytest.CaptureFixture[str]
+):
+    workbench.file = workbench.folder / "wor\nker.py"
+    line = f"        {CLIENT}.wait_for_service()\n        # \x1b[2J \u2028 said\n"
+    workbench.file.write_text(f"{HEAD}{line}{TAIL}", encoding="utf-8")
+    asked = ["check", "--diff", "--unsafe-fixes", "--select", "TMO001", "--no-cache"]
+    main(asked)
+    shown = capsys.readouterr().out
+    assert " # \u241b[2J \\u2028 said\n" in shown
+    assert shown.startswith("--- wor\u240aker.py\n+++ wor\u240aker.py\n")
+    assert "No newline" not in shown
+    main([*asked, "-o", "fix.patch"])
+    assert " # \x1b[2J \u2028 said\n" in (workbench.folder / "fix.patch").read_text("utf-8")
+
+
+@pytest.mark.parametrize("option", ["--fix", "--add-ignores", "--diff"])
+def test_a_file_outside_of_the_repository_is_not_changed(
+    workbench: Workbench, capsys: pytest.CaptureFixture[str], option: str, monkeypatch: pytest.MonkeyPatch
+):
+    repository = workbench.folder / "repository"
+    (repository / ".git").mkdir(parents=True)
+    workbench.file.write_text(LINE, encoding="utf-8")
+    (repository / "linked.py").symlink_to(workbench.file)
+    monkeypatch.chdir(repository)
+    unsafe = [] if option == "--add-ignores" else ["--unsafe-fixes"]
+    main(["check", option, *unsafe, "--select", "TMO001", "--no-cache"])
+    assert workbench.file.read_text("utf-8") == LINE
+    assert "+++" not in capsys.readouterr().out
+    main(["check", str(workbench.file), option, *unsafe, "--select", "TMO001", "--no-cache"])
+    assert (workbench.file.read_text("utf-8") == LINE) == (option == "--diff")
+
+
+def test_no_text_of_a_file_outside_of_the_repository_is_shown(workbench: Workbench, capsys: pytest.CaptureFixture[str]):
+    repository = workbench.folder / "repository"
+    (repository / ".git").mkdir(parents=True)
+    (repository / "msg").mkdir()
+    secret = workbench.folder / "secret"
+    secret.write_text("TOPSECRET\nx\n")
+    for name in ("a.py", "msg/A.msg", "p.yaml", "l.launch.xml", "l.launch.yaml", "l.launch.py", "package.xml"):
+        for kind in ("text", "json", "sarif"):
+            (repository / name).symlink_to(secret)
+            main(["check", str(repository), "--no-cache", "--format", kind])
+            (repository / name).unlink()
+    (repository / "linked.py").symlink_to(workbench.file)
+    workbench.file.write_text(f"{LINE}# TOPSECRET\n", encoding="utf-8")
+    main(["check", str(repository), "--no-cache"])
+    said = capsys.readouterr().out
+    assert "--> repository/linked.py" in said
+    assert "TOPSECRET" not in said
+
+
 BASE = """\
 from rclpy.node import Node
 from rclpy.node import Node as RosNode

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import ctypes
 import os
+import select
 import signal
+import sys
 import threading
 import time
 from collections.abc import Callable
@@ -188,3 +190,27 @@ def test_a_deep_stack_is_deep():
 def test_errors_come_out_of_the_deep_stack():
     with pytest.raises(ZeroDivisionError):
         call_with_deep_stack(lambda: 1 // 0)
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="only Linux tells a process that its parent has died")
+def test_a_worker_does_not_outlive_a_parent_that_is_killed():
+    reader, writer = os.pipe()
+
+    def job(source: bytes) -> bytes:
+        os.write(writer, b"%10d" % os.getpid())
+        time.sleep(3600)
+        return source
+
+    parent = os.fork()
+    if parent == 0:
+        run_in_workers(job, [b"x"], 1, 3600.0)
+        os._exit(0)
+    os.close(writer)
+    worker = int(os.read(reader, 10))
+    os.kill(parent, signal.SIGKILL)
+    os.waitpid(parent, 0)
+    ready, _, _ = select.select([reader], [], [], 30)  # the last one who could write is gone
+    if not ready:
+        os.kill(worker, signal.SIGKILL)
+    assert ready and os.read(reader, 1) == b""
+    os.close(reader)

@@ -477,6 +477,38 @@ def test_of_several_links_to_a_file_outside_the_first_counts(tmp_path):
     assert found(tmp_path, "ws") == ["ws/a/common.py"]
 
 
+def test_a_link_out_of_the_repository_is_followed_to_packages_and_to_python_only(tmp_path):
+    plant(
+        tmp_path,
+        {
+            "secret": "password: 1",
+            "dev/pkg/package.xml": manifest("pkg"),
+            "dev/pkg/msg/Pose.msg": "",
+            "dev/notes/rooms.yaml": "",
+            "ws/msg/Plan.msg": "",
+            "ws/config/": "",
+        },
+    )
+    (tmp_path / "ws/msg/A.msg").symlink_to("../../secret")
+    (tmp_path / "ws/config/a.yaml").symlink_to("../../secret")
+    (tmp_path / "ws/config/plan.yaml").symlink_to("../msg/Plan.msg")
+    (tmp_path / "ws/pkg").symlink_to("../dev/pkg")
+    (tmp_path / "ws/notes").symlink_to("../dev/notes")
+    workspace = look(tmp_path, "ws")
+    assert [file.relative for file in workspace.files] == [
+        "ws/msg/Plan.msg",
+        "ws/pkg/msg/Pose.msg",
+        "ws/pkg/package.xml",
+    ]
+    assert [(problem.file, problem.message) for problem in workspace.problems] == [
+        (name, "is a symbolic link that leads out of the repository, so it is not read")
+        for name in ("ws/config/a.yaml", "ws/msg/A.msg")
+    ]
+    asked = look(tmp_path, "ws", "dev")
+    added = {file.relative for file in asked.files} - {file.relative for file in workspace.files}
+    assert added == {"ws/notes/rooms.yaml"}
+
+
 def test_hard_links_are_files_of_their_own(tmp_path):
     plant(tmp_path, {"a/__init__.py": "", "b/": ""})
     os.link(tmp_path / "a/__init__.py", tmp_path / "b/__init__.py")

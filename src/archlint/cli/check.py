@@ -31,6 +31,7 @@ from archlint.engine.pipeline import NothingToDo, Request, check
 from archlint.finding import Severity
 from archlint.report.model import Report
 from archlint.report.paths import folder_in_repository
+from archlint.visible import visible_text
 
 if TYPE_CHECKING:
     from archlint.systems.model import System
@@ -143,7 +144,7 @@ def _keeper(arguments: argparse.Namespace, baseline: UsedBaseline | None) -> Kee
 
 
 def _difference(report: Report, arguments: argparse.Namespace) -> Answer:
-    """The diff, if it is not for a file; exit status 1 where there is one, for a run in CI."""
+    """The diff, safe to show, if it is not for a file; exit status 1 where there is one, for a run in CI."""
     from archlint.cli.fix import difference  # as above
 
     text = difference(report, arguments.unsafe_fixes)
@@ -151,7 +152,7 @@ def _difference(report: Report, arguments: argparse.Namespace) -> Answer:
     if to_file:
         console.write(text, arguments.file)
     status = exits.FINDINGS if text and not arguments.exit_zero else exits.CLEAN
-    return Answer("" if to_file else text, "", "", status)
+    return Answer("" if to_file else visible_text(text), "", "", status)
 
 
 def exit_status(report: Report, failing: Severity, exit_zero: bool) -> int:

@@ -35,7 +35,7 @@ def mend(request: Request, report: Report, unsafe: bool) -> Fixed:
     done: set[object] = set()
     for _ in range(PASSES):
         wanted = [finding for finding in fixes.fixable(report.findings, unsafe) if _key(finding) not in done]
-        outcome = fixes.apply(wanted)
+        outcome = fixes.apply(wanted, inside=report.inside)
         if not outcome.fixed:
             break
         try:
@@ -56,4 +56,4 @@ def _key(finding: Finding) -> object:
 
 def difference(report: Report, unsafe: bool) -> str:
     """What the fixes would change, as a unified diff; empty where there is nothing to fix."""
-    return fixes.unified_diff(fixes.apply(fixes.fixable(report.findings, unsafe)))
+    return fixes.unified_diff(fixes.apply(fixes.fixable(report.findings, unsafe), inside=report.inside))

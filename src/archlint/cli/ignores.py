@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from archlint.cli.exits import UsageError
+from archlint.disk import lies_in
 from archlint.engine.pipeline import check
 from archlint.fixes import apply as fixes
 from archlint.fixes.ignores import with_ignores
@@ -54,7 +55,8 @@ def _wanted(report: Report) -> dict[str, dict[int, set[str]]]:
     """The codes to suppress, by file and line; what is about archlint's own run is not."""
     wanted: dict[str, dict[int, set[str]]] = {}
     for occurrence in report.occurrences:
-        if not occurrence.known and not occurrence.code.startswith("LNT"):
+        mine = not occurrence.known and not occurrence.code.startswith("LNT")
+        if mine and lies_in(occurrence.place.file, report.inside):
             wanted.setdefault(occurrence.place.file, {}).setdefault(occurrence.place.line, set()).add(occurrence.code)
     return wanted
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import argparse
 import sys
 from dataclasses import replace
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from archlint.cli import console, exits
@@ -22,7 +21,9 @@ from archlint.cli.options import (
 )
 from archlint.cli.parser import Parser
 from archlint.cli.progress import Progress
+from archlint.disk import read_regular
 from archlint.suggestions import did_you_mean
+from archlint.workspace.tree import TEXT_LIMIT
 
 if TYPE_CHECKING:
     from archlint.lookup.index import Index
@@ -95,6 +96,6 @@ def _indexes(systems: list[System]) -> list[Index]:
 
 def _text_of(file: str) -> str | None:
     try:
-        return Path(file).read_text(encoding="utf-8")
+        return read_regular(file, TEXT_LIMIT).decode("utf-8")
     except (OSError, UnicodeDecodeError):
         return None

@@ -15,12 +15,11 @@ if TYPE_CHECKING:
     from archlint.finding import Finding
     from archlint.report.model import Judged
     from archlint.workspace.model import Workspace
-    from archlint.workspace.tree import SourceTree
 
 
 def mended(judged: Judged, inputs: Inputs) -> Judged:
     """The findings with their fixes; one more for each fix that cannot be made by a fault of ours."""
-    workspace, tree = inputs.workspace, inputs.tree
+    workspace = inputs.workspace
     faults = Faults()
     findings: list[Finding] = []
     left = list(judged.findings)
@@ -28,14 +27,15 @@ def mended(judged: Judged, inputs: Inputs) -> Judged:
         files = {file.relative for file in part.files}
         mine = [finding for finding in left if finding.place.file in files]
         left = [finding for finding in left if finding.place.file not in files]
-        findings += attach(mine, _around(part, tree), faults)
+        findings += attach(mine, _around(part, inputs), faults)
     # A launch file that git ignores is read where another one includes it.
-    findings += attach(left, _around(workspace, tree), faults)
+    findings += attach(left, _around(workspace, inputs), faults)
     failures = [failure(fault) for fault in faults.by_place()]
     ordered = sorted((*findings, *failures), key=lambda finding: finding.sort_key)
     summary = replace(judged.summary, errors=judged.summary.errors + len(failures))
     return replace(judged, findings=ordered, summary=summary, mended=True)
 
 
-def _around(workspace: Workspace, tree: SourceTree) -> Surroundings:
-    return Surroundings([file.path for file in python_files(workspace)], tree.given, tree.base)
+def _around(workspace: Workspace, inputs: Inputs) -> Surroundings:
+    tree, inside = inputs.tree, inputs.workspace.inside
+    return Surroundings([file.path for file in python_files(workspace)], tree.given, tree.base, inside)

@@ -66,12 +66,13 @@ def _check(request: Request, shown: list[System] | None) -> Report:
     return Report(
         judged.findings,
         summary,
-        Sources(inputs.tree.given, inputs.tree.base).line,
+        Sources(inputs.tree.given, inputs.tree.base, workspace.inside).line,
         notices,
         remarks=[*judged.remarks, *around(request.paths, workspace)],
         occurrences=judged.occurrences,
         idle=judged.idle,
         launched=judged.launched,
+        inside=workspace.inside,
         packages={file.relative: file.package for file in workspace.files if file.package is not None},
     )
 

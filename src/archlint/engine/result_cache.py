@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+import os
 from collections.abc import Collection
 from dataclasses import astuple, dataclass, replace
 from pathlib import Path
@@ -18,14 +19,13 @@ import msgspec
 from archlint.engine.alike import Alike, Answers
 from archlint.engine.own_code import own_code
 from archlint.workspace.model import PYTHON_KINDS
+from archlint.workspace.tree import TEXT_LIMIT
 
 if TYPE_CHECKING:
     from archlint.engine.inputs import Inputs
     from archlint.syntax.files import FactsOfFiles
     from archlint.workspace.model import SourceFile
 
-
-_PIECE = 1_000_000
 
 Result = TypeVar("Result")
 
@@ -180,14 +180,16 @@ class RunCache(Generic[Result]):
 
 
 def _digest(path: Path) -> str | None:
-    """A hash of a file's content; None for what cannot be read, or is no regular file."""
+    """A hash of a file's content, of a large one of its beginning and its size; None for what cannot be read, or is no
+    regular file."""
     try:
         if not path.is_file():
             return None
-        digest = hashlib.sha256()
-        with path.open("rb") as stream:  # piece by piece: a bag or a map may lie among the YAML files
-            while piece := stream.read(_PIECE):
-                digest.update(piece)
-        return digest.hexdigest()
+        with path.open("rb") as stream:
+            # A bag or a map may lie among the YAML files: nobody reads them, nor what is behind the limit.
+            data = stream.read(TEXT_LIMIT + 1)
+            size = os.fstat(stream.fileno()).st_size
+        rest = b"" if len(data) <= TEXT_LIMIT else f" {size}".encode()
+        return hashlib.sha256(data + rest).hexdigest()
     except OSError:
         return None

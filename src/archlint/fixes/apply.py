@@ -5,16 +5,18 @@ from __future__ import annotations
 import ast
 import difflib
 import errno
+import io
 import os
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING
 from xml.parsers import expat
 
-from archlint.disk import replace_file
+from archlint.disk import lies_in, replace_file
 from archlint.fixes.source import Source, read
 from archlint.syntax.safe_yaml import YamlError, YamlReader
+from archlint.visible import visible
 
 if TYPE_CHECKING:
     from archlint.finding import Finding, Fix
@@ -36,9 +38,13 @@ def fixable(findings: Iterable[Finding], unsafe: bool) -> list[Finding]:
     return [finding for finding in findings if finding.fix is not None and (unsafe or finding.fix.safety == "safe")]
 
 
-def apply(findings: Sequence[Finding], given: Callable[[str], bytes | None] = lambda file: None) -> Outcome:
+def apply(
+    findings: Sequence[Finding],
+    given: Callable[[str], bytes | None] = lambda file: None,
+    inside: Collection[str] = (),
+) -> Outcome:
     """Work the fixes of findings into the texts of their files; nothing is written.  ``given`` has the bytes of files
-    that are not as on the disk.
+    that are not as on the disk; what lies, through links, outside of ``inside`` is left as it is.
 
     A fix that overlaps an earlier one waits for the next run.  One that leaves a file that does not parse is
     left out.
@@ -47,7 +53,8 @@ def apply(findings: Sequence[Finding], given: Callable[[str], bytes | None] = la
     pieces: dict[str, list[_Piece]] = {}
     for finding in findings:
         assert finding.fix is not None
-        new = _pieces(finding.fix, outcome, given)
+        mine = all(lies_in(edit.place.file, inside) for edit in finding.fix.edits)
+        new = _pieces(finding.fix, outcome, given) if mine else None
         if new is None or any(_overlaps(piece, pieces.get(file, [])) for file, piece in new):
             continue
         tried = {file: [*pieces.get(file, []), *(p for f, p in new if f == file)] for file, _ in new}
@@ -137,12 +144,16 @@ def _replace(target: Path, data: bytes) -> None:
     replace_file(target, data, target.stat())
 
 
+def _lines(text: str) -> list[str]:
+    """Lines as ``patch`` parts them, with their ends."""
+    return list(io.StringIO(text, newline="\n"))
+
+
 def unified_diff(outcome: Outcome) -> str:
     """What would be written, as a diff."""
     lines = []
     for file in sorted(outcome.texts):
-        before = outcome.sources[file].text.splitlines(keepends=True)
-        after = outcome.texts[file].splitlines(keepends=True)
-        for line in difflib.unified_diff(before, after, file, file):
+        before, after, name = _lines(outcome.sources[file].text), _lines(outcome.texts[file]), visible(file)
+        for line in difflib.unified_diff(before, after, name, name):
             lines.append(line if line.endswith("\n") else f"{line}\n\\ No newline at end of file\n")
     return "".join(lines)

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from functools import cache, cached_property
 from pathlib import Path
 
+from archlint.disk import lies_in
 from archlint.fixes.source import Source, read
 
 _MOST_FILES = 1_000
@@ -15,23 +16,27 @@ _MOST_FILES = 1_000
 
 class Surroundings:
     """The texts of files; ``files`` are the Python files of the workspace.  ``given`` has the bytes of those that are
-    not on the disk; paths are relative to ``folder``."""
+    not on the disk; paths are relative to ``folder``.  No fix changes what lies, through links, outside of ``inside``
+    (:func:`archlint.disk.lies_in`)."""
 
     def __init__(
         self,
         files: Sequence[str] = (),
         given: Callable[[str], bytes | None] = lambda file: None,
         folder: Path = Path(),
+        inside: Collection[str] = (),
     ) -> None:
         self._files = files
         self._given = given
         self._folder = folder
+        self._inside = inside
         self._sources: dict[str, Source | None] = {}
         self._texts: dict[str, dict[str, str]] = {}
 
     def source(self, file: str) -> Source | None:
         if file not in self._sources:
-            self._sources[file] = read(file, self._given(file), self._folder)
+            mine = lies_in(self._folder / file, self._inside)
+            self._sources[file] = read(file, self._given(file), self._folder) if mine else None
         return self._sources[file]
 
     def elsewhere(self, source: Source) -> list[str]:

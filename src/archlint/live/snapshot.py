@@ -69,7 +69,7 @@ class Snapshot:
         if self.path(file) in self.shifts:
             return mine
         paths = [source.path for source in self.workspace.of_kind("python", "launch_python", "setup_py")]
-        return attach(mine, Surroundings(paths, self.tree.given, self.tree.base))
+        return attach(mine, Surroundings(paths, self.tree.given, self.tree.base, self.workspace.inside))
 
 
 def shown_now(findings: Iterable[Finding], shifts: Mapping[str, Shifts]) -> list[Finding]:

@@ -46,11 +46,13 @@ def read(path: str) -> Observed:
 
 def _content(file: Path) -> bytes:
     try:
-        if file.is_file() and file.stat().st_size > LARGEST:
-            raise CannotRead(f"{file.as_posix()} is too large to be a recording of a graph")
-        return file.read_bytes()
+        with file.open("rb") as stream:  # a pipe, too, as a shell makes one of `<(ros2 topic echo ...)`
+            content = stream.read(LARGEST + 1)
     except OSError as error:
         raise CannotRead(f"cannot read {file.as_posix()}: {error.strerror}") from None
+    if len(content) > LARGEST:
+        raise CannotRead(f"{file.as_posix()} is too large to be a recording of a graph")
+    return content
 
 
 def _data(shown: str, text: str) -> Any:

@@ -62,6 +62,8 @@ class Report:
     """The lines of the baseline that no finding matches any more."""
     launched: Collection[str] = ()
     """The files of findings in which there is code of nodes that launch files start."""
+    inside: Collection[str] = ()
+    """The real paths of what may be changed: the repository, and what was asked for; all where there are none."""
     packages: Mapping[str, str] = field(default_factory=dict)
     """The packages of files that lie in one."""
     grouping: GroupName | None = None

@@ -50,6 +50,9 @@ def find(
     excluder = Excluder(exclude, here)
     walk = Walk(here, excluder if exclude else None)
     folders = [path for path in asked if os.path.isdir(path)]
+    asked_folders = [path if path in folders else os.path.dirname(path) for path in asked]
+    # Each with its own repository: what two of them share may be the folder of a user.
+    walk.inside += sorted({os.path.realpath(_root([folder])) for folder in asked_folders})
     for name, path in zip(typed, asked, strict=True):
         if path not in folders:
             _add_file(walk, name, path)
@@ -60,9 +63,11 @@ def find(
         walk.add_folder(package, context=True)
     complete_folders = [*folders, *packages, *_add_workspaces(walk, asked, read)]
     # What is read as context lies in the root, too, or no launch file of a neighbour could be read.
-    root = _root([path if path in folders else os.path.dirname(path) for path in asked] + complete_folders)
+    root = _root(asked_folders + complete_folders)
     workspace = place(root, walk.files.values(), walk.problems.values(), complete_folders, walk.cpp_folders, read)
-    return replace(workspace, idle_exclusions=tuple(excluder.idle), looked_at=tuple(walk.looked_at))
+    return replace(
+        workspace, idle_exclusions=tuple(excluder.idle), looked_at=tuple(walk.looked_at), inside=tuple(walk.inside)
+    )
 
 
 def _add_workspaces(walk: Walk, asked: Sequence[str], read: Read | None) -> list[str]:

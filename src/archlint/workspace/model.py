@@ -142,6 +142,10 @@ class Workspace:
     idle_exclusions: tuple[str, ...] = ()
     """Patterns to leave out files by that left out none."""
 
+    inside: tuple[str, ...] = field(default=(), compare=False, repr=False)
+    """The real paths of the repository and of what was asked for: of a file that a link leads to elsewhere no text is
+    shown, and it is not changed.  Empty where nothing is read from the disk."""
+
     def of_kind(self, *kinds: SourceKind) -> list[SourceFile]:
         return [file for file in self.files if file.kind in kinds]
 

@@ -8,6 +8,7 @@ import stat
 from collections.abc import Callable, Iterator, Set
 from dataclasses import dataclass, replace
 
+from archlint.workspace.around import is_below
 from archlint.workspace.ignore import Ignores, clones_in, ignores_above, pattern_files
 from archlint.workspace.kinds import has_python_shebang, kind_of, may_be_script
 from archlint.workspace.model import PYTHON_KINDS, Link, Problem, SourceFile, SourceKind
@@ -62,6 +63,10 @@ class Walk:
         """Folders with C++ sources, which nothing reads, below what was asked for."""
         self.looked_at: list[str] = []
         """What beside the files decides what is found, see :attr:`Workspace.looked_at`."""
+        self.inside: list[str] = []
+        """The real paths of what was asked for, and of the repository: see :attr:`Workspace.inside`."""
+        self._packages: dict[str, bool] = {}
+        """Of folders elsewhere whether they lie in a package."""
         self._working_directory = working_directory
         self._excluded = excluded
         self._visited: set[str] = set()
@@ -82,11 +87,13 @@ class Walk:
             kind = "python"
         self.looked_at.append(path)
         if kind is not None:
-            self._keep(os.path.realpath(path), path, self.shown(path), kind, status, False)
+            self.inside.append(os.path.realpath(path))
+            self._keep(self.inside[-1], path, self.shown(path), kind, status, False)
 
     def add_folder(self, path: str, context: bool = False) -> None:
         """Take all files below a folder."""
         top = _Folder(path, self.shown(path), os.path.realpath(path), ignores_above(path), context)
+        self.inside.append(top.real)
         self._walk([top])
         while self._links:
             # Last and sorted: a file goes by its own path, else by the same link on every run.
@@ -193,6 +200,10 @@ class Walk:
             if linked and known.kind in PYTHON_KINDS and all(path != link.path for link in known.links):
                 self.files[real] = replace(known, links=(*known.links, Link(path)))
             return
+        if kind not in PYTHON_KINDS and self._is_foreign(real):
+            if not context and os.path.islink(path):
+                self._problem(shown, "is a symbolic link that leads out of the repository, so it is not read", _NAME_IT)
+            return
         if not stat.S_ISREG(status.st_mode):
             if not context:
                 self._problem(shown, "is not a regular file")
@@ -211,11 +222,30 @@ class Walk:
         )
         self.files[real] = file
 
+    def _is_foreign(self, real: str) -> bool:
+        """Whether a file lies outside of the repository, and in no package there."""
+        inside = any(is_below(real, folder) for folder in self.inside)
+        return not inside and not self._is_in_package(os.path.dirname(real))
+
+    def _is_in_package(self, folder: str) -> bool:
+        """Whether a folder that a link leads to belongs to a package: colcon follows such links."""
+        known = self._packages.get(folder)
+        if known is None:
+            manifest = os.path.join(folder, "package.xml")
+            self.looked_at.append(manifest)
+            above = os.path.dirname(folder)
+            known = os.path.isfile(manifest) or (above != folder and self._is_in_package(above))
+            self._packages[folder] = known
+        return known
+
     def _is_excluded(self, shown: str) -> bool:
         return self._excluded is not None and self._excluded(shown)
 
     def _problem(self, shown: str, message: str, help: str | None = None) -> None:
         self.problems.setdefault(shown, Problem(shown, 1, 1, message, help))
+
+
+_NAME_IT = "to have it read, name the file that it leads to on the command line, too"
 
 
 def _clones_depth(name: str, around: str) -> int:
