@@ -115,6 +115,54 @@ def test_there_is_no_first_answer_to_what_is_more_than_an_edit_of_code(live: Liv
     assert live.hold(live.robot.manifest, live.robot.manifest.read_text("utf-8")).first_answer() is None
 
 
+def test_a_comment_that_moves_nothing_is_no_reason_to_judge_again(live: Live, monkeypatch: pytest.MonkeyPatch) -> None:
+    text = LISTENER.replace("'chatter'", "'/chatter'")
+    before = live.hold(live.robot.listener, text).analyse()
+    monkeypatch.setattr("archlint.live.workspace.judged_in_parts", None)
+    edited = text.replace("import rclpy\n", "import rclpy  # always\n") + "# the end\n"
+
+    after = live.hold(live.robot.listener, edited).analyse()
+
+    assert live.first_answer() is None
+    assert after.findings == before.findings
+    assert after.tree.text("src/robot/robot/listener.py") == edited
+
+
+def test_what_a_comment_moves_is_there_at_once(live: Live, monkeypatch: pytest.MonkeyPatch) -> None:
+    text = LISTENER.replace("'chatter'", "'/chatter'")
+    live.hold(live.robot.listener, text).analyse()
+    live.hold(live.robot.listener, text.replace("import rclpy\n", "# always\n\nimport rclpy\n"))
+    with monkeypatch.context() as patch:
+        patch.setattr("archlint.live.workspace.judged_in_parts", None)
+        first = live.first_answer()
+
+    assert first is not None
+    assert lines([*first.findings], "NME001") == [("listener.py", 11)]
+    assert first.findings == live.analyse().findings
+
+
+def test_a_comment_on_the_line_of_a_finding_is_judged(live: Live) -> None:
+    text = LISTENER.replace("'chatter'", "'/chatter'")
+    live.hold(live.robot.listener, text).analyse()
+    live.hold(live.robot.listener, text.replace("import rclpy\n", "\nimport rclpy\n").replace("10)", "10)  # deep"))
+
+    first = live.first_answer()
+
+    assert first is not None
+    assert first.findings == live.analyse().findings
+
+
+def test_a_comment_that_turns_a_rule_off_counts(live: Live) -> None:
+    text = LISTENER.replace("'chatter'", "'/chatter'")
+    live.hold(live.robot.listener, text).analyse()
+    live.hold(live.robot.listener, f"# archlint: ignore-file[NME001] it is so\n{text}")
+
+    first = live.first_answer()
+
+    assert first is not None
+    assert lines([*first.findings], "NME001") == lines([*live.analyse().findings], "NME001") == []
+
+
 def test_what_does_not_compile_stands_for_what_it_said_before(live: Live) -> None:
     wrong = LISTENER.replace("String", "Float64").replace("'chatter'", "'/chatter'")
     assert lines([*live.hold(live.robot.listener, wrong).analyse().findings], "NME001") == [("listener.py", 9)]

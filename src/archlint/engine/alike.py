@@ -6,7 +6,7 @@ itself.  A comment more, at the end of a file say, changes none of these.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -62,22 +62,27 @@ class Alike:
         read = (file for path, file in edited.items() if path in self.screened_out)
         if any(facts.meaning_of_read(file) != self.screened_out[file.relative] for file in read):
             return False
-        return self._has_words(edited, {path: tree.words.of(path) for path in edited})
+        return have_same_words(self.in_one, self.in_all, edited, tree.words)
 
-    def _has_words(self, edited: Mapping[str, SourceFile], words: Mapping[str, frozenset[str]]) -> bool:
-        """Whether each word that was asked for stands where it stood."""
-        if any((word in words[path]) is not stands for path, word, stands in self.in_one if path in words):
-            return False
-        code = {path: words[path] for path, file in edited.items() if file.kind == "python" and file.package}
-        return all(
-            (word in words_now) is (path in before)
-            for word, before in self.in_all.items()
-            for path, words_now in code.items()
-        )
+
+def have_same_words(
+    in_one: Iterable[tuple[str, str, bool]],
+    in_all: Mapping[str, Collection[str]],
+    edited: Mapping[str, SourceFile],
+    now: Words,
+) -> bool:
+    """Whether each word that was asked for, of one file or of all, stands in the edited files where it stood."""
+    words = {path: now.of(path) for path in edited}
+    if any((word in words[path]) is not stands for path, word, stands in in_one if path in words):
+        return False
+    code = {path: words[path] for path, file in edited.items() if file.kind == "python" and file.package}
+    return all(
+        (word in words_now) is (path in before) for word, before in in_all.items() for path, words_now in code.items()
+    )
 
 
 def _digests(files: Iterable[SourceFile], facts: FactsOfFiles) -> dict[str, str]:
     return {file.relative: facts.digest(file) or "" for file in files}
 
 
-__all__ = ["Alike", "Answers"]
+__all__ = ["Alike", "Answers", "have_same_words"]

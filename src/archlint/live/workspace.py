@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -18,6 +18,7 @@ from archlint.engine.request import NothingToDo, Request
 from archlint.live.buffers import Shifts
 from archlint.live.facts import LiveFacts
 from archlint.live.readable import LastReadable, Readable
+from archlint.live.sayings import Change, change_of
 from archlint.live.snapshot import Snapshot, shown_now
 from archlint.live.store import LiveStore
 from archlint.live.tree import DiskMemory, LiveTree
@@ -56,10 +57,14 @@ class _Last:
     asked: Asked
     memory: Memory
     snapshot: Snapshot
+    read: frozenset[str]
+    """The files whose texts it has read as they are, by their shown paths."""
 
 
 _CODE: tuple[SourceKind, ...] = ("python", "launch_python", *LAUNCH_TEXT_KINDS)
 """What may be edited without a change of anything but what it says itself."""
+_PYTHON: tuple[SourceKind, ...] = ("python", "launch_python")
+"""What of it may have comments that are known to be some."""
 
 
 class LiveWorkspace:
@@ -88,13 +93,17 @@ class LiveWorkspace:
             return known
         memory = Memory()
         snapshot = call_with_deep_stack(lambda: self._analyse(asked, buffers, monitor or Monitor(), memory))
-        self._last = _Last(asked, memory, snapshot)
+        read = frozenset(path for question, path in snapshot.tree.asked if question == "content")
+        self._last = _Last(asked, memory, snapshot, read)
         return snapshot
 
     def first_answer(self, asked: Asked, buffers: Buffers, monitor: Monitor | None = None) -> Snapshot | None:
         """As :meth:`analyse`, but soon: what other launch files start than those with edited code counts as judged.
         None where there is nothing to begin with, or more than code has been edited."""
         asked = replace(asked, settings=seen_from(self.root, asked.settings))
+        moved = self._moved(asked, buffers)
+        if moved is not None:
+            return moved
         memory = self._memory_for(asked, buffers)
         if memory is None:
             return None
@@ -107,26 +116,55 @@ class LiveWorkspace:
             return None
         own = self._own(buffers)
         readable = self._readable.of(own)
-        same = not self._edited(last, readable)
-        return self._finished(replace(last.snapshot, buffers=own), readable) if same else None
+        now = self._tree_of(last, readable)
+        if self._change(last, now, self._edited(last, now)) is not Change.NOTHING:
+            return None
+        return self._finished(replace(last.snapshot, buffers=own, tree=now), readable)
+
+    def _moved(self, asked: Asked, buffers: Buffers) -> Snapshot | None:
+        """The last analysis, where edits since have changed nothing but the lines of its findings."""
+        last = self._last
+        if last is None or self._found is None or last.asked != asked:
+            return None
+        own = self._own(buffers)
+        readable = self._readable.of(own)
+        now = self._tree_of(last, readable)
+        shifts = self._edited(last, now)
+        if self._change(last, now, shifts) is not Change.PLACES:
+            return None
+        judged = shown_now(last.snapshot.judged, shifts)
+        if _places(judged) != _places(last.snapshot.judged):  # some are on edited lines
+            return None
+        return self._finished(replace(last.snapshot, buffers=own, judged=judged), readable)
 
     def _memory_for(self, asked: Asked, buffers: Buffers) -> Memory | None:
         last = self._last
         if last is None or self._found is None or last.asked != asked or len(last.snapshot.systems) != 1:
             return None
-        shifts = self._edited(last, self._readable.of(self._own(buffers)))
+        now = self._tree_of(last, self._readable.of(self._own(buffers)))
+        shifts = self._edited(last, now)
         code = {file.relative for file in last.snapshot.workspace.of_kind(*_CODE)}
-        if not shifts or not code.issuperset(shifts):
+        if not code.issuperset(shifts) or self._change(last, now, shifts) is Change.NOTHING:
             return None
         return Memory(last.memory, frozenset(shifts), lambda findings: shown_now(findings, shifts))
 
-    def _edited(self, last: _Last, readable: Readable) -> dict[str, Shifts]:
+    def _tree_of(self, last: _Last, readable: Readable) -> LiveTree:
+        """The files of the last analysis as they are now."""
+        return LiveTree(last.snapshot.tree.base, Path(last.snapshot.workspace.root), readable.held, self._disk)
+
+    def _change(self, last: _Last, now: LiveTree, edited: Collection[str]) -> Change:
+        """What the edits of these files, by their shown paths, change."""
+        files = [file for file in last.snapshot.workspace.of_kind(*_PYTHON) if file.relative in edited]
+        if len(files) < len(edited) or not last.read.isdisjoint(edited):
+            return Change.MORE
+        return change_of(files, last.snapshot.tree, now, self._store)
+
+    def _edited(self, last: _Last, now: LiveTree) -> dict[str, Shifts]:
         """Where the lines of the files are, by their shown paths, whose texts are not those of the last analysis."""
         tree = last.snapshot.tree
-        now = LiveTree(tree.base, Path(last.snapshot.workspace.root), readable.held, self._disk)
         texts = {
             file: (tree.content(file), now.content(file))
-            for file in sorted({self._shown(path) for path in (*tree.held, *readable.held)})
+            for file in sorted({self._shown(path) for path in (*tree.held, *now.held)})
         }
         return {file: Shifts(_text(old), _text(new)) for file, (old, new) in texts.items() if old != new}
 
@@ -206,6 +244,11 @@ class LiveWorkspace:
         self._cache_folder = folder
         self._store = LiveStore(NullStore() if key is None else Store(folder, __version__, key))
         self._readable = LastReadable(self._store)
+
+
+def _places(findings: Iterable[Finding]) -> int:
+    """How many places findings name."""
+    return sum(1 + len(finding.related) for finding in findings)
 
 
 def _text(data: bytes | None) -> str:
