@@ -433,6 +433,33 @@ def test_the_package_of_a_node_is_named_by_who_calls_the_helper(lint: Lint):
     assert (found.place.file, found.place.line, missing([found])) == ("slam/launch/slam.launch.py", 4, ["rtabmap_odom"])
 
 
+@pytest.mark.parametrize(
+    ("path", "text", "line"),
+    [
+        ("build.sh", "colcon build \\\n  --packages-skip arm camera --symlink-install\n", 2),
+        ("docker/Dockerfile", "FROM ros:jazzy\nRUN colcon build --packages-ignore 'camera'\n", 2),
+        (".github/workflows/ci.yml", "steps:\n  - run: colcon test --packages-skip camera\n", 2),
+        ("build.sh", "colcon build --packages-skip arm\ncolcon build --packages-select camera\n", None),
+        ("build.sh", "# colcon build --packages-skip camera\n", None),
+        ("build.sh", "colcon build --packages-skip-regex camera\n", None),
+        ("notes.txt", "colcon build --packages-skip camera\n", None),
+    ],
+)
+def test_a_package_that_a_build_leaves_out(lint: Lint, path: str, text: str, line: int | None):
+    files = {
+        "robot/package.xml": manifest("robot", *depends("rclpy")),
+        "robot/talk.py": node("import camera", POSE),
+        "camera/package.xml": manifest("camera"),
+        "camera/camera/__init__.py": "",
+        path: text,
+    }
+    [found] = lint(files)
+    assert missing([found]) == ["camera", "geometry_msgs"]
+    assert ("camera" in (added(found) or "")) is (line is None) and "geometry_msgs" in (added(found) or "")
+    out = [(one.place.file, one.place.line) for one in found.related if "left out of a build" in one.message]
+    assert out == ([] if line is None else [(path, line)])
+
+
 def test_no_fix_names_a_package_that_nobody_knows(lint: Lint):
     files = {"package.xml": manifest("talk", *depends("rclpy")), "talk/a.py": node("from secret_msgs.msg import X")}
     (found,) = lint(files)

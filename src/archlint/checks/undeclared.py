@@ -14,6 +14,7 @@ from archlint.analysis.imports import imports_at_start
 from archlint.analysis.interface_dependencies import not_handed, types_of_others
 from archlint.analysis.kept import kept
 from archlint.analysis.manifests import package_around
+from archlint.analysis.skipped_packages import skipped_packages
 from archlint.checks.packages import workspace_of
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -264,6 +265,7 @@ def _undeclared(workspace: WorkspaceIndex, package: Package, uses: Sequence[Use]
         related=[
             *(related for related in _related(by_needed) if related.place != uses[0].place),
             *_misplaced(package, needed),
+            *_left_out(workspace, needed),
         ],
         identity=(package.name, *needed),
         sites=_sites(workspace, package, needed),
@@ -324,6 +326,14 @@ def _misplaced(package: Package, needed: Sequence[str]) -> Iterator[Related]:
             yield Related(place, f"'{name}' is inside <export> here, where it does not count")
 
 
+def _left_out(workspace: WorkspaceIndex, needed: Sequence[str]) -> Iterator[Related]:
+    """Where a script leaves packages of the workspace out of a build."""
+    here = [name for name in needed if name in workspace.packages]
+    for name, place in ((name, skipped_packages(workspace).get(name)) for name in here):
+        if place is not None:
+            yield Related(place, f"'{name}' is left out of a build here: one that depends on it would fail")
+
+
 def _reachable(name: str, workspace: WorkspaceIndex, used: Mapping[str, AbstractSet[str]]) -> frozenset[str]:
     """The packages of this workspace that one of them may need, directly or not, itself included."""
 
@@ -343,10 +353,12 @@ def _tag(package: Package) -> str:
 
 def _sites(workspace: WorkspaceIndex, package: Package, needed: Sequence[str]) -> Sites | None:
     """What a fix adds to the manifest: only packages that are known, of this workspace or of rosdistro.  Format 1
-    refuses one that is declared for tests, too."""
+    refuses one that is declared for tests, too; and who leaves a package out of a build decides what depends on it."""
     taken = {d.name for d in package.dependencies if package.format == 1}
     known = workspace.packages.keys() | packages.table().names
     names = tuple(name for name in needed if name in known and name not in taken and name not in package.in_export)
+    here = any(name in workspace.packages for name in names)
+    names = tuple(name for name in names if not here or name not in skipped_packages(workspace))
     if not names:
         return None
     return Sites(dependencies=(MissingDependencies(package.manifest.relative, _tag(package), names),))
