@@ -14,7 +14,7 @@ from archlint.cli import main
 from archlint.config.settings import load
 from robot_package import write_files, write_robot
 
-CONFIGURATION, BASELINE = "archlint.toml", "archlint-baseline.txt"
+CONFIGURATION, BASELINE, ATTRIBUTES = "archlint.toml", "archlint-baseline.txt", ".gitattributes"
 HOOK, WORKFLOW, GITLAB = ".pre-commit-config.yaml", ".github/workflows/archlint.yml", ".gitlab-ci.yml"
 LISTENER = """\
 import rclpy
@@ -62,7 +62,7 @@ def write_workspace(root: Path, listener: str = GOOD) -> None:
 
 
 def written(folder: Path) -> set[str]:
-    names = (CONFIGURATION, BASELINE, HOOK, WORKFLOW, GITLAB)
+    names = (CONFIGURATION, BASELINE, ATTRIBUTES, HOOK, WORKFLOW, GITLAB)
     return {name for name in names if (folder / name).exists()}
 
 
@@ -90,6 +90,35 @@ def test_findings_of_today_are_held_back(here: Path, capsys: pytest.CaptureFixtu
     assert main(["check", "--quiet", "--no-baseline"]) == 1
 
 
+def test_baselines_of_two_branches_merge(here: Path, capsys: pytest.CaptureFixture[str]):
+    def git(words: str) -> None:
+        who = ["-c", "user.name=Kim", "-c", "user.email=kim@example.com"]
+        subprocess.run(["git", *who, *words.split()], cwd=here, check=True, capture_output=True)
+
+    write_workspace(here, BAD)
+    init(capsys)
+    git("checkout -q -b start")
+    git("add -A")
+    git("commit -q -m start")
+    path = here / BASELINE
+    for branch in ("theirs", "ours"):
+        git(f"checkout -q -B {branch} start")
+        path.write_text(f"{path.read_text('utf-8')}TOP002 robot/{branch}.py: chatter\n", "utf-8")
+        git(f"commit -q -a -m {branch}")
+    git("merge -q theirs")
+    lines = path.read_text("utf-8").splitlines()
+    assert {f"TOP002 robot/{branch}.py: chatter" for branch in ("ours", "theirs")} <= {*lines}
+    assert not any(line.startswith(("<<<", "===", ">>>")) for line in lines)
+
+
+def test_attributes_that_exist_are_left(here: Path, capsys: pytest.CaptureFixture[str]):
+    write_workspace(here, BAD)
+    write_files(here, {ATTRIBUTES: "*.stl binary\n"})
+    assert f"{ATTRIBUTES} exists, and is left as it is\n" in (said := init(capsys))
+    assert f"append this to it\n\n{BASELINE} merge=union\n" in said
+    assert (here / ATTRIBUTES).read_text("utf-8") == "*.stl binary\n"
+
+
 def test_a_finding_that_comes_later_fails(here: Path, capsys: pytest.CaptureFixture[str]):
     write_workspace(here)
     init(capsys)
@@ -100,7 +129,7 @@ def test_a_finding_that_comes_later_fails(here: Path, capsys: pytest.CaptureFixt
 def test_the_hook_and_the_jobs_start_commands_that_pass(here: Path, capsys: pytest.CaptureFixture[str]):
     write_workspace(here / "my ws", BAD)
     init(capsys, "my ws")
-    assert written(here / "my ws") == {CONFIGURATION, BASELINE}
+    assert written(here / "my ws") == {CONFIGURATION, BASELINE, ATTRIBUTES}
     [repository] = yaml.safe_load((here / HOOK).read_text("utf-8"))["repos"]
     [hook] = repository["hooks"]
     assert hook["entry"] == "archlint check --quiet 'my ws'"

@@ -96,6 +96,18 @@ def _written_for(folder: Path, settings: Settings) -> Iterator[str]:
         yield _left(path)
     elif fails:
         yield f"wrote {_shown(path)}: {_held(report)}"
+        yield from _merged(folder)
+
+
+def _merged(folder: Path) -> Iterator[str]:
+    """Two branches that both add or remove entries of the baseline would be a conflict: git is to keep all lines."""
+    path = folder / ".gitattributes"
+    if not os.path.lexists(path):
+        yield _wrote(path, f"{starter_files.ATTRIBUTES}\n")
+        return
+    yield _left(path)
+    if BASELINE not in _text(path):
+        yield f"to merge baselines without conflicts, append this to it\n\n{starter_files.ATTRIBUTES}\n"
 
 
 def _held(report: Report) -> str:

@@ -13,6 +13,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 BASELINE = "archlint-baseline.txt"
+ATTRIBUTES = f"{BASELINE} merge=union"
+"""What `.gitattributes` says of the baseline: after a merge it has the lines of both sides."""
 
 
 @dataclass(frozen=True)
