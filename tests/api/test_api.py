@@ -53,6 +53,14 @@ def test_the_examples_of_the_page_are_true(monkeypatch: pytest.MonkeyPatch):
     assert outcome.failed == 0
 
 
+def test_what_a_system_holds_is_shown_in_a_line(talker: Path):
+    [system] = archlint.load(talker).systems()
+    [node] = system.nodes
+    assert repr((system, node, *node.endpoints)) == (
+        "(<System of all code: 1 nodes>, <Node /talker: 1 endpoints>, <Endpoint publisher /bad name of /talker>)"
+    )
+
+
 def test_a_name_of_the_package_is_that_of_the_api():
     for name in archlint._OF_API:
         assert getattr(archlint, name) is getattr(api, name)

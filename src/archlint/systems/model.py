@@ -81,6 +81,10 @@ class System:
         for name in ("programs", "alternatives", "neighbours"):
             settle(name, tuple(getattr(self, name)))
 
+    def __repr__(self) -> str:
+        """A line: all that it holds would be megabytes."""
+        return f"<System {self.name or 'of all code'}: {len(self.nodes)} nodes>"
+
     @property
     def roles(self) -> FileRoles:
         """Which files are test code, or put aside."""

@@ -37,6 +37,9 @@ class Endpoint:
     node: Node
     named: NamedCreation
 
+    def __repr__(self) -> str:
+        return f"<Endpoint {self.kind} {self.name} of {self.node.name}>"
+
     @property
     def creation(self) -> Creation:
         return self.named.creation
@@ -136,6 +139,9 @@ class Node:
     merged: tuple[Blueprint, ...] = ()
     """The same node as other executables make it; ``creations`` hold what these add."""
 
+    def __repr__(self) -> str:
+        return f"<Node {self.name}: {len(self.creations)} endpoints>"
+
     @cached_property
     def endpoints(self) -> tuple[Endpoint, ...]:
         """Made when they are asked for: a node and its endpoints refer to each other, and neither ever changes."""
@@ -183,6 +189,9 @@ class Connection:
     name: str
     providers: tuple[Endpoint, ...]
     users: tuple[Endpoint, ...]
+
+    def __repr__(self) -> str:
+        return f"<Connection {self.kind} {self.name}: {len(self.providers)} to {len(self.users)}>"
 
     @property
     def types(self) -> list[str]:
