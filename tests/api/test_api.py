@@ -61,6 +61,20 @@ def test_what_a_system_holds_is_shown_in_a_line(talker: Path):
     )
 
 
+def test_a_graph_has_the_arguments_of_its_launch_file_and_the_interfaces_of_the_workspace(talker: Path):
+    (talker / "launch").mkdir()
+    (talker / "launch" / "it.launch.xml").write_text("<launch><arg name='speed' default='2'/></launch>")
+    (talker / "msg").mkdir()
+    (talker / "msg" / "Speed.msg").write_text("uint8 FAST=2\nuint8 value\n")
+    (talker / "package.xml").write_text("<package><name>robot</name></package>")
+    graph = archlint.load(talker, launch=talker / "launch" / "it.launch.xml").graph()
+    assert [(argument.name, argument.default) for argument in graph.launch_arguments] == [("speed", "2")]
+    [interface] = graph.interfaces
+    assert interface.name == "robot/msg/Speed"
+    assert [field.name for field in interface.fields] == ["value"]
+    assert [(constant.name, constant.value) for constant in interface.constants] == [("FAST", 2)]
+
+
 def test_a_name_of_the_package_is_that_of_the_api():
     for name in archlint._OF_API:
         assert getattr(archlint, name) is getattr(api, name)

@@ -121,6 +121,8 @@ class Node(_Part, frozen=True, kw_only=True):
     action_clients: tuple[Endpoint, ...]
     timers: tuple[Timer, ...]
     parameters: tuple[Parameter, ...]
+    overrides: tuple[str, ...]
+    """The names of the parameters that a launch file sets."""
 
 
 class Undelivered(_Part, frozen=True, kw_only=True):
@@ -160,6 +162,46 @@ class Unresolved(_Part, frozen=True, kw_only=True):
     reason: str
 
 
+class LaunchArgument(_Part, frozen=True, kw_only=True):
+    """An argument that a launch file declares; ``default`` is None, too, where it is not known."""
+
+    name: str
+    required: bool
+    default: str | None
+    choices: tuple[str, ...]
+    file: str
+    line: int
+
+
+class InterfaceField(_Part, frozen=True, kw_only=True):
+    """A field of an interface; ``section`` is the part of a service or an action that it is in."""
+
+    section: str
+    name: str
+    type: str
+    default: Value
+    line: int
+
+
+class InterfaceConstant(_Part, frozen=True, kw_only=True):
+    """A constant of an interface."""
+
+    section: str
+    name: str
+    type: str
+    value: Value
+    line: int
+
+
+class Interface(_Part, frozen=True, kw_only=True):
+    """An interface that the workspace defines."""
+
+    name: str
+    file: str
+    fields: tuple[InterfaceField, ...]
+    constants: tuple[InterfaceConstant, ...]
+
+
 class Graph(_Part, frozen=True, kw_only=True):
     """Who talks to whom.  ``system`` is the launch file, None for all nodes of a workspace."""
 
@@ -170,6 +212,8 @@ class Graph(_Part, frozen=True, kw_only=True):
     services: tuple[Service, ...]
     actions: tuple[Service, ...]
     unresolved: tuple[Unresolved, ...]
+    launch_arguments: tuple[LaunchArgument, ...]
+    interfaces: tuple[Interface, ...]
 
 
 def graph_of(system: System) -> Graph:
