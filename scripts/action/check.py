@@ -117,6 +117,15 @@ class Step:
             *("--cache-dir", str(self.cache / "results")),
         ]
 
+    def difference(self) -> list[str]:
+        """The command that draws what has changed since the revision of ``new-only``; empty without one."""
+        if not self.since:
+            return []
+        return [
+            *(self.archlint, "diff", self.since, "--format", "mermaid", "--quiet"),
+            *("--cache-dir", str(self.cache / "results"), "--paths", *self.paths),
+        ]
+
 
 def main(variables: Mapping[str, str]) -> int:
     step = Step(variables)
@@ -146,7 +155,8 @@ def main(variables: Mapping[str, str]) -> int:
         outputs["sarif-file"] = str(sarif)
     _append(variables, "GITHUB_OUTPUT", _lines(outputs))
     if wants_summary:
-        drawing = Draughtsman(step.graph(), folder, environment).of(report, step.since) if wants_graph else Drawing()
+        draughtsman = Draughtsman(step.graph(), folder, environment, step.difference())
+        drawing = draughtsman.of(report) if wants_graph else Drawing()
         text = markdown(report, drawing, SourceLinks.of(variables, folder), step.since)
         if len(text.encode()) < LIMIT:
             _append(variables, "GITHUB_STEP_SUMMARY", text)

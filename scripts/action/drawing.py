@@ -1,4 +1,4 @@
-"""The graph of a summary: of what the findings are in, or, where a change brings none, of what it touches."""
+"""The graph of a summary: of what a change does to the architecture, or else of what the findings are in."""
 
 from __future__ import annotations
 
@@ -12,11 +12,7 @@ from typing import Any
 MOST_FILES = 40
 """The files whose nodes a graph shows: more make a picture that nobody reads."""
 OF_FINDINGS = "The nodes where these findings are, and what they talk to"
-OF_CHANGES = "The nodes in the files that have changed, and what they talk to"
-_CHANGED = (
-    *("-c", "core.fsmonitor=false", "diff", "--no-ext-diff", "--no-textconv"),
-    *("--name-only", "--relative", "-z", "--diff-filter=d", "--end-of-options"),
-)
+OF_CHANGES = "What has changed between the nodes: new in green, gone in red"
 
 
 @dataclass(frozen=True)
@@ -34,13 +30,17 @@ class Draughtsman:
     command: Sequence[str]
     folder: Path
     environment: Mapping[str, str]
+    difference: Sequence[str] = ()
+    """What draws Mermaid of the changes since the revision of ``new-only``; empty without one."""
 
-    def of(self, report: Mapping[str, Any], since: str) -> Drawing:
-        """Of ``check --format json``; ``since`` is the revision of ``--new-only``, or empty."""
-        files = list(dict.fromkeys(finding["file"] for finding in report["diagnostics"]))
-        if files:
-            return self._drawn(OF_FINDINGS, files)
-        return self._drawn(OF_CHANGES, self._changed(since)) if since else Drawing()
+    def of(self, report: Mapping[str, Any]) -> Drawing:
+        """Of ``check --format json``."""
+        if self.difference:
+            done = self._run(self.difference)
+            if done.returncode == 0:  # a release of archlint before `diff` cannot
+                text = done.stdout.decode("utf-8", "replace")
+                return Drawing(OF_CHANGES, text) if text else Drawing()
+        return self._drawn(OF_FINDINGS, list(dict.fromkeys(finding["file"] for finding in report["diagnostics"])))
 
     def _drawn(self, title: str, files: Sequence[str]) -> Drawing:
         python = [file for file in files if file.endswith(".py")][:MOST_FILES]
@@ -55,11 +55,6 @@ class Draughtsman:
         named = [path if os.path.isabs(path) else f"./{path}" for path in paths]
         done = self._run([*self.command, *named])
         return done.stdout.decode("utf-8", "replace") if done.returncode == 0 else ""
-
-    def _changed(self, since: str) -> list[str]:
-        """The files that differ from where this branch left the revision."""
-        done = self._run(["git", *_CHANGED, f"{since}...HEAD", "--", "."])
-        return [os.fsdecode(name) for name in done.stdout.split(b"\0") if name]
 
     def _run(self, command: Sequence[str]) -> subprocess.CompletedProcess[bytes]:
         return subprocess.run(command, cwd=self.folder, env=self.environment, capture_output=True, check=False)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import re
 import subprocess
 import sys
 from pathlib import Path
@@ -123,7 +122,7 @@ def test_a_pull_request_reports_what_it_brings_in(job: Job):
     assert "What is new since origin/main, in 3 files with 2 nodes; 1 not new.\n" in job.summary.read_text("utf-8")
 
 
-def test_a_pull_request_without_findings_shows_the_nodes_that_it_changes(job: Job):
+def test_a_pull_request_without_findings_shows_what_it_changes(job: Job):
     write_files(job.checkout, {"robot/listener.py": LISTENER.replace("Int32", "String")})
     job.git("init", "-q", "-b", "main")
     job.git("add", "-A")
@@ -133,10 +132,19 @@ def test_a_pull_request_without_findings_shows_the_nodes_that_it_changes(job: Jo
     job.git("commit", "-qam", "another name")
     assert job.run(INPUT_NEW_ONLY="pull-request", GITHUB_BASE_REF="main").returncode == 0
     text = job.summary.read_text("utf-8")
-    assert "<summary>The nodes in the files that have changed, and what they talk to</summary>" in text
+    assert "<summary>What has changed between the nodes: new in green, gone in red</summary>" in text
     drawn = text.partition("```mermaid\n")[2]
-    assert 'n0(["/ear"])' in drawn
-    assert re.findall(r"class n0 (\w+)", drawn) == ["node"]
+    assert '(["/ear"])' in drawn
+    assert "talker" not in drawn, "it is as it was"
+
+
+def test_a_release_without_diff_shows_the_nodes_of_the_findings(job: Job):
+    job.git("init", "-q", "-b", "main")
+    job.git("add", "setup.py", "package.xml", "robot/__init__.py")
+    job.git("commit", "-qm", "no node yet")
+    job.archlint.write_text(job.archlint.read_text().replace("\n", '\n[ "$1" = diff ] && exit 2\n', 1))
+    assert job.run(INPUT_NEW_ONLY="HEAD").returncode == 1
+    assert "<summary>The nodes where these findings are" in job.summary.read_text("utf-8")
 
 
 def test_a_checkout_without_the_history_is_told_what_to_do(job: Job):

@@ -118,6 +118,13 @@ def test_why_quality_of_service_no_longer_fits():
     )
 
 
+def test_what_a_loop_creates_is_told_one_by_one():
+    """All of it is created at one place."""
+    before = system(node("/sensor", publishers=[end("/left"), end("/right"), end("/rear")]))
+    found = changes(before, system(node("/sensor", publishers=[end("/rear")])))
+    assert [(change.status, change.name) for change in found] == [("removed", "/left"), ("removed", "/right")]
+
+
 # --- other names
 
 

@@ -143,7 +143,19 @@ def test_what_one_edit_does_in_two_systems_is_one_change():
     after = [system(node("/talker")), system({**launched, "publishers": []}, listener, name="arm.launch.py")]
     [change] = compare(before, after).changes
     assert (change.impact, change.name, change.others) == ("breaking", "/arm/words", ("/words",))
-    assert change.systems == (None, "arm.launch.py")
+    assert change.systems == ("arm.launch.py", None)
+
+
+def test_a_launched_node_has_the_names_of_its_launch_files():
+    """The code no longer writes the namespace, and the launch file gives it: nothing has another name."""
+    launched = [node("/talker", publishers=[end("/arm/words", written=name)]) for name in ("/arm/words", "words")]
+    alone = [{**launched[0]}, node("/talker", publishers=[end("/words", resolution="parameter", parameter="topic")])]
+    alone[0]["publishers"] = [end("/arm/words", resolution="parameter", parameter="topic")]
+    before, after = (
+        [system(every), system(started, name="arm.launch.py")] for every, started in zip(alone, launched, strict=True)
+    )
+    assert compare(before, after).changes == ()
+    assert [change.status for change in compare(before[:1], after[:1]).changes] == ["renamed"]
 
 
 def test_launch_files_come_and_go():

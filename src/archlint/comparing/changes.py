@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from dataclasses import dataclass, field, replace
 from typing import Literal
 
@@ -123,8 +124,11 @@ _STATUSES = list(Status)
 def in_order(changes: list[Change]) -> list[Change]:
     """The changes, the heaviest first, each once for what one edit does in several systems."""
     merged: dict[tuple[object, ...], Change] = {}
+    times: Counter[tuple[object, ...]] = Counter()
     for change in changes:
-        key = (change.status, change.subject, change.aspect, change.cause or (change.owner, change.name))
+        same = (change.status, change.subject, change.aspect, change.cause or (change.owner, change.name))
+        times[same, change.systems] += 1
+        key = (same, times[same, change.systems])  # a loop creates several ends at one place
         merged[key] = _joined(merged[key], change) if key in merged else change
     return sorted(merged.values(), key=_order)
 

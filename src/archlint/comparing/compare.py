@@ -16,6 +16,9 @@ from archlint.comparing.parameters import parameter_changes
 from archlint.comparing.renamed import topics_renamed
 from archlint.comparing.sketch import Sketch, sketch_of
 
+_Class = tuple[str | None, str | None]
+"""A package, and a class of it."""
+
 
 @dataclass(frozen=True)
 class Comparison:
@@ -31,9 +34,10 @@ def compare(before: Sequence[Graph], after: Sequence[Graph]) -> Comparison:
     if len(before) == len(after) == 1:
         old = {after[0].system: before[0]}
     changes: list[Change] = []
-    for system in dict.fromkeys((*old, *new)):
+    launched = _launched(before) & _launched(after)
+    for system in sorted(dict.fromkeys((*old, *new)), key=lambda name: (name is None, name or "")):
         if system in old and system in new:
-            differing = _systems(old[system], new[system])
+            differing = _systems(old[system], new[system], launched if system is None else frozenset())
             changes += [replace(change, systems=(system,)) for change in differing]
         elif system is not None:
             changes.append(_launch_file(system, system in new))
@@ -49,7 +53,17 @@ def _launch_file(file: str, is_new: bool) -> Change:
     return Change(status, "launch_file", file, judgement, spot=Spot(file, 1, not is_new), systems=(file,))
 
 
-def _systems(before: Graph, after: Graph) -> list[Change]:
+def _launched(graphs: Sequence[Graph]) -> frozenset[_Class]:
+    """The node classes that launch files start."""
+    return frozenset(_class_of(node) for graph in graphs if graph.system is not None for node in graph.nodes)
+
+
+def _class_of(node: Node) -> _Class:
+    return node.package, node.class_name
+
+
+def _systems(before: Graph, after: Graph, launched: frozenset[_Class]) -> list[Change]:
+    """Of the ``launched`` nodes, other systems say under which names they run."""
     ends = EndChanges(Ends(before), Ends(after))
     pairs = paired_nodes(_judged(before), _judged(after))
     changes: list[Change] = []
@@ -60,7 +74,9 @@ def _systems(before: Graph, after: Graph) -> list[Change]:
         new = [ends.added(node, kind, end, with_node=True) for kind, end in node.ends() if end.is_known]
         changes += [node_added(node, new), *new] if _counts(node) else new
     for old, node in pairs.both:
-        changes += _of_node(old, node, ends)
+        of_node = _of_node(old, node, ends)
+        named_elsewhere = _class_of(node) in launched
+        changes += [change for change in of_node if not (named_elsewhere and change.status == Status.RENAMED)]
     changes += [*argument_changes(before, after), *interface_changes(before, after)]
     return topics_renamed(changes, ends)
 

@@ -246,6 +246,6 @@ def _change(
         after=None if values is None else values[1],
         type=end.type,
         spot=spot,
-        cause=(node.class_name, end.file, end.line, end.column, end.written, *(values or ()), *cause),
+        cause=(node.class_name, end.file, end.line, end.column, *(values or ()), *cause),
         with_node=with_node,
     )

@@ -43,7 +43,6 @@ risky
 
 safe
   node /light added
-    nothing that was there is touched
     it serves /light/set
     robot/light.py:3
 

@@ -37,7 +37,8 @@ def render(difference: Difference, color: bool = False) -> str:
 
 def _change(change: Change, inside: dict[str, list[Change]], paint: Paint) -> Iterator[str]:
     yield f"  {words.headline(change, visible)}"
-    yield f"    {visible(change.reason)}"
+    if change.impact != Impact.SAFE:
+        yield f"    {visible(change.reason)}"
     ends = inside.get(change.name, []) if change.subject == "node" else []
     if ends:
         yield f"    it {visible(words.ends_in_short(ends))}"
@@ -45,7 +46,7 @@ def _change(change: Change, inside: dict[str, list[Change]], paint: Paint) -> It
         f"    {end.impact}: {visible(end.name)}: {visible(end.reason)}" for end in ends if end.impact != Impact.SAFE
     )
     about = ", ".join(filter(None, (words.place(change.spot) if change.spot else "", words.where(change))))
-    if about:
+    if about and (change.impact != Impact.SAFE or change.subject == "node"):
         yield f"    {paint(visible(about), 'quiet')}"
 
 

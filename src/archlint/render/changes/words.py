@@ -44,7 +44,7 @@ def place(spot: Spot) -> str:
 def where(change: Change) -> str:
     """The launch files of the systems in which a change is met, where it is not met among all nodes; other names."""
     parts = []
-    if change.systems and None not in change.systems:
+    if change.systems and None not in change.systems and change.systems != (change.owner,):
         shown = [system for system in change.systems if system is not None]
         parts.append(f"in {shown[0]}" + (f" and {len(shown) - 1} more" if len(shown) > 1 else ""))
     if change.others:
