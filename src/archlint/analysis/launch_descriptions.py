@@ -126,12 +126,12 @@ def _is_put_aside(text: str, name: str) -> bool:
     return re.search(rf"#.*(?<!\w){re.escape(name)}(?!\w)", text) is not None
 
 
-_ACTIONS = frozenset(
+ACTIONS = frozenset(
     {"Node", "LifecycleNode", "ComposableNodeContainer", "LoadComposableNodes", "ExecuteProcess", "TimerAction"}
     | {"IncludeLaunchDescription", "GroupAction", "OpaqueFunction", "RegisterEventHandler", "LogInfo"}
     | {"DeclareLaunchArgument", "SetEnvironmentVariable", "SetParameter", "PushRosNamespace"}
 )
-_STARTS = _ACTIONS - {"DeclareLaunchArgument", "LogInfo", "SetEnvironmentVariable", "SetParameter", "PushRosNamespace"}
+_STARTS = ACTIONS - {"DeclareLaunchArgument", "LogInfo", "SetEnvironmentVariable", "SetParameter", "PushRosNamespace"}
 """The actions whose absence leaves something out."""
 _NODES = frozenset({"Node", "LifecycleNode", "ComposableNodeContainer"})
 
@@ -192,14 +192,14 @@ class _Code:
         if not values and not raises:
             yield WrongDescription(Wrong.NOTHING, function.name_span, "")
         for value in values:
-            what = _display(value) or (f"a single {self.made(value)}" if self.made(value) in _ACTIONS else "")
+            what = _display(value) or (f"a single {self.made(value)}" if self.made(value) in ACTIONS else "")
             match value:
                 case facts.Sequence() | facts.Call() | facts.Mapping() if what:
                     yield WrongDescription(Wrong.LIST, value.span, what)
 
     def _entities(self, value: facts.Expr) -> Iterator[WrongDescription]:
         match value:
-            case facts.Call() if self.made(value) in _ACTIONS:
+            case facts.Call() if self.made(value) in ACTIONS:
                 yield WrongDescription(
                     Wrong.NO_LIST, value.span, f"a single {self.made(value)}", "LaunchDescription()", "a list"
                 )
@@ -268,4 +268,4 @@ def _argument_of_node(class_name: str, keyword: str, value: facts.Expr) -> Itera
             yield WrongDescription(Wrong.NO_LIST, value.span, what, of, "a list")
 
 
-__all__ = ["Wrong", "WrongDescription", "misnamed_functions", "wrong_descriptions"]
+__all__ = ["ACTIONS", "Wrong", "WrongDescription", "misnamed_functions", "wrong_descriptions"]

@@ -1,10 +1,11 @@
-"""What API002 says of attributes: properties of a node that are assigned, and names that a class does not have."""
+"""What API002 says of attributes: properties that are assigned and cannot be, and names that a class does not have."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from archlint.analysis.launch_properties import ActionOverwritten, overwritten_actions
 from archlint.analysis.unassigned_attributes import (
     Overwritten,
     Unassigned,
@@ -29,6 +30,7 @@ def attribute_findings(system: System) -> Iterator[Finding]:
     if system.workspace is None:
         return
     yield from map(_overwritten, overwritten_properties(system.workspace))
+    yield from map(_action_overwritten, overwritten_actions(system.workspace))
     told = {(callback.place.file, callback.missing) for callback in system.callbacks if callback.missing}
     told |= {
         (call.place.file, name) for run in system.programs for call in run.refused_calls for name in call.parameters
@@ -46,6 +48,17 @@ def _overwritten(assignment: Overwritten) -> Finding:
         help=f"give the attribute another name, such as self.my_{assignment.name}",
         identity=(assignment.cls, assignment.name),
         group=(OF_CLASS, assignment.place.file, assignment.cls, assignment.name),
+    )
+
+
+def _action_overwritten(assignment: ActionOverwritten) -> Finding:
+    return finding(
+        "API002",
+        assignment.place,
+        f"'{assignment.name}' is a property of {assignment.action} that cannot be assigned: this line fails with an "
+        "AttributeError",
+        help=f"give it to the constructor: {assignment.action}(…, {assignment.name}=…)",
+        identity=(assignment.action, assignment.name),
     )
 
 

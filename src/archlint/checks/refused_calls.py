@@ -48,11 +48,17 @@ def unknown_attribute(system: System, options: Options) -> Iterator[Finding]:
                 "API002",
                 call.place,
                 f"{call.given.rpartition('.')[2]} has no {name}()",
-                help=f"use {call.wanted}" if call.wanted else "",
+                help=f"use {call.wanted}" if call.wanted else _define(call, name),
                 identity=(call.api,),
                 group=(call.place.file, call.api),
                 meant=call.wanted,
             )
+
+
+def _define(call: RefusedCall, name: str) -> str:
+    """What to do about a method that no distribution has and that has no near name."""
+    of_node = call.given.rpartition(".")[2] == "Node"
+    return f"define {name}() in the class of the node, or remove the call" if of_node else "remove the call"
 
 
 @folds("API002")
