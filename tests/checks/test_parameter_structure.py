@@ -144,3 +144,24 @@ def test_every_way_in_which_a_node_gets_a_file(findings):
 def test_a_section_below_another_one_is_not_an_unknown_parameter_too(findings):
     text = "talker:\n  ros__parameters:\n    rate: 1.0\n    other:\n      ros__parameters:\n        gain: 2.0\n"
     assert findings("PRM004", LOAD_IT, **{"config/p.yaml": text}) == []
+
+
+def test_the_place_is_where_the_node_is_given_the_file(findings):
+    text = """\
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument
+from launch.substitutions import LaunchConfiguration, PathJoinSubstitution
+from launch_ros.actions import Node
+from launch_ros.substitutions import FindPackageShare
+
+def generate_launch_description():
+    default = PathJoinSubstitution([FindPackageShare('robot'), 'config', 'p.yaml'])
+    config = LaunchConfiguration('config')
+    return LaunchDescription([
+        DeclareLaunchArgument('config', default_value=default),
+        Node(package='robot', executable='talker', parameters=[config]),
+    ])
+"""
+    bad = {"config/p.yaml": "talker:\n  rate: 1.0", "launch/it.launch.py": text}
+    (told,) = findings("PRM009", **bad)
+    assert [(each.place.file, each.place.line) for each in told.related] == [("launch/it.launch.py", 12)]

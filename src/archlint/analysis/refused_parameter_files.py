@@ -50,7 +50,16 @@ def _misplaced(system: System, started: Started, use: ParameterFileUse) -> Mispl
         return None
     wrong = system.workspace.parameters_of(file).misplaced
     user = started.name or started.executable
-    return None if wrong is None else MisplacedIn(file, wrong, user.text, use.place)
+    return None if wrong is None else MisplacedIn(file, wrong, user.text, _given_at(started, use.place))
+
+
+def _given_at(started: Started, place: Place) -> Place:
+    """Where a process is given a file: in its ``parameters=``, also if what names the file is made further up."""
+    parameters = started.places.get("parameters")
+    if parameters is None or place.file != parameters.file:
+        return place
+    inside = parameters.span[:2] <= place.span[:2] and place.span[2:] <= parameters.span[2:]
+    return place if inside or not place.file.endswith(".py") else parameters
 
 
 __all__ = ["ROOT", "Misplaced", "MisplacedIn", "Misplacement", "misplaced_in_files"]
