@@ -40,7 +40,7 @@ class _Annotated:
         return message.interface != self.type or message.section_name not in ("", self.section_name)
 
 
-@rule("MSG004", scope=Scope.CODE)
+@rule("MSG004", scope=Scope.CODE, by_program=True)
 def callback_annotation(system: System, options: Options) -> Iterator[Finding]:
     """Annotations that name another type than any subscription or service passes."""
     parameters: dict[Place, list[_Annotated | None]] = {}

@@ -62,7 +62,7 @@ def blocking_call_in_callback(system: System, options: Options) -> Iterator[Find
     )
 
 
-@rule("CBG001", scope=Scope.CODE)
+@rule("CBG001", scope=Scope.CODE, by_program=True)
 def shared_exclusive_group(system: System, options: Options) -> Iterator[Finding]:
     """Waits of callbacks that several threads could serve, if they did not hold the client's group."""
     yield from one_for_each_place(

@@ -28,7 +28,7 @@ _COMES_OF_IT = {
 }
 
 
-@rule("MSG003", scope=Scope.CODE)
+@rule("MSG003", scope=Scope.CODE, by_program=True)
 def field_value_type(system: System, options: Options) -> Iterator[Finding]:
     """Values of a kind that their field does not take."""
     noted = judged_notes(system, lambda program: program.wrong_values)

@@ -28,7 +28,7 @@ _IN_ROS_1 = {"secs": "sec", "nsecs": "nanosec", "nsec": "nanosec"}
 _WRAPPERS = {"FeedbackMessage": "message with the feedback", "GetResultResponse": "answer with the result"}
 
 
-@rule("MSG001", scope=Scope.CODE, in_use=True)
+@rule("MSG001", scope=Scope.CODE, by_program=True, in_use=True)
 def unknown_field(system: System, options: Options) -> Iterator[Finding]:
     """Fields that no message which the code can hold at that place has."""
     uses: dict[Place, list[FieldUse]] = {}

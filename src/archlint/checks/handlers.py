@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from archlint.systems.model import System
 
 
-@rule("SRV007", scope=Scope.CODE)
+@rule("SRV007", scope=Scope.CODE, by_program=True)
 def missing_response(system: System, options: Options) -> Iterator[Finding]:
     """Ends of service handlers that give no response."""
     yield from one_for_each_place(_missing(system, end) for end in ends_without_response(system))

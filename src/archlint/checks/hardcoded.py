@@ -84,7 +84,7 @@ _NAMES_SHOWN = 3
 """How many names of one place a message lists."""
 
 
-@rule("NME001", scope=Scope.CODE, taste=True, says_if_installed=True, relative=False, allow=())
+@rule("NME001", scope=Scope.CODE, by_program=True, taste=True, says_if_installed=True, relative=False, allow=())
 def hardcoded_name(system: System, options: Options) -> Iterator[Finding]:
     """Absolute names that only an edit of the code can change, one finding a create call and literal; those of one
     class become one."""

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from archlint.systems.model import System
 
 
-@rule("CBG002", scope=Scope.CODE, taste=True)
+@rule("CBG002", scope=Scope.CODE, by_program=True, taste=True)
 def groups_without_threads(system: System, options: Options) -> Iterator[Finding]:
     """Callback groups of nodes that one thread spins."""
     kept = needing_groups(system) | spun_by_several(system)

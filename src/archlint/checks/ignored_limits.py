@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from archlint.systems.model import System
 
 
-@rule("TMO005", scope=Scope.CODE, in_use=True)
+@rule("TMO005", scope=Scope.CODE, by_program=True, in_use=True)
 def ignored_wait_result(system: System, options: Options) -> Iterator[Finding]:
     """Waits with a timeout whose result is ignored, and that nothing checks later."""
     asked = _clients_asked_for(system)

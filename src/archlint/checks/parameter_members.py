@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from archlint.systems.model import System
 
 
-@rule("PRM010", scope=Scope.CODE, in_use=True)
+@rule("PRM010", scope=Scope.CODE, by_program=True, in_use=True)
 def wrong_parameter_member(system: System, options: Options) -> Iterator[Finding]:
     """Members of a ParameterValue that a parameter's type does not set."""
     for read in wrong_members(system):

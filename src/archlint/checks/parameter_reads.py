@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from archlint.systems.nodes import Node
 
 
-@rule("PRM003", scope=Scope.CODE)
+@rule("PRM003", scope=Scope.CODE, by_program=True)
 def undeclared_parameter(system: System, options: Options) -> Iterator[Finding]:
     """Parameters that are read and never declared."""
     for node in system.nodes:

@@ -44,7 +44,7 @@ _SENDS: Final[dict[str, tuple[str, MessageClass]]] = {
 """By API: the argument that is sent, and which section of the endpoint's interface it must be."""
 
 
-@rule("TOP005", scope=Scope.CODE)
+@rule("TOP005", scope=Scope.CODE, by_program=True)
 def published_type_mismatch(system: System, options: Options) -> Iterator[Finding]:
     """Arguments of ``publish`` and its kin that are certainly not of the endpoint's type."""
     code = source_code(system)

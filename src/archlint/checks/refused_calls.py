@@ -26,7 +26,7 @@ _OF_OTHER_RULES = frozenset({Misuse.ABSENT, Misuse.BEFORE_INIT, Misuse.EARLY})
 _NEWER = frozenset(DISTROS[DISTROS.index(_AS_NEWEST) + 1 :])
 
 
-@rule("API001", scope=Scope.CODE)
+@rule("API001", scope=Scope.CODE, by_program=True)
 def refused_call(system: System, options: Options) -> Iterator[Finding]:
     """Calls that rclpy, message_filters or tf2_ros refuse."""
     loggers = [] if system.workspace is None else refused_logger_calls(system.workspace)

@@ -113,6 +113,9 @@ class Check:
     """Whether it says nothing of what is put aside, but what it says of a trial is worth knowing."""
     says_if_installed: bool = False
     """Whether it weighs by itself that no package installs a file; others say no more than information of such code."""
+    by_program: bool = False
+    """Whether what it says of a file follows from the programs that run code of it, whatever other programs there
+    are."""
 
     def __call__(self, system: System, options: Options) -> Iterator[Finding]:
         return self.function(system, options)
@@ -125,13 +128,18 @@ def rule(
     taste: bool = False,
     in_use: bool = False,
     says_if_installed: bool = False,
+    by_program: bool = False,
     **defaults: OptionValue,
 ) -> Callable[[RuleFunction], Check]:
     """Make the decorated generator function the rule with this code; a rule of ``taste`` says nothing of files
     that are put aside or try something out (:func:`archlint.analysis.aside.is_aside`), one of what is ``in_use``
-    nothing of those that are put aside, and one that ``says_if_installed`` weighs itself what no package installs."""
+    nothing of those that are put aside, and one that ``says_if_installed`` weighs itself what no package installs.  One
+    that judges ``by_program`` is asked again, after an edit, only of the programs that run edited code."""
     options = {name.replace("_", "-"): value for name, value in defaults.items()}
-    return lambda function: Check(code, function, scope, MappingProxyType(options), taste, in_use, says_if_installed)
+    defaults_ = MappingProxyType(options)
+    return lambda function: Check(
+        code, function, scope, defaults_, taste, in_use, says_if_installed, by_program=by_program
+    )
 
 
 _ADDED: ContextVar[Mapping[str, Check]] = ContextVar("the checks of plugins", default=MappingProxyType({}))

@@ -43,7 +43,7 @@ _WHAT = {
 }
 
 
-@rule("EXE006", scope=Scope.CODE)
+@rule("EXE006", scope=Scope.CODE, by_program=True)
 def callback_signature(system: System, options: Options) -> Iterator[Finding]:
     """Callbacks that fail as soon as they are called; those of a class that fail alike are one finding."""
     is_test = system.roles.is_test

@@ -54,7 +54,7 @@ _TRIFLES = frozenset({"clear", "cls", "reset", ""})
 _Row = tuple["Program", "ApiCall", Stay]
 
 
-@rule("EXE003", scope=Scope.CODE, taste=True)
+@rule("EXE003", scope=Scope.CODE, by_program=True, taste=True)
 def slow_callback(system: System, options: Options) -> Iterator[Finding]:
     """Sleeps and waits for the world outside that callbacks reach: one finding for the function that holds them."""
     asked = clients_of_handlers(system, options.distros)

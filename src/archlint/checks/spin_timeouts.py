@@ -43,7 +43,7 @@ _SPIN = "rclpy.spin_until_future_complete"
 _EXECUTOR_SPIN = "rclpy.executors.Executor.spin_until_future_complete"
 
 
-@rule("TMO003", scope=Scope.CODE, taste=True)
+@rule("TMO003", scope=Scope.CODE, by_program=True, taste=True)
 def spin_without_timeout(system: System, options: Options) -> Iterator[Finding]:
     """Spins until a future is complete that nothing limits.  Of a method that nothing calls, and of a client that
     nothing is seen to make, nobody knows whether it is ever there; a trial is ended by whoever runs it."""

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from archlint.systems.model import System
 
 
-@rule("EXE008", scope=Scope.CODE, in_use=True)
+@rule("EXE008", scope=Scope.CODE, by_program=True, in_use=True)
 def node_never_spun(system: System, options: Options) -> Iterator[Finding]:
     """Nodes that wait for work which no executor ever gives them."""
     judged = [(program, node, _idle(system, program, node)) for program, node in started_nodes(system)]

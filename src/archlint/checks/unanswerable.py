@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from archlint.systems.model import System
 
 
-@rule("EXE009", scope=Scope.CODE, in_use=True)
+@rule("EXE009", scope=Scope.CODE, by_program=True, in_use=True)
 def unanswerable_wait(system: System, options: Options) -> Iterator[Finding]:
     """Calls that nobody can answer while they wait, and loops that wait for what they keep from happening."""
     yield from one_for_each_place(unanswerable_calls(system, options))

@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from archlint.systems.model import System
 
 
-@rule("TMO004", scope=Scope.CODE, in_use=True)
+@rule("TMO004", scope=Scope.CODE, by_program=True, in_use=True)
 def endless_wait_loop(system: System, options: Options) -> Iterator[Finding]:
     """Loops that repeat until a server appears, and that nothing else ends."""
     asked = clients_of_handlers(system, options.distros)

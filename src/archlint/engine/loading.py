@@ -47,6 +47,8 @@ def systems_of(inputs: Inputs, facts: FactsOfFiles) -> list[System]:
     programs = linker.run_all(entries)
     forget_names(programs, linker.started.values(), installs)
     [opened] = assemble(programs, workspace, request.settings)
+    if inputs.memory is not None:
+        inputs.memory.note_programs(opened.programs, linker.files_read_by)
     old = frozenset(package.name for package in workspace.packages if package.ros1)
     distro = request.settings.distro
     launches = Launches(files, installs, faults, old, distro)

@@ -1,14 +1,15 @@
 """What a run over a workspace leaves in memory, so that the next one, after an edit of code, has a first answer soon.
 
 The first answer has everything that the edited files themselves can change: the open system is linked and judged anew,
-and so is each launched system that has code of theirs.  Of the other launched systems, and of what packages say of each
-other, it repeats what the run before has found; a whole run then says what else has changed.
+by rules that go by program only where programs run edited code, and so is each launched system that has code of theirs.
+Of the other programs and launched systems, and of what packages say of each other, it repeats what the run before has
+found; a whole run then says what else has changed.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 from archlint.checks.registry import registered
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
     from archlint.checks.registry import Options
     from archlint.finding import Finding
     from archlint.launch.model import Launched
+    from archlint.model import Program
     from archlint.systems.model import System
     from archlint.workspace.installed import Installs
 
@@ -42,6 +44,10 @@ class Memory:
     _findings: dict[str, list[Finding]] = field(default_factory=dict)
     _of_packages: list[Finding] = field(default_factory=list)
     """What was found for all the workspace, whatever nodes there are."""
+    _of_programs: list[Finding] = field(default_factory=list)
+    """What rules have found that go by program."""
+    _programs: dict[int, frozenset[str] | None] = field(default_factory=dict)
+    """The files that each program of the open system has read, by its id; None where that is not known."""
 
     def installs(self) -> dict[str, Installs] | None:
         """What packages install, if nothing was edited that says so."""
@@ -72,6 +78,12 @@ class Memory:
             if files is not None:
                 self._files[system.name] = frozenset(files)
 
+    def note_programs(self, programs: Iterable[Program], files_of: Callable[[Program], Iterable[str] | None]) -> None:
+        """These are the programs of the open system, and what each has read."""
+        for program in programs:
+            files = files_of(program)
+            self._programs[id(program)] = None if files is None else frozenset((program.file, *files))
+
     def judged(self, system: System, selected: Selected, judge: Judge) -> Iterator[Finding]:
         """What ``judge`` finds in a system, or the run before has found."""
         if system.launched is not None:
@@ -84,12 +96,34 @@ class Memory:
             return
         checks = registered()
         whole = {code for code in selected if code in checks and checks[code].scope is Scope.WORKSPACE}
+        by_program = {code: options for code, options in selected.items() if code in checks and checks[code].by_program}
         if self.before is None:
             self._of_packages = list(judge(system, {code: selected[code] for code in selected if code in whole}))
+            self._of_programs = list(judge(system, by_program))
         else:
             self._of_packages = self.moved(self.before._of_packages)
+            self._of_programs = self._judged_again(self.before, system, by_program, judge)
         yield from self._of_packages
-        yield from judge(system, {code: selected[code] for code in selected if code not in whole})
+        yield from self._of_programs
+        rest = {code: selected[code] for code in selected if code not in whole and code not in by_program}
+        yield from judge(system, rest)
+
+    def _judged_again(self, before: Memory, system: System, selected: Selected, judge: Judge) -> list[Finding]:
+        """What rules find that go by program: of the files of programs that run edited code, or did so before, they
+        are asked again, with all programs that run code of these."""
+        every = [*self._programs.values(), *before._programs.values()]
+        failed = any(finding.code not in selected for finding in before._of_programs)
+        if failed or any(files is None for files in every):
+            return list(judge(system, selected))
+        touched = self.changed.union(
+            *(files for files in every if files is not None and not self.changed.isdisjoint(files))
+        )
+        programs = [program for program in system.programs if not touched.isdisjoint(self._programs[id(program)] or ())]
+        ids = {id(program) for program in programs}
+        nodes = [node for node in system.entries if node.program is None or id(node.program) in ids]
+        part = replace(system, nodes=nodes, programs=programs, unowned=())
+        again = [finding for finding in judge(part, selected) if finding.place.file in touched]
+        return [*(row for row in self.moved(before._of_programs) if row.place.file not in touched), *again]
 
 
 __all__ = ["Memory"]
