@@ -77,7 +77,7 @@ async def _all(root: Path, rounds: int) -> list[Waits]:
     for kind, edit in _EDITS.items():
         row = Waits(kind)
         for number, topic in enumerate(topics):
-            wall, cpu = await client.type(topic.file, edit(topic.file.read_text(), topic, number))
+            wall, cpu = await client.type(topic.file, edit(client.text(topic.file), topic, number))
             row.wall.append(wall)
             row.cpu.append(cpu)
         rows.append(row)
@@ -89,6 +89,7 @@ class _Client:
     def __init__(self) -> None:
         self._client = LanguageClient("benchmark", "1")
         self._versions: dict[str, int] = {}
+        self._texts: dict[Path, str] = {}
         self._shown: dict[str, int | None] = {}
         self._heard = asyncio.Event()
 
@@ -103,6 +104,10 @@ class _Client:
         await self._client.initialize_async(lsp.InitializeParams(lsp.ClientCapabilities(), workspace_folders=folders))
         self._client.initialized(lsp.InitializedParams())
 
+    def text(self, file: Path) -> str:
+        """What the editor holds of a file: an edit begins with that, for it is to change what it says and no more."""
+        return self._texts[file] if file in self._texts else file.read_text()
+
     async def type(self, file: Path, text: str) -> tuple[float, float]:
         """Seconds until the diagnostics of a new text are there, and seconds of the server's processor time."""
         uri = file.as_uri()
@@ -112,6 +117,7 @@ class _Client:
             self._client.text_document_did_open(lsp.DidOpenTextDocumentParams(item))
             await self._until(lambda: uri in self._shown)
             await asyncio.sleep(2)  # whatever else the server does after an analysis
+        self._texts[file] = text
         self._versions[uri] += 1
         version, began, used = self._versions[uri], time.perf_counter(), self._processor_time()
         document = lsp.VersionedTextDocumentIdentifier(version=version, uri=uri)
