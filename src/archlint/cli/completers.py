@@ -20,6 +20,8 @@ _RULES = {"bash": "_archlint_rules", "zsh": "_archlint_rules", "fish": "(_archli
 _COMPLETERS: Mapping[str, object] = {
     "paths": shtab.FILE,
     "path": shtab.FILE,
+    "base": shtab.FILE,
+    "head": shtab.FILE,
     "file": shtab.FILE,
     "config": shtab.FILE,
     "baseline": shtab.FILE,

@@ -51,6 +51,20 @@ safe
     )
 
 
+def test_a_node_that_went_is_told_once_and_what_others_miss_of_it():
+    before = system(node("/sensor", publishers=[end("/scan"), end("/status")]), PLANNER)
+    shown = text.render(difference(before, system(PLANNER)))
+    assert shown.splitlines()[2:8] == [
+        "breaking",
+        "  node /sensor removed",
+        "    others still use /scan",
+        "    it publishes /scan, /status",
+        "    breaking: /scan: /planner still subscribes to it, and no node here offers it",
+        "    robot/sensor.py:3 (base)",
+    ]
+    assert "/status:" not in shown
+
+
 def test_only_what_changed_is_in_the_picture():
     bystander = node("/bystander", publishers=[end("/other")])
     before, after = (system(node("/sensor", publishers=ends), PLANNER, bystander) for ends in ([end("/scan")], []))

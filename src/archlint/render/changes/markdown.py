@@ -46,7 +46,7 @@ def _section(impact: Impact, changes: Sequence[Change], inside: dict[str, list[C
         what = _text(words.headline(change, str))
         ends = inside.get(change.name, []) if change.subject == "node" else []
         why = [change.reason, *([f"it {words.ends_in_short(ends)}"] if ends else [])]
-        why += [f"{end.name}: {end.reason}" for end in ends if end.impact != Impact.SAFE][:5]
+        why += [f"{end.name}: {end.reason}" for end in words.worth_telling(change, ends)][:5]
         about = filter(None, (words.place(change.spot) if change.spot else "", words.where(change)))
         yield f"| {what} | {_text('; '.join(why))} | {_text(', '.join(about))} |"
     if len(changes) > MOST_ROWS:

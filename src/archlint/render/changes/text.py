@@ -42,9 +42,8 @@ def _change(change: Change, inside: dict[str, list[Change]], paint: Paint) -> It
     ends = inside.get(change.name, []) if change.subject == "node" else []
     if ends:
         yield f"    it {visible(words.ends_in_short(ends))}"
-    yield from (
-        f"    {end.impact}: {visible(end.name)}: {visible(end.reason)}" for end in ends if end.impact != Impact.SAFE
-    )
+    for end in words.worth_telling(change, ends):
+        yield f"    {end.impact}: {visible(end.name)}: {visible(end.reason)}"
     about = ", ".join(filter(None, (words.place(change.spot) if change.spot else "", words.where(change))))
     if about and (change.impact != Impact.SAFE or change.subject == "node"):
         yield f"    {paint(visible(about), 'quiet')}"

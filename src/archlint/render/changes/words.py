@@ -44,7 +44,7 @@ def place(spot: Spot) -> str:
 def where(change: Change) -> str:
     """The launch files of the systems in which a change is met, where it is not met among all nodes; other names."""
     parts = []
-    if change.systems and None not in change.systems and change.systems != (change.owner,):
+    if change.systems and None not in change.systems and change.systems[0] not in (change.owner, change.name):
         shown = [system for system in change.systems if system is not None]
         parts.append(f"in {shown[0]}" + (f" and {len(shown) - 1} more" if len(shown) > 1 else ""))
     if change.others:
@@ -85,6 +85,12 @@ def folded(changes: list[Change]) -> tuple[list[Change], dict[str, list[Change]]
     return told, inside
 
 
+def worth_telling(node: Change, ends: list[Change]) -> list[Change]:
+    """Of the ends that came or went with a node those that say more than that."""
+    least = Impact.BREAKING if node.status == Status.REMOVED else Impact.RISKY
+    return [end for end in ends if end.impact.rank <= least.rank]
+
+
 def ends_in_short(ends: list[Change]) -> str:
     """``publishes /a, /b; calls /c``."""
     rows: dict[Subject, list[str]] = {}
@@ -106,4 +112,4 @@ _VERBS: dict[Subject, str] = {
     "action_client": "requests",
 }
 
-__all__ = ["counted", "ends_in_short", "findings_counted", "folded", "headline", "place", "where"]
+__all__ = ["counted", "ends_in_short", "findings_counted", "folded", "headline", "place", "where", "worth_telling"]
