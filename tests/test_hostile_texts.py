@@ -7,9 +7,13 @@ from __future__ import annotations
 
 import pytest
 
-from archlint.syntax.entry_point_tables import parse_entry
+from archlint.ros.names import HOLE, pattern_matches
+from archlint.syntax.entry_point_tables import entries_of_setup_cfg, parse_entry
 from archlint.syntax.files import _imported
+from archlint.syntax.interface_values import parse_value
+from archlint.syntax.interfaces import parse_interface
 from archlint.syntax.launch_xml import read_launch_xml
+from archlint.syntax.launch_yaml import suppressions_of_lines
 from archlint.systems.overrides import key_matches
 from archlint.workspace.cmake import parse_cmake
 from archlint.workspace.comments import without_comments
@@ -56,3 +60,52 @@ def test_an_entry_point_of_spaces(text):
 def test_a_key_of_stars():
     assert not key_matches("/**/a" * 40 + "/b", "/a" * 60)
     assert key_matches("/**/a" * 40 + "/b", "/a" * 60 + "/b")
+
+
+def test_suppressions_before_nothing():
+    found = suppressions_of_lines("# archlint: ignore[LCH001]\n" * MANY)
+    assert len(found) == MANY
+    assert found[0].applies_to == (1, 1)
+    assert suppressions_of_lines("# archlint: ignore[LCH001]\n#\n\nx: 1\n")[0].applies_to == (4, 4)
+
+
+def test_suppressions_side_by_side():
+    assert len(suppressions_of_lines("x: 1 " + "# archlint: ignore[LCH001] a " * MANY)) == MANY
+    text = "<launch><![CDATA[" + "<!-- archlint: ignore[LCH001] " * MANY + "-->]]></launch>"
+    [last] = read_launch_xml(text).suppressions
+    assert last.column == len("<launch><![CDATA[") + (MANY - 1) * len("<!-- archlint: ignore[LCH001] ") + 1
+
+
+def test_suppressions_and_elements():
+    line = "<arg name='a'/> <!-- archlint: ignore[LCH001] -->\n<!-- archlint: ignore[LCH002] -->\n"
+    many = MANY // 10
+    found = read_launch_xml("<launch>\n" + line * many + "<let\n name='a'/></launch>").suppressions
+    assert [suppression.applies_to for suppression in found[:2]] == [(2, 2), (4, 4)]
+    assert found[-1].applies_to == (2 * many + 2, 2 * many + 3)
+
+
+def test_an_interface_of_many_fields():
+    interface = parse_interface("".join(f"int8 a{n}\nint8 A{n}=1\n" for n in range(MANY)) + "int8 a0\n", "msg")
+    assert len(interface.section("message").fields) == len(interface.section("message").constants) == MANY
+    assert [problem.message for problem in interface.problems] == ["field 'a0' is defined twice"]
+
+
+def test_texts_of_an_interface_that_are_mostly_spaces():
+    assert parse_value("string", "[a" + " " * MANY + "b, 'c,d' , e]", "unbounded", None, None) == [
+        "a" + " " * MANY + "b",
+        "c,d",
+        "e",
+    ]
+
+
+def test_a_table_of_many_entry_points():
+    rows = "".join(f"    run{n} = robot.a{n}:main\n" for n in range(MANY // 4))
+    entries = entries_of_setup_cfg("[options.entry_points]\nconsole_scripts =\n" + rows)
+    assert [(entry.name, entry.line) for entry in entries[:2]] == [("run0", 3), ("run1", 4)]
+    assert entries[-1].line == MANY // 4 + 2
+
+
+def test_a_name_of_holes():
+    assert not pattern_matches("/" + f"a{HOLE}" * 40 + "b", "/" + "a" * 200)
+    assert pattern_matches("/" + f"a{HOLE}" * 40 + "b", "/" + "a" * 200 + "b")
+    assert not pattern_matches(f"/a{HOLE}a", "/a")

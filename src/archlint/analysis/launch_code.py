@@ -88,12 +88,17 @@ def may_read_argument(workspace: WorkspaceIndex, file: str, name: str) -> bool:
     texts = _texts(workspace, file)
     if texts is None:
         text = workspace.tree.text(file)
-        return text is None or re.search(rf"\$\([^\n]*(?<!\w){re.escape(name)}(?!\w)", text) is not None
+        return text is None or any(_stands_behind("$(", line, name) for line in text.split("\n"))
     return any(_says(text, name) for text in texts)
 
 
 def _says(text: str, name: str) -> bool:
-    return text == name or re.search(rf"\$\(.*(?<!\w){re.escape(name)}(?!\w)", text) is not None
+    return text == name or any(_stands_behind("$(", line, name) for line in text.split("\n"))
+
+
+def _stands_behind(mark: str, line: str, name: str) -> bool:
+    at = line.find(mark)
+    return at >= 0 and name in line and re.compile(rf"(?<!\w){re.escape(name)}(?!\w)").search(line, at) is not None
 
 
 _NAMES_OF_NODES = frozenset({"package", "executable", "name", "namespace", "plugin", "exec_name"})

@@ -123,7 +123,8 @@ def _wanted(function: facts.Function) -> list[str]:
 
 def _is_put_aside(text: str, name: str) -> bool:
     """Whether a comment of a file says the name: somebody has taken the action out of the list."""
-    return re.search(rf"#.*(?<!\w){re.escape(name)}(?!\w)", text) is not None
+    word = re.compile(rf"(?<!\w){re.escape(name)}(?!\w)")
+    return name in text and any(word.search(line, line.find("#")) for line in text.split("\n") if "#" in line)
 
 
 ACTIONS = frozenset(

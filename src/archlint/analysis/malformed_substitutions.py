@@ -83,7 +83,9 @@ def _texts(attribute: Attribute) -> list[str]:
 
 
 _NAME = re.compile(r"[A-Za-z][\w-]*")
-_WITH_BRACE = re.compile(r"\$\{\s*(var|find-pkg-share|find-pkg-prefix|exec-in-pkg|env|command|eval)\s[^})]*[})]")
+_WITH_BRACE = re.compile(
+    r"\$\{\s*(var|find-pkg-share|find-pkg-prefix|exec-in-pkg|env|command|eval)\s(?:[^})$]|\$(?!\{))*[})]"
+)
 _PLAIN_BRACE = re.compile(r"\$\{\s*(\w+)\s*\}")
 _WITHOUT_DOLLAR = re.compile(r"(?<!\$)\((find-pkg-share|find-pkg-prefix|exec-in-pkg|var)\s+[\w.-]+[^()]*\)")
 

@@ -73,7 +73,7 @@ def _is_program(workspace: WorkspaceIndex, executable: Executable, script: str) 
     if file_facts is None or main_guard(file_facts) is None:
         return False
     stem = posixpath.basename(script).removesuffix(".py")
-    imported = re.compile(rf"^\s*(?:from|import)\b.*\b{re.escape(stem)}\b", re.MULTILINE)
+    imported = re.compile(rf"^[ \t]*(?:from|import)\b.*\b{re.escape(stem)}\b", re.MULTILINE)
     files = (file for file in workspace.code.files_of(executable.package) if file != script)
     return not any(imported.search(workspace.tree.text(file) or "") for file in files)
 

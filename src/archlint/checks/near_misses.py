@@ -30,6 +30,10 @@ _POSITIONS = frozenset({"to", "from", "in", "of", "by", "for", "with", "and", "o
 """Words that give the order of the others a meaning: ``map_to_odom`` and ``odom_to_map``."""
 
 
+_MOST_PAIRS = 200_000
+"""How many pairs of names are compared: a system with more ends that nobody uses is a text made to stall."""
+
+
 @rule("TOP004", scope=Scope.SYSTEM)
 def near_miss_topic_name(system: System, options: Options) -> Iterator[Finding]:
     """Pairs of publishers and subscriptions without partners, of one type, with names that are almost equal."""
@@ -51,10 +55,14 @@ def missed(
     ]
     provided = _by_type(connection for connection in alone if not connection.users)
     said: set[tuple[Place, ...]] = set()
+    pairs = 0
     for connection in alone:
         if connection.providers:
             continue
         for user in in_source_order(_judged(connection)):
+            pairs += len(provided.get(user.type or "", []))
+            if pairs > _MOST_PAIRS:
+                return
             candidates = [end for end in provided.get(user.type or "", []) if _misses(system, end, user)]
             lines = user.place, *(end.place for end in candidates)
             if candidates:

@@ -38,8 +38,8 @@ CONVERSIONS: dict[str | None, Callable[[object], str]] = {"r": repr, "a": ascii,
 """What ``!r``, ``!a`` and ``!s`` stand for."""
 CARTESIAN = 36
 """How many combinations of alternatives one operation follows."""
-_PERCENT = re.compile(r"%(?:%|[-#0 +]*[\d.]*[hlL]?[a-zA-Z])")
-_PERCENT_OF_DICT = re.compile(r"%(?:%|\((\w+)\)([-#0 +]*[\d.]*[a-zA-Z]))")
+_PERCENT = re.compile(r"%(?:%|[-#0 +]*(?:[1-9.][\d.]*)?[hlL]?[a-zA-Z])")
+_PERCENT_OF_DICT = re.compile(r"%(?:%|\((\w+)\)([-#0 +]*(?:[1-9.][\d.]*)?[a-zA-Z]))")
 _WIDE = re.compile(r"\d{5,}")
 """A width or a precision that nobody asks for; Python would make a text as long as that."""
 

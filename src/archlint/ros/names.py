@@ -253,7 +253,19 @@ def pattern_matches(pattern: str, name: str) -> bool:
     """
     if pattern.startswith("/" + HOLE):
         pattern = pattern[1:]
-    return re.fullmatch(".*".join(map(re.escape, pattern.split(HOLE))), name) is not None
+    first, *others = pattern.split(HOLE)
+    if not others:
+        return name == first
+    *between, last = others
+    at, end = len(first), len(name) - len(last)
+    if at > end or not (name.startswith(first) and name.endswith(last)):
+        return False
+    for part in between:  # the first place of each leaves the most for the others
+        found = name.find(part, at, end)
+        if found < 0:
+            return False
+        at = found + len(part)
+    return True
 
 
 def is_hidden(name: str) -> bool:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import sys
 
 SUPPRESSION = r"archlint:\s*ignore(-file)?(?![\w-])\s*(?:\[([^\[\]]*)\])?"
 """What follows the mark of a comment; the groups are ``-file`` and the codes."""
@@ -22,9 +23,13 @@ def listed_at(match: re.Match[str], column: int) -> tuple[int, int] | None:
     return None if match[CODES] is None else (start + match.start(CODES) - 1, start + match.end(CODES) + 1)
 
 
-def gives_reason(rest: str) -> bool:
-    """Whether the words behind the codes of a suppression say something: those of another comment do not count."""
-    return re.search(r"\w", rest.partition("#")[0]) is not None
+_WORDS = re.compile(r"[^#\w]*\w")
+
+
+def gives_reason(line: str, start: int, end: int = sys.maxsize) -> bool:
+    """Whether the words behind the codes of a suppression, which end at ``start``, say something: those of another
+    comment do not count."""
+    return _WORDS.match(line, start, end) is not None
 
 
 _FAMILIES = "ACT|API|ARC|CBG|GRF|LCH|LNT|MSG|NME|OWN|PKG|PRM|QOS|SRV|TMO|TOP"

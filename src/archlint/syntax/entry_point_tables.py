@@ -76,13 +76,26 @@ def entries_of_pyproject(text: str) -> list[ScriptEntry]:
     return list(_placed(text, rows))
 
 
+_ALIKE = 100
+"""How many lines that begin with one name are looked at for the entry of that name."""
+
+
+def _name_in(line: str) -> str:
+    """What stands before the ``=`` of a line, without quotes."""
+    name = line.partition("=")[0].strip(" \t")
+    name = name[1:] if name[:1] in ("'", '"') else name
+    return name[:-1] if name[-1:] in ("'", '"') else name
+
+
 def _placed(text: str, rows: Iterable[str]) -> Iterator[ScriptEntry]:
     """The entries of a file's rows, each with the place of the line that says so."""
+    lines: dict[str, list[tuple[int, str]]] = {}
+    for number, line in enumerate(text.splitlines(), start=1):
+        lines.setdefault(_name_in(line), []).append((number, line))
     for entry in filter(None, map(parse_entry, rows)):
-        name, target = re.escape(entry.name), re.escape(entry.module or "")
-        pattern = re.compile(rf"^[ \t]*[\"']?{name}[\"']?[ \t]*(?:=.*{target}.*)?$")
-        for number, line in enumerate(text.splitlines(), start=1):
-            if pattern.match(line):
+        for number, line in lines.get(entry.name, [])[:_ALIKE]:
+            _, equals, behind = line.partition("=")
+            if not equals or (entry.module or "") in behind:
                 start = len(line) - len(line.lstrip())
                 yield replace(entry, line=number, column=start + 1, end_column=len(line.rstrip()) + 1)
                 break

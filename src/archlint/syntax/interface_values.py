@@ -18,7 +18,7 @@ _STRINGS = ("string", "wstring")
 PRIMITIVE_TYPES = frozenset({"bool", "float32", "float64", "duration", "time", *_STRINGS, *INTEGER_RANGES})
 
 _BOOLEANS = {"true": True, "1": True, "false": False, "0": False}
-_ELEMENT = re.compile(r"""\s*(?:"((?:[^"\\]|\\.)*)"|'((?:[^'\\]|\\.)*)'|([^,]*?))\s*(?:,|\Z)""")
+_ELEMENT = re.compile(r"""\s*(?:"((?:[^"\\]|\\.)*)"|'((?:[^'\\]|\\.)*)'|[^,]*)\s*(?:,|\Z)""")
 
 
 class InvalidValue(ValueError):

@@ -8,6 +8,7 @@ sections.  What it refuses becomes a problem at that line; the lines that are in
 from __future__ import annotations
 
 import re
+from dataclasses import dataclass, field
 from typing import Final, Literal
 
 import msgspec
@@ -111,7 +112,7 @@ class Interface(Base, frozen=True):
 def parse_interface(text: str, kind: InterfaceKind) -> Interface:
     """Read an interface file.  Never raises for what is in the text."""
     names = SECTIONS[kind]
-    sections = [Section(name) for name in names]
+    sections = [_Filled(Section(name)) for name in names]
     problems: list[FileProblem] = []
     index = 0
     for number, line in enumerate(text.replace("\t", " ").splitlines(), start=1):
@@ -126,7 +127,7 @@ def parse_interface(text: str, kind: InterfaceKind) -> Interface:
     if index + 1 < len(names):
         count, needed = index, len(names) - 1
         problems.append(FileProblem(1, 1, f"expected {needed} '---' in a .{kind} file, found {count}"))
-    return Interface(kind, sections, problems)
+    return Interface(kind, [filled.section for filled in sections], problems)
 
 
 def interface_problems(path: str, given: bytes | None = None) -> list[tuple[int, int, str]]:
@@ -143,7 +144,15 @@ class InvalidDefinition(Exception):
     """What ``rosidl`` would refuse, in words."""
 
 
-def _read_line(line: str, number: int, section: Section) -> None:
+@dataclass
+class _Filled:
+    """A section that is being read, and the names that it has so far."""
+
+    section: Section
+    names: set[str] = field(default_factory=set)
+
+
+def _read_line(line: str, number: int, filled: _Filled) -> None:
     definition = line.partition("#")[0].rstrip()
     if definition.startswith("@optional"):
         definition = definition.removeprefix("@optional").lstrip()
@@ -159,30 +168,31 @@ def _read_line(line: str, number: int, section: Section) -> None:
         raise InvalidDefinition(f"expected a type and a name, found only {type_name!r}")
     if "=" in rest:
         name, _, value = rest.partition("=")
-        _add_constant(section, type_name, name.rstrip(), value.lstrip(), number)
+        _add_constant(filled, type_name, name.rstrip(), value.lstrip(), number)
     else:
         name, _, default = rest.partition(" ")
-        _add_field(section, parse_type(type_name), name, default.lstrip(), number)
+        _add_field(filled, parse_type(type_name), name, default.lstrip(), number)
 
 
-def _add_constant(section: Section, type_name: str, name: str, value: str, number: int) -> None:
+def _add_constant(filled: _Filled, type_name: str, name: str, value: str, number: int) -> None:
     if type_name not in PRIMITIVE_TYPES:
         raise InvalidDefinition(f"a constant must have a primitive type, not {type_name!r}")
     if not _CONSTANT_NAME.match(name):
         raise InvalidDefinition(f"{name!r} is not a valid constant name: upper case, digits and single '_'")
-    if any(constant.name == name for constant in section.constants):
+    if name in filled.names:
         raise InvalidDefinition(f"constant {name!r} is defined twice")
     try:
         known = parse_primitive(type_name, value)
     except InvalidValue as error:
         raise InvalidDefinition(str(error)) from None
-    section.constants.append(InterfaceConstant(name, type_name, known, number))
+    filled.names.add(name)
+    filled.section.constants.append(InterfaceConstant(name, type_name, known, number))
 
 
-def _add_field(section: Section, kind: FieldType, name: str, default: str, number: int) -> None:
+def _add_field(filled: _Filled, kind: FieldType, name: str, default: str, number: int) -> None:
     if not _FIELD_NAME.match(name):
         raise InvalidDefinition(f"{name!r} is not a valid field name: lower case, digits and single '_'")
-    if section.field(name) is not None:
+    if name in filled.names:
         raise InvalidDefinition(f"field {name!r} is defined twice")
     value: Value | list[Value] | None = None
     if default:
@@ -192,7 +202,8 @@ def _add_field(section: Section, kind: FieldType, name: str, default: str, numbe
             value = parse_value(kind.name, default, kind.array, kind.size, kind.string_bound)
         except InvalidValue as error:
             raise InvalidDefinition(str(error)) from None
-    section.fields.append(InterfaceField(name, kind, number, value))
+    filled.names.add(name)
+    filled.section.fields.append(InterfaceField(name, kind, number, value))
 
 
 def parse_type(text: str) -> FieldType:

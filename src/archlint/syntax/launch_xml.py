@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import re
+from bisect import bisect_left, bisect_right
+from itertools import accumulate
 from xml.parsers import expat
 
 from archlint.syntax.comment_words import SUPPRESSION, codes_in, gives_reason, listed_at, lookalike
@@ -42,8 +44,6 @@ class _Reader:
         raise _Entity
 
     def place(self, offset: int) -> tuple[int, int]:
-        from bisect import bisect_right
-
         line = bisect_right(self.line_starts, offset)
         start = self.line_starts[line - 1]
         # A generated file may be one line of megabytes: count on from where the last place was.
@@ -179,16 +179,18 @@ def _suppressions(text: str, root: Element) -> list[Suppression]:
     suppressions: list[Suppression] = []
     if "archlint:" not in text:
         return suppressions
-    starts = _element_lines(root)
+    elements = _Elements(root)
     lines = text.splitlines()
     for number, line in enumerate(lines, start=1):
         if "<!--" in line and (other := lookalike(line)):
             span = (number, other.start() + 1, other.end() + 1, (number, number))
             suppressions.append(Suppression(*span, [], not_understood=other[0]))
+        indent = len(line) - len(line.lstrip())
         for match in _SUPPRESSION.finditer(line, 0, max(0, line.rfind("-->"))):
-            own = line[: match.start()].strip()
-            first, last = _covered(number, starts, bool(own))
-            end = line.index("-->", match.end())
+            end = line.find("--", match.end())
+            if not line.startswith("-->", end):
+                continue  # no comment has "--" inside: this is data
+            first, last = elements.covered(number, match.start() > indent)
             suppressions.append(
                 Suppression(
                     number,
@@ -199,23 +201,28 @@ def _suppressions(text: str, root: Element) -> list[Suppression]:
                     "file" if match[1] else "line",
                     listed=listed_at(match, match.start() + 1),
                     closed=True,
-                    reason=gives_reason(line[match.end() : end]),
+                    reason=gives_reason(line, match.end(), end),
                 )
             )
     return suppressions
 
 
-def _element_lines(root: Element) -> list[tuple[int, int]]:
-    lines = []
-    stack = [root]
-    while stack:
-        element = stack.pop()
-        lines.append((element.span[0], element.span[2]))
-        stack.extend(element.children)
-    return sorted(lines)
+class _Elements:
+    """The first and last lines of the start tags of a file."""
 
+    def __init__(self, root: Element) -> None:
+        self._lines = []
+        stack = [root]
+        while stack:
+            element = stack.pop()
+            self._lines.append((element.span[0], element.span[2]))
+            stack.extend(element.children)
+        self._lines.sort()
+        self._starts = [first for first, _ in self._lines]
+        self._ends = list(accumulate((last for _, last in self._lines), max))
 
-def _covered(line: int, elements: list[tuple[int, int]], same_line: bool) -> tuple[int, int]:
-    if same_line:
-        return next((span for span in elements if span[0] <= line <= span[1]), (line, line))
-    return next((span for span in elements if span[0] > line), (line, line))
+    def covered(self, line: int, same_line: bool) -> tuple[int, int]:
+        """The lines of the tag on a line, or of the first one behind it; the line itself where there is none."""
+        at = bisect_left(self._ends, line) if same_line else bisect_right(self._starts, line)
+        found = self._lines[at] if at < len(self._lines) else (line, line)
+        return (line, line) if same_line and found[0] > line else found

@@ -15,7 +15,7 @@ from archlint.workspace.cmake_run import run_alone, without_source
 
 _INSTALL = "ament_python_install_package"
 _SITE = re.compile(
-    r"(?:^|/)(?:\$\{PYTHON_INSTALL_DIR\}|\$\{\w*SITE(?:LIB|ARCH)\w*\}|lib/[^/]*python[^/]*/(?:site|dist)-packages)(?:/|$)",
+    r"(?:^|/)(?:\$\{PYTHON_INSTALL_DIR\}|\$\{\w*SITE(?:LIB|ARCH)\w*\}|lib/(?=[^/]*python)[^/]*/(?:site|dist)-packages)(?:/|$)",
     re.IGNORECASE,
 )
 """Where Python looks for what is installed: CMake has it in a variable, or it is written out."""

@@ -7,12 +7,12 @@ import re
 
 _MAX_BYTES = 200_000
 _LEVELS = 60
-_PATH = re.compile(r"^[ \t]*path[ \t]*=[ \t]*(\S.*?)[ \t\r]*$", re.MULTILINE)
+_PATH = re.compile(r"^[ \t]*path[ \t]*=[ \t]*(\S.*)$", re.MULTILINE)
 
 
 def paths_of_submodules(text: str) -> list[str]:
     """The paths that a ``.gitmodules`` names, from its folder."""
-    return _PATH.findall(text)
+    return [path.rstrip(" \t\r") for path in _PATH.findall(text)]
 
 
 def submodule_of(link: str) -> str | None:

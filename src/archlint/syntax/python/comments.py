@@ -15,6 +15,7 @@ _SUPPRESSION = re.compile(rf"#\s*{SUPPRESSION}")
 def find_suppressions(text: str, positions: CommentPositions, lines: LineTable) -> list[Suppression]:
     """All suppressions of a file, and what only looks like one, in the order in which they stand there."""
     units: list[tuple[int, int]] | None = None
+    ends: list[int] = []
     suppressions = []
     for offset, comment in positions.comments:
         other = lookalike(comment)
@@ -25,25 +26,26 @@ def find_suppressions(text: str, positions: CommentPositions, lines: LineTable) 
         for match in _SUPPRESSION.finditer(comment):
             if units is None:
                 units = _logical_lines(text, positions, lines)
+                ends = [last for _, last in units]
             line, column = lines.place(offset + match.start())
             suppressions.append(
                 Suppression(
                     line,
                     column,
                     column + match.end() - match.start(),
-                    (1, len(lines.starts)) if match[1] else _covered(line, units),
+                    (1, len(lines.starts)) if match[1] else _covered(line, units, ends),
                     codes_in(match),
                     "file" if match[1] else "line",
                     listed=listed_at(match, column),
-                    reason=gives_reason(comment[match.end() :]),
+                    reason=gives_reason(comment, match.end()),
                 )
             )
     return suppressions
 
 
-def _covered(line: int, units: list[tuple[int, int]]) -> tuple[int, int]:
-    """The logical line that a comment is in or, on a line of its own, the next one."""
-    index = bisect_left([last for _, last in units], line)
+def _covered(line: int, units: list[tuple[int, int]], ends: list[int]) -> tuple[int, int]:
+    """The logical line that a comment is in or, on a line of its own, the next one; ``ends`` are their last lines."""
+    index = bisect_left(ends, line)
     return units[index] if index < len(units) else (line, line)
 
 
