@@ -224,5 +224,5 @@ class _Elements:
     def covered(self, line: int, same_line: bool) -> tuple[int, int]:
         """The lines of the tag on a line, or of the first one behind it; the line itself where there is none."""
         at = bisect_left(self._ends, line) if same_line else bisect_right(self._starts, line)
-        found = self._lines[at] if at < len(self._lines) else (line, line)
-        return (line, line) if same_line and found[0] > line else found
+        first, last = self._lines[at] if at < len(self._lines) else (line, line)
+        return (line, line) if same_line and first > line else (first, last)
