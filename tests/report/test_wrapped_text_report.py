@@ -8,7 +8,7 @@ import pytest
 from reports import NESTED, SAFE, report
 
 from archlint import cells
-from archlint.finding import Place
+from archlint.finding import Place, Severity
 from archlint.report import render
 
 
@@ -73,3 +73,15 @@ def test_without_a_terminal_nothing_is_wrapped():
 
 def test_a_safe_fix_is_marked():
     assert on_terminal(80, SAFE)[0] == "warning[LNT001] [*] unused-suppression: it hides nothing"
+
+
+def test_errors_come_last_on_a_terminal_and_stay_in_the_order_of_the_files_in_a_pipe():
+    note = replace(NESTED, severity=Severity.INFO, code="TMO004", place=Place("pkg/z.py", 1, 1, 1, 2), related=())
+    warning = replace(note, severity=Severity.WARNING, code="TMO001")
+    findings = [replace(NESTED, related=()), warning, note]
+    heads = [
+        line.split("]")[0] for line in on_terminal(80, *findings) if line.split("[")[0] in ("info", "warning", "error")
+    ]
+    assert heads == ["info[TMO004", "warning[TMO001", "error[SRV003"]
+    piped = render("text", report(*findings)).splitlines()
+    assert [line[:4] for line in piped if line.startswith(("info[", "warn", "erro"))] == ["erro", "warn", "info"]

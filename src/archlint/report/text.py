@@ -32,12 +32,15 @@ _INDENT = 4
 
 
 def render(report: Report, color: bool = False, columns: int | None = None) -> str:
-    """The findings; ``columns`` is the width of the terminal that they are for.  Without one no message is wrapped, so
-    that what reads them finds a message on one line."""
+    """The findings; ``columns`` is the width of the terminal that they are for: there, errors come last, next to the
+    prompt.  Without one they are in the order of the files, and no message is wrapped, so that what reads them finds a
+    message on one line."""
     paint = _painter() if color else _plain
     room = UNLIMITED if columns is None else max(columns, NARROWEST)
     blocks: list[list[Line]] = []
     for heading, findings in grouped(report):
+        if columns is not None:
+            findings = sorted(findings, key=lambda finding: finding.severity)
         blocks += [[[("path", heading)]]] if heading else []
         blocks += [list(_lines(finding, report.source_line, room)) for finding in findings]
     return "\n".join("".join("".join(paint(*piece) for piece in line) + "\n" for line in block) for block in blocks)
