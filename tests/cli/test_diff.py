@@ -186,6 +186,7 @@ def test_the_comment_of_a_pull_request(diff):
     [
         (["mian"], "git knows no revision mian in .; did you mean main?"),
         ([""], "an empty word is no BASE"),
+        (["new.json"], "there is no file new.json"),
         (["old.json"], "an older archlint wrote it"),
         (["main", "--fail-on", "safe"], "invalid choice"),
         (["empty", "empty"], "nothing to check"),

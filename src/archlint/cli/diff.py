@@ -121,6 +121,8 @@ def _side(arguments: argparse.Namespace, word: str, name: str, monitor: Monitor,
         if arguments.paths:
             raise UsageError(f"--paths: {word} is a folder, all of which is compared")
         return of_folder(replace(_request(arguments, word), monitor=monitor), word)
+    if word.endswith(".json"):
+        raise UsageError(f"there is no file {word}")
     return of_revision(replace(_request(arguments), monitor=monitor), word, fork)
 
 
