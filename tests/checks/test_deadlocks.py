@@ -8,6 +8,7 @@ import pytest
 
 from archlint.finding import Severity
 from checks.callbacks import IMPORTS, ON_ONE_THREAD, ON_SEVERAL_THREADS, Run, codes, source
+from checks.judging import Judge
 
 CLIENT = "self.client = self.create_client(Trigger, 'check')\n"
 CLIENT_APART = (
@@ -704,3 +705,60 @@ def test_a_loop_that_is_always_left_does_not_wait(run: Run, body: str, expected:
     method = "def tick(self):\n    future = self.client.call_async(Trigger.Request())\n    while not future.done():\n"
     found = codes(run(source(CLIENT + TIMER, f"{method}        {body}\n")))
     assert [code for code in found if code == "EXE002"] == expected
+
+
+KEPT = """
+    from dataclasses import dataclass
+
+    import rclpy
+    from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
+    from rclpy.client import Client
+    from rclpy.node import Node
+    from std_srvs.srv import Trigger
+
+
+    @dataclass
+    class Arm:
+        home: Client
+
+
+    class Gateway(Node):
+        def __init__(self):
+            super().__init__('gateway')
+            self.arms = {{}}
+            self.clients_group = MutuallyExclusiveCallbackGroup()
+            self.handlers_group = MutuallyExclusiveCallbackGroup()
+            self.create_service(Trigger, 'add', self.add, callback_group=self.handlers_group)
+            self.create_service(Trigger, 'home', self.home, callback_group=self.handlers_group)
+
+        def add(self, request, response):
+            home = self.create_client(Trigger, 'arm/home', callback_group={group})
+            self.arms[str(len(self.arms))] = Arm(home)
+            return response
+
+        def home(self, request, response):
+            future = self.arms['left'].home.call_async(Trigger.Request())
+            rclpy.spin_until_future_complete(self, future, timeout_sec=0.1)  # here
+            return response
+
+
+    def main():
+        rclpy.init()
+        rclpy.spin(Gateway())
+
+
+    if __name__ == '__main__':
+        main()
+"""
+
+
+@pytest.mark.parametrize(
+    ("group", "words"),
+    [
+        ("self.clients_group", "this works in humble and raises"),
+        ("self.handlers_group", "this may deadlock in humble and raises"),
+    ],
+)
+def test_a_client_out_of_sight_has_the_group_that_all_of_its_node_have(judge: Judge, group: str, words: str):
+    [found] = judge("EXE001", KEPT.format(group=group))
+    assert words in found.message

@@ -267,3 +267,17 @@ def test_a_class_that_nothing_names(judge: Judge, tmp_path, uses: str, mark: str
         "<maintainer email='a@b.c'>a</maintainer><license>MIT</license></package>"
     )
     judge("TMO004", text)
+
+
+@pytest.mark.parametrize(
+    ("more", "inside", "mark"),
+    [
+        ("pass", "print('waiting')", ""),
+        ("pass", "node.get_logger().info('waiting')", ""),
+        ("pass", "time.sleep(1.0)", "  # here"),  # nobody sees it
+        ("node.create_publisher(Trigger, 'a', 10)", "print('waiting')", "  # here"),
+        ("node.create_timer(1.0, print)", "print('waiting')", "  # here"),
+    ],
+)
+def test_a_script_that_only_asks_may_wait_where_it_says_so(judge: Judge, more: str, inside: str, mark: str):
+    judge("TMO004", script(more, f"while not {WAIT}:{mark}", f"    {inside}", "far.call_async(Trigger.Request())"))

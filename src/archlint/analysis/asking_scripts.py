@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from archlint.model import EntityKind, Role
 from archlint.systems.nodes import key_of
 
 if TYPE_CHECKING:
-    from archlint.model import ApiCall, Blueprint, Program
+    from archlint.model import ApiCall, Blueprint, Creation, Program
     from archlint.systems.model import System, WorkspaceIndex
 
 _TAKES_IN = frozenset({EntityKind.SUBSCRIBER, EntityKind.SERVICE, EntityKind.TIMER, EntityKind.ACTION_SERVER})
+_ASKS = frozenset({EntityKind.CLIENT, EntityKind.ACTION_CLIENT})
+_REQUESTS = (".call", ".call_async", ".send_goal", ".send_goal_async")
 _ON_ITS_WAY = frozenset({Role.MAIN, Role.MODULE, Role.INIT})
 
 
@@ -21,6 +24,14 @@ def is_step_of_asking_script(system: System, program: Program, call: ApiCall) ->
     if call.context.role not in _ON_ITS_WAY or not program.executable or program.exhausted or not program.nodes:
         return False
     return all(_takes_in_nothing(node) and not is_launched(system.workspace, node) for node in program.nodes)
+
+
+def only_asks(program: Program, clients: Sequence[Creation]) -> bool:
+    """Whether all that the nodes of a program have are clients, and it sends one request with one of these."""
+    if any(creation.kind not in _ASKS for node in program.nodes for creation in node.creations):
+        return False
+    asking = [call for call in program.calls if call.api.endswith(_REQUESTS)]
+    return not any(call.looped for call in asking) and any(call.creation in clients for call in asking)
 
 
 def _takes_in_nothing(node: Blueprint) -> bool:
@@ -34,4 +45,4 @@ def is_launched(workspace: WorkspaceIndex | None, node: Blueprint) -> bool:
     return workspace is not None and key_of(node) in workspace.started_by_launch
 
 
-__all__ = ["is_launched", "is_step_of_asking_script"]
+__all__ = ["is_launched", "is_step_of_asking_script", "only_asks"]

@@ -44,7 +44,7 @@ from archlint.ros.distros import DISTROS
 if TYPE_CHECKING:
     from archlint.analysis.blocking import Form, Relation, Threads
     from archlint.model.given import Constant
-from archlint.model import ApiCall, Blueprint, Creation, ExecutorUse, Group, Program
+from archlint.model import ApiCall, Blueprint, Callback, Creation, ExecutorUse, Group, Program
 
 __all__ = [
     "AWAIT",
@@ -242,7 +242,20 @@ def _relation_of_spin(call: ApiCall, spun: Blueprint | None, client: Creation | 
     if "future" not in call.arguments and relation == UNCLEAR:
         # What spins without a future waits for any work, and the group keeps out that of its own.
         return SAME if callback.group is not None and callback.group.kind != GroupKind.REENTRANT else OTHER
-    return relation
+    return OTHER if relation == UNCLEAR and _no_client_shares_its_group(callback) else relation
+
+
+_CLIENTS = frozenset({EntityKind.CLIENT, EntityKind.ACTION_CLIENT})
+
+
+def _no_client_shares_its_group(callback: Callback) -> bool:
+    """Whether the node of a callback has clients, all of them in groups that keep clear of the callback's: whichever of
+    them has the future that the callback waits for."""
+    node = callback.node
+    if node is None or not node.complete or node.escapes:
+        return False
+    clients = [creation for creation in node.creations if creation.kind in _CLIENTS]
+    return bool(clients) and all(group_relation(callback.group, client.group) == OTHER for client in clients)
 
 
 def _on_one_of_its_own(call: ApiCall, node: Blueprint, running: Sequence[ExecutorUse]) -> bool:

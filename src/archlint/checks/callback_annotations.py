@@ -74,7 +74,8 @@ def _finding(system: System, row: _Annotated) -> Finding:
         "MSG004",
         row.message.place,
         f"'{row.message.name}' is annotated as {says}, but {by} passes {gets}",
-        help=f"annotate it as {gets.rpartition('/')[2]} if the {word} is right",
+        help=f"annotate it as {gets.rpartition('/')[2]} if the {word} is right, else give the {word} "
+        f"{row.message.interface.rpartition('/')[2]}",
         related=[Related(row.creation.place, f"{gets} comes from here")],
         node=node_name(system, row.callback.node),
         identity=(row.callback.name, row.message.name, says, gets),

@@ -39,6 +39,8 @@ _OF_ROS_1 = {
     "rclpy.wait_for_service": "wait_for_service() of a client",
 }
 """What rospy has and rclpy has not, in any distribution, and what rclpy has instead."""
+_LOGS = {"debug": "debug", "info": "info", "warn": "warning", "err": "error", "fatal": "fatal"}
+"""What ``rospy.loginfo`` and its like end in, and the method of a logger."""
 _INSTEAD = {
     "rclpy.action.client.ActionClient.cancel_all_goals": "cancel_goal_async() of the goal handle",
     "rclpy.action.client.ActionClient.cancel_goal": "cancel_goal_async() of the goal handle",
@@ -55,6 +57,7 @@ _INSTEAD = {
     "rclpy.executors.Executor.submit": "create_task()",
     "rclpy.node.Node.get_name_space": "get_namespace()",
     "rclpy.node.Node.get_param": "get_parameter()",
+    **{f"rclpy.node.Node.log{name}": f"get_logger().{level}()" for name, level in _LOGS.items()},
     "rclpy.node.Node.get_subscription_names_and_types_by_node": "get_subscriber_names_and_types_by_node()",
     "rclpy.node.Node.has_param": "has_parameter()",
     "rclpy.node.Node.set_param": "set_parameters()",
