@@ -227,10 +227,13 @@ def unreadable(
     information where ``help`` says what brings the file."""
     place = Place(file, line, column, line, column)
     if not internal:
-        diagnostic = finding("LNT002", place, message, help=help or "", identity=(message,))
+        diagnostic = finding("LNT002", place, message, help=help or _UNREAD, identity=(message,))
         return diagnostic if help is None else replace(diagnostic, severity=Severity.INFO)
     what = f"reading this file failed with {message}; everything else was checked"
     return finding("LNT003", place, what, help=_REPORT, identity=(f"internal error: {message}",))
+
+
+_UNREAD = "correct it: until then nothing in this file is checked"
 
 
 def unreadable_interface(file: str, problems: Sequence[tuple[int, int, str]]) -> Finding:
