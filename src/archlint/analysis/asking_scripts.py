@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+from archlint.analysis.source_code import source_code
 from archlint.model import EntityKind, Role
+from archlint.syntax.walk import called_name, calls_in
 from archlint.systems.nodes import key_of
 
 if TYPE_CHECKING:
@@ -26,7 +28,19 @@ def is_step_of_asking_script(system: System, program: Program, call: ApiCall) ->
     return all(_takes_in_nothing(node) and not is_launched(system.workspace, node) for node in program.nodes)
 
 
-def only_asks(program: Program, clients: Sequence[Creation]) -> bool:
+def is_seen_to_wait(system: System, program: Program, call: ApiCall, clients: Sequence[Creation]) -> bool:
+    """Whether a script that somebody starts by hand says in each round of a loop that it waits for a server: all that
+    it is there for is the request that comes next, and Ctrl-C ends it."""
+    if not is_step_of_asking_script(system, program, call) or not _only_asks(program, clients):
+        return False
+    loop = source_code(system).loop(call)
+    return loop is not None and any(called_name(inner) in _SAYS for inner in calls_in(loop.body))
+
+
+_SAYS = frozenset({"info", "warn", "warning", "error", "print"})
+
+
+def _only_asks(program: Program, clients: Sequence[Creation]) -> bool:
     """Whether all that the nodes of a program have are clients, and it sends one request with one of these."""
     if any(creation.kind not in _ASKS for node in program.nodes for creation in node.creations):
         return False
@@ -45,4 +59,4 @@ def is_launched(workspace: WorkspaceIndex | None, node: Blueprint) -> bool:
     return workspace is not None and key_of(node) in workspace.started_by_launch
 
 
-__all__ = ["is_launched", "is_step_of_asking_script", "only_asks"]
+__all__ = ["is_launched", "is_seen_to_wait", "is_step_of_asking_script"]

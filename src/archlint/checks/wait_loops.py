@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.analysis.asking_scripts import is_step_of_asking_script, only_asks
+from archlint.analysis.asking_scripts import is_seen_to_wait
 from archlint.analysis.callback_roles import runs_in_executor
 from archlint.analysis.left_over import is_dead, is_never_made
 from archlint.analysis.present_servers import is_there
@@ -28,10 +28,9 @@ from archlint.checks.wait_words import (
     server_words,
 )
 from archlint.finding import Finding, Place, Severity
-from archlint.syntax.walk import called_name, calls_in
 
 if TYPE_CHECKING:
-    from archlint.model import ApiCall, Program
+    from archlint.model import ApiCall
     from archlint.systems.model import System
 
 
@@ -46,7 +45,7 @@ def endless_wait_loop(system: System, options: Options) -> Iterator[Finding]:
             continue
         if is_dead(system.workspace, program, call) or is_never_made(system.workspace, call):
             continue
-        if is_there(system, call) or _is_seen_to_wait(system, program, call):
+        if is_there(system, call) or is_seen_to_wait(system, program, call, creations_of(call.receiver)):
             continue
         if not program.refused.isdisjoint(code.calls_in(call.loops[-1])):
             continue  # an error ends the loop
@@ -54,18 +53,6 @@ def endless_wait_loop(system: System, options: Options) -> Iterator[Finding]:
         if asked.isdisjoint((call.context.place, client.place) for client in creations_of(call.receiver)):
             loops.setdefault(call.loops[-1], []).append(call)
     yield from (_endless(system, loops[key]) for key in sorted(loops))
-
-
-def _is_seen_to_wait(system: System, program: Program, call: ApiCall) -> bool:
-    """Whether a script that somebody starts by hand says in each round that it waits: all that it is there for is the
-    request that comes next, and Ctrl-C ends it."""
-    if not is_step_of_asking_script(system, program, call) or not only_asks(program, creations_of(call.receiver)):
-        return False
-    loop = source_code(system).loop(call)
-    return loop is not None and any(called_name(inner) in _SAYS for inner in calls_in(loop.body))
-
-
-_SAYS = frozenset({"info", "warn", "warning", "error", "print"})
 
 
 def _endless(system: System, calls: Sequence[ApiCall]) -> Finding:
