@@ -585,11 +585,13 @@ def test_the_graph_shows_what_was_asked_for():
     assert {"/other/get_parameters", "/rosout", "/chatter"} <= implicit
 
 
-def test_a_large_file_is_hashed_piece_by_piece(monkeypatch: pytest.MonkeyPatch):
+def test_of_a_large_file_the_beginning_and_the_size_are_hashed(monkeypatch: pytest.MonkeyPatch):
     from archlint.engine import result_cache
 
-    file = write("map.yaml", "x" * 1_000)
-    whole = result_cache._digest(file)
-    monkeypatch.setattr(result_cache, "_PIECE", 7)
-    monkeypatch.setattr(Path, "read_bytes", lambda path: pytest.fail(f"{path} is read at once"))
-    assert result_cache._digest(file) == whole
+    monkeypatch.setattr(result_cache, "TEXT_LIMIT", 100)
+    digests = [
+        result_cache._digest(write("map.yaml", text))
+        for text in ("x" * 1_000, "x" * 1_001, "y" + "x" * 999, "x" * 999 + "y", "x" * 100, "x" * 101)
+    ]
+    assert digests[0] == digests[3]  # nobody reads what is behind the limit
+    assert len(set(digests)) == 5

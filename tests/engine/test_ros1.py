@@ -158,7 +158,9 @@ def test_a_link_into_a_submodule_that_is_not_checked_out(run, tmp_path):
     assert told() == [(message, "git submodule update --init", "INFO")]
     link.unlink()
     link.symlink_to("external/xx/gamestate.py")
-    assert told() == [("is a broken symbolic link", "", "WARNING")]
+    [(message, help, severity)] = told()
+    assert (message, severity) == ("is a broken symbolic link", "WARNING")
+    assert help.startswith("correct it")
     link.unlink()
     (tmp_path / "src").mkdir()
     (tmp_path / "src" / "CMakeLists.txt").symlink_to("/opt/ros/no-such/share/catkin/cmake/toplevel.cmake")
