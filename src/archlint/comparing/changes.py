@@ -75,7 +75,7 @@ class Judgement:
 @dataclass(frozen=True)
 class Change:
     """One change.  ``name`` is that of its subject (after the change, where it has one there), ``owner`` the node or
-    interface that it belongs to, ``aspect`` what has changed of it, ``before`` and ``after`` say so."""
+    interface that it belongs to, ``aspect`` what has changed of it, and ``values`` what that was and is."""
 
     status: Status
     subject: Subject
@@ -83,8 +83,7 @@ class Change:
     judgement: Judgement
     owner: str | None = None
     aspect: str | None = None
-    before: str | None = None
-    after: str | None = None
+    values: tuple[str | None, str | None] | None = None
     type: str | None = None
     spot: Spot | None = None
     cause: tuple[object, ...] = ()
@@ -103,6 +102,14 @@ class Change:
     @property
     def reason(self) -> str:
         return self.judgement.reason
+
+    @property
+    def before(self) -> str | None:
+        return None if self.values is None else self.values[0]
+
+    @property
+    def after(self) -> str | None:
+        return None if self.values is None else self.values[1]
 
 
 def breaking(reason: str) -> Judgement:

@@ -61,7 +61,7 @@ def _of_fields(old: Interface, new: Interface) -> Iterator[Change]:
     if common[0] != common[1]:
         yield Change(
             Status.CHANGED, "interface", new.name, risky(_REBUILD), aspect="order of fields",
-            before=", ".join(name for _, name in common[0]), after=", ".join(name for _, name in common[1]),
+            values=(", ".join(name for _, name in common[0]), ", ".join(name for _, name in common[1])),
             spot=Spot(new.file, 1),
         )  # fmt: skip
     yield from _of_constants(old, new)
@@ -101,8 +101,7 @@ def _field(
         judgement,
         owner=interface.name,
         aspect=aspect,
-        before=None if values is None else values[0],
-        after=None if values is None else values[1],
+        values=values,
         type=field.type,
         spot=Spot(interface.file, field.line, is_before),
     )

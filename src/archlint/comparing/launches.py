@@ -73,8 +73,7 @@ def _argument(
         judgement,
         owner=graph.system,
         aspect=aspect,
-        before=None if values is None else values[0],
-        after=None if values is None else values[1],
+        values=values,
         spot=Spot(argument.file, argument.line, is_before),
         cause=(argument.file, argument.name, *(values or ())),
     )
@@ -104,7 +103,9 @@ def remapping_changes(old: Node, new: Node, moves: bool) -> Iterator[Change]:
             judgement,
             owner=new.shown,
             aspect="target",
-            before=(was or "not known") if source in before else None,
-            after=(now or "not known") if source in after else None,
+            values=(
+                (was or "not known") if source in before else None,
+                (now or "not known") if source in after else None,
+            ),
             spot=spot,
         )

@@ -85,8 +85,7 @@ def _node(
         node.shown,
         judgement,
         aspect=aspect,
-        before=None if values is None else values[0],
-        after=None if values is None else values[1],
+        values=values,
         spot=None if node.file is None or node.line is None else Spot(node.file, node.line, is_before),
         cause=() if values is None or aspect == "name" else (node.class_name, node.file, *values),
     )
