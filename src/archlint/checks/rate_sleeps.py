@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
+from archlint.analysis.kept import once
 from archlint.analysis.piling_rates import RATE_SLEEP
 from archlint.analysis.reach import argument, calls_of, node_name
 from archlint.analysis.spins import is_spin_call
@@ -44,14 +45,17 @@ def asleep(system: System) -> frozenset[int]:
     return frozenset(id(call.creation.node) for call, spins in _endless(system) if call.creation and not spins)
 
 
-def _endless(system: System) -> Iterator[tuple[ApiCall, Sequence[ApiCall]]]:
+@once
+def _endless(system: System) -> list[tuple[ApiCall, Sequence[ApiCall]]]:
     """Each such sleep, and the spins in its loop that miss the rate's timer."""
+    endless: list[tuple[ApiCall, Sequence[ApiCall]]] = []
     for program, call in calls_of(system, (RATE_SLEEP,)):
         if call.creation is None or not call.enclosing_loops or not _is_alone(program, call):
             continue
         spins = [other for other in program.calls if is_spin_call(other) and _in_one_loop(other, call)]
         if all(_misses_the_timer(spin, call) for spin in spins):
-            yield call, spins
+            endless.append((call, spins))
+    return endless
 
 
 def _is_alone(program: Program, call: ApiCall) -> bool:
