@@ -13,6 +13,7 @@ from archlint.launch.kinds import StartedKind
 from archlint.launch.named_files import FileReference
 from archlint.launch.parameter_sources import OpenParameters, ParameterFileUse, ParameterSetting
 from archlint.launch.started import Started
+from archlint.name_paths import NamePattern, matches_names
 from archlint.ros import names
 from archlint.syntax.parameter_files import NotKnown, ParameterFacts, ParameterSection, first_not_known
 from archlint.syntax.safe_yaml import plain_scalar, written_and_read
@@ -25,22 +26,17 @@ def key_matches(key: str, node: str | None) -> bool:
     """Whether a node key of a parameter file is for a node; one of unknown name is matched by ``/**`` only."""
     if node is None:
         return key.strip("/") == "**"
-    return node.startswith("/") and _matches(tuple(key.strip("/").split("/")), tuple(node[1:].split("/")))
+    return node.startswith("/") and _matches(key, node)
 
 
 @lru_cache(maxsize=10_000)
-def _matches(tokens: tuple[str, ...], words: tuple[str, ...]) -> bool:
-    """Whether ``*`` for one word and ``**`` for any number of them make words of tokens; the work is that of one row of
-    words for each token, whatever the pattern."""
-    ends = {0}
-    for token in tokens:
-        if token == "**":
-            ends = set(range(min(ends), len(words) + 1))
-        else:
-            ends = {end + 1 for end in ends if end < len(words) and words[end] and token in ("*", words[end])}
-        if not ends:
-            return False
-    return len(words) in ends
+def _matches(key: str, node: str) -> bool:
+    """Whether ``*`` for one word and ``**`` for any number of them make a node's name of a key."""
+    words = [_WILD.get(token, lambda word, token=token: word == token) for token in key.strip("/").split("/")]
+    return matches_names(words, node[1:].split("/"))
+
+
+_WILD: dict[str, NamePattern | None] = {"**": None, "*": bool}
 
 
 @dataclass(frozen=True)

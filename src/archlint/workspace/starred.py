@@ -8,6 +8,8 @@ from __future__ import annotations
 import re
 from fnmatch import translate
 
+from archlint.name_paths import NamePattern, matches_names
+
 _STARS = 2
 """How many stars of one name a regular expression may try against each other."""
 
@@ -33,18 +35,11 @@ class StarredPattern:
         """Whether the pattern is about this very path; that of a folder ends in ``/``."""
         if self._of_folders and not path.endswith("/"):
             return False
-        names = path.rstrip("/").split("/")
-        ends = {0}
-        for part in self._parts:
-            if part is None:
-                ends = set(range(min(ends, default=len(names) + 1), len(names) + 1))
-            else:
-                ends = {end + 1 for end in ends if end < len(names) and part.match(names[end])}
-        return len(names) in ends
+        return matches_names(self._parts, path.rstrip("/").split("/"))
 
 
-def _name(part: str) -> re.Pattern[str]:
+def _name(part: str) -> NamePattern:
     """A pattern for one name; ``translate`` makes expressions that do not go back to a star once the next has its
     place."""
     plain = re.sub(r"\\(.)", r"[\1]", part)
-    return re.compile(translate(plain.replace("[^", "[!")))
+    return re.compile(translate(plain.replace("[^", "[!"))).match
