@@ -61,6 +61,19 @@ class _Last:
     """The files whose texts it has read as they are, by their shown paths."""
 
 
+@dataclass(frozen=True)
+class _Since:
+    """What has become of the last analysis: the buffers and files of now, where lines of edited files have gone, and
+    what all that changes."""
+
+    last: _Last
+    own: Buffers
+    readable: Readable
+    tree: LiveTree
+    shifts: dict[str, Shifts]
+    change: Change
+
+
 _CODE: tuple[SourceKind, ...] = ("python", "launch_python", *LAUNCH_TEXT_KINDS)
 """What may be edited without a change of anything but what it says itself."""
 _PYTHON: tuple[SourceKind, ...] = ("python", "launch_python")
@@ -101,52 +114,51 @@ class LiveWorkspace:
         """As :meth:`analyse`, but soon: what other launch files start than those with edited code counts as judged.
         None where there is nothing to begin with, or more than code has been edited."""
         asked = replace(asked, settings=seen_from(self.root, asked.settings))
-        moved = self._moved(asked, buffers)
+        since = self._since_last(asked, buffers)
+        if since is None:
+            return None
+        moved = self._moved(since)
         if moved is not None:
             return moved
-        memory = self._memory_for(asked, buffers)
+        memory = self._memory_of(since)
         if memory is None:
             return None
         return call_with_deep_stack(lambda: self._analyse(asked, buffers, monitor or Monitor(), memory))
 
     def _known(self, asked: Asked, buffers: Buffers) -> Snapshot | None:
         """The last analysis, where all that can be compiled says what it said then; None where something does not."""
-        last = self._last
-        if last is None or self._found is None or last.asked != asked:
+        since = self._since_last(asked, buffers)
+        if since is None or since.change is not Change.NOTHING:
             return None
-        own = self._own(buffers)
-        readable = self._readable.of(own)
-        now = self._tree_of(last, readable)
-        if self._change(last, now, self._edited(last, now)) is not Change.NOTHING:
-            return None
-        return self._finished(replace(last.snapshot, buffers=own, tree=now), readable)
+        return self._finished(replace(since.last.snapshot, buffers=since.own, tree=since.tree), since.readable)
 
-    def _moved(self, asked: Asked, buffers: Buffers) -> Snapshot | None:
+    def _moved(self, since: _Since) -> Snapshot | None:
         """The last analysis, where edits since have changed nothing but the lines of its findings."""
+        if since.change is not Change.PLACES:
+            return None
+        snapshot = since.last.snapshot
+        judged = shown_now(snapshot.judged, since.shifts)
+        if _places(judged) != _places(snapshot.judged):  # some are on edited lines
+            return None
+        return self._finished(replace(snapshot, buffers=since.own, judged=judged), since.readable)
+
+    def _since_last(self, asked: Asked, buffers: Buffers) -> _Since | None:
+        """What has changed since the last analysis; None where there is none that asked the same."""
         last = self._last
         if last is None or self._found is None or last.asked != asked:
             return None
         own = self._own(buffers)
         readable = self._readable.of(own)
-        now = self._tree_of(last, readable)
-        shifts = self._edited(last, now)
-        if self._change(last, now, shifts) is not Change.PLACES:
-            return None
-        judged = shown_now(last.snapshot.judged, shifts)
-        if _places(judged) != _places(last.snapshot.judged):  # some are on edited lines
-            return None
-        return self._finished(replace(last.snapshot, buffers=own, judged=judged), readable)
+        tree = self._tree_of(last, readable)
+        shifts = self._edited(last, tree)
+        return _Since(last, own, readable, tree, shifts, self._change(last, tree, shifts))
 
-    def _memory_for(self, asked: Asked, buffers: Buffers) -> Memory | None:
-        last = self._last
-        if last is None or self._found is None or last.asked != asked or len(last.snapshot.systems) != 1:
+    def _memory_of(self, since: _Since) -> Memory | None:
+        snapshot, shifts = since.last.snapshot, since.shifts
+        code = {file.relative for file in snapshot.workspace.of_kind(*_CODE)}
+        if len(snapshot.systems) != 1 or not code.issuperset(shifts) or since.change is Change.NOTHING:
             return None
-        now = self._tree_of(last, self._readable.of(self._own(buffers)))
-        shifts = self._edited(last, now)
-        code = {file.relative for file in last.snapshot.workspace.of_kind(*_CODE)}
-        if not code.issuperset(shifts) or self._change(last, now, shifts) is Change.NOTHING:
-            return None
-        return Memory(last.memory, frozenset(shifts), lambda findings: shown_now(findings, shifts))
+        return Memory(since.last.memory, frozenset(shifts), lambda findings: shown_now(findings, shifts))
 
     def _tree_of(self, last: _Last, readable: Readable) -> LiveTree:
         """The files of the last analysis as they are now."""
