@@ -54,6 +54,8 @@ class Run(Interpreter):
         self.escapes = Escapes()
         self.at_spin: Callable[[Run], None] | None = None
         """Runs what is pending when main spins: callbacks see the state of then, not what main does at the end."""
+        self.after_moment: Callable[[Run], None] | None = None
+        """Says after a spin that ends what callbacks may have left in attributes meanwhile."""
 
     @property
     def phase(self) -> Phase:

@@ -1,8 +1,9 @@
-"""What attributes may hold when a method runs that nothing here is seen to call.
+"""What attributes may hold when a method runs that nothing here is seen to call, and after a spin that ends.
 
-Code that is not followed (a user interface, an event loop, another package) may call it at any time.  What the
+Code that is not followed (a user interface, an event loop, another package) may call a method at any time.  What the
 program leaves in an attribute at last is then only one of the values that the classes give it: ``self.running`` is
-true before somebody calls ``stop()``.
+true before somebody calls ``stop()``.  While a spin lasts, callbacks run: ``node.answer`` is None before it, and may
+be anything after it that a method puts there.
 """
 
 from __future__ import annotations
@@ -35,6 +36,13 @@ def attributes_at_any_time(run: Run) -> Layer:
         elif attribute.options is not None:
             layer[attribute.at] = Unknown(TOO_MANY)
     return layer
+
+
+def let_attributes_change(run: Run) -> None:
+    """After a spin that ends: callbacks may have run, or not, and left another value in what methods change."""
+    for (key, slot), value in attributes_at_any_time(run).items():
+        if isinstance(slot, str) and isinstance(value, Value):
+            run.store.set(key, slot, value)
 
 
 def _attributes(run: Run) -> list[ChangedAttribute]:

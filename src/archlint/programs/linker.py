@@ -29,6 +29,7 @@ from archlint.libraries.rclpy import escapes
 from archlint.libraries.run import Run
 from archlint.monitor import Monitor
 from archlint.programs.ahead import WORTH_IT, follow_ahead, independent_groups
+from archlint.programs.any_time import let_attributes_change
 from archlint.programs.budget import Budget, cut_short
 from archlint.programs.earlier_imports import EarlierImports
 from archlint.programs.followed import Followed, FollowedProgram, Progress
@@ -252,6 +253,7 @@ class Linker:
         context = model.Callback(role, name, place, None, file=module.path)
         run = Run(LaunchLibrary, self.index, self.store, program, context, self.interfaces, overrides)
         run.at_spin = run_pending
+        run.after_moment = let_attributes_change
         run.first_module = module
         run.faults = self.faults
         self.progress.budget.grant(run, TEST_STEPS if self.index.roles.is_test(module.path) else run.left)

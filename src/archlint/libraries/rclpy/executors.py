@@ -212,10 +212,12 @@ def _note_own_executor(given: Sequence[model.Blueprint]) -> None:
 
 
 def _serve(run: Run, call: ApiUse) -> None:
-    """A spin without end is where callbacks run."""
+    """A spin is where callbacks run: the pending ones in one without end, any in one that ends."""
     endless = call.api.path in ("rclpy.spin", "rclpy.executors.Executor.spin")
     if endless and run.context.role in (model.Role.MAIN, model.Role.MODULE) and run.at_spin is not None:
         run.at_spin(run)
+    if not endless and run.after_moment is not None:
+        run.after_moment(run)
 
 
 def add_node(run: Run, call: ApiUse) -> Value:
