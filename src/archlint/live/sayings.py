@@ -56,14 +56,14 @@ def _change_of_text(before: bytes | None, now: bytes | None, store: LiveStore) -
 
 
 def _say_the_same(fact: Base, other: Base) -> bool:
-    """Whether two facts differ in nothing but places."""
+    """Whether two facts differ in nothing but places and docstrings."""
     pairs: list[tuple[object, object]] = [(fact, other)]
     while pairs:
         left, right = pairs.pop()
         if type(left) is not type(right):
             return False
         if isinstance(left, Base):
-            names = (name for name in left.__struct_fields__ if not name.endswith("span"))
+            names = (name for name in left.__struct_fields__ if not name.endswith(("span", "docstring")))
             pairs += [(getattr(left, name), getattr(right, name)) for name in names]
         elif isinstance(left, (list, tuple)) and isinstance(right, (list, tuple)):
             if len(left) != len(right):

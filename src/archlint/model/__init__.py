@@ -29,6 +29,7 @@ from archlint.model.nodes import (
     GuardKind,
     NodeClass,
     ParameterDeclaration,
+    ParameterDescription,
 )
 from archlint.model.overrides import Overrides, node_key
 from archlint.model.programs import Program
@@ -59,6 +60,7 @@ __all__ = [
     "NodeClass",
     "Overrides",
     "ParameterDeclaration",
+    "ParameterDescription",
     "Passed",
     "Program",
     "RefusedCall",

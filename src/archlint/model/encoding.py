@@ -34,6 +34,7 @@ from archlint.model.nodes import (
     Group,
     NodeClass,
     ParameterDeclaration,
+    ParameterDescription,
 )
 from archlint.model.programs import Program
 from archlint.model.refused import Misuse, RefusedCall
@@ -98,6 +99,7 @@ PROGRAMS: Final = Language(
             MistakenFuture,
             NodeClass,
             ParameterDeclaration,
+            ParameterDescription,
             Passed,
             Place,
             Program,

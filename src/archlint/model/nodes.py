@@ -81,6 +81,8 @@ class Callback:
     file: str = ""
     missing: str | None = None
     """Set when the callback names a method that does not exist: its name."""
+    docstring: str = ""
+    """That of its function."""
 
 
 @dataclass(eq=False)
@@ -131,6 +133,24 @@ class Creation:
     destroyed: bool = False
 
 
+@dataclass(frozen=True)
+class ParameterDescription:
+    """What a ``ParameterDescriptor`` says of a parameter, as far as it is known.
+
+    Source: ``rcl_interfaces/msg/ParameterDescriptor``, ``FloatingPointRange`` and ``IntegerRange``.
+    """
+
+    text: str = ""
+    constraints: str = ""
+    """``additional_constraints``: what the range does not say, in the author's words."""
+    read_only: bool = False
+    lowest: float | None = None
+    highest: float | None = None
+    """The ends of the range, both inclusive, in the unit of the parameter; None without a range."""
+    step: float | None = None
+    """None where any value between the ends will do."""
+
+
 @dataclass(eq=False)
 class ParameterDeclaration:
     name: Text
@@ -149,6 +169,8 @@ class ParameterDeclaration:
     """The value that the constructor's ``parameter_overrides`` give it, which wins over all others; empty: none."""
     uncalled: bool = False
     """Whether it is in a method that nothing here calls, of a base class say."""
+    description: ParameterDescription | None = None
+    """None where the code gives no descriptor."""
 
 
 ClassKey = tuple["Place", str]
@@ -168,6 +190,7 @@ class NodeClass:
     just_rclpy: bool = False
     """Whether it is just an rclpy node: it derives from rclpy's Node, and from nothing else that is not in this
     workspace and may create or declare something."""
+    docstring: str = ""
 
     @property
     def key(self) -> ClassKey:

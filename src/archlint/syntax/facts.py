@@ -2,8 +2,8 @@
 
 A file is lowered once and cached by the hash of its content, so nothing here may depend on the file's
 path, on another file, or on the configuration.  The language is Python's own, made small: statements that
-can change what a node does, and expressions with their source spans.  Formatting, comments and docstrings
-are gone; ``archlint: ignore`` comments are kept beside the body.
+can change what a node does, and expressions with their source spans.  Formatting and comments
+are gone; docstrings of classes and functions and ``archlint: ignore`` comments are kept beside the body.
 
 A span is ``(line, column, end_line, end_column)``: lines and columns start at 1, columns count characters,
 and the end column is exclusive.
@@ -78,7 +78,7 @@ from archlint.syntax.statements import (
     WithItem,
 )
 
-FACTS_VERSION = 11
+FACTS_VERSION = 12
 """Raised whenever the shape or the meaning of the facts changes: old cache entries are then misses."""
 
 

@@ -285,6 +285,8 @@ class Function(Statement, frozen=True, tag="def"):
     is_generator: bool
     span: Span
     name_span: Span
+    docstring: str = ""
+    """Without its indentation, and cut where it is very long; it changes nothing that the code does."""
 
     @property
     def statements(self) -> list[Base]:
@@ -300,6 +302,8 @@ class Class(Statement, frozen=True, tag="class"):
     decorators: list[Expr]
     span: Span
     name_span: Span
+    docstring: str = ""
+    """As that of a function."""
 
     @property
     def statements(self) -> list[Base]:

@@ -109,3 +109,56 @@ def test_a_value_that_the_constructor_gives_wins_over_the_default(tmp_path, monk
     [node] = document(graph(Request((".",), Settings(), cached=False, jobs=1)))["nodes"]
     rows = {one["name"]: (one["default"], one.get("override")) for one in node["parameters"]}
     assert rows == {"fixed": (1, 7), "any": (1, None), "many.any": (1.0, None), "many.fixed": ("a", None)}
+
+
+def described(tmp_path, monkeypatch, more):
+    """What the descriptor of the last parameter says."""
+    description = node_of(tmp_path, monkeypatch, more).parameters[-1].description
+    assert description is not None
+    return description
+
+
+RANGES = "from rcl_interfaces.msg import FloatingPointRange, IntegerRange\n        "
+
+
+def test_a_descriptor_says_what_a_parameter_means(tmp_path, monkeypatch):
+    rate = described(
+        tmp_path,
+        monkeypatch,
+        RANGES + "self.declare_parameter('rate', 2.0, ParameterDescriptor(description='How often [Hz]', "
+        "additional_constraints='a multiple of 0.5', read_only=True, "
+        "floating_point_range=[FloatingPointRange(from_value=0.5, to_value=10.0, step=0.5)]))",
+    )
+    assert (rate.text, rate.constraints, rate.read_only) == ("How often [Hz]", "a multiple of 0.5", True)
+    assert (rate.lowest, rate.highest, rate.step) == (0.5, 10.0, 0.5)
+
+
+def test_a_descriptor_may_be_filled_step_by_step(tmp_path, monkeypatch):
+    count = described(
+        tmp_path,
+        monkeypatch,
+        RANGES + "limits = IntegerRange()\n        limits.from_value = 1\n        limits.to_value = 5\n"
+        "        limits.step = 0\n        descriptor = ParameterDescriptor()\n"
+        "        descriptor.description = 'How many'\n        descriptor.integer_range = [limits]\n"
+        "        self.declare_parameter('count', 1, descriptor)",
+    )
+    assert (count.text, count.lowest, count.highest, count.step) == ("How many", 1, 5, None)
+
+
+def test_what_only_data_decides_is_not_said(tmp_path, monkeypatch):
+    odd = described(
+        tmp_path,
+        monkeypatch,
+        RANGES + "import sys\n        limits = [IntegerRange(from_value=0)] * len(sys.argv)\n"
+        "        self.declare_parameter('odd', 1, ParameterDescriptor(description=input(), integer_range=limits))",
+    )
+    assert (odd.text, odd.lowest, odd.highest) == ("", None, None)
+
+
+def test_without_a_descriptor_nothing_is_said(tmp_path, monkeypatch):
+    assert [p.description and p.description.text for p in node_of(tmp_path, monkeypatch).parameters] == [
+        "one type",
+        "",
+        "",
+        None,
+    ]

@@ -362,8 +362,32 @@ class TestDefinitions:
             "Function('f', [Param('a', 'normal', None, Name('int')), "
             "Param('b', 'keyword_only', Literal(1))], [Return(Name('a'))], "
             "[Name('timed'), Call(Name('retry'), [Argument(Literal(3))])], "
-            "Name('str'), False, False)"
+            "Name('str'), False, False, 'Docs.')"
         )
+
+    @pytest.mark.parametrize(
+        ("body", "docstring"),
+        [
+            ("'''First.\n\n    Next.\n      Deep.\n    '''", "First.\n\nNext.\n  Deep."),
+            ("'in ' 'two'", "in two"),
+            ("'on the line of the def'; f()", "on the line of the def"),
+            ("f'no {docstring}'", ""),
+            ("b'bytes'", ""),
+            ("x = 'assigned'", ""),
+            ("f()\n    'too late'", ""),
+        ],
+    )
+    def test_docstrings(self, body, docstring):
+        function, cls = lower(f"def f():\n    {body}\nclass A:\n    {body}\n").body
+        assert (function.docstring, cls.docstring) == (docstring, docstring)
+
+    def test_a_definition_on_one_line_has_a_docstring(self):
+        (cls,) = lower("class A: 'Short.'\n").body
+        assert cls.docstring == "Short."
+
+    def test_a_docstring_of_a_book_is_cut(self):
+        (function,) = lower(f"def f():\n    '{'a' * 3_000}'\n").body
+        assert function.docstring == "a" * 2_000 + " …"
 
     def test_a_class(self):
         assert statement("@node\nclass A(B, C[int], metaclass=M):\n  x = 1\n") == (

@@ -43,7 +43,8 @@ def describe(run: Run, value: Value, role: model.Role) -> model.Callback:
         case FunctionValue(ir=ir, qualified=qualified):
             place = Place(value.scope.module.path, *ir.name_span)
             code = model.FunctionRef(qualified, place, isinstance(ir, facts.Lambda))
-            return model.Callback(role, qualified, place, code, is_async=ir.is_async, file=place.file)
+            callback = model.Callback(role, qualified, place, code, is_async=ir.is_async, file=place.file)
+            callback.docstring = ir.docstring if isinstance(ir, facts.Function) else ""
         case BoundMethod(function=function):
             callback = describe(run, function, role)
             callback.bound_arguments += 1

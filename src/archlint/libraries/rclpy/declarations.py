@@ -18,6 +18,7 @@ from archlint.interpreter.values import (
     one_of,
 )
 from archlint.libraries.rclpy import nodes
+from archlint.libraries.rclpy.descriptors import description_of
 from archlint.libraries.rclpy.fields import OVERRIDES, PARAMETERS
 from archlint.libraries.rclpy.parameter_values import (
     from_parameter,
@@ -59,7 +60,16 @@ def declare_one(
         given = override if override is not None and not ignore_override else None
         for blueprint in nodes.nodes_of(run, call.receiver):
             _note_declaration(
-                run, blueprint, text, kind, default if has_default else None, place, ignore_override, dynamic, given
+                run,
+                blueprint,
+                text,
+                kind,
+                default if has_default else None,
+                place,
+                ignore_override,
+                dynamic,
+                given,
+                description_of(run, descriptor),
             )
         value: Value
         if override is not None and text.text is not None and not ignore_override:
@@ -94,6 +104,7 @@ def _note_declaration(
     ignore_override: bool,
     dynamic: bool,
     given: Value | None,
+    description: model.ParameterDescription | None,
 ) -> None:
     for known in blueprint.parameters:
         if known.place == place and known.name.text == name.text:
@@ -115,6 +126,7 @@ def _note_declaration(
             chain=run.chain(),
             given=(in_code,) if given is not None and in_code_known else (),
             uncalled=run.context.role == model.Role.METHOD,
+            description=description,
         )
     )
 

@@ -83,7 +83,8 @@ def described(cls: ClassValue) -> tuple[model.NodeClass, ...]:
 
 def _described(cls: ClassValue) -> model.NodeClass:
     (place, name), *bases = keys(cls)
-    return model.NodeClass(place, name, tuple(bases), just_rclpy=is_node(cls) and has_only(cls))
+    just_rclpy = is_node(cls) and has_only(cls)
+    return model.NodeClass(place, name, tuple(bases), just_rclpy=just_rclpy, docstring=cls.ir.docstring)
 
 
 def keys(cls: ClassValue) -> tuple[model.ClassKey, ...]:

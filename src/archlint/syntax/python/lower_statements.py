@@ -9,6 +9,7 @@ import libcst as cst
 
 from archlint.syntax import facts
 from archlint.syntax.facts import FileProblem, Span, Stmt
+from archlint.syntax.python.docstrings import docstring_of
 from archlint.syntax.python.lower_expressions import ExpressionLowering
 from archlint.syntax.python.lower_patterns import PatternLowering
 from archlint.syntax.python.operators import BINARY
@@ -228,6 +229,7 @@ class Lowering(ExpressionLowering):
                 is_generator,
                 self._definition_span(node),
                 self.span(node.name),
+                docstring_of(node.body, self.lower),
             )
         )
 
@@ -238,7 +240,9 @@ class Lowering(ExpressionLowering):
         outer, self.private_prefix = self.private_prefix, _private_prefix(node.name.value)
         inner = self.suite(node.body)
         self.private_prefix = outer
-        body.append(facts.Class(name, bases, inner, decorators, self._definition_span(node), self.span(node.name)))
+        span, name_span = self._definition_span(node), self.span(node.name)
+        docstring = docstring_of(node.body, self.lower)
+        body.append(facts.Class(name, bases, inner, decorators, span, name_span, docstring))
 
     def _definition_span(self, node: cst.FunctionDef | cst.ClassDef) -> Span:
         """From the first decorator on."""
