@@ -14,8 +14,8 @@ import pytest
 
 from archlint.cli import main
 from archlint.launch.launches import Launches
+from archlint.programs.follower import Follower
 from archlint.programs.keys import EntryKey, ProgramKey
-from archlint.programs.linker import Linker
 
 FILES = {
     "interfaces/package.xml": """\
@@ -463,12 +463,12 @@ def known_outputs(known: Path) -> Outputs:
 def followed(monkeypatch: pytest.MonkeyPatch) -> list[ProgramKey]:
     """The programs that are followed, and not known from an earlier run."""
     keys: list[ProgramKey] = []
-    follow = Linker.follow
+    follow = Follower.follow
 
     def noting(self, key, act):
         return follow(self, key, lambda: [keys.append(key), act()][1])
 
-    monkeypatch.setattr(Linker, "follow", noting)
+    monkeypatch.setattr(Follower, "follow", noting)
     return keys
 
 

@@ -14,6 +14,7 @@ from archlint.workspace.parts import parts
 from archlint.workspace.tree import SourceTree
 
 if TYPE_CHECKING:
+    from archlint.engine.kept_programs import ResultsInMemory
     from archlint.engine.memory import Memory
     from archlint.syntax.cache import NullStore, Store
     from archlint.syntax.files import FactsOfFiles
@@ -30,6 +31,8 @@ class Inputs:
     store: Store | NullStore
     memory: Memory | None = None
     """What an earlier run has left, and what is kept of this one, where another will follow in the same process."""
+    results: ResultsInMemory | None = None
+    """What such runs have followed."""
 
 
 _INPUTS: tuple[SourceKind, ...] = (*CODE_KINDS, *LAUNCH_TEXT_KINDS)

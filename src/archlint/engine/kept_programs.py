@@ -10,16 +10,21 @@ from typing import TYPE_CHECKING
 from archlint.engine.own_code import own_code
 from archlint.programs.kept import KeptPrograms
 from archlint.programs.kept_launches import KeptLaunches
+from archlint.programs.kept_table import InMemory, Table, write
 from archlint.workspace.test_code import FileRoles
 
 if TYPE_CHECKING:
     from archlint.interpreter.modules import ModuleIndex
     from archlint.programs.earlier_imports import ImportNow
+    from archlint.programs.kept_table import Known
     from archlint.syntax.cache import NullStore, Store
     from archlint.syntax.files import FactsOfFiles
     from archlint.workspace.installed import Installs
     from archlint.workspace.model import SourceFile, Workspace
     from archlint.workspace.tree import SourceTree
+
+ResultsInMemory = dict[str, InMemory]
+"""What the runs of one process have followed, by the key under which it would be stored."""
 
 _MAKES_INTERFACES = "rosidl_generate_interfaces"
 
@@ -34,6 +39,7 @@ class ProgramCache:
     tree: SourceTree
     code: list[tuple[str, int, int]] | None = None
     """That of the archlint that asks (:func:`own_code`), where another process follows the programs."""
+    memory: ResultsInMemory | None = None
 
     def __post_init__(self) -> None:
         self._by_path = {file.path: file for file in self.workspace.files}
@@ -59,8 +65,8 @@ class ProgramCache:
             if _MAKES_INTERFACES in package_words
         }
         surroundings = _digest([self.code or own_code(), making, generated, self._interfaces()])
-        payload = self.store.get_programs(self._key)
-        kept = KeptPrograms(index, self._fingerprint, surroundings, import_now, payload, lasts=self.lasts)
+        known, shares = self._known(self._key, surroundings), self.memory is not None
+        kept = KeptPrograms(index, self._fingerprint, surroundings, import_now, known, lasts=self.lasts, shares=shares)
         self._opened[self._key] = kept
         return kept
 
@@ -80,17 +86,31 @@ class ProgramCache:
         installed = [_plain(install) for _, install in sorted(installs.items())]
         surroundings = _digest([self.code or own_code(), files, installed, beside])
         key = f"launches-{self._key}"
-        payload = self.store.get_programs(key)
-        kept = KeptLaunches(index, self._fingerprint, surroundings, import_now, payload, self.tree.ask, self.lasts)
+        known, shares = self._known(key, surroundings), self.memory is not None
+        kept = KeptLaunches(
+            index, self._fingerprint, surroundings, import_now, known, self.tree.ask, self.lasts, shares
+        )
         self._opened[key] = kept
         return kept
+
+    def _known(self, key: str, surroundings: str) -> Known:
+        known = None if self.memory is None else self.memory.get(key)
+        if known is not None and known.surroundings == surroundings:
+            return known
+        return Table(self.store.get_programs(key), surroundings)
 
     def save(self) -> None:
         """Keep what is known now for the next run."""
         for key, kept in self._opened.items():
             self.facts.note_read(kept.read_by())
-            if self.lasts and kept.changed and self.facts.lasting:
-                self.store.put_programs(key, kept.dump())
+            is_news = kept.changed and self.facts.lasting
+            if not self.lasts or not (is_news or (self.memory is not None and key not in self.memory)):
+                continue
+            known = kept.all_known()
+            if self.memory is not None:
+                self.memory[key] = known
+            if is_news and self.store.takes_programs:
+                self.store.put_programs(key, write(known))
 
     def _interfaces(self) -> list[tuple[str, str | None, str | None]]:
         files = (file for file in self.workspace.files if file.kind == "interface")
@@ -118,4 +138,4 @@ def _plain(install: Installs) -> list[object]:
     return [sorted(value) if isinstance(value, frozenset) else value for value in values]
 
 
-__all__ = ["ProgramCache"]
+__all__ = ["ProgramCache", "ResultsInMemory"]

@@ -44,11 +44,11 @@ def systems_of(inputs: Inputs, facts: FactsOfFiles) -> list[System]:
     installs = _installs(inputs, files, faults)
     linker, cache = _linker(inputs, facts, files, installs, faults)
     entries = entry_points(installs, workspace.files)
-    programs = linker.run_all(entries)
-    forget_names(programs, linker.started.values(), installs)
+    followed = linker.run_all(entries)
+    programs = forget_names(followed, linker.started.values(), installs, linker.own)
     [opened] = assemble(programs, workspace, request.settings)
     if inputs.memory is not None:
-        inputs.memory.note_programs(opened.programs, linker.files_read_by)
+        inputs.memory.note_programs(opened.programs, linker.follower.files_read_by)
     old = frozenset(package.name for package in workspace.packages if package.ros1)
     distro = request.settings.distro
     launches = Launches(files, installs, faults, old, distro)
@@ -137,7 +137,7 @@ def _linker(
     names = Counter(package.name for package in workspace.packages)
     without = [name for name, install in installs.items() if install.generates_nothing and names[name] == 1]
     interfaces = InterfaceTable(workspace.files, lambda file: tree.text(file.relative), words, generated, without)
-    cache = ProgramCache(inputs.store, workspace, facts, tree, code)
+    cache = ProgramCache(inputs.store, workspace, facts, tree, code, inputs.results)
 
     def keep(index: ModuleIndex, import_now: Callable[[Iterable[str]], None]) -> KeptPrograms:
         parts = {name: sorted(interfaces) for name, interfaces in generated.items()}

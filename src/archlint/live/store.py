@@ -13,7 +13,7 @@ _MOST = 20_000
 
 
 class LiveStore(NullStore):
-    """Keeps everything in memory, and on the disk what files on the disk say.
+    """Keeps facts in memory, and on the disk what files on the disk say.
 
     What an editor holds and has not saved is never written to the disk.
     """
@@ -27,7 +27,6 @@ class LiveStore(NullStore):
         """The digests of what was never seen on the disk."""
         self._stamps: dict[str, tuple[Stamp, str]] = {}
         self._payloads: dict[str, bytes] = {}
-        self._programs: dict[str, bytes] = {}
 
     def hold(self, unsaved: Mapping[str, bytes]) -> None:
         """From now on these files, by absolute path, are what an editor holds of them."""
@@ -65,16 +64,14 @@ class LiveStore(NullStore):
             self._disk.put(digest, payload)
 
     def get_programs(self, key: str) -> bytes | None:
-        if key not in self._programs:
-            known = self._disk.get_programs(key)
-            if known is not None:
-                self._programs[key] = known
-        return self._programs.get(key)
+        return self._disk.get_programs(key)
+
+    @property
+    def takes_programs(self) -> bool:
+        return not self._unsaved and self._disk.takes_programs
 
     def put_programs(self, key: str, payload: bytes) -> None:
-        self._programs[key] = payload
-        if not self._unsaved:
-            self._disk.put_programs(key, payload)
+        self._disk.put_programs(key, payload)
 
     def close(self) -> None:
         self._disk.close()

@@ -34,6 +34,7 @@ from archlint.workspace.model import LAUNCH_TEXT_KINDS, PYTHON_KINDS, SourceFile
 
 if TYPE_CHECKING:
     from archlint.config.settings import Settings
+    from archlint.engine.kept_programs import ResultsInMemory
     from archlint.engine.known import Baseline
     from archlint.finding import Finding
     from archlint.live.buffers import Buffers
@@ -91,6 +92,7 @@ class LiveWorkspace:
         self._found: tuple[Asked, Workspace] | None = None
         self._disk = DiskMemory()
         self._decoded: Decoded = {}
+        self._results: ResultsInMemory = {}
         self._last: _Last | None = None
         """The last whole analysis; None where something has changed since that a first answer would not see."""
 
@@ -209,7 +211,7 @@ class LiveWorkspace:
             baseline=asked.baseline,
             monitor=monitor,
         )
-        inputs = Inputs(request, workspace, tree, self._store, memory)
+        inputs = Inputs(request, workspace, tree, self._store, memory, self._results)
         facts = LiveFacts(self._store, readable.held, self._decoded, monitor)
         systems: list[list[System]] = []
         findings: Sequence[Finding] = ()

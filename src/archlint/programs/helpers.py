@@ -52,7 +52,32 @@ def settle_helpers(programs: Sequence[model.Program], holders: Holders) -> None:
             node.parameters = [declaration for declaration in node.parameters if not _is_known(declaration, declared)]
             _give_away(node, _meant(node, every, holders))
     for program in programs:
-        program.nodes[:] = [node for node in program.nodes if not _is_nothing(node, program)]
+        if any(_is_nothing(node, program) for node in program.nodes):
+            program.nodes[:] = [node for node in program.nodes if not _is_nothing(node, program)]
+
+
+def changed_by_settling(
+    programs: Sequence[model.Program],
+    holders: Holders,
+    names_in_file: Callable[[str], frozenset[str]],
+    others: Sequence[model.Blueprint] = (),
+) -> list[model.Program]:
+    """The programs, and perhaps some more, in which :func:`prune_uncalled`, :func:`settle_helpers` or
+    :func:`note_unfollowed` change something."""
+    helpers = [node for program in programs for node in program.nodes if node.caller_unknown]
+    annotated = {helper.annotated for helper in helpers if helper.annotated is not None}
+    classes = {cls for cls, attribute in annotated if not attribute}
+    held = {id(node) for meant in annotated for node in holders.get(meant, ())}
+    names = {_short_name(helper) for helper in (*helpers, *others)}
+
+    def may_change(node: model.Blueprint, program: model.Program) -> bool:
+        if node.caller_unknown or id(node) in held or _is_nothing(node, program):
+            return True
+        if any(own.key in classes for own in node.classes) or any(map(_is_uncalled, node.creations)):
+            return True
+        return bool(names) and not names.isdisjoint(names_in_file(node.place.file))
+
+    return [program for program in programs if any(may_change(node, program) for node in program.nodes)]
 
 
 def helpers_in(programs: Sequence[model.Program]) -> list[model.Blueprint]:
@@ -69,7 +94,7 @@ def note_unfollowed(
     speaks of it.  ``others`` are helpers of programs that were run before these."""
     known = [(helper, program) for program in programs for helper in helpers_in([program])]
     for helper, home in [*known, *((helper, None) for helper in others)]:
-        name = helper.class_name.rpartition(".")[2]
+        name = _short_name(helper)
         gap = (helper.place, f"the node that {helper.class_name} works on is not known")
         for program in programs:
             for node in program.nodes:
@@ -78,6 +103,10 @@ def note_unfollowed(
                 if program is home or name in names_in_file(node.place.file):
                     node.complete = False
                     node.gaps.append(gap)
+
+
+def _short_name(helper: model.Blueprint) -> str:
+    return helper.class_name.rpartition(".")[2]
 
 
 def _names_by_place(items: Iterable[_Made]) -> dict[Place, set[str | None]]:
@@ -151,7 +180,8 @@ def prune_uncalled(programs: list[model.Program]) -> None:
         dropped.update(id(creation) for creation in uncalled if creation not in kept)
     for program in programs:
         for node in program.nodes:
-            node.creations = [creation for creation in node.creations if id(creation) not in dropped]
+            if not dropped.isdisjoint(map(id, node.creations)):
+                node.creations = [creation for creation in node.creations if id(creation) not in dropped]
 
 
 def _is_uncalled(creation: model.Creation) -> bool:

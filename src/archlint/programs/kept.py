@@ -12,15 +12,16 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeVar
+from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeVar, cast
 
 from archlint.model.encoding import PROGRAMS, Language, NotEncodable, NotPrograms, decode, encode_noting
 from archlint.programs.followed import Definition, Followed
-from archlint.programs.kept_table import Row, Table, write
+from archlint.programs.kept_table import InMemory, Row, Table, write
 
 if TYPE_CHECKING:
     from archlint.interpreter.modules import ModuleIndex
     from archlint.interpreter.reads import Lookup, Reads
+    from archlint.programs.kept_table import Known
     from archlint.programs.keys import ProgramKey
     from archlint.workspace.tree import Question
 
@@ -42,11 +43,14 @@ class KeptResults(ABC, Generic[Result]):
     surroundings: str
     import_now: Callable[[Iterable[str]], None]
     """Imports modules for which a program answers that is not followed again."""
-    payload: bytes | None = None
+    known: Known
+    """What earlier runs have followed."""
     ask: Callable[[Question], str | None] = lambda question: None
     """What the disk answers."""
     lasts: bool = True
     """Whether anybody will ask for what this run adds."""
+    shares: bool = False
+    """Whether that will be in this process: what :meth:`get` returns is then that of all runs, and never changes."""
     changed: bool = False
     """Whether there is something new to keep."""
     is_worker: bool = False
@@ -63,7 +67,7 @@ class KeptResults(ABC, Generic[Result]):
     """Which program has an object, by the id of the object, which stays alive here."""
 
     def __post_init__(self) -> None:
-        self._tables = [Table(self.payload, self.surroundings)]
+        self._tables: list[Known] = [self.known]
 
     language: ClassVar[Language]
     """What results are made of."""
@@ -97,13 +101,29 @@ class KeptResults(ABC, Generic[Result]):
                 row = self._valid(table, name)
                 if row is None or row.late is not late or not self._fits(row):
                     continue
-                [parts] = decode(row.result, self.language)
-                result = self.made_of(parts)
+                result = self._result_of(row)
             except (LookupError, TypeError, ValueError):
                 continue
             self._take(name, row)
             return result
         return None
+
+    def _result_of(self, row: Row) -> Result:
+        if row.decoded is not None:
+            return cast("Result", row.decoded)
+        result = self._made(row)
+        if self.shares:
+            row.decoded = result
+        return result
+
+    def _made(self, row: Row) -> Result:
+        [parts] = decode(row.result, self.language)
+        return self.made_of(parts)
+
+    def copy_of(self, key: ProgramKey) -> Result | None:
+        """What became of a program, for somebody who will change it; None where all that there is of it is theirs."""
+        row = self._rows.get(key.text)
+        return None if row is None or row.decoded is None else self._made(row)
 
     def _take(self, name: str, row: Row) -> None:
         """A program is as it was: what it has imported counts as imported."""
@@ -137,7 +157,7 @@ class KeptResults(ABC, Generic[Result]):
         """All modules that :meth:`first_of` may name, in the order in which they were imported."""
         return list(dict.fromkeys(group[0] for group in self._groups.values()))
 
-    def _valid(self, table: Table, key: str) -> Row | None:
+    def _valid(self, table: Known, key: str) -> Row | None:
         """A program, if nothing that it depends on has changed but, perhaps, what ran before it."""
         if key not in table.keys or not table.has_same_files(key, self._print_of):
             return None
@@ -211,19 +231,19 @@ class KeptResults(ABC, Generic[Result]):
     def _owner(self, item: object, name: str) -> str:
         return self._owners.setdefault(id(item), (name, item))[0]
 
-    def dump(self) -> bytes:
+    def all_known(self) -> InMemory:
         """All that is known, for the next run."""
-        return self._written(self._rows | dict(self._others()))
+        return self._with_surroundings(self._rows | dict(self._others()))
 
     def take_new(self) -> bytes:
         """The programs that were followed since the last time."""
         rows = {key: self._rows[key] for key in self._new if key in self._rows}
         self._new = []
-        return self._written(rows)
+        return write(self._with_surroundings(rows))
 
-    def _written(self, rows: Mapping[str, Row]) -> bytes:
+    def _with_surroundings(self, rows: Mapping[str, Row]) -> InMemory:
         fingerprints = {path: known for path, known in self._fingerprints.items() if known is not None}
-        return write(rows, fingerprints, self.surroundings, self._everything)
+        return InMemory(rows, fingerprints, self.surroundings, self._everything)
 
     def _others(self) -> Iterable[tuple[str, Row]]:
         """The programs that nobody asked for this time, and that are as they were."""
@@ -257,6 +277,9 @@ class NothingKept:
         return None
 
     def put(self, key: ProgramKey, late: bool, result: Followed, reads: Reads) -> None:
+        return None
+
+    def copy_of(self, key: ProgramKey) -> Followed | None:
         return None
 
     def files_of(self, key: ProgramKey) -> Collection[str] | None:

@@ -1,16 +1,23 @@
-"""The form in which programs are kept: what each depends on, as rows of tables that all of them share."""
+"""The forms in which programs are kept, on the disk and in memory: what each depends on, and what became of it."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Protocol
 
 import msgspec
 
 if TYPE_CHECKING:
+    from typing import TypeAlias
+
     from archlint.interpreter.reads import Lookup
     from archlint.workspace.tree import Question
+
+    Fingerprint: TypeAlias = Callable[[str], "str | None"]
+    """What decides what the code of a file, by its path, means."""
+    Meaning: TypeAlias = Callable[[Lookup], "str | None"]
+    """The file, by its path, that an import means."""
 
 
 @dataclass
@@ -36,6 +43,8 @@ class Row:
     answers: Mapping[Question, str | None]
     """What was asked of the disk."""
     result: bytes
+    decoded: object = None
+    """What became of it, once that has been asked for, where it stays in memory."""
 
 
 class _Entry(msgspec.Struct, array_like=True):
@@ -66,6 +75,54 @@ class _Kept(msgspec.Struct, array_like=True):
     entries: list[_Entry]
 
 
+class Known(Protocol):
+    """Programs that an earlier run has followed."""
+
+    @property
+    def everything(self) -> str:
+        """The fingerprint of all files together."""
+
+    @property
+    def keys(self) -> Collection[str]: ...
+
+    @property
+    def fingerprints(self) -> Mapping[str, str]:
+        """Those of the files, by their paths, that the programs have read."""
+
+    def has_same_files(self, key: str, fingerprint: Fingerprint) -> bool:
+        """Whether the files that a program has read have the fingerprints that they had; those of now never change."""
+
+    def has_same_lookups(self, key: str, means: Meaning) -> bool:
+        """Whether the imports that a program has looked up mean what they meant; what they mean now never changes."""
+
+    def row(self, key: str) -> Row | None:
+        """A program; raises ``LookupError`` where the table is damaged."""
+
+
+@dataclass
+class InMemory:
+    """Programs that a run in this process has left.  The runs that come after it ask one after the other."""
+
+    rows: Mapping[str, Row]
+    fingerprints: Mapping[str, str]
+    surroundings: str
+    everything: str
+
+    @property
+    def keys(self) -> Collection[str]:
+        return self.rows.keys()
+
+    def has_same_files(self, key: str, fingerprint: Fingerprint) -> bool:
+        before = self.fingerprints
+        return all(path in before and fingerprint(path) == before[path] for path in self.rows[key].files)
+
+    def has_same_lookups(self, key: str, means: Meaning) -> bool:
+        return all(means(lookup) == target for lookup, target in self.rows[key].lookups.items())
+
+    def row(self, key: str) -> Row | None:
+        return self.rows.get(key)
+
+
 class Table:
     """Programs as they were written.  One that is damaged, or of other surroundings, has none."""
 
@@ -85,7 +142,6 @@ class Table:
 
     @property
     def everything(self) -> str:
-        """The fingerprint of all files together."""
         return self._kept.everything
 
     @property
@@ -94,17 +150,14 @@ class Table:
 
     @property
     def fingerprints(self) -> Mapping[str, str]:
-        """Those of the files, by their paths, that the programs have read."""
         return dict(self._kept.files)
 
-    def has_same_files(self, key: str, fingerprint: Callable[[str], str | None]) -> bool:
-        """Whether the files that a program has read have the fingerprints that they had; those of now never change."""
+    def has_same_files(self, key: str, fingerprint: Fingerprint) -> bool:
         if self._changed is None:
             self._changed = {n for n, (path, before) in enumerate(self._kept.files) if fingerprint(path) != before}
         return self._changed.isdisjoint(self._entries[key].files)
 
-    def has_same_lookups(self, key: str, means: Callable[[Lookup], str | None]) -> bool:
-        """Whether the imports that a program has looked up mean what they meant; what they mean now never changes."""
+    def has_same_lookups(self, key: str, means: Meaning) -> bool:
         if self._moved is None:
             self._moved = {
                 n
@@ -115,7 +168,6 @@ class Table:
         return self._moved.isdisjoint(self._entries[key].lookups)
 
     def row(self, key: str) -> Row | None:
-        """A program; raises ``LookupError`` where the table is damaged."""
         entry = self._entries.get(key)
         if entry is None:
             return None
@@ -164,8 +216,8 @@ class _Numbers:
         return self.lookups[lookup][0]
 
 
-def write(rows: Mapping[str, Row], fingerprints: Mapping[str, str], surroundings: str, everything: str) -> bytes:
-    """Programs by their keys, as a :class:`Table` reads them."""
+def write(known: InMemory) -> bytes:
+    """Programs as a :class:`Table` reads them."""
     numbers = _Numbers()
     entries = [
         _Entry(
@@ -181,14 +233,15 @@ def write(rows: Mapping[str, Row], fingerprints: Mapping[str, str], surroundings
             [numbers.of_answer(*question, answer) for question, answer in row.answers.items()],
             row.result,
         )
-        for key, row in sorted(rows.items())
+        for key, row in sorted(known.rows.items())
     ]
     lookups = [
         (numbers.files[file], name, dots, -1 if target is None else numbers.files[target])
         for (file, name, dots), (_, target) in numbers.lookups.items()
     ]
-    files = [(path, fingerprints.get(path, "")) for path in numbers.files]
-    return msgspec.msgpack.encode(_Kept(surroundings, everything, files, lookups, list(numbers.answers), entries))
+    files = [(path, known.fingerprints.get(path, "")) for path in numbers.files]
+    answers = list(numbers.answers)
+    return msgspec.msgpack.encode(_Kept(known.surroundings, known.everything, files, lookups, answers, entries))
 
 
-__all__ = ["Row", "Table", "write"]
+__all__ = ["InMemory", "Known", "Row", "Table", "write"]

@@ -7,7 +7,6 @@ the arguments of its callers where there are any.
 
 from __future__ import annotations
 
-import time
 from collections.abc import Callable, Collection, Iterable, Sequence
 from dataclasses import dataclass
 from functools import partial
@@ -21,7 +20,6 @@ from archlint.interpreter.attributes import get_attribute
 from archlint.interpreter.heap import Store
 from archlint.interpreter.limits import TEST_STEPS
 from archlint.interpreter.modules import Module, ModuleIndex
-from archlint.interpreter.reads import Reads
 from archlint.interpreter.values import Value
 from archlint.launch.library import LaunchLibrary
 from archlint.libraries.python import command_line
@@ -32,10 +30,17 @@ from archlint.programs.ahead import WORTH_IT, follow_ahead, independent_groups
 from archlint.programs.any_time import let_attributes_change
 from archlint.programs.budget import Budget, cut_short
 from archlint.programs.earlier_imports import EarlierImports
-from archlint.programs.followed import Followed, FollowedProgram, Progress
-from archlint.programs.helpers import helpers_in, note_unfollowed, prune_uncalled, settle_helpers
+from archlint.programs.followed import Followed, FollowedProgram
+from archlint.programs.follower import Follower
+from archlint.programs.helpers import (
+    changed_by_settling,
+    helpers_in,
+    note_unfollowed,
+    prune_uncalled,
+    settle_helpers,
+)
 from archlint.programs.kept import KeptPrograms, NothingKept
-from archlint.programs.keys import EntryKey, ProgramKey, ScriptKey
+from archlint.programs.keys import EntryKey, ScriptKey
 from archlint.programs.roots import run_callbacks, run_pending
 from archlint.programs.sweep import Sweep
 from archlint.programs.top_level import called_alone, place_of
@@ -85,9 +90,6 @@ class Linker:
         self.earlier.of(self.kept)
         self.files = sorted(files.files, key=lambda file: file.relative)
         self._shown = {file.relative: file for file in self.files}
-        self._by_path = {file.path: file for file in self.files}
-        self._keys: dict[int, ProgramKey] = {}
-        """Of the programs that were followed, by the ``id`` of each, which lives as long as this."""
         self.relevant = files.relevant
         self.interfaces = interfaces
         self.jobs = jobs
@@ -96,7 +98,8 @@ class Linker:
         self.monitor = monitor or Monitor()
         self.store = Store()
         self.faults = faults or Faults()
-        self.progress = Progress()
+        self.follower = Follower(self.index, self.kept, self.faults, self.monitor)
+        self.progress = self.follower.progress
         self.started: dict[tuple[str | None, str], model.Program] = {}
         """The program of each entry point, by package and executable."""
         self.helpers: list[model.Blueprint] = []
@@ -112,6 +115,7 @@ class Linker:
             every = {module.file.path: module for module in (*modules, *(module for _, module in entries))}
             self._follow_groups(lambda: independent_groups(every.values(), self.index), entries, modules)
         self._run_in_order(entries, modules)
+        self.own(changed_by_settling(self.progress.programs, self.progress.holders, self._names_in_file))
         programs = self.progress.programs
         prune_uncalled(programs)
         settle_helpers(programs, self.progress.holders)
@@ -169,31 +173,14 @@ class Linker:
                     continue
                 if main_guard(module.facts) or not self._is_imported(module):
                     self.run_script(module)
-            Sweep(self.progress, self.follow, self.new_run, self._value, self.monitor).run(chosen)
+            Sweep(self.progress, self.follower.follow, self.new_run, self._value, self.monitor).run(chosen)
 
-    def follow(self, key: ProgramKey, act: Callable[[], Followed]) -> Followed:
-        """What becomes of a program: known from an earlier run, or what ``act`` says now."""
-        late = self.progress.budget.is_spent
-        followed = self.kept.get(key, late)
-        if followed is not None:
-            self.monitor.known(key.text)
-        else:
-            faults, began = self.faults.count, time.process_time()
-            with self.index.reading(Reads()) as reads:
-                followed = act()
-            seconds = time.process_time() - began
-            if self.faults.count == faults:
-                self.kept.put(key, late, followed, self.index.all_read(reads))
-            self.monitor.followed(key.text, _words(key, followed.program), seconds)
-        self._keys[id(followed.program)] = key
-        self.progress.add(followed)
-        return followed
-
-    def files_read_by(self, program: model.Program) -> list[str] | None:
-        """The files, by their shown paths, that a program was followed through; None where that was not kept."""
-        key = self._keys.get(id(program))
-        files = None if key is None else self.kept.files_of(key)
-        return None if files is None else [self._by_path[path].relative for path in files if path in self._by_path]
+    def own(self, programs: Sequence[model.Program]) -> list[model.Program]:
+        """Programs that may be changed: copies of those that other runs have, too."""
+        copies = self.follower.own(programs)
+        if copies:
+            self.started = {entry: copies.get(id(program), program) for entry, program in self.started.items()}
+        return [copies.get(id(program), program) for program in programs]
 
     def _import(self, module: Module) -> None:
         self.new_run(module.name, module).import_module(module)
@@ -281,8 +268,10 @@ class Linker:
         key = EntryKey(module.path, entry.package, entry.executable, entry.function, changes, given)
         if self._settled:
             self.monitor.following(1)
-        program = self.follow(key, act).program
+        program = self.follower.follow(key, act).program
         if self._settled:
+            if changed_by_settling([program], {}, self._names_in_file, self.helpers):
+                [program] = self.own([program])
             settle_helpers([program], {})
             note_unfollowed([program], self._names_in_file, self.helpers)
         return program
@@ -329,7 +318,7 @@ class Linker:
     def run_script(self, module: Module) -> model.Program:
         """Run a file as ``python file``: its top level, then what the main guard holds."""
         self.monitor.following(1)
-        return self.follow(ScriptKey(module.path), lambda: self._run_script(module)).program
+        return self.follower.follow(ScriptKey(module.path), lambda: self._run_script(module)).program
 
     def _run_script(self, module: Module) -> Followed:
         name = module.path.rpartition("/")[2]
@@ -348,13 +337,6 @@ def _says_something(program: model.Program) -> bool:
     return any(
         (program.nodes, program.calls, program.callbacks, program.refused_calls, program.mistaken_futures, *of_messages)
     )
-
-
-def _words(key: ProgramKey, program: model.Program) -> str:
-    """A program as people know it: its name, and its file."""
-    if program.file.rpartition("/")[2] == program.name:
-        return f"{key.verb}{program.file}"
-    return f"{key.verb}{program.name} ({program.file})"
 
 
 def _run_block(run: Run, module: Module, block: facts.If | facts.Facts | None) -> None:

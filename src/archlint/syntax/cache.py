@@ -61,6 +61,11 @@ class Store:
     lasts = True
     """Whether anybody will ask for what is kept."""
 
+    @property
+    def takes_programs(self) -> bool:
+        """Whether what is known of programs may be kept now."""
+        return True
+
     def __init__(self, root: str, version: str, key: bytes) -> None:
         self.root = root
         self._secret = key
@@ -231,6 +236,10 @@ class NullStore:
     """No cache: everything is a miss and nothing is kept."""
 
     lasts = False
+
+    @property
+    def takes_programs(self) -> bool:
+        return False
 
     def lookup(self, path: str, stamp: Stamp) -> str | None:
         return None

@@ -74,7 +74,7 @@ class LaunchSystems:
     def files_asked(self) -> frozenset[str] | None:
         """The files, by their shown paths, that the programs in :attr:`asked` have read; None where that is not
         known."""
-        rows = [self.linker.files_read_by(program) for program in self.asked]
+        rows = [self.linker.follower.files_read_by(program) for program in self.asked]
         return None if None in rows else frozenset(file for row in rows for file in row or ())
 
     def _doubt(self, started: Started, nodes: Sequence[Node]) -> str | None:

@@ -1,0 +1,89 @@
+"""What becomes of each program: known from an earlier run, or followed now."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+from archlint.interpreter.reads import Reads
+from archlint.programs.followed import Followed, Progress
+
+if TYPE_CHECKING:
+    from archlint.faults import Faults
+    from archlint.interpreter.modules import ModuleIndex
+    from archlint.model import Program
+    from archlint.monitor import Monitor
+    from archlint.programs.kept import KeptPrograms, NothingKept
+    from archlint.programs.keys import ProgramKey
+
+
+@dataclass
+class Follower:
+    """Has programs followed, each where nothing is known of it, and knows which programs are shared.
+
+    A program that an earlier run has left in memory is that of all runs and never changes; who changes one asks for
+    its :meth:`own` first.
+    """
+
+    index: ModuleIndex
+    kept: KeptPrograms | NothingKept
+    faults: Faults
+    monitor: Monitor
+    progress: Progress = field(default_factory=Progress)
+    _keys: dict[int, ProgramKey] = field(default_factory=dict)
+    """Of all programs, by the ``id`` of each, which lives as long as this."""
+    _shared: dict[int, ProgramKey] = field(default_factory=dict)
+    """The same of those that an earlier run has followed."""
+
+    def follow(self, key: ProgramKey, act: Callable[[], Followed]) -> Followed:
+        """What becomes of a program: known from an earlier run, or what ``act`` says now."""
+        late = self.progress.budget.is_spent
+        followed = self.kept.get(key, late)
+        if followed is not None:
+            self._shared[id(followed.program)] = key
+            self.monitor.known(key.text)
+        else:
+            faults, began = self.faults.count, time.process_time()
+            with self.index.reading(Reads()) as reads:
+                followed = act()
+            seconds = time.process_time() - began
+            if self.faults.count == faults:
+                self.kept.put(key, late, followed, self.index.all_read(reads))
+            self.monitor.followed(key.text, _words(key, followed.program), seconds)
+        self._keys[id(followed.program)] = key
+        self.progress.add(followed)
+        return followed
+
+    def own(self, programs: Sequence[Program]) -> Mapping[int, Program]:
+        """Go on with copies of those of these programs that other runs have, too: the copies, by the ids of what they
+        are copies of."""
+        copies: dict[int, Followed] = {}
+        for program in programs:
+            key = self._shared.pop(id(program), None)
+            copy = None if key is None else self.kept.copy_of(key)
+            if key is not None and copy is not None:
+                copies[id(program)] = copy
+                self._keys[id(copy.program)] = key
+        if copies:
+            self.progress.replace(copies)
+        return {number: followed.program for number, followed in copies.items()}
+
+    def files_read_by(self, program: Program) -> list[str] | None:
+        """The files, by their shown paths, that a program was followed through; None where that was not kept."""
+        key = self._keys.get(id(program))
+        paths = None if key is None else self.kept.files_of(key)
+        if paths is None:
+            return None
+        return [file.relative for path in paths if (file := self.index.at(path)) is not None]
+
+
+def _words(key: ProgramKey, program: Program) -> str:
+    """A program as people know it: its name, and its file."""
+    if program.file.rpartition("/")[2] == program.name:
+        return f"{key.verb}{program.file}"
+    return f"{key.verb}{program.name} ({program.file})"
+
+
+__all__ = ["Follower"]
