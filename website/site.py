@@ -25,6 +25,7 @@ MADE = {
 FIRST = (("First run", "index.md"), ("Configuration", "configuration.md"), ("Commands", "commands.md"))
 LATER = (
     ("What a change does", "docs/diff.md"),
+    ("Pages and declarations", "docs/interfaces.md"),
     ("In CI", (("Formats and hooks", "ci.md"), ("Recipes", "docs/ci.md"))),
     ("In an editor", "editors.md"),
     ("Python API", "docs/api.md"),

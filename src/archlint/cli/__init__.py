@@ -19,6 +19,7 @@ COMMANDS = (
     "graph",
     "diff",
     "show",
+    "docs",
     "facts",
     "observe",
     "explain",

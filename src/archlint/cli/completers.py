@@ -28,6 +28,7 @@ _COMPLETERS: Mapping[str, object] = {
     "observed": shtab.FILE,
     "cache_dir": shtab.DIRECTORY,
     "facts": shtab.DIRECTORY,
+    "folder": shtab.DIRECTORY,
     "launch": _LAUNCH_FILES,
     "select": _RULES,
     "extend_select": _RULES,

@@ -36,6 +36,8 @@ commands:
                       breaks: git revisions, folders or saved graphs
   show NAME           one node, topic, service, action or parameter: both ends,
                       types, QoS, places
+  docs [PATH ...]     a page of Markdown for each node and each launch file;
+                      --check fails where committed pages are stale
   facts -o DIR        compile this workspace into DIR; `check --facts DIR ...`
                       links it elsewhere
   observe             a script that records a running system; `--observed FILE`

@@ -24,11 +24,12 @@ def drawn(system: System, format: FormatName, color: bool) -> Drawn:
         [*argument_notices(system)],
         [*comparison_words(compared)],
         [*comparison_notices(compared)],
-        _faults(system),
+        faults_of(system),
     )
 
 
-def _faults(system: System) -> list[str]:
+def faults_of(system: System) -> list[str]:
+    """Where archlint itself failed while it read what the system is made of."""
     faults = system.workspace.faults.by_place() if system.workspace is not None else []
     return [
         f"{fault.place.file}:{fault.place.line}:{fault.place.column}: {fault.what} failed with {fault.message}"
@@ -36,4 +37,4 @@ def _faults(system: System) -> list[str]:
     ]
 
 
-__all__ = ["drawn"]
+__all__ = ["drawn", "faults_of"]

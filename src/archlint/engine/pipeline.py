@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from archlint.syntax.files import FactsOfFiles
     from archlint.systems.model import System
     from archlint.workspace.model import Workspace
-__all__ = ["NothingToDo", "Request", "check", "draw", "graph", "systems"]
+__all__ = ["NothingToDo", "Request", "asked_for", "check", "draw", "graph", "systems"]
 
 
 def check(request: Request, shown: list[System] | None = None) -> Report:
@@ -124,6 +124,28 @@ def systems(request: Request) -> list[System]:
 
     Raises :class:`NothingToDo`.
     """
+    return [system for _, of_part in _systems_of_parts(request) for system in of_part]
+
+
+def asked_for(request: Request) -> list[System]:
+    """As :func:`systems`, without what was only read as context: nodes, and launch files.
+
+    Raises :class:`NothingToDo`.
+    """
+    from archlint.engine.loading import as_asked_for  # as above
+
+    shown: list[System] = []
+    for part, of_part in _systems_of_parts(request):
+        context = {file.relative for file in part.files if file.context}
+        for system in of_part:
+            if system.name is None:
+                shown.append(as_asked_for(request, system, part))
+            elif request.launch is not None or system.name not in context:
+                shown.append(system)
+    return shown
+
+
+def _systems_of_parts(request: Request) -> list[tuple[Workspace, list[System]]]:
     from archlint.engine.compiling import compiled  # as above
     from archlint.engine.loading import systems_of
 
@@ -134,7 +156,7 @@ def systems(request: Request) -> list[System]:
     parts = parts_of(request, workspace)
     loaded = call_with_deep_stack(lambda: [systems_of(replace(inputs, workspace=part), facts) for part in parts])
     inputs.store.close()
-    return [system for of_part in loaded for system in of_part]
+    return list(zip(parts, loaded, strict=True))
 
 
 def draw(request: Request, format: FormatName, color: bool, everything: bool) -> Drawn:

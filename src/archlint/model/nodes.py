@@ -169,6 +169,9 @@ class ParameterDeclaration:
     """The value that the constructor's ``parameter_overrides`` give it, which wins over all others; empty: none."""
     uncalled: bool = False
     """Whether it is in a method that nothing here calls, of a base class say."""
+    without_default: bool = False
+    """Whether the code gives a type and no value: who reads it while nobody has set it gets an exception
+    (``ParameterUninitializedException`` of rclpy)."""
     description: ParameterDescription | None = None
     """None where the code gives no descriptor."""
 
@@ -276,6 +279,11 @@ class Blueprint:
         """Whether it is just an rclpy node (:attr:`NodeClass.just_rclpy`); what ``Node(…)`` and ``create_node(…)`` make
         is."""
         return not self.caller_unknown and (not self.classes or self.classes[0].just_rclpy)
+
+    @property
+    def docstring(self) -> str:
+        """What its class says of itself; empty where it has none, or no class of the workspace."""
+        return self.classes[0].docstring if self.classes and self.classes[0].name == self.class_name else ""
 
     @property
     def made_again(self) -> bool:

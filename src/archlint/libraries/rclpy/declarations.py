@@ -126,6 +126,7 @@ def _note_declaration(
             chain=run.chain(),
             given=(in_code,) if given is not None and in_code_known else (),
             uncalled=run.context.role == model.Role.METHOD,
+            without_default=default is None,
             description=description,
         )
     )

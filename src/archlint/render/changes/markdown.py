@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Final
 
 from archlint.comparing.changes import Change, Impact
+from archlint.render import markdown
 from archlint.render.changes import mermaid, words
 from archlint.render.changes.model import Difference
-from archlint.visible import visible
 
 if TYPE_CHECKING:
     from archlint.finding import Finding
@@ -73,6 +72,4 @@ def _findings(title: str, findings: Sequence[Finding] | None) -> Iterator[str]:
 
 def _text(text: str) -> str:
     """Text of the user's as Markdown that says the same and nothing else: no markup, no mention, no row of its own."""
-    shown = visible(text if len(text) <= _LONGEST else f"{text[:_LONGEST]}…")
-    shown = re.sub(r"([\\`*_\[\]|#~$!])", r"\\\1", shown)
-    return shown.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;").replace("@", "&#64;")
+    return markdown.text(text if len(text) <= _LONGEST else f"{text[:_LONGEST]}…")
