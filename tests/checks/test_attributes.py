@@ -364,3 +364,48 @@ class Robot(Node):
 {rest}
 """,
     )
+
+
+def test_what_is_called_is_no_data(judge: Judge):
+    """``missing_parts`` is a list: what was called is another thing that is not there, as is the other handler."""
+    (finding,) = judge(
+        "API002",
+        """
+        import rclpy
+
+        class Robot:
+            def __init__(self):
+                self.missing_parts = []
+
+            def handle(self):
+                self.handle_missing_part()  # here
+                self.handle_command()
+
+        Robot().handle()
+        """,
+    )
+    assert "did you mean" not in finding.message
+    assert finding.message.endswith("; another attribute of the class is like that")
+
+
+@pytest.mark.parametrize(
+    ("use", "help"),
+    [
+        ("self.get_logger().info('done')", "derive the class from Node, or call get_logger() of a node"),
+        ("self.executor.shutdown()", "assign self.executor in __init__(), or define it"),
+    ],
+)
+def test_methods_of_a_node_in_a_class_that_is_none(judge: Judge, use: str, help: str):
+    (finding,) = judge(
+        "API002",
+        f"""
+        import rclpy
+
+        class Planner:
+            def stop(self):
+                {use}  # here
+
+        Planner().stop()
+        """,
+    )
+    assert finding.help == help

@@ -246,3 +246,32 @@ MIXED = """
 )
 def test_the_mixin_of_lifecycle_nodes_takes_no_name(judge: Judge, bases: str, first: str, second: str):
     judge("API001", MIXED.format(bases=bases, first=first, second=second))
+
+
+@pytest.mark.parametrize(
+    ("method", "wrong", "help"),
+    [
+        ("_init_", "'node_name' is missing, as _init_() is no constructor", "rename _init_() to __init__()"),
+        ("__int__", "'node_name' is missing, as __int__() is no constructor", "rename __int__() to __init__()"),
+        ("setup", "'node_name' is missing", "give Robot an __init__() that calls super().__init__(node_name)"),
+    ],
+)
+def test_a_node_without_a_constructor(judge: Judge, method: str, wrong: str, help: str):
+    [finding] = judge(
+        "API001",
+        f"""
+        import rclpy
+        from rclpy.node import Node
+
+
+        class Robot(Node):
+            def {method}(self):
+                super().__init__('robot')
+
+
+        def main():
+            rclpy.init()
+            rclpy.spin(Robot())  # here
+        """,
+    )
+    assert (finding.message, finding.help) == (f"Robot() fails: {wrong}", help)

@@ -42,6 +42,11 @@ class Robot(Node):
             "put the values into the text: warning(f'… {value}')",
         ),
         (
+            "self.get_logger().error(self, 'failed')",
+            "error() fails: it takes at most 1 argument by position",
+            "take self out: error(…)",
+        ),
+        (
             "logger.error('failed', exc_info=True)",
             "error() fails: it has no parameter 'exc_info'",
             "put traceback.format_exc() into the text",

@@ -133,7 +133,7 @@ class _Code:
         keywords = [argument.keyword for argument in call.args if argument.keyword is not None]
         unknown = tuple(keyword for keyword in keywords if keyword not in _KEYWORDS)
         if len(given) > 1:
-            return _Refusal(call, Misuse.TOO_MANY)
+            return _Refusal(call, Misuse.TOO_MANY, given=given[0].dotted)
         if unknown:
             return _Refusal(call, Misuse.UNKNOWN_KEYWORD, unknown)
         if not given:

@@ -65,7 +65,7 @@ class Unassigned:
     near_at: Place | None = None
     local: bool = False
     of_node: bool = False
-    """Whether a node has it, and this class is none."""
+    """Whether it is a method of a node, and this class is none."""
 
     @property
     def is_slip(self) -> bool:
@@ -105,7 +105,9 @@ def unassigned_attributes(workspace: WorkspaceIndex) -> Iterator[Unassigned]:
             if (near is None and not _is_made(workspace, cls)) or _may_get(workspace, cls, read.name):
                 continue
             at = None if near is None else assigned[near].place
-            of_node = read.name in (attributes_of(_NODE) or ()) and NODE_CLASSES.isdisjoint(chain.foreign)
+            of_node = (
+                read.called and read.name in (attributes_of(_NODE) or ()) and NODE_CLASSES.isdisjoint(chain.foreign)
+            )
             yield Unassigned(_place(cls.file, read.part), cls.code.name, read.name, near, at, read.local, of_node)
 
 
@@ -220,11 +222,15 @@ def _assigned_by(code: facts.Class) -> dict[str, tuple[facts.Span, bool]]:
 
 @dataclass(frozen=True)
 class _Read:
-    """A read of ``self.name``; one that is ``looked_into`` (``self.name.x``, ``self.name[0]``) is that of no method.
-    ``local`` says whether the method has a variable or parameter of that name."""
+    """A read of ``self.name``.
+
+    One that is ``looked_into`` (``self.name.x``, ``self.name[0]``) is that of no method, and one that is ``called``
+    hardly that of data.  ``local`` says whether the method has a variable or parameter of that name.
+    """
 
     part: facts.Attribute
     looked_into: bool
+    called: bool
     local: bool
 
     @property
@@ -234,7 +240,16 @@ class _Read:
 
 def _candidates(assigned: Mapping[str, _Member], read: _Read) -> list[str]:
     """What may have been meant."""
-    return [name for name, member in assigned.items() if not (member.is_method and read.looked_into)]
+    return [
+        name
+        for name, member in assigned.items()
+        if not (read.looked_into if member.is_method else read.called and _count(name) != _count(read.name))
+    ]
+
+
+def _count(name: str) -> int:
+    """Of how many words a name is."""
+    return name.strip("_").count("_")
 
 
 @once_for
@@ -247,12 +262,13 @@ def _reads(code: facts.Class) -> list[_Read]:
             continue
         written = {Itself(target) for target in targets_of(function.body)}
         owners = {Itself(owner) for owner in _owners(function.body)}
+        called = {Itself(call.func) for call in everything_in(function.body, facts.Call)}
         variables = {target.variable for target in targets_of(function.body)} | {p.name for p in function.params}
         for part in _of_self(function.body):
             key = Itself[facts.Base](part)
             if key not in written and part.attr not in seen and not part.attr.startswith("__"):
                 seen.add(part.attr)
-                reads.append(_Read(part, key in owners, part.attr in variables))
+                reads.append(_Read(part, key in owners, key in called, part.attr in variables))
     return reads
 
 

@@ -83,7 +83,7 @@ def _unassigned(read: Unassigned) -> Finding:
         help=help,
         related=[] if read.near_at is None else [Related(read.near_at, f"'{near}' is defined here")],
         identity=(read.cls, name),
-        group=() if read.local or near is not None else (UNASSIGNED, read.place.file, read.cls),
+        group=() if read.local or read.is_slip else (UNASSIGNED, read.place.file, read.cls),
         meant=near if near is not None and read.is_slip and not read.local else "",
     )
 

@@ -120,6 +120,7 @@ def _is_refused(call: RefusedCall, distros: tuple[str, ...]) -> bool:
 
 def _finding(call: RefusedCall) -> Finding:
     name = _name(call.api)
+    inherited = _is_inherited_constructor(call)
     no_node = call.misuse is Misuse.KIND and call.parameters == ("node",)
     return finding(
         "API001",
@@ -128,7 +129,7 @@ def _finding(call: RefusedCall) -> Finding:
         help=_cure(name, call),
         identity=(call.api, str(call.misuse), *call.parameters),
         # What is no node is none for all calls.
-        group=(call.place.file, call.given if no_node else call.api, str(call.misuse), *call.parameters),
+        group=(call.place.file, call.given if no_node or inherited else call.api, str(call.misuse), *call.parameters),
     )
 
 
@@ -145,12 +146,21 @@ def _name(api: str) -> str:
 
 
 def _subject(name: str, call: RefusedCall) -> str:
-    return f"calling {call.given}" if call.misuse is Misuse.NO_FUNCTION else f"{name}()"
+    if call.misuse is Misuse.NO_FUNCTION:
+        return f"calling {call.given}"
+    return f"{call.given}()" if _is_inherited_constructor(call) else f"{name}()"
+
+
+def _is_inherited_constructor(call: RefusedCall) -> bool:
+    """Whether it is a class of the workspace that is called, and has no constructor of its own."""
+    return call.misuse is Misuse.MISSING and call.api.endswith(".__init__") and bool(call.given)
 
 
 def _what_is_wrong(call: RefusedCall) -> str:
     names = _quoted(call.parameters)
     match call.misuse:
+        case Misuse.MISSING if _is_inherited_constructor(call) and call.wanted:
+            return f"{names} is missing, as {call.wanted}() is no constructor"
         case Misuse.MISSING:
             return f"{names} {'is' if len(call.parameters) == 1 else 'are'} missing"
         case Misuse.TOO_MANY:
@@ -176,6 +186,10 @@ def _cure(name: str, call: RefusedCall) -> str:
         return _cure_of_logger(name, call)
     if call.misuse is Misuse.NO_FUNCTION:
         return f"call its {call.wanted}"
+    if _is_inherited_constructor(call) and call.wanted:
+        return f"rename {call.wanted}() to __init__()"
+    if _is_inherited_constructor(call):
+        return f"give {call.given} an __init__() that calls super().__init__({', '.join(call.signature)})"
     if call.misuse is Misuse.KIND:
         if call.parameters == ("executor",) and call.api.endswith("spin_until_future_complete"):
             return "give the timeout by name, timeout_sec=…: the executor comes before it"
@@ -186,6 +200,8 @@ def _cure(name: str, call: RefusedCall) -> str:
 
 def _cure_of_logger(name: str, call: RefusedCall) -> str:
     """A logger of ROS takes one text, and what Python's own makes of its arguments has to be made of them before."""
+    if call.misuse is Misuse.TOO_MANY and call.given == "self":
+        return f"take self out: {name}(…)"
     if call.misuse is Misuse.TOO_MANY:
         return f"put the values into the text: {name}(f'… {{value}}')"
     if "exc_info" in call.parameters:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from archlint import model
 from archlint.branches import ChoiceOfCallee
+from archlint.interpreter.definitions import methods_of
 from archlint.interpreter.values import Instance, Value, alternatives
 from archlint.libraries.api_signatures import distros, needed, refusing_distros
 from archlint.libraries.kinds_of_arguments import Kind, described, is_other, kinds_of
@@ -33,7 +34,7 @@ def note(run: Run, api: Api, receiver: Value | None, site: CallSite, bound: Mapp
     if place is None:
         return
     if run.noted.refused.get((place, api.path), _UNSEEN) is not None:
-        refused = _early(run, api, receiver, place) or _misfit(api, site, place)
+        refused = _early(run, api, receiver, place) or _misfit(api, receiver, site, place)
         certain = {name: value for name, value in bound.items() if not _may_be_of_subclass(run, value)}
         refusals.keep(run, place, api.path, refused or _other_kind(api, site, certain, place))
 
@@ -89,21 +90,37 @@ def _early(run: Run, api: Api, receiver: Value | None, place: Place) -> model.Re
     return model.RefusedCall(place, api.path, model.Misuse.EARLY, given=cls.ir.name, distros=distros())
 
 
-def _misfit(api: Api, site: CallSite, place: Place) -> model.RefusedCall | None:
+def _misfit(api: Api, receiver: Value | None, site: CallSite, place: Place) -> model.RefusedCall | None:
     """A call whose arguments are too few, too many, or go by a name that is none."""
     refusing = refusing_distros(api.path, len(site.args), tuple(sorted(site.keywords)), not site.open, api.params)
     if not refusing:
         return _lacking(api, site, place)
     mismatch = refusing[-1][1]
+    cls, instead = _inherits_constructor(receiver) if api.path.endswith(".__init__") else ("", "")
     return model.RefusedCall(
         place,
         api.path,
         mismatch.misuse,
         mismatch.parameters,
         takes=mismatch.takes,
+        given=cls,
+        wanted=instead,
         signature=needed(api.path),
         distros=tuple(distro for distro, _ in refusing),
     )
+
+
+def _inherits_constructor(receiver: Value | None) -> tuple[str, str]:
+    """The class of the workspace that is called where it has no constructor of its own, and which method of it was to
+    be one: ``_init_``.  Both are empty otherwise."""
+    cls = None if receiver is None else receiver.own_class
+    if cls is None:
+        return "", ""
+    names_of_methods = [method.name for base in cls.classes for method in methods_of(base)]
+    if "__init__" in names_of_methods:
+        return "", ""
+    meant = (name for name in names_of_methods if name.startswith("_") and name.strip("_") in ("init", "int", "inti"))
+    return cls.ir.name, next(meant, "")
 
 
 def _lacking(api: Api, site: CallSite, place: Place) -> model.RefusedCall | None:

@@ -46,10 +46,11 @@ class RefusedCall:
     takes: int = 0
     """How many arguments it takes by position, where they are too many."""
     given: str = ""
-    """What is given, in words, where its kind is wrong."""
+    """What is given, in words, where its kind is wrong; the class that is called, where the constructor is one that it
+    inherits."""
     wanted: str = ""
     """What the parameter takes, in words, where the kind is wrong; what there is instead, where there is no such
-    function."""
+    function; the method that was to be the constructor, where one is missing."""
     signature: tuple[str, ...] = ()
     """The parameters that may not be left out."""
     distros: tuple[str, ...] = ()
