@@ -19,6 +19,7 @@ COMMANDS = (
     "graph",
     "diff",
     "show",
+    "trace",
     "docs",
     "facts",
     "observe",

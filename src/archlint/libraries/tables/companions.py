@@ -44,6 +44,13 @@ ROWS = (
         fixed_type="tf2_msgs/msg/TFMessage",
         returns="tf2_ros.static_transform_broadcaster.StaticTransformBroadcaster",
     ),
+    *(
+        Api(f"tf2_ros.{broadcaster}.sendTransform", "transform", watched=True)
+        for broadcaster in (
+            "transform_broadcaster.TransformBroadcaster",
+            "static_transform_broadcaster.StaticTransformBroadcaster",
+        )
+    ),
     Api(
         "tf2_ros.transform_listener.TransformListener",
         "buffer node * spin_thread qos static_qos tf_topic tf_static_topic static_only",

@@ -1,0 +1,124 @@
+"""What ``trace`` and ``impact`` share: their options, the systems that they look at, and where output goes."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING, TypeVar
+
+from archlint.cli import console
+from archlint.cli.exits import UsageError
+from archlint.cli.options import (
+    add_configuration,
+    add_launch,
+    add_paths,
+    add_running,
+    add_talking,
+    launch_of,
+    paths_of,
+    settings_of,
+)
+from archlint.cli.progress import Progress
+from archlint.suggestions import did_you_mean
+
+if TYPE_CHECKING:
+    from archlint.systems.model import System
+
+FORMATS = ("text", "json", "mermaid", "dot", "svg")
+_SUFFIXES = {
+    "txt": "text",
+    "json": "json",
+    "mmd": "mermaid",
+    "mermaid": "mermaid",
+    "dot": "dot",
+    "gv": "dot",
+    "svg": "svg",
+}
+
+_Result = TypeVar("_Result")
+Render = Callable[[str, Sequence[_Result], bool], str]
+"""A format: of the name that was asked for, what was found, and whether colours are wanted."""
+
+
+def add_reading(parser: argparse.ArgumentParser) -> None:
+    """What is read, and how."""
+    add_paths(parser)
+    add_launch(parser)
+    add_configuration(parser)
+    add_running(parser)
+    add_talking(parser)
+
+
+def add_output(parser: argparse.ArgumentParser) -> None:
+    """The format, and where it goes."""
+    output = parser.add_argument_group("output")
+    output.add_argument(
+        "--format",
+        metavar="F",
+        choices=FORMATS,
+        help=f"one of {', '.join(FORMATS)} (default: the suffix of -o, else text)",
+    )
+    output.add_argument("-o", metavar="FILE", dest="file", help="write to FILE; its suffix chooses the format")
+
+
+def systems_of(arguments: argparse.Namespace) -> tuple[list[System], Progress]:
+    """The systems that were asked for, open ones first, and who says how long that took.
+
+    Raises :class:`UsageError`.
+    """
+    from archlint.engine.pipeline import NothingToDo, Request, systems  # wrong words need none of it
+
+    format_of(arguments)
+    launch, launch_arguments = launch_of(arguments)
+    paths = paths_of(arguments)
+    request = Request(
+        paths,
+        settings_of(arguments, paths[0]),
+        cached=not arguments.no_cache,
+        jobs=arguments.jobs,
+        launch=launch,
+        launch_arguments=launch_arguments,
+    )
+    progress = Progress(sys.stderr, arguments.quiet, arguments.verbose)
+    try:
+        with progress as monitor:
+            return systems(replace(request, monitor=monitor)), progress
+    except NothingToDo as error:
+        raise UsageError(str(error)) from None
+
+
+def not_found(name: str, what: str, known: Iterable[str]) -> UsageError:
+    """The error for a name that nothing has."""
+    return UsageError(f"no {what} is called `{name}`{did_you_mean(name, sorted(set(known)))}")
+
+
+def format_of(arguments: argparse.Namespace) -> str:
+    """The format asked for, or that of the file's suffix, or text.  Raises :class:`UsageError`."""
+    if arguments.format is not None:
+        return str(arguments.format)
+    if arguments.file in (None, "-"):
+        return "text"
+    suffix = arguments.file.rpartition(".")[2].lower() if "." in arguments.file else ""
+    if suffix not in _SUFFIXES:
+        suffixes = ", ".join(f".{known}" for known in _SUFFIXES)
+        raise UsageError(f"the suffix of {arguments.file} does not name a format: use one of {suffixes}, or --format")
+    return _SUFFIXES[suffix]
+
+
+def give(
+    arguments: argparse.Namespace, formats: Mapping[str, Render[_Result]], name: str, found: Sequence[_Result]
+) -> None:
+    """Write what was found in the format that was asked for.  Raises :class:`UsageError`."""
+    from archlint.render.errors import CannotDraw
+
+    color = arguments.file in (None, "-") and console.wants_color(arguments.color, sys.stdout)
+    try:
+        drawn = formats[format_of(arguments)](name, found, color)
+    except CannotDraw as error:
+        raise UsageError(str(error)) from None
+    console.write(drawn, arguments.file)
+
+
+__all__ = ["FORMATS", "add_output", "add_reading", "format_of", "give", "not_found", "systems_of"]

@@ -1,0 +1,1 @@
+"""How data goes through a system: from callback to callback, and what depends on it."""
