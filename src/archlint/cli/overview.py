@@ -36,8 +36,8 @@ commands:
                       breaks: git revisions, folders or saved graphs
   show NAME           one node, topic, service, action or parameter: both ends,
                       types, QoS, places
-  trace NAME          where what arrives there comes from and what depends on it,
-                      with periods and waits; `--from NAME`, `--to NAME`
+  trace NAME          where what arrives there comes from and what depends on
+                      it, with periods and waits; --from NAME, --to NAME
   docs [PATH ...]     a page of Markdown for each node and each launch file;
                       --check fails where committed pages are stale
   facts -o DIR        compile this workspace into DIR; `check --facts DIR ...`

@@ -29,17 +29,17 @@ def parser() -> Parser:
 def run(arguments: argparse.Namespace) -> int:
     from archlint.dataflow.subjects import known_names  # wrong words need none of it
     from archlint.dataflow.systems import traces_of
-    from archlint.render.tracing.formats import TRACES
+    from archlint.render.tracing.by_format import TRACES
 
     systems, progress = systems_of(arguments)
     known = {name for system in systems for name in known_names(system)}
-    found = traces_of(systems, arguments.name, arguments.origin, arguments.end)
+    traced = traces_of(systems, arguments.name, arguments.origin, arguments.end)
     for name in filter(None, (arguments.name, arguments.origin, arguments.end)):
-        if not found and not traces_of(systems, name):
+        if not traced and not traces_of(systems, name):
             raise not_found(name, "topic, service, action or node", known)
-    if not found:
+    if not traced:
         raise UsageError(_no_way(arguments))
-    give(arguments, TRACES, arguments.name, found)
+    give(arguments, TRACES, arguments.name, traced)
     progress.note_costs()
     return exits.CLEAN
 

@@ -108,14 +108,14 @@ def format_of(arguments: argparse.Namespace) -> str:
 
 
 def give(
-    arguments: argparse.Namespace, formats: Mapping[str, Render[_Result]], name: str, found: Sequence[_Result]
+    arguments: argparse.Namespace, formats: Mapping[str, Render[_Result]], name: str, results: Sequence[_Result]
 ) -> None:
     """Write what was found in the format that was asked for.  Raises :class:`UsageError`."""
     from archlint.render.errors import CannotDraw
 
     color = arguments.file in (None, "-") and console.wants_color(arguments.color, sys.stdout)
     try:
-        drawn = formats[format_of(arguments)](name, found, color)
+        drawn = formats[format_of(arguments)](name, results, color)
     except CannotDraw as error:
         raise UsageError(str(error)) from None
     console.write(drawn, arguments.file)

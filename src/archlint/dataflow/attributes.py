@@ -165,7 +165,7 @@ def _use(function: FunctionFacts, self_name: str, shared: frozenset[str]) -> Use
     done: set[int] = set()
     """Expressions that stand for no reading of their own."""
     for part in _parts(function):
-        for target in (one for assigned in part.assigned for one in targets_in(assigned)):
+        for target in (single for assigned in part.assigned for single in targets_in(assigned)):
             variable = _variable(target, self_name, shared)
             if variable is not None:
                 use.sets.add(variable)

@@ -57,12 +57,12 @@ def shortest_time(system: System, step: Step) -> float:
 
 
 def _pauses(system: System, step: Step) -> Iterator[Pause]:
-    found: dict[Place, Pause] = {}
+    by_place: dict[Place, Pause] = {}
     for call in step.calls:
         pause = _pause(system, call)
         if pause is not None:
-            found.setdefault(call.place, pause)
-    yield from (found[place] for place in sorted(found))
+            by_place.setdefault(call.place, pause)
+    yield from (by_place[place] for place in sorted(by_place))
 
 
 def _pause(system: System, call: ApiCall) -> Pause | None:

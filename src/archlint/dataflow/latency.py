@@ -133,8 +133,8 @@ def _own_pauses(flow: Flow, step: Step) -> Iterator[Term]:
 
 
 def _why(flow: Flow, step: Step) -> str:
-    found = sorted(pauses(flow.system, step), key=lambda pause: (pause.most is not None, -(pause.most or 0)))
-    return f"it {found[0].words}" if found else "it stands still"
+    longest_first = sorted(pauses(flow.system, step), key=lambda pause: (pause.most is not None, -(pause.most or 0)))
+    return f"it {longest_first[0].words}" if longest_first else "it stands still"
 
 
 def _called(step: Step) -> str:

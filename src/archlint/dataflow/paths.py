@@ -71,15 +71,15 @@ def _grown(flow: Flow, start: Step, children: dict[int, list[tuple[Link, bool]]]
     order: list[Step] = [start]
     for step in order:
         order += [_other(link, direction) for link, is_new in children.get(id(step), ()) if is_new]
-    made: dict[int, tuple[Branch, ...]] = {}
+    below: dict[int, tuple[Branch, ...]] = {}
     for step in reversed(order):
-        made[id(step)] = tuple(
-            Branch(other, link, made.get(id(other), ()) if is_new else (), not is_new and not link.broken)
+        below[id(step)] = tuple(
+            Branch(other, link, below.get(id(other), ()) if is_new else (), not is_new and not link.broken)
             for link, is_new in children.get(id(step), ())
             for other in [_other(link, direction)]
-            if not is_new or made[id(other)] or other.kind not in _BETWEEN or not ways_of(flow, other, direction)
+            if not is_new or below[id(other)] or other.kind not in _BETWEEN or not ways_of(flow, other, direction)
         )
-    return Branch(start, None, made[id(start)])
+    return Branch(start, None, below[id(start)])
 
 
 def _other(link: Link, direction: Direction) -> Step:

@@ -41,10 +41,10 @@ def subjects(flow: Flow, name: str) -> list[Subject]:
     full = name if name.startswith("/") else f"/{name}"
     wanted = {full} if any(step.name == full for step in flow.steps if step.kind in _REQUESTS) else set()
     wanted = wanted or _written(flow.system, name)
-    found = [_connection(flow, step) for step in flow.steps if step.kind in _REQUESTS and step.name in wanted]
+    meant = [_connection(flow, step) for step in flow.steps if step.kind in _REQUESTS and step.name in wanted]
     nodes = [node for node in flow.system.entries if node.name == full or name in (node.name, _class_of(node))]
-    found += [_node(flow, node) for node in nodes]
-    return sorted(found, key=lambda subject: (_ORDER.index(subject.kind), subject.name))
+    meant += [_node(flow, node) for node in nodes]
+    return sorted(meant, key=lambda subject: (_ORDER.index(subject.kind), subject.name))
 
 
 _ORDER: list[SubjectKind] = ["topic", "service", "action", "node"]

@@ -26,8 +26,8 @@ def traces_of(systems: Sequence[System], name: str, origin: str | None = None, e
             key = _key(trace)
             best[key] = min(rank, best.get(key, rank))
             rows.append((rank, trace))
-    found = [trace for rank, trace in rows if rank == best[_key(trace)]]
-    return [replace(trace, beside=tuple(_beside(systems, trace))) for trace in found]
+    best_traces = [trace for rank, trace in rows if rank == best[_key(trace)]]
+    return [replace(trace, beside=tuple(_beside(systems, trace))) for trace in best_traces]
 
 
 def _key(trace: Trace) -> tuple[int, str, str]:

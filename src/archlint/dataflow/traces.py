@@ -104,8 +104,9 @@ def _trace(flow: Flow, subject: Subject, origin: list[Subject] | None, end: list
     ways = list(_ways(flow, subject, behind, ahead, first, last))
     steps = {id(step) for step in _steps((*behind, *ahead))}
     shown = tuple(Way(tuple(way), tuple(terms(flow, way))) for way in ways[:MOST_WAYS])
-    found = tuple(misfits(flow, steps))
-    return Trace(flow, subject, tuple(behind), tuple(ahead), shown, found, max(0, len(ways) - MOST_WAYS))
+    return Trace(
+        flow, subject, tuple(behind), tuple(ahead), shown, tuple(misfits(flow, steps)), max(0, len(ways) - MOST_WAYS)
+    )
 
 
 def _ways(
