@@ -39,7 +39,7 @@ _REQUESTS: dict[StepKind, SubjectKind] = {
 def subjects(flow: Flow, name: str) -> list[Subject]:
     """All that a name means in a system, connections first."""
     full = name if name.startswith("/") else f"/{name}"
-    wanted = {full} if any(step.name == full for step in flow.steps if step.kind in _REQUESTS) else set()
+    wanted = {step.name for step in flow.steps if step.kind in _REQUESTS and step.name in (full, name)}
     wanted = wanted or _written(flow.system, name)
     meant = [_connection(flow, step) for step in flow.steps if step.kind in _REQUESTS and step.name in wanted]
     nodes = [node for node in flow.system.entries if node.name == full or name in (node.name, _class_of(node))]
