@@ -46,7 +46,7 @@ class Draughtsman:
         python = [file for file in files if file.endswith(".py")][:MOST_FILES]
         packages = dict.fromkeys(package for file in files if (package := self._package_of(file)))
         for paths in (python, [*packages]):  # a launch file alone, say, has no nodes
-            if paths and "n0" in (text := self._mermaid(paths)):
+            if paths and '["' in (text := self._mermaid(paths)):
                 return Drawing(title, text)
         return Drawing()
 

@@ -93,7 +93,7 @@ def _table(findings: list[Mapping[str, Any]], links: SourceLinks) -> Iterator[st
 
 def _graph(drawing: Drawing) -> str:
     title, text = drawing.title, drawing.text
-    if len(text) > MOST_CHARACTERS or len(re.findall(r"^  n\d+ \S*[-=]", text, re.MULTILINE)) > MOST_EDGES:
+    if len(text) > MOST_CHARACTERS or len(re.findall(r"^  \w+ \S*[-=]", text, re.MULTILINE)) > MOST_EDGES:
         return f"{title}: too large for GitHub to draw. `archlint graph -o graph.svg` draws it.\n"
     if "```" in text:
         return ""

@@ -73,5 +73,5 @@ def test_another_drawing_of_the_same_nodes_is_another(draw, other):
 
 
 def test_what_graphviz_draws_is_drawn_each_time(draw, monkeypatch):
-    monkeypatch.setattr("archlint.render.drawing.svg", lambda system: f"<svg>{len(system.nodes)}</svg>\n")
-    assert draw("--format", "svg") == draw("--format", "svg") == ("<svg>1</svg>\n", True)
+    monkeypatch.setattr("archlint.render.drawing.svg", lambda diagram: f"<svg>{len(diagram.shapes)}</svg>\n")
+    assert draw("--format", "svg") == draw("--format", "svg") == ("<svg>2</svg>\n", True)

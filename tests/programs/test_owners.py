@@ -563,13 +563,13 @@ def test_it_is_shown_apart_in_text(owners):
 
 
 def test_it_is_drawn_apart(owners):
-    from archlint.render import dot, mermaid
+    from archlint.render import render
 
     owners(UNKNOWN_USER)
     system = graph(owners.request())
-    assert 'label="used by an unknown node"' in dot.render(system)
-    assert "1 node, 1 topic" in dot.render(system)
-    assert 'subgraph g0["used by an unknown node"]' in mermaid.render(system)
+    assert 'label="used by an unknown node"' in render("dot", system)
+    assert "1 node, 1 topic" in render("dot", system)
+    assert 'subgraph g0["used by an unknown node"]' in render("mermaid", system)
 
 
 FALLBACK = """

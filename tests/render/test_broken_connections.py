@@ -4,17 +4,17 @@ from __future__ import annotations
 
 import json
 
-import pygraphviz
 import pytest
 
-from archlint.render import dot, mermaid, text
 from archlint.render import json as graph_json
-from archlint.render.drawing import svg
+from archlint.render import text
 from archlint.render.html import render as html
 from archlint.render.picture import broken_ends
+from archlint.render.view import View
 from archlint.ros.qos import Qos
 from archlint.systems.model import System
-from systems.builders import node, publisher, subscriber, system
+from render.pictures import diagram, dot, mermaid, parsed, svg, words
+from systems.builders import client, node, publisher, service, subscriber, system
 
 BEST_EFFORT = Qos(reliability="best_effort")
 RELIABLE = Qos()
@@ -38,15 +38,15 @@ def test_text_says_it_under_the_topic() -> None:
 
 
 def test_dot_draws_both_ends_red_with_the_reason() -> None:
-    graph = pygraphviz.AGraph(string=dot.render(scan()))
+    graph = parsed(scan())
     lines = [edge.attr for edge in graph.edges()]
     assert [(line["color"], line["style"], line["arrowhead"]) for line in lines] == [("#b91c1c", "dashed", "none")] * 2
-    assert all(REASON in line["label"] for line in lines)
+    assert all(words(line["label"]) == ["✕ best effort offered", "reliable requested"] for line in lines)
     assert "red and crossed out" in graph.graph_attr["label"]
 
 
 def test_mermaid_crosses_it_out_in_red() -> None:
-    drawn = mermaid.render(scan())
+    drawn = mermaid(scan())
     assert drawn.count(f'--x|"{REASON}"|') == 2
     assert "linkStyle 0,1 stroke:#b91c1c" in drawn
 
@@ -58,7 +58,7 @@ def test_pictures_carry_the_colour_and_the_words(show) -> None:
     assert REASON in drawn
 
 
-@pytest.mark.parametrize("show", [text.render, dot.render, mermaid.render, svg, html])
+@pytest.mark.parametrize("show", [text.render, dot, mermaid, svg, html])
 @pytest.mark.parametrize(
     "listening",
     [BEST_EFFORT, Qos(reliability=None), Qos(reliability="system_default")],
@@ -88,3 +88,49 @@ def test_one_demanding_subscription_of_several_is_the_broken_end() -> None:
     )
     broken = broken_ends(made)
     assert [end.node.name for end in made.endpoints if id(end) in broken] == ["/strict"]
+
+
+STRING, INT = "std_msgs/msg/String", "std_msgs/msg/Int32"
+
+
+def test_ends_of_different_types_are_broken_too() -> None:
+    made = system(node("/talker", publisher("/chat", STRING)), node("/listener", subscriber("/chat", INT)))
+    assert [line.broken for line in diagram(made).lines] == ["String published, Int32 subscribed"] * 2
+    assert "no message from /talker reaches /listener: String published, Int32 subscribed" in text.render(made)
+
+
+def test_and_so_are_those_of_services() -> None:
+    made = system(
+        node("/asker", client("/ask", "std_srvs/srv/Trigger")), node("/oracle", service("/ask", "std_srvs/srv/Empty"))
+    )
+    assert [line.broken for line in diagram(made).lines] == ["Empty served, Trigger called"] * 2
+    assert "no request from /asker reaches /oracle: Empty served, Trigger called" in text.render(made)
+
+
+def test_full_types_where_the_short_ones_are_the_same() -> None:
+    made = system(node("/a", publisher("/x", "p/msg/A")), node("/b", subscriber("/x", "q/msg/A")))
+    assert {line.broken for line in diagram(made).lines} == {"p/msg/A published, q/msg/A subscribed"}
+
+
+def test_ends_that_have_another_partner_are_not_broken_and_say_whom_they_miss() -> None:
+    made = system(
+        node("/best", publisher("/scan", qos=BEST_EFFORT)),
+        node("/sure", publisher("/scan", qos=RELIABLE)),
+        node("/modest", subscriber("/scan", qos=BEST_EFFORT)),
+        node("/strict", subscriber("/scan", qos=RELIABLE)),
+    )
+    lines = {(line.tail[1], line.head[1]): line for line in diagram(made).lines}
+    assert {line.broken for line in lines.values()} == {""}
+    assert lines["/best", "/scan"].held_back == (f"not to /strict: {REASON}",)
+    assert lines["/scan", "/strict"].held_back == (f"not from /best: {REASON}",)
+    assert lines["/sure", "/scan"].held_back == ()
+
+
+def test_between_nodes_only_the_pair_is_broken() -> None:
+    made = system(
+        node("/best", publisher("/scan", qos=BEST_EFFORT)),
+        node("/sure", publisher("/scan", qos=RELIABLE)),
+        node("/strict", subscriber("/scan", qos=RELIABLE)),
+    )
+    lines = {(line.tail[1], line.head[1]): line.broken for line in diagram(made, View(style="nodes")).lines}
+    assert lines == {("/best", "/strict"): REASON, ("/sure", "/strict"): ""}

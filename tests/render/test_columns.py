@@ -13,10 +13,10 @@ import pytest
 from archlint.cli import main
 from archlint.render import drawing, html
 from archlint.render.columns import svg
-from archlint.render.picture import graph_of
 from archlint.systems.model import System
 from render.hostile import hostile
 from render.lesson import lesson
+from render.pictures import diagram
 from systems.builders import node, publisher, subscriber, system
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -30,7 +30,7 @@ def no_graphviz(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
 
 
 def drawn(of: System) -> ElementTree.Element:
-    return ElementTree.fromstring(svg(graph_of(of)))
+    return ElementTree.fromstring(svg(diagram(of)))
 
 
 def groups(tree: ElementTree.Element, kind: str) -> dict[str, ElementTree.Element]:

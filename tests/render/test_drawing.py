@@ -12,9 +12,12 @@ from pathlib import Path
 import pytest
 
 from archlint.render import drawing
+from archlint.render.diagram import making
 from archlint.render.drawing import CannotDraw
 from render.hostile import hostile
 from render.lesson import lesson
+from render.pictures import diagram
+from render.pictures import svg as drawn_as_svg
 from systems.builders import client, node, publisher, service, subscriber, system
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -38,28 +41,28 @@ def count(svg: str, class_: str) -> int:
 
 
 def test_svg() -> None:
-    drawn = drawing.svg(lesson())
+    drawn = drawn_as_svg(lesson())
     assert {"/sensor_node", "/control_node", "/motor_node", "/sensor_data", "/set_motor"} < set(texts(drawn))
     assert (count(drawn, "node"), count(drawn, "edge")) == (6, 6)
 
 
 def test_png_and_pdf() -> None:
-    assert drawing.png(lesson()).startswith(b"\x89PNG\r\n\x1a\n")
-    assert drawing.pdf(lesson()).startswith(b"%PDF-")
+    assert drawing.png(diagram(lesson())).startswith(b"\x89PNG\r\n\x1a\n")
+    assert drawing.pdf(diagram(lesson())).startswith(b"%PDF-")
 
 
 def test_the_same_system_is_the_same_picture() -> None:
-    assert drawing.svg(lesson()) == drawing.svg(lesson())
+    assert drawn_as_svg(lesson()) == drawn_as_svg(lesson())
 
 
 def test_svg_does_not_name_its_maker() -> None:
-    drawn = drawing.svg(lesson())
+    drawn = drawn_as_svg(lesson())
     assert "<!--" not in drawn
     assert "<!DOCTYPE" not in drawn
 
 
 def test_no_name_becomes_markup() -> None:
-    drawn = drawing.svg(hostile())
+    drawn = drawn_as_svg(hostile())
     tree = ElementTree.fromstring(drawn)
     tags = {element.tag for element in tree.iter()}
     assert tags <= {f"{SVG}{name}" for name in ("svg", "g", "a", "title", "text", "path", "polygon", "ellipse")}
@@ -81,19 +84,19 @@ def test_two_hundred_nodes() -> None:
         )
         for number in range(200)
     ]
-    assert count(drawing.svg(system(*nodes)), "node") == 200 + 200 + 50
+    assert count(drawn_as_svg(system(*nodes)), "node") == 200 + 200 + 50
 
 
 def test_a_graph_that_is_too_large_is_drawn_by_package(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(drawing, "EACH_NODE", 3)
+    monkeypatch.setattr(making, "EACH_NODE", 3)
     made = system(
         node("/a", publisher("/x"), publisher("/y"), package="p"),
         node("/b", publisher("/z"), package="p"),
         node("/c", subscriber("/x"), subscriber("/y"), service("/s"), package="q"),
     )
-    shown = texts(drawing.svg(made))
+    shown = texts(drawn_as_svg(made))
     assert [text for text in shown if "too many to draw each" in text]
-    assert {"p", "2 nodes", "q", "1 node", "2 topics"} <= set(shown)
+    assert {"p", "2 nodes, 1 topic", "q", "1 node, 1 service", "2 topics"} <= set(shown)
     assert "/a" not in shown
 
 
@@ -101,7 +104,7 @@ def test_a_system_dot_comes_first(no_dot: Path) -> None:
     dot = no_dot / "dot"
     dot.write_text(f"#!{sys.executable}\nimport sys\nprint(sys.argv[1:], len(sys.stdin.read()) > 100)\n")
     dot.chmod(dot.stat().st_mode | stat.S_IXUSR)
-    assert drawing.draw(lesson(), "svg") == b"['-Kdot', '-Tsvg'] True\n"
+    assert drawing.draw(diagram(lesson()), "svg") == b"['-Kdot', '-Tsvg'] True\n"
 
 
 def test_a_dot_that_fails(no_dot: Path) -> None:
@@ -109,19 +112,19 @@ def test_a_dot_that_fails(no_dot: Path) -> None:
     dot.write_text(f"#!{sys.executable}\nimport sys\nsys.exit('Format: \"png\" not recognized')\n")
     dot.chmod(dot.stat().st_mode | stat.S_IXUSR)
     with pytest.raises(CannotDraw, match='Graphviz failed: Format: "png" not recognized'):
-        drawing.png(lesson())
+        drawing.png(diagram(lesson()))
 
 
 def test_a_layout_that_does_not_end(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(drawing, "TIME_LIMIT", 0.001)
     with pytest.raises(CannotDraw, match="took more than"):
-        drawing.svg(lesson())
+        drawn_as_svg(lesson())
 
 
 def test_no_graphviz_at_all(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(drawing, "find_spec", lambda name: None)
     with pytest.raises(CannotDraw, match=r"install 'archlint\[pictures\]' or a system 'dot'; --format html, mermaid, "):
-        drawing.svg(lesson())
+        drawn_as_svg(lesson())
 
 
 def test_the_folder_that_is_linted_provides_no_module(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -129,7 +132,7 @@ def test_the_folder_that_is_linted_provides_no_module(tmp_path: Path, monkeypatc
     (tmp_path / "re.py").write_text("raise SystemExit('code of the workspace was run')\n")
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(sys, "path", ["", *sys.path])
-    assert re.search("</svg>", drawing.svg(lesson()))
+    assert re.search("</svg>", drawn_as_svg(lesson()))
 
 
 def test_drawing_in_a_process_of_its_own_leaves_this_one_alone() -> None:

@@ -38,10 +38,10 @@ class Page(HTMLParser):
 def test_the_drawing_and_its_data_speak_of_the_same_vertices() -> None:
     text = render(lesson())
     data = json.loads(Page(text).script("application/json"))
-    drawn = set(re.findall(r"<title>(n\d+)</title>", text))
+    drawn = set(re.findall(r"<title>((?:node|topic|service)_\w+)</title>", text))
     assert drawn == set(data["vertices"])
-    assert data["vertices"]["n2"]["name"] == "/sensor_node"
-    lines = {unescape(title) for title in re.findall(r"<title>(n\d+&#45;&gt;n\d+)</title>", text)}
+    assert data["vertices"]["node_sensor_node"]["name"] == "/sensor_node"
+    lines = {unescape(title) for title in re.findall(r"<title>(\w+&#45;&gt;\w+)</title>", text)}
     assert lines == {f"{line['tail']}->{line['head']}" for line in data["lines"]}
 
 

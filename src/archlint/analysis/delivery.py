@@ -1,4 +1,4 @@
-"""Publishers and subscriptions of one topic whose QoS is incompatible: no message ever gets through."""
+"""Ends of one name between which nothing ever gets through: incompatible QoS, or different types."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.coexistence import are_alternatives, certain, coexist, in_source_order, launched_separately
+from archlint.model import EntityKind
 from archlint.ros.qos import Verdict, compatible
 
 if TYPE_CHECKING:
@@ -31,6 +32,41 @@ class Undelivered:
         )
 
 
+@dataclass(frozen=True)
+class Mistyped:
+    """A provider (``offer``) and a user (``request``) of one name with different types, which never connect."""
+
+    offer: Endpoint
+    request: Endpoint
+
+    @property
+    def reason(self) -> str:
+        """``String published, Int32 subscribed``, with full types where the short ones are the same."""
+        provided, used = _DONE[self.offer.kind == EntityKind.PUBLISHER]
+        types = [self.offer.type or "?", self.request.type or "?"]
+        short = [type_.rpartition("/")[2] for type_ in types]
+        offered, requested = short if short[0] != short[1] else types
+        return f"{offered} {provided}, {requested} {used}"
+
+
+_DONE = {True: ("published", "subscribed"), False: ("served", "called")}
+
+
+def mistyped_on(system: System, connection: Connection) -> Iterator[Mistyped]:
+    """The pairs of one topic, service or action that exist at the same time and whose types are known and differ."""
+    if len(connection.types) < 2:
+        return
+    offers = in_source_order(end for end in connection.providers if certain(end) and end.type is not None)
+    for request in in_source_order(end for end in connection.users if certain(end) and end.type is not None):
+        for offer in offers:
+            if offer.type != request.type and _meet(system, offer, request):
+                yield Mistyped(offer, request)
+
+
+def _meet(system: System, offer: Endpoint, request: Endpoint) -> bool:
+    return coexist(system, offer, request) and not _never_both(system, offer.node, request.node)
+
+
 def undelivered(system: System) -> Iterator[Undelivered]:
     """All such pairs of a system, by topic and in source order."""
     for topic in system.topics.values():
@@ -43,7 +79,7 @@ def undelivered_on(system: System, topic: Connection) -> Iterator[Undelivered]:
     for request in in_source_order(end for end in topic.users if _judged(end)):
         for offer in offers:
             errors = tuple(_errors(offer, request))
-            if errors and coexist(system, offer, request) and not _never_both(system, offer.node, request.node):
+            if errors and _meet(system, offer, request):
                 yield Undelivered(offer, request, errors)
 
 

@@ -27,11 +27,13 @@ from archlint.cli.options import (
 )
 from archlint.cli.parser import Parser
 from archlint.cli.progress import Progress
+from archlint.cli.view_options import add_view, view_of
 from archlint.engine.answers import Answer
 from archlint.engine.drawn import Drawn
 from archlint.engine.keeper import Keeper
 from archlint.engine.pipeline import NothingToDo, Request, draw
 from archlint.render.errors import CannotDraw
+from archlint.render.selection import NothingOfThatName
 
 
 def parser() -> Parser:
@@ -46,7 +48,7 @@ def parser() -> Parser:
         help=f"one of {', '.join(render.FORMATS)} (default: the suffix of -o, else text)",
     )
     output.add_argument("-o", metavar="FILE", dest="file", help="write to FILE; its suffix chooses the format")
-    output.add_argument("--all", action="store_true", help="include what rclpy creates for every node, such as /rosout")
+    add_view(parser)
     add_launch(parser)
     add_observed(parser)
     add_facts(parser)
@@ -58,7 +60,7 @@ def parser() -> Parser:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    format = _format(arguments.format, arguments.file)
+    format, view = _format(arguments.format, arguments.file), view_of(arguments)
     keeper = _keeper(arguments, format)
     launch, launch_arguments = launch_of(arguments)
     linked = linked_of(arguments)
@@ -80,8 +82,8 @@ def run(arguments: argparse.Namespace) -> int:
     progress = Progress(sys.stderr, arguments.quiet, arguments.verbose)
     try:
         with pool_of(arguments) as pool, progress as monitor:
-            drawn = draw(replace(request, monitor=monitor, pool=pool), format, color, arguments.all)
-    except (NothingToDo, CannotDraw) as error:
+            drawn = draw(replace(request, monitor=monitor, pool=pool), format, color, view)
+    except (NothingToDo, CannotDraw, NothingOfThatName) as error:
         raise UsageError(str(error)) from None
     if isinstance(drawn.output, str) and to_terminal:
         text = drawn.output

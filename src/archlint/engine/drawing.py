@@ -10,12 +10,16 @@ from archlint.observed.words import comparison_notices, comparison_words
 from archlint.render import FORMATS, FormatName, render
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from archlint.finding import Finding
+    from archlint.render.view import View
     from archlint.systems.model import System
 
 
-def drawn(system: System, format: FormatName, color: bool) -> Drawn:
-    """Raises :class:`archlint.render.drawing.CannotDraw`."""
-    output = render(format, system, color)
+def drawn(system: System, format: FormatName, color: bool, view: View, findings: Sequence[Finding]) -> Drawn:
+    """Raises :class:`archlint.render.errors.CannotDraw` and :class:`archlint.render.selection.NothingOfThatName`."""
+    output = render(format, system, color, view, findings)
     data, text = (output, "") if isinstance(output, bytes) else (b"", output)
     compared = None if FORMATS[format].says_differences else system.compared
     return Drawn(

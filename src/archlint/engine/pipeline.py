@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextvars import copy_context
 from dataclasses import replace
 from typing import TYPE_CHECKING
@@ -22,6 +22,8 @@ from archlint.syntax.python.deep_stack import call_with_deep_stack
 from archlint.syntax.secret import user_key
 
 if TYPE_CHECKING:
+    from archlint.finding import Finding
+    from archlint.render.view import View
     from archlint.syntax.files import FactsOfFiles
     from archlint.systems.model import System
     from archlint.workspace.model import Workspace
@@ -159,16 +161,23 @@ def _systems_of_parts(request: Request) -> list[tuple[Workspace, list[System]]]:
     return list(zip(parts, loaded, strict=True))
 
 
-def draw(request: Request, format: FormatName, color: bool, everything: bool) -> Drawn:
-    """The system of all nodes in one of :data:`archlint.render.FORMATS`.
+def draw(request: Request, format: FormatName, color: bool, view: View) -> Drawn:
+    """The system of all nodes in one of :data:`archlint.render.FORMATS`, with what is found in it where the format
+    shows that.
 
-    Raises :class:`NothingToDo`, and :class:`archlint.render.drawing.CannotDraw`.
+    Raises :class:`NothingToDo`, :class:`archlint.render.errors.CannotDraw` and
+    :class:`archlint.render.selection.NothingOfThatName`.
     """
+    return copy_context().run(_draw, request, format, color, view)
+
+
+def _draw(request: Request, format: FormatName, color: bool, view: View) -> Drawn:
+    request.settings.activate_plugins()
     if request.keeper is not None:
         request.keeper.starts(request.paths, request.settings)
     workspace = find_files(request)
     inputs = _inputs(request, workspace)
-    kept = RunCache(inputs, Drawn, format, color, everything)
+    kept = RunCache(inputs, Drawn, format, color, view)
     lasts = not FORMATS[format].drawn  # a picture depends on the Graphviz that is installed
     result = kept.load() if lasts else None
     if result is None:
@@ -178,13 +187,35 @@ def draw(request: Request, format: FormatName, color: bool, everything: bool) ->
         facts = compiled(request, workspace, inputs.store)
         result = (kept.load_again(facts) or kept.load_alike(facts)) if lasts else None
         if result is None:
-            result = drawn(_graph(inputs, facts, everything), format, color)
+            system, findings = _marked(inputs, facts, format, view.everything)
+            result = drawn(system, format, color, view, findings)
             if lasts and facts.lasting and not result.faults:
                 kept.save(result, facts)
     _refuse_gaps(request)
     _tell_keeper(inputs, kept)
     inputs.store.close()
     return result
+
+
+def _marked(
+    inputs: Inputs, facts: FactsOfFiles, format: FormatName, everything: bool
+) -> tuple[System, Sequence[Finding]]:
+    """The system, and what is found in it where a format shows that: by an equal check, if its result is kept."""
+    if not FORMATS[format].shows_findings:
+        return _graph(inputs, facts, everything), ()
+    kept = RunCache(inputs, Judged)
+    judged = kept.load() or kept.load_again(facts)
+    if judged is not None:
+        return _graph(inputs, facts, everything), judged.findings
+    from archlint.engine.findings import judged_in_parts  # all the rules
+    from archlint.engine.loading import combined
+
+    refuse_nothing(inputs.request, inputs.workspace, facts)
+    shown: list[System] = []
+    judged = call_with_deep_stack(lambda: judged_in_parts(inputs, facts, shown))
+    if not shown:  # there is nothing to do in one of several workspaces
+        return _graph(inputs, facts, everything), judged.findings
+    return _complete(inputs.request, combined(shown), everything), judged.findings
 
 
 def _refuse_gaps(request: Request) -> None:
@@ -204,7 +235,6 @@ def _tell_keeper(inputs: Inputs, kept: RunCache[Result]) -> None:
 
 def _graph(inputs: Inputs, facts: FactsOfFiles, everything: bool) -> System:
     from archlint.engine.loading import as_asked_for, combined, systems_of
-    from archlint.systems.implicit import with_implicit
 
     request = inputs.request
     refuse_nothing(request, inputs.workspace, facts)
@@ -215,6 +245,13 @@ def _graph(inputs: Inputs, facts: FactsOfFiles, everything: bool) -> System:
     system = combined(
         [as_asked_for(request, opened_system, part) for opened_system, part in zip(opened, parts, strict=True)]
     )
+    return _complete(request, system, everything)
+
+
+def _complete(request: Request, system: System, everything: bool) -> System:
+    """With what rclpy makes for every node, where that was asked for."""
+    from archlint.systems.implicit import with_implicit
+
     return with_implicit(system, request.settings.distro) if everything else system
 
 

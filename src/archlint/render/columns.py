@@ -11,10 +11,11 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from archlint.render import dot, look
+from archlint.render.diagram.ids import ids_of
 from archlint.systems.graph import NODE, Key
 
 if TYPE_CHECKING:
-    import networkx
+    from archlint.render.diagram.model import Diagram
 
 SIZE = 12
 """Pixels of a letter's height; :data:`_WIDTH` is a letter's width on average."""
@@ -40,34 +41,39 @@ class Box:
         return self.top + self.height / 2
 
 
-def svg(graph: networkx.MultiDiGraph) -> str:
-    ids = {key: f"n{number}" for number, key in enumerate(graph.nodes)}
-    boxes = _boxes(graph)
+def svg(diagram: Diagram) -> str:
+    ids = dict(ids_of(diagram.shapes))
+    boxes = _boxes(diagram)
     width = max((box.left + box.width for box in boxes.values()), default=0) + _PAD
     height = max((box.top + box.height for box in boxes.values()), default=0) + _PAD
-    body = [*_lines(graph, ids, boxes), *_vertices(graph, ids, boxes)]
+    body = [*_lines(diagram, ids, boxes), *_vertices(diagram, ids, boxes)]
     head = f'<svg width="{width:.0f}" height="{height:.0f}" viewBox="0 0 {width:.0f} {height:.0f}"'
     return "\n".join([f'{head} xmlns="http://www.w3.org/2000/svg">', *body, "</svg>"]) + "\n"
 
 
-def _boxes(graph: networkx.MultiDiGraph) -> dict[Key, Box]:
+def _boxes(diagram: Diagram) -> dict[Key, Box]:
     """Nodes in their order, and each interface about where the nodes are that have it."""
-    nodes = [key for key, data in graph.nodes(data=True) if data["kind"] == NODE]
+    nodes = [key for key in diagram.shapes if key[0] == NODE]
     row = {key: number for number, key in enumerate(nodes)}
+    ends: dict[Key, list[int]] = {}
+    for line in diagram.lines:
+        for interface, node in (line.ends, line.ends[::-1]):
+            if node in row:
+                ends.setdefault(interface, []).append(row[node])
 
     def height_of(interface: Key) -> tuple[float, Key]:
-        around = [row[key] for key in (*graph.predecessors(interface), *graph.successors(interface))]
+        around = ends.get(interface, [])
         return (sum(around) / len(around) if around else len(row), interface)
 
-    left = _column(graph, nodes, _PAD)
+    left = _column(diagram, nodes, _PAD)
     start = max((box.left + box.width for box in left.values()), default=0) + _BETWEEN
-    right = _column(graph, sorted((key for key in graph.nodes if key not in row), key=height_of), start)
+    right = _column(diagram, sorted((key for key in diagram.shapes if key not in row), key=height_of), start)
     height = max(_bottom(left), _bottom(right))
     return _spread(left, height) | _spread(right, height)
 
 
-def _column(graph: networkx.MultiDiGraph, keys: Sequence[Key], left: float) -> dict[Key, Box]:
-    labels = {key: look.vertex_label(graph.nodes[key]).split("\n") for key in keys}
+def _column(diagram: Diagram, keys: Sequence[Key], left: float) -> dict[Key, Box]:
+    labels = {key: diagram.shapes[key].label for key in keys}
     width = max((len(line) for lines in labels.values() for line in lines), default=0) * _WIDTH + 2 * _PAD
     boxes: dict[Key, Box] = {}
     top: float = _PAD
@@ -87,9 +93,9 @@ def _spread(boxes: dict[Key, Box], height: float) -> dict[Key, Box]:
     return {key: replace(box, top=box.top + space * (number + 0.5)) for number, (key, box) in enumerate(boxes.items())}
 
 
-def _vertices(graph: networkx.MultiDiGraph, ids: dict[Key, str], boxes: dict[Key, Box]) -> Iterator[str]:
+def _vertices(diagram: Diagram, ids: dict[Key, str], boxes: dict[Key, Box]) -> Iterator[str]:
     for key, box in boxes.items():
-        drawn = dot.vertex(graph.nodes[key])
+        drawn = dot.vertex(diagram.shapes[key])
         yield f'<g class="node"><title>{ids[key]}</title>'
         yield (
             f'<rect x="{box.left:.1f}" y="{box.top:.1f}" width="{box.width:.1f}" height="{box.height:.1f}"'
@@ -102,10 +108,10 @@ def _vertices(graph: networkx.MultiDiGraph, ids: dict[Key, str], boxes: dict[Key
         yield "</g>"
 
 
-def _lines(graph: networkx.MultiDiGraph, ids: dict[Key, str], boxes: dict[Key, Box]) -> Iterator[str]:
-    drawn = [(bundle.tail, bundle.head, dot.line(graph, bundle)) for bundle in look.bundles(graph)]
-    drawn += [(node, interface, dot.REMAPPED) for node, interface in graph.graph["remapped"]]
-    for tail, head, attributes in drawn:
+def _lines(diagram: Diagram, ids: dict[Key, str], boxes: dict[Key, Box]) -> Iterator[str]:
+    for line in diagram.lines:
+        tail, head = line.ends
+        attributes = dot.edge(line)
         yield f'<g class="edge"><title>{ids[tail]}-&gt;{ids[head]}</title>'
         outwards = tail[0] == NODE
         yield from _line(

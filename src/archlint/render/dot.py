@@ -1,83 +1,68 @@
-"""The graph in Graphviz' language.
+"""A diagram in Graphviz' language.
 
-Every id is made up here and every text of the user's is in a quoted string, so that no name can become
-markup, a port or an escape of Graphviz.
+Every id is made of letters, digits and underscores, and every text of the user's is in a quoted string or escaped in an
+HTML-like label, so that no name can become markup, a port or an escape of Graphviz.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from archlint.observed.model import MISSING
-from archlint.render import look, overview
-from archlint.render.picture import graph_of
-from archlint.systems.graph import NODE, Key
-from archlint.systems.model import System
+from archlint.render import look
+from archlint.render.diagram.ids import ids_of
+from archlint.render.diagram.model import Badge, Diagram, Key, Line, Shape, Tone
 from archlint.visible import visible
 
 if TYPE_CHECKING:
-    import networkx
+    from collections.abc import Iterable, Iterator, Mapping, Sequence
+
+    from archlint.architecture import ConnectionKind
+    from archlint.finding import SeverityLabel
+    from archlint.render.diagram.model import ShapeKind
 
 CAREFUL_LAYOUT = 300
-"""Vertices up to which ``dot`` takes all the time it wants (0.2 s for 200, 27 s for 1000 on one machine)."""
+"""Shapes up to which ``dot`` takes all the time it wants (0.2 s for 200, 27 s for 1000 on one machine)."""
 
-_SHAPES = {"topic": "box", "service": "hexagon", "action": "octagon"}
-_ARROWS = {"topic": "normal", "service": "vee", "action": "vee"}
-_HURRY = {"nslimit": "1", "nslimit1": "1", "mclimit": "0.1", "splines": "line"}
-
-REMAPPED = {
-    "color": look.PALETTE["aside"].line,
-    "dir": "none",
-    "style": "dashed",
-    "tooltip": "remapped by the launch file; without the source the direction is unknown",
+_SHAPES: Mapping[ShapeKind, str] = {
+    "node": "box",
+    "topic": "box",
+    "service": "hexagon",
+    "action": "octagon",
+    "ends": "note",
+    "group": "box3d",
 }
-"""How the line from a node to a name is drawn of which no more is known."""
+_ARROWS: Mapping[ConnectionKind, str] = {"topic": "normal", "service": "vee", "action": "vee"}
+_HURRY = {"nslimit": "1", "nslimit1": "1", "mclimit": "0.1", "splines": "line"}
+BADGES: Mapping[SeverityLabel, tuple[str, str]] = {
+    "error": ("#b91c1c", "#ffffff"),
+    "warning": ("#facc15", "#422006"),
+    "info": ("#e2e8f0", "#1e293b"),
+}
+"""Background and letters of a badge."""
+MOST_BADGES = 3
+"""Badges at one thing; the others are counted."""
+KINDS: tuple[Tone, ...] = ("node", "topic", "service", "action")
+_FRAME = {
+    "style": "rounded,filled",
+    "fillcolor": "#f8fafc",
+    "color": "#cbd5e1",
+    "fontsize": "11",
+    "margin": "14",
+    "labelloc": "t",
+}
+_QUIET = "#64748b"
 
 
-def render(system: System) -> str:
-    return write(graph_of(system))
+def render(diagram: Diagram) -> str:
+    return write(diagram)
 
 
-def write(graph: networkx.MultiDiGraph, **attributes: str) -> str:
+def write(diagram: Diagram, **attributes: str) -> str:
     """``attributes`` are those of the whole graph, such as ``dpi``."""
-    ids = {key: f"n{number}" for number, key in enumerate(graph.nodes)}
-    attributes = {
-        **(_HURRY if len(graph) > CAREFUL_LAYOUT else {}),
-        "label": look.caption(graph),
-        **attributes,
-    }
-    return _digraph(attributes, [*_vertices(graph, ids), *_edges(graph, ids)])
-
-
-def write_overview(graph: networkx.MultiDiGraph, **attributes: str) -> str:
-    """As :func:`write`, with one box for each group of nodes."""
-    attributes = {"label": f"{look.counts(graph)}  ·  too many to draw each", **attributes}
-    return _digraph(attributes, [*_boxes(graph)])
-
-
-def _digraph(attributes: dict[str, str], body: list[str]) -> str:
-    return "\n".join(["digraph archlint {", *_defaults(attributes), *body, "}"]) + "\n"
-
-
-def _boxes(graph: networkx.MultiDiGraph) -> Iterator[str]:
-    colours = look.PALETTE["node"]
-    ids: dict[str, str] = {}
-    for title, size in overview.box_sizes(graph).items():
-        ids[title] = f"n{len(ids)}"
-        box = {
-            "label": f"{title or 'others'}\n{look.counted(size, 'helper' if title == look.UNOWNED else 'node')}",
-            "shape": "box",
-            "style": "rounded,filled",
-            "fillcolor": colours.fill,
-            "color": colours.line,
-            "fontcolor": colours.text,
-            "margin": "0.2,0.11",
-        }
-        yield f"  {ids[title]} {_attributes(box)};"
-    for (tail, head), kinds in overview.streams(graph).items():
-        stream = {"label": overview.words(kinds), "fontsize": "9", "color": look.PALETTE["topic"].line}
-        yield f"  {ids[tail]} -> {ids[head]} {_attributes(stream)};"
+    ids = ids_of(diagram.shapes)
+    attributes = {**(_HURRY if len(diagram.shapes) > CAREFUL_LAYOUT else {}), **attributes}
+    body = [*_defaults(attributes, diagram), *_shapes(diagram, ids), *(_edge(line, ids) for line in diagram.lines)]
+    return "\n".join(["digraph archlint {", *body, "}"]) + "\n"
 
 
 def quote(text: str) -> str:
@@ -87,132 +72,154 @@ def quote(text: str) -> str:
     return f'"{escaped}"'
 
 
-def _attributes(values: dict[str, str]) -> str:
-    return "[" + ", ".join(f"{name}={quote(value)}" for name, value in values.items()) + "]"
+def escape(text: str) -> str:
+    """``text`` for the inside of an HTML-like label."""
+    shown = visible(text)
+    for char, entity in (("&", "&amp;"), ("<", "&lt;"), (">", "&gt;"), ('"', "&quot;"), ("[", "&#91;"), ("]", "&#93;")):
+        shown = shown.replace(char, entity)
+    return shown
 
 
-def _defaults(attributes: dict[str, str]) -> Iterator[str]:
+def _attributes(values: Mapping[str, str], label: str = "") -> str:
+    """``label`` is an HTML-like one, whole."""
+    every = [f"label=<{label}>"] if label else []
+    return "[" + ", ".join([*every, *(f"{name}={quote(value)}" for name, value in values.items())]) + "]"
+
+
+def _defaults(attributes: Mapping[str, str], diagram: Diagram) -> Iterator[str]:
     defaults = {
         "rankdir": "LR",
         "bgcolor": "white",
         "pad": "0.3",
-        "nodesep": "0.28",
-        "ranksep": "0.6",
+        "nodesep": "0.2",
+        "ranksep": "0.5",
         "fontname": look.FONT,
         "fontsize": "10",
-        "fontcolor": "#64748b",
+        "fontcolor": _QUIET,
         "labelloc": "b",
         "labeljust": "l",
     }
-    yield f"  graph {_attributes(defaults | attributes)};"
-    shape = {"fontname": look.FONT, "style": "filled", "margin": "0.14,0.07", "height": "0.3"}
+    yield f"  graph {_attributes({**defaults, **attributes}, _caption(diagram))};"
+    shape = {"fontname": look.FONT, "style": "filled", "margin": "0.12,0.06", "height": "0.3"}
     yield f"  node {_attributes(shape)};"
-    yield f"  edge {_attributes({'fontname': look.FONT, 'arrowsize': '0.7', 'penwidth': '1.2'})};"
+    line = {"fontname": look.FONT, "fontsize": "9", "arrowsize": "0.7", "penwidth": "1.2"}
+    yield f"  edge {_attributes(line)};"
 
 
-def _vertices(graph: networkx.MultiDiGraph, ids: dict[Key, str]) -> Iterator[str]:
-    groups = look.groups(graph)
-    titles = sorted(set(groups.values()))
-    for number, title in enumerate(titles):
-        frame = {
-            "label": title,
-            "style": "rounded,filled",
-            "fillcolor": "#f8fafc",
-            "color": "#cbd5e1",
-            "fontsize": "11",
-            "margin": "14",
-            "labelloc": "t",
-        }
+def _caption(diagram: Diagram) -> str:
+    """What is said below the picture, with a sample of each kind of shape that is in it."""
+    rows = [escape(words) for words in diagram.caption]
+    tones = {shape.tone for shape in diagram.shapes.values()}
+    samples = [
+        (kind, f'BGCOLOR="{look.PALETTE[kind].fill}" COLOR="{look.PALETTE[kind].line}" BORDER="1"')
+        for kind in KINDS
+        if kind in tones
+    ]
+    if samples:
+        rows.append(_cells([(kind, drawn, look.PALETTE[kind].text) for kind, drawn in samples]))
+    return _table(rows, "LEFT") if rows else ""
+
+
+def _shapes(diagram: Diagram, ids: Mapping[Key, str]) -> Iterator[str]:
+    for number, title in enumerate(sorted(set(diagram.groups.values()))):
+        members = [shape for key, shape in diagram.shapes.items() if diagram.groups.get(key) == title]
         yield f"  subgraph cluster_{number} {{"
-        yield f"    graph {_attributes(frame)};"
-        yield from (f"  {_vertex(graph, key, ids)}" for key in graph.nodes if groups.get(key) == title)
+        yield f"    graph {_attributes({'label': title, **_FRAME})};"
+        yield from (f"  {_shape(shape, ids)}" for shape in members)
         yield "  }"
-    yield from (_vertex(graph, key, ids) for key in graph.nodes if key not in groups)
+    yield from (_shape(shape, ids) for key, shape in diagram.shapes.items() if key not in diagram.groups)
 
 
-def _vertex(graph: networkx.MultiDiGraph, key: Key, ids: dict[Key, str]) -> str:
-    return f"  {ids[key]} {_attributes(vertex(graph.nodes[key]))};"
+def _shape(shape: Shape, ids: Mapping[Key, str]) -> str:
+    return f"  {ids[shape.key]} {_attributes(vertex(shape), _label(shape))};"
 
 
-def vertex(data: dict[str, Any]) -> dict[str, str]:
-    """How a vertex is drawn, as attributes of Graphviz."""
-    return _observed(_node(data) if data["kind"] == NODE else _interface(data), data)
-
-
-def _observed(drawn: dict[str, str], data: dict[str, Any]) -> dict[str, str]:
-    """A vertex that is otherwise when the system runs, in the colours that say so."""
-    status = data.get("observed")
-    if not status:
-        return drawn
-    colours = look.PALETTE[status]
-    return drawn | {
-        "style": drawn["style"].replace(",dashed", "") + (",dashed" if status == "missing" else ""),
-        "fillcolor": colours.fill,
-        "color": colours.line,
-        "fontcolor": colours.text,
-    }
-
-
-def _node(data: dict[str, Any]) -> dict[str, str]:
-    node = data["node"]
-    aside = look.is_aside(node) or data["neighbour"]
-    colours = look.PALETTE["wrong" if node.error else "aside" if aside else "node"]
-    return {
-        "label": look.vertex_label(data),
-        "tooltip": look.node_details(node),
-        "shape": "box",
-        "style": "rounded,filled" + (",dashed" if aside else ""),
-        "fillcolor": colours.fill,
-        "color": colours.line,
-        "fontcolor": colours.text,
-        "fontsize": "13",
-        "penwidth": "1.6",
-        "margin": "0.2,0.11",
-    }
-
-
-def _interface(data: dict[str, Any]) -> dict[str, str]:
-    kind = data["kind"]
-    wrong = data["error"] or len(data["types"]) > 1
-    colours = look.PALETTE["wrong" if wrong else kind]
+def vertex(shape: Shape) -> dict[str, str]:
+    """How a shape is drawn, as attributes of Graphviz, its label aside."""
+    colours = look.PALETTE[shape.tone]
     drawn = {
-        "label": look.vertex_label(data),
-        "tooltip": look.interface_details(data),
-        "shape": _SHAPES[kind],
-        "style": "filled" if data["matched"] else "filled,dashed",
-        "fillcolor": colours.fill if data["matched"] else "#ffffff",
+        "tooltip": "\n".join([*shape.details, *_told(shape.badges)]),
+        "shape": _SHAPES[shape.kind],
+        "style": ("rounded," if shape.kind == "node" else "") + f"filled{'' if shape.stroke == 'solid' else ',dashed'}",
+        "fillcolor": colours.fill if shape.matched else "#ffffff",
         "color": colours.line,
         "fontcolor": colours.text,
-        "fontsize": "10",
+        "fontsize": "13" if shape.kind in ("node", "group") else "10",
     }
-    return drawn if kind == "topic" else {**drawn, "margin": "0,0", "height": "0"}
+    if shape.kind in ("node", "group"):
+        drawn |= {"penwidth": "2.6" if shape.remarks else "1.6", "margin": "0.18,0.1"}
+    elif shape.kind in ("service", "action"):
+        drawn |= {"margin": "0,0", "height": "0"}
+    return drawn
 
 
-def _observed_line(bundle: look.Bundle) -> dict[str, str]:
-    colour = look.PALETTE[bundle.observed].line
-    drawn = {"color": colour, "penwidth": "1.8", "style": "dashed" if bundle.observed == MISSING else "solid"}
-    return drawn | ({"label": bundle.remark, "fontsize": "9", "fontcolor": colour} if bundle.remark else {})
+def _told(badges: Iterable[Badge]) -> Iterator[str]:
+    yield from (f"{badge.code}: {message}" for badge in badges for message in badge.messages)
 
 
-def _edges(graph: networkx.MultiDiGraph, ids: dict[Key, str]) -> Iterator[str]:
-    """One line between two vertices for each direction, however many endpoints it stands for."""
-    for bundle in look.bundles(graph):
-        yield f"  {ids[bundle.tail]} -> {ids[bundle.head]} {_attributes(line(graph, bundle))};"
-    for node, interface in graph.graph["remapped"]:
-        yield f"  {ids[node]} -> {ids[interface]} {_attributes(REMAPPED)};"
+def _label(shape: Shape) -> str:
+    small = [f'<FONT POINT-SIZE="9">{escape(words)}</FONT>' for words in shape.lines]
+    small += [f'<FONT POINT-SIZE="9"><I>{escape(words)}</I></FONT>' for words in shape.remarks]
+    rows = [escape(shape.title), *small]
+    if shape.badges:
+        rows.append(_badges(shape.badges))
+    return _table(rows, "LEFT" if shape.kind == "ends" else "CENTER") if len(rows) > 1 else rows[0]
 
 
-def line(graph: networkx.MultiDiGraph, bundle: look.Bundle) -> dict[str, str]:
-    """How the line of some endpoints is drawn, as attributes of Graphviz."""
-    interface = bundle.tail if bundle.tail[0] != NODE else bundle.head
-    colours = look.PALETTE["wrong" if bundle.broken else interface[0]]
-    matched = graph.nodes[interface]["matched"]
+def _table(rows: Iterable[str], align: str = "CENTER") -> str:
+    body = "".join(f'<TR><TD ALIGN="{align}">{row}</TD></TR>' for row in rows)
+    return f'<TABLE BORDER="0" CELLSPACING="0" CELLPADDING="0">{body}</TABLE>'
+
+
+def _badges(badges: Sequence[Badge]) -> str:
+    shown = [(badge.text, *BADGES[badge.severity]) for badge in badges[:MOST_BADGES]]
+    if len(badges) > MOST_BADGES:
+        shown.append((f"+{len(badges) - MOST_BADGES}", *BADGES["info"]))
+    return _cells([(text, f'BGCOLOR="{fill}"', letters) for text, fill, letters in shown])
+
+
+def _cells(cells: Sequence[tuple[str, str, str]]) -> str:
+    """Coloured words side by side: text, attributes of its cell, and the colour of its letters.  Graphviz would widen
+    them to what they are in, so that they say how large they are."""
+    widths = [round(5.6 * len(text)) + 6 for text, _, _ in cells]
+    row = "".join(
+        f'<TD {look} WIDTH="{width}" HEIGHT="14"><FONT COLOR="{letters}" POINT-SIZE="8">{escape(text)}</FONT></TD>'
+        for (text, look, letters), width in zip(cells, widths, strict=True)
+    )
+    size = f'FIXEDSIZE="TRUE" WIDTH="{sum(widths) + 2 * len(cells) + 4}" HEIGHT="18"'
+    return f'<TABLE BORDER="0" CELLBORDER="0" CELLSPACING="2" CELLPADDING="0" {size}><TR>{row}</TR></TABLE>'
+
+
+def _edge(line: Line, ids: Mapping[Key, str]) -> str:
+    return f"  {ids[line.tail]} -> {ids[line.head]} {_attributes(edge(line), _line_label(line))};"
+
+
+def edge(line: Line) -> dict[str, str]:
+    """How a line is drawn, as attributes of Graphviz, its label aside."""
+    colours = look.PALETTE["wrong" if line.broken else line.tone]
     drawn = {
         "color": colours.line,
-        "arrowhead": "none" if bundle.broken else _ARROWS[interface[0]],
-        "style": "dotted" if bundle.conditional else "solid" if matched and not bundle.broken else "dashed",
-        "tooltip": bundle.details,
+        "arrowhead": "none" if line.broken else _ARROWS[line.kind],
+        "style": line.stroke,
+        "tooltip": "\n".join([*line.details, *_told(line.badges)]),
     }
-    if bundle.broken:
-        drawn |= {"label": f"✕ {bundle.broken}", "fontsize": "9", "fontcolor": colours.line, "penwidth": "1.8"}
-    return drawn | (_observed_line(bundle) if bundle.observed else {})
+    if not line.directed:
+        drawn["dir"] = "none"
+    if line.broken or line.differs:
+        drawn["penwidth"] = "1.8"
+    elif line.cycle:
+        drawn["penwidth"] = "2.6"
+    return drawn
+
+
+def _line_label(line: Line) -> str:
+    wrong = look.PALETTE["wrong"].line
+    red = f"✕ {line.broken}".split(", ") if line.broken else [*line.held_back]
+    rows = [f'<FONT COLOR="{look.PALETTE[line.tone].text}">{escape(words)}</FONT>' for words in line.labels]
+    rows += [f'<FONT COLOR="{wrong}">{escape(words)}</FONT>' for words in red]
+    if line.badges:
+        rows.append(_badges(line.badges))
+    return _table(rows) if rows else ""
+
+
+__all__ = ["BADGES", "CAREFUL_LAYOUT", "edge", "escape", "quote", "render", "vertex", "write"]

@@ -14,10 +14,9 @@ import sys
 from importlib.util import find_spec
 from typing import Literal
 
-from archlint.render import dot, look
+from archlint.render import dot
+from archlint.render.diagram.model import Diagram
 from archlint.render.errors import CannotDraw, NoGraphviz
-from archlint.render.picture import graph_of
-from archlint.systems.model import System
 
 Picture = Literal["svg", "png", "pdf"]
 
@@ -25,10 +24,7 @@ TIME_LIMIT = 30
 """Seconds that a layout may take."""
 
 SHARP = 200
-"""Vertices up to which a PNG has 144 dots an inch, sharp on paper and dense screens; beyond, 96."""
-
-EACH_NODE = 1500
-"""Vertices up to which each node is drawn; beyond, one box stands for each package or namespace."""
+"""Shapes up to which a PNG has 144 dots an inch, sharp on paper and dense screens; beyond, 96."""
 
 _BUNDLED = """
 import sys
@@ -41,24 +37,22 @@ sys.stdout.buffer.write(graph.draw(format=format, prog="dot"))
 """Runs isolated: the folder that is linted must not provide any module of it."""
 
 
-def svg(system: System) -> str:
-    return tidy_svg(draw(system, "svg").decode("utf-8"))
+def svg(diagram: Diagram) -> str:
+    return tidy_svg(draw(diagram, "svg").decode("utf-8"))
 
 
-def png(system: System) -> bytes:
-    return draw(system, "png")
+def png(diagram: Diagram) -> bytes:
+    return draw(diagram, "png")
 
 
-def pdf(system: System) -> bytes:
-    return draw(system, "pdf")
+def pdf(diagram: Diagram) -> bytes:
+    return draw(diagram, "pdf")
 
 
-def draw(system: System, format: Picture) -> bytes:
+def draw(diagram: Diagram, format: Picture) -> bytes:
     """Raises :class:`CannotDraw`."""
-    graph = graph_of(system)
-    attributes = {"dpi": "144" if len(graph) <= SHARP else "96"} if format == "png" else {}
-    write = dot.write_overview if len(graph) > EACH_NODE and look.groups(graph) else dot.write
-    return layout(write(graph, **attributes), format)
+    attributes = {"dpi": "144" if len(diagram.shapes) <= SHARP else "96"} if format == "png" else {}
+    return layout(dot.write(diagram, **attributes), format)
 
 
 def layout(source: str, format: Picture) -> bytes:

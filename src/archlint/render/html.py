@@ -13,6 +13,10 @@ from typing import TYPE_CHECKING, Any
 
 from archlint.json_text import json_text
 from archlint.render import columns, dot, drawing, look
+from archlint.render.diagram.captions import captioned, pattern_words
+from archlint.render.diagram.grouping import grouped
+from archlint.render.diagram.ids import ids_of
+from archlint.render.diagram.parts import parts_of
 from archlint.render.errors import NoGraphviz
 from archlint.render.html_parts import SCRIPT, STYLE
 from archlint.render.picture import graph_of
@@ -53,11 +57,12 @@ _PAGE = """<!DOCTYPE html>
 def render(system: System) -> str:
     """Raises :class:`archlint.render.drawing.CannotDraw` where Graphviz fails; without one there are two columns."""
     graph = graph_of(system)
-    counts = look.caption(graph)
+    diagram = grouped(parts_of(system, graph), None)
+    counts = "  ·  ".join(captioned(diagram, diagram, pattern_words(system), system.compared is not None).caption)
     try:
-        svg = drawing.tidy_svg(drawing.layout(dot.write(graph), "svg").decode("utf-8"))
+        svg = drawing.tidy_svg(drawing.layout(dot.write(diagram), "svg").decode("utf-8"))
     except NoGraphviz:
-        svg = columns.svg(graph)
+        svg = columns.svg(diagram)
         counts += "  ·  in columns, for want of Graphviz"
     return _PAGE.format(
         policy=html.escape(_policy()),
@@ -91,7 +96,7 @@ def _details(edge: dict[str, Any]) -> str:
 
 def _data(graph: networkx.MultiDiGraph) -> dict[str, Any]:
     """Vertices by the ids that the drawing gives them, and the details of each line."""
-    ids = {key: f"n{number}" for number, key in enumerate(graph.nodes)}
+    ids = ids_of(graph.nodes)
     vertices = {}
     for key, data in graph.nodes(data=True):
         is_node = data["kind"] == NODE

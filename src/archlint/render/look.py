@@ -34,6 +34,8 @@ PALETTE = {
     "topic": Colours("#f1f5f9", "#64748b", "#1e293b"),
     "service": Colours("#fef3c7", "#b45309", "#451a03"),
     "action": Colours("#f3e8ff", "#7e22ce", "#3b0764"),
+    "group": Colours("#e0e7ff", "#4338ca", "#1e1b4b"),
+    "note": Colours("#ffffff", "#ffffff", "#475569"),
     "wrong": Colours("#fee2e2", "#b91c1c", "#450a0a"),
     "aside": Colours("#ffffff", "#94a3b8", "#475569"),
     "missing": Colours("#fff1f2", "#e11d48", "#881337"),
@@ -117,7 +119,7 @@ def endpoint_details(endpoint: Endpoint, broken: str = "") -> str:
     if endpoint.conditional:
         parts.append("only under a condition")
     if broken:
-        parts.append(f"no message arrives: {broken}")
+        parts.append(f"nothing gets through: {broken}")
     return ", ".join(parts)
 
 
@@ -159,27 +161,6 @@ def _package(node: Node) -> str:
     return node.package or ""
 
 
-def caption(graph: networkx.MultiDiGraph) -> str:
-    """One line that counts what is drawn and explains the lines that need it."""
-    data = [data for _, data in graph.nodes(data=True)]
-    sentences = [counts(graph)]
-    if any(item.get("neighbour") for item in data):
-        sentences.append("white: a neighbour outside the selection")
-    if any(item["kind"] != NODE and not item["matched"] for item in data):
-        sentences.append("dashed: nothing at the other end")
-    if any(item["kind"] != NODE and item["resolution"] == "partial" for item in data):
-        sentences.append("*: known only at run time")
-    if graph.graph["remapped"]:
-        sentences.append("dashed without an arrow: remapped; the source is not in this workspace")
-    if any(edge["broken"] for _, _, edge in graph.edges(data=True)):
-        sentences.append("red and crossed out: incompatible QoS, no message arrives")
-    if "compared" in graph.graph:
-        sentences.append("compared with a running system: red is missing, green unexpected, teal different")
-    if any(edge["endpoint"].conditional for _, _, edge in graph.edges(data=True)):
-        sentences.append("dotted: only under a condition")
-    return "  ·  ".join(sentences)
-
-
 def counts(graph: networkx.MultiDiGraph) -> str:
     """``3 nodes, 1 topic, 2 services``."""
     kinds = Counter(
@@ -210,7 +191,8 @@ def counted(number: int, noun: str) -> str:
 class Bundle:
     """All endpoints of one node on one interface in one direction, drawn as one line.
 
-    ``conditional`` is set where all of them are; ``broken`` says why no message gets through, empty where one does.
+    ``conditional`` is set where all of them are; ``broken`` says why nothing gets through, empty where something does,
+    and ``held_back`` what does not.
     """
 
     tail: tuple[str, str]
@@ -221,6 +203,7 @@ class Bundle:
     observed: Status | Literal[""] = ""
     """How the running system differs there, and ``remark`` the same in words; empty where it does not."""
     remark: str = ""
+    held_back: tuple[str, ...] = ()
 
 
 def bundles(graph: networkx.MultiDiGraph) -> list[Bundle]:
@@ -236,7 +219,9 @@ def _bundle(tail: tuple[str, str], head: tuple[str, str], edges: list[dict[str, 
     broken = edges[0]["broken"] if all(edge["broken"] for edge in edges) else ""
     details = _lines([*(endpoint_details(e["endpoint"], e["broken"]) for e in edges), *remarks(edges)])
     marked = next((edge for edge in edges if edge.get("observed")), {})
-    return Bundle(tail, head, conditional, broken, details, marked.get("observed", ""), marked.get("remark", ""))
+    held_back = tuple(dict.fromkeys(visible(words) for edge in edges for words in edge.get("held_back", ())))
+    observed, remark = marked.get("observed", ""), marked.get("remark", "")
+    return Bundle(tail, head, conditional, visible(broken), details, observed, visible(remark), held_back)
 
 
 def remarks(edges: list[dict[str, Any]]) -> list[str]:

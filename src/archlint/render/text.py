@@ -4,16 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 from archlint import cells
 from archlint import model as program
-from archlint.analysis.delivery import undelivered_on
+from archlint.analysis.unconnected import unconnected_on
 from archlint.architecture import ConnectionKind
 from archlint.model import Creation, ParameterDeclaration, Role
 from archlint.observed.model import DIFFERENT, MISSING, UNEXPECTED, Difference, Status
 from archlint.observed.words import comparison_words
 from archlint.render import json, look
+from archlint.render.partial import only
+from archlint.render.text_marks import Marks, marks_of
+from archlint.render.view import WHOLE, View
 from archlint.ros.parameter_types import type_of
 from archlint.syntax.parameter_files import NotKnown
 from archlint.systems import pattern
@@ -22,6 +25,9 @@ from archlint.systems.model import System
 from archlint.systems.nodes import Connection, Endpoint, Node
 from archlint.systems.overrides import Setting
 from archlint.visible import visible
+
+if TYPE_CHECKING:
+    from archlint.finding import Finding
 
 _VERBS = {
     program.EntityKind.PUBLISHER: "publishes",
@@ -57,17 +63,20 @@ Cell = tuple[str, Style]
 Paint = Callable[[str, Style], str]
 
 
-def render(system: System, *, color: bool = False) -> str:
+def render(system: System, *, color: bool = False, view: View = WHOLE, findings: Sequence[Finding] = ()) -> str:
+    """Raises :class:`archlint.render.selection.NothingOfThatName`."""
     paint = partial(painted_text, color)
     remapped = _remapped(system)
+    marks = marks_of(system, view, findings)
+    part = only(system, marks.keys)
     sections = [
-        _nodes(system, paint),
-        _unowned(system, paint),
-        _connections(system, "topic", system.topics.values(), remapped, paint),
-        _connections(system, "service", system.services.values(), remapped, paint),
-        _connections(system, "action", system.actions.values(), remapped, paint),
+        _nodes(part, marks, paint),
+        _unowned(part, paint),
+        _connections(system, "topic", system.topics.values(), remapped, marks, paint),
+        _connections(system, "service", system.services.values(), remapped, marks, paint),
+        _connections(system, "action", system.actions.values(), remapped, marks, paint),
         _shape(system, paint),
-        _unresolved(system, paint),
+        _unresolved(part, paint),
         _compared(system, paint),
     ]
     blocks = [block for section in sections for block in section]
@@ -81,10 +90,11 @@ def painted_text(color: bool, text: str, style: Style) -> str:
     return f"\x1b[{code}m{shown}\x1b[0m" if color and code and shown else shown
 
 
-def _nodes(system: System, paint: Paint) -> Iterator[str]:
+def _nodes(system: System, marks: Marks, paint: Paint) -> Iterator[str]:
     if system.nodes:
         yield paint(look.counted(len(system.nodes), "node"), "title")
-    yield from (entry(node, paint) for node in system.nodes)
+    for node in system.nodes:
+        yield entry(node, paint, [(words, "alarm") for words in marks.of_node(node)])
 
 
 def _unowned(system: System, paint: Paint) -> Iterator[str]:
@@ -94,9 +104,9 @@ def _unowned(system: System, paint: Paint) -> Iterator[str]:
     yield from (entry(node, paint) for node in system.unowned)
 
 
-def entry(node: Node, paint: Paint) -> str:
+def entry(node: Node, paint: Paint, marks: Sequence[Cell] = ()) -> str:
     """A node with what it has, a line each."""
-    heading = "  ".join(paint(*cell) for cell in _heading(node) if cell[0])
+    heading = "  ".join(paint(*cell) for cell in (*_heading(node), *marks) if cell[0])
     return "\n".join([heading, *table([*_rows(node)], paint)])
 
 
@@ -202,9 +212,10 @@ def _connections(
     kind: ConnectionKind,
     connections: Iterable[Connection],
     remapped: dict[str, list[str]],
+    marks: Marks,
     paint: Paint,
 ) -> Iterator[str]:
-    every = list(connections)
+    every = [connection for connection in connections if (kind, connection.name) in marks.keys]
     if every:
         yield paint(look.counted(len(every), kind), "title")
     for connection in every:
@@ -216,14 +227,18 @@ def _connections(
         lines = [f"  {words:<13}  {_names(endpoints, paint)}" for words, endpoints in ends]
         if connection.name in remapped:
             lines.append(f"  {'remapped for':<13}  {paint(', '.join(remapped[connection.name]), 'plain')}")
-        if kind == "topic":
-            lines += (f"  {paint(words, 'alarm')}" for words in _broken(system, connection))
-        yield "\n".join([f"{paint(connection.name, 'name')}  {types}", *lines])
+        lines += (f"  {paint(words, 'alarm')}" for words in _broken(system, connection))
+        told = (f"  {paint(words, 'alarm')}" for words in marks.of((kind, connection.name)))
+        yield "\n".join([f"{paint(connection.name, 'name')}  {types}{''.join(told)}", *lines])
 
 
-def _broken(system: System, topic: Connection) -> Iterator[str]:
-    for pair in undelivered_on(system, topic):
-        yield f"no message from {pair.offer.node.name} reaches {pair.request.node.name}: {pair.reason}"
+def _broken(system: System, connection: Connection) -> Iterator[str]:
+    for pair in unconnected_on(system, connection):
+        source, target = pair.offer.node.name, pair.request.node.name
+        if connection.kind == "topic":
+            yield f"no message from {source} reaches {target}: {pair.reason}"
+        else:
+            yield f"no request from {target} reaches {source}: {pair.reason}"
 
 
 def _names(endpoints: Sequence[Endpoint], paint: Paint) -> str:

@@ -1,0 +1,54 @@
+"""From a system to the picture that a view asks for."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from archlint.finding import Severity
+from archlint.render.diagram.captions import captioned, pattern_words
+from archlint.render.diagram.choosing import chosen
+from archlint.render.diagram.gathering import gathered
+from archlint.render.diagram.grouping import boxes_alone, collapsed, grouped
+from archlint.render.diagram.marks import marked
+from archlint.render.diagram.parts import parts_of
+from archlint.render.diagram.styles import nodes_alone
+from archlint.render.picture import graph_of
+from archlint.render.view import WHOLE, View
+
+if TYPE_CHECKING:
+    from archlint.finding import Finding
+    from archlint.render.diagram.model import Diagram
+    from archlint.systems.model import System
+
+EACH_NODE = 1500
+"""Shapes up to which each is drawn; beyond, one box stands for each package or namespace."""
+
+
+def diagram_of(system: System, view: View = WHOLE, findings: Sequence[Finding] = ()) -> Diagram:
+    """Parts of the whole system, marks on them, what of it is shown, how it is grouped and gathered, what it says.
+
+    Raises :class:`archlint.render.selection.NothingOfThatName`.
+    """
+    whole = marked_whole(system, findings)
+    diagram = chosen(whole, view)
+    if view.style == "nodes":
+        diagram = nodes_alone(diagram)
+    diagram = grouped(diagram, view.group)
+    words = pattern_words(system)
+    if len(diagram.shapes) > EACH_NODE and diagram.groups:
+        diagram = boxes_alone(diagram)
+        words.insert(0, "too many to draw each")
+    else:
+        diagram = gathered(collapsed(diagram, view.collapse))
+    return captioned(diagram, whole, words, system.compared is not None)
+
+
+def marked_whole(system: System, findings: Sequence[Finding]) -> Diagram:
+    """All of a system with its marks; what is only informative has none."""
+    graph = graph_of(system)
+    shown = [finding for finding in findings if finding.severity > Severity.INFO]
+    return marked(parts_of(system, graph), system, graph, shown)
+
+
+__all__ = ["diagram_of", "marked_whole"]

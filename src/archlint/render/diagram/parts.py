@@ -1,0 +1,136 @@
+"""The parts of a picture of a whole system: a shape for each node and interface, a line for each bundle of ends."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from archlint.observed.model import MISSING
+from archlint.render import look
+from archlint.render.diagram.model import Diagram, Key, Line, Shape, Stroke, Tone
+from archlint.render.diagram.traffic import qos_of_users, traffic_words
+from archlint.systems.graph import NODE, TOPIC
+from archlint.systems.rates import rates
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Mapping
+
+    import networkx
+
+    from archlint.render.view import GroupBy
+    from archlint.systems.model import System
+    from archlint.systems.nodes import Endpoint, Node
+
+FEW_LINES = 40
+"""Lines up to which each says what its end asks of quality of service, where that is not what is offered."""
+
+
+def parts_of(system: System, graph: networkx.MultiDiGraph) -> Diagram:
+    """Of :func:`archlint.render.picture.graph_of`."""
+    frequency = rates(system)
+    shapes: dict[Key, Shape] = {}
+    for key, data in graph.nodes(data=True):
+        ends = [edge["endpoint"] for edge in _edges_at(graph, key)]
+        shapes[key] = _node(key, data) if data["kind"] == NODE else _interface(key, data, ends, frequency)
+    bundles = look.bundles(graph)
+    lines = [_line(graph, bundle, len(bundles) <= FEW_LINES) for bundle in bundles]
+    lines += [_remapped(node, interface) for node, interface in graph.graph["remapped"]]
+    return Diagram(shapes, tuple(lines), cut=graph.graph["cut"])
+
+
+def _edges_at(graph: networkx.MultiDiGraph, key: Key) -> Iterable[dict[str, Any]]:
+    yield from (edge for _, _, edge in graph.in_edges(key, data=True))
+    yield from (edge for _, _, edge in graph.out_edges(key, data=True))
+
+
+def _node(key: Key, data: dict[str, Any]) -> Shape:
+    node: Node = data["node"]
+    title, *lines = look.vertex_label(data).split("\n")
+    aside = look.is_aside(node) or data["neighbour"]
+    tone: Tone = "wrong" if node.error else "aside" if aside else "node"
+    stroke: Stroke = "dashed" if aside else "solid"
+    return Shape(
+        key,
+        "node",
+        title,
+        tuple(lines),
+        tone=data.get("observed") or tone,
+        stroke=_stroke(data, stroke),
+        details=tuple(look.node_details(node).split("\n")),
+        neighbour=data["neighbour"],
+        helper=not node.is_node,
+        groups=_groups(node),
+    )
+
+
+def _groups(node: Node) -> Mapping[GroupBy, str]:
+    container = node.started.container if node.started is not None else None
+    process = container.text if container is not None and container.text else node.executable
+    return {
+        "namespace": (node.name or "").rpartition("/")[0],
+        "package": node.package or "",
+        "launch": node.launched_by or "",
+        "process": f"{node.package}/{process}" if node.package and process and container is None else process or "",
+    }
+
+
+def _interface(key: Key, data: dict[str, Any], ends: list[Endpoint], frequency: Mapping[int, float]) -> Shape:
+    title, *lines = look.vertex_label(data).split("\n")
+    if data["kind"] == TOPIC:
+        lines += traffic_words(ends, frequency)
+    wrong = data["error"] or len(data["types"]) > 1
+    return Shape(
+        key,
+        data["kind"],
+        title,
+        tuple(lines),
+        tone=data.get("observed") or ("wrong" if wrong else data["kind"]),
+        stroke=_stroke(data, "solid" if data["matched"] else "dashed"),
+        details=tuple(look.interface_details(data).split("\n")),
+        matched=data["matched"],
+    )
+
+
+def _stroke(data: dict[str, Any], otherwise: Stroke) -> Stroke:
+    if not data.get("observed"):
+        return otherwise
+    return "dashed" if data["observed"] == MISSING else "solid"
+
+
+def _line(graph: networkx.MultiDiGraph, bundle: look.Bundle, few: bool) -> Line:
+    interface = bundle.tail if bundle.tail[0] != NODE else bundle.head
+    matched = graph.nodes[interface]["matched"]
+    stroke: Stroke = "dotted" if bundle.conditional else "solid" if matched and not bundle.broken else "dashed"
+    if bundle.observed:
+        stroke = "dashed" if bundle.observed == MISSING else "solid"
+    labels = [bundle.remark] if bundle.remark else []
+    if few and interface[0] == TOPIC and bundle.tail == interface and not bundle.broken:
+        ends = [edge["endpoint"] for edge in _edges_at(graph, interface)]
+        users = [edge["endpoint"] for edge in graph.get_edge_data(bundle.tail, bundle.head).values()]
+        labels += qos_of_users(ends, users)
+    return Line(
+        bundle.tail,
+        bundle.head,
+        graph.nodes[interface]["kind"],
+        tuple(labels),
+        broken=bundle.broken,
+        held_back=bundle.held_back,
+        tone=bundle.observed or ("wrong" if bundle.broken else graph.nodes[interface]["kind"]),
+        stroke=stroke,
+        details=tuple(bundle.details.split("\n")),
+        differs=bool(bundle.observed),
+    )
+
+
+def _remapped(node: Key, interface: Key) -> Line:
+    return Line(
+        node,
+        interface,
+        interface[0],  # type: ignore[arg-type]  # a key's first part is its kind
+        tone="aside",
+        stroke="dashed",
+        directed=False,
+        details=("remapped by the launch file; without the source the direction is unknown",),
+    )
+
+
+__all__ = ["parts_of"]
