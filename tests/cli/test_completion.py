@@ -27,7 +27,7 @@ CASES = [
     ("archlint check --format", "j", ["json", "junit"]),
     ("archlint check --select", "OWN00", ["OWN001", "OWN002", "OWN003"]),
     ("archlint check --select", "SRV,OWN00", ["SRV,OWN001", "SRV,OWN002", "SRV,OWN003"]),
-    ("archlint explain", "ARC", ["ARC", "ARC001", "ARC002", "ARC003"]),
+    ("archlint explain", "ARC", ["ARC", "ARC001", "ARC002", "ARC003", "ARC004"]),
     ("archlint check --launch", "", ["src/a/launch/a.launch.py", "src/a/launch/b.launch.xml"]),
     ("archlint completion", "", ["bash", "fish", "zsh"]),
 ]

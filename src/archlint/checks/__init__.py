@@ -64,6 +64,7 @@ MODULES: tuple[str, ...] = (
     "contracts",
     "declared_owners",
     "layers",
+    "interface_drift",
     "conventions",
     "field_values",
     "fields",

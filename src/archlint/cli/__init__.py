@@ -21,6 +21,7 @@ COMMANDS = (
     "show",
     "trace",
     "docs",
+    "export",
     "facts",
     "observe",
     "explain",

@@ -40,6 +40,8 @@ commands:
                       it, with periods and waits; --from NAME, --to NAME
   docs [PATH ...]     a page of Markdown for each node and each launch file;
                       --check fails where committed pages are stale
+  export --format F   declarations made from the source: interface-yaml, nodl,
+                      json, sros2-policy, graphml
   facts -o DIR        compile this workspace into DIR; `check --facts DIR ...`
                       links it elsewhere
   observe             a script that records a running system; `--observed FILE`

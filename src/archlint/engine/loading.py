@@ -6,6 +6,7 @@ import os
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
+from pathlib import PurePath
 from typing import TYPE_CHECKING
 
 from archlint.config.options import options_for
@@ -20,6 +21,7 @@ from archlint.programs.kept_launches import keep_launches
 from archlint.programs.linker import Linker
 from archlint.programs.scripts import forget_names
 from archlint.ros.interfaces import InterfaceTable
+from archlint.syntax.interface_declarations import FILE_NAME
 from archlint.syntax.workspace_files import WorkspaceFiles
 from archlint.systems.code import WorkspaceCode
 from archlint.systems.instances import assemble
@@ -74,6 +76,7 @@ def systems_of(inputs: Inputs, facts: FactsOfFiles) -> list[System]:
             is_subset=is_subset(request, workspace),
             roles=linker.index.roles,
             cut_short=linker.cut_short,
+            declaration_files=declaration_files(workspace),
         ),
         closed=request.settings.closed_world,
         chosen=request.launch,
@@ -89,6 +92,11 @@ def systems_of(inputs: Inputs, facts: FactsOfFiles) -> list[System]:
     if request.observed is not None:
         systems[0] = _compared(systems[0], request.observed, request, workspace)
     return systems
+
+
+def declaration_files(workspace: Workspace) -> list[str]:
+    """The files that declare the interfaces of nodes."""
+    return sorted(file.relative for file in workspace.files if PurePath(file.relative).name == FILE_NAME)
 
 
 def _installs(inputs: Inputs, files: WorkspaceFiles, faults: Faults) -> dict[str, Installs]:

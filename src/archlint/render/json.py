@@ -139,7 +139,7 @@ def endpoint_data(endpoint: Endpoint) -> dict[str, Any]:
     described = {
         "name": endpoint.name,
         "type": endpoint.type,
-        "qos": _qos(endpoint.qos),
+        "qos": qos_data(endpoint.qos),
         "file": shown_file(place.file),
         "line": place.line,
         "column": place.column,
@@ -163,7 +163,8 @@ def _callback(creation: Creation) -> str | None:
     return callback.name if callback else None
 
 
-def _qos(qos: Qos | None) -> dict[str, Any] | None:
+def qos_data(qos: Qos | None) -> dict[str, Any] | None:
+    """A profile; None where nothing is known of it."""
     if qos is None:
         return None
     described: dict[str, Any] = {

@@ -70,13 +70,17 @@ _LIFECYCLE = (
 )
 
 
-def with_implicit(system: System, distro: str | None = None) -> System:
-    """A copy of ``system`` in which each node has its implicit endpoints too."""
-    nodes = [replace(node, creations=(*node.creations, *_implicit_creations(node, distro))) for node in system.nodes]
-    return replace(system, nodes=nodes)
+def with_implicit(system: System, distro: str | None = None, of_actions: bool = True) -> System:
+    """A copy of ``system`` in which each node has its implicit endpoints too, those that actions are made of only
+    where they are wanted."""
+
+    def more(node: Node) -> Node:
+        return replace(node, creations=(*node.creations, *_implicit_creations(node, distro, of_actions)))
+
+    return replace(system, nodes=[more(node) for node in system.nodes])
 
 
-def _implicit_creations(node: Node, distro: str | None = None) -> list[NamedCreation]:
+def _implicit_creations(node: Node, distro: str | None, of_actions: bool) -> list[NamedCreation]:
     """What the code of ``node`` creates without mentioning it.  ``distro`` None stands for Jazzy and later.
 
     Those under a node whose name is not known have no name either; a node that is not in this workspace has
@@ -85,7 +89,7 @@ def _implicit_creations(node: Node, distro: str | None = None) -> list[NamedCrea
     if node.blueprint is None:
         return []
     own = [_named(entity, node.blueprint, node) for entity in _entities(node, node.blueprint, distro)]
-    return [*own, *_of_actions(node)]
+    return [*own, *(_of_actions(node) if of_actions else ())]
 
 
 def implicit_names(system: System) -> frozenset[str]:

@@ -192,6 +192,8 @@ class WorkspaceIndex:
     faults: Faults = field(default_factory=Faults)
     """Where archlint itself failed in this run."""
     interfaces: InterfaceTable | None = None
+    declaration_files: Sequence[str] = ()
+    """The files that declare the interfaces of nodes, by their shown paths."""
     explicit: bool = False
     """True where a launch file was named: the only system then."""
     is_subset: bool = False
