@@ -27,6 +27,12 @@ class Base(Node):
         self.rate = self.get_parameter('rate').value
         self.state = self.create_publisher(String, '/robot/state', 10)
         self.client = self.create_client(Trigger, 'reset')
+        self.slow = self.create_service(Trigger, 'slow', self.on_slow)
+
+    def on_slow(self, request, response):
+        time.sleep(2.0)
+        self.pause()
+        return response
 
     def wait(self):
         while not self.client.wait_for_service(timeout_sec=1.0):
@@ -51,6 +57,7 @@ class {cls}(Base):
 
     def on_word(self, message):
         self.pause()
+        rclpy.spin_once(self)
         self.state.publish(message.data)
 
 
@@ -68,6 +75,9 @@ EDITS = [
     ("time.sleep(0.0)", "time.sleep(1.0)"),
     ("        self.pause()\n", ""),
     ("        self.wait()\n", "\n"),
+    ("        rclpy.spin_once(self)\n", ""),
+    ("time.sleep(2.0)", "time.sleep(20.0)"),
+    ("time.sleep(20.0)", "time.sleep(0.2)"),
     ("self.on_word, 10", "self.pause, 10"),
     ("message.data)", "message)"),
     ("(Base)", "(rclpy.node.Node)"),
@@ -106,7 +116,7 @@ def test_the_first_answer_after_any_edit_is_the_whole_one(robot: Robot, seed: in
     asked = Asked((str(robot.folder),), Settings())
     live = LiveWorkspace(str(robot.folder))
     codes = {finding.code for finding in live.analyse(asked, {}).findings}
-    assert codes >= {"PRM003", "NME001", "TMO003", "TMO004", "TOP005"}
+    assert codes >= {"EXE001", "PRM003", "NME001", "SRV008", "TMO003", "TMO004", "TOP005"}
 
     for buffers in edits(robot, seed):
         first, whole = live.first_answer(asked, buffers), live.analyse(asked, buffers)

@@ -7,7 +7,6 @@ from collections import Counter
 from itertools import chain
 from typing import TYPE_CHECKING
 
-from archlint.analysis.kept import kept
 from archlint.analysis.own_names import BY_NAME
 from archlint.analysis.source_code import code_of
 from archlint.analysis.surrounding_code import tree_of
@@ -16,7 +15,7 @@ from archlint.model import (
     Role,
 )
 from archlint.syntax import facts
-from archlint.syntax.parts import everything_in
+from archlint.syntax.parts import everything_in, once_for
 
 if TYPE_CHECKING:
     from archlint.finding import Place
@@ -173,4 +172,7 @@ def _attributes(method: facts.Function) -> dict[str, int]:
 
 def _uses(workspace: WorkspaceIndex, file: str) -> _Uses | None:
     tree = tree_of(workspace, file)
-    return None if tree is None else kept(workspace, (_Uses, file), lambda: _Uses(tree))
+    return None if tree is None else _uses_in(tree)
+
+
+_uses_in = once_for(_Uses)

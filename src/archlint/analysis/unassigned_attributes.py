@@ -38,6 +38,7 @@ READ_ONLY = frozenset(
 _NODE = "rclpy.node.Node"
 _PLAIN = frozenset({"object", "abc.ABC"})
 """Foreign bases that bring nothing that code would ask for."""
+_OF_ALL = frozenset(dir(object))
 _SLIP = 2
 """By how many letters a name with one word more may differ from the one that was meant."""
 _ANY_NAME = frozenset({"setattr", "vars", "__dict__", "__getattr__", "__getattribute__"})
@@ -79,6 +80,8 @@ class Unassigned:
 def overwritten_properties(workspace: WorkspaceIndex) -> Iterator[Overwritten]:
     """Every such assignment in a class that is certainly a node of rclpy."""
     for cls in _classes(workspace):
+        if not _set_on_self(cls.code):
+            continue
         chain = chain_of(workspace, cls)
         known = chain.complete and all(_of_foreign(path) is not None for path in chain.foreign)
         if not known or NODE_CLASSES.isdisjoint(chain.foreign):
@@ -97,10 +100,9 @@ def unassigned_attributes(workspace: WorkspaceIndex) -> Iterator[Unassigned]:
         members = _members(chain)
         if members is None:
             continue
-        assigned = _assigned_in(chain)
-        for read in _reads(cls.code):
-            if read.name in members:
-                continue
+        missing = [read for read in _reads(cls.code) if not any(read.name in names for names in members)]
+        assigned = _assigned_in(chain) if missing else {}
+        for read in missing:
             near = nearest(read.name, _candidates(assigned, read))
             if (near is None and not _is_made(workspace, cls)) or _may_get(workspace, cls, read.name):
                 continue
@@ -145,15 +147,15 @@ def _place(file: str, part: facts.Attribute) -> Place:
 # ------------------------------------------------------------------------------------------------ what a class has
 
 
-def _members(chain: Chain) -> frozenset[str] | None:
-    """All that an object of a class has; None where it may have more."""
+def _members(chain: Chain) -> list[frozenset[str]] | None:
+    """All that an object of a class has, by what gives it that; None where it may have more."""
     foreign = [_of_foreign(path) for path in chain.foreign]
     if not chain.complete or any(names is None for names in foreign):
         return None
     own = [_of_class(cls.code) for cls in chain.own]
     if any(names is None for names in own):
         return None
-    return frozenset().union(dir(object), *filter(None, foreign), *filter(None, own))
+    return [_OF_ALL, *filter(None, foreign), *filter(None, own)]
 
 
 def _of_foreign(path: str) -> frozenset[str] | None:
@@ -331,7 +333,7 @@ def _may_get(workspace: WorkspaceIndex, cls: ClassInFile, name: str) -> bool:
     assigns it to an object that is not ``self``, or names it in a text."""
     for derived in _derived(workspace, cls):
         members = _members(chain_of(workspace, derived))
-        if members is None or name in members:
+        if members is None or any(name in names for names in members):
             return True
     file_facts = workspace.facts_at(cls.file)
     if file_facts is None or any(target.variable == cls.code.name for target in targets_of(file_facts.body)):

@@ -194,9 +194,10 @@ def _owner(workspace: WorkspaceIndex | None, endpoint: Endpoint) -> str | None:
             return owner
     if _OF_A_JOINT.match(name):
         return "Gazebo"
-    if name.rfind("/") > 0 or (workspace is not None and name in _spoken_here(workspace)):
+    speaker = next((owner for prefix, owner in _TYPES_OF_OTHERS.items() if type_.startswith(prefix)), None)
+    if speaker is None or name.rfind("/") > 0 or (workspace is not None and name in _spoken_here(workspace)):
         return None
-    return next((owner for prefix, owner in _TYPES_OF_OTHERS.items() if type_.startswith(prefix)), None)
+    return speaker
 
 
 @once

@@ -51,7 +51,7 @@ _THAT_ACTION = "let clients send a goal to {} of this node instead"
 _Sleep = tuple["ApiCall", Stay]
 
 
-@rule("SRV008", scope=Scope.CODE, taste=True)
+@rule("SRV008", scope=Scope.CODE, by_program=True, taste=True)
 def long_running_service(system: System, options: Options) -> Iterator[Finding]:
     """Service handlers that sleep, once for long or again and again; one finding a handler."""
     code = source_code(system)

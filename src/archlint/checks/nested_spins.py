@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from archlint.systems.model import System
 
 
-@rule("EXE001", scope=Scope.CODE)
+@rule("EXE001", scope=Scope.CODE, by_program=True)
 def spin_in_callback(system: System, options: Options) -> Iterator[Finding]:
     """Spins that a callback reaches; of those of a service handler for an answer, SRV003 speaks."""
     reported = nested_spins(system, options.distros)

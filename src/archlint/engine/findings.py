@@ -119,7 +119,9 @@ def _judged(
     systems = systems_of(inputs, facts)
     index = systems[0].workspace or WorkspaceIndex()
     faults, launch_files = index.faults, index.launch_files
-    imported = [f for f in python_files(workspace) if f not in known and facts.was_read(f) and not facts.is_ros1(f)]
+    own = {file.path for file in known}
+    others = (file for file in python_files(workspace) if file.path not in own)
+    imported = [file for file in others if facts.was_read(file) and not facts.is_ros1(file)]
     imported.extend(broken_packages(python_files(workspace), facts))
     to_report = _without_left_alone([*known, *imported], request, index, facts)
     candidates = [*_problems(workspace, to_report, facts), *merged(_rules(request, systems, inputs.memory))]

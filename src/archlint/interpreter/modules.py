@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Literal
 from archlint.interpreter.reads import Reads
 from archlint.place import Place
 from archlint.syntax.facts import Class, Facts, Function, Import, ImportFrom, Span, Stmt
+from archlint.syntax.parts import once_for
 from archlint.syntax.walk import statements_of
 from archlint.workspace.closure import closure
 from archlint.workspace.test_code import FileRoles
@@ -102,7 +103,6 @@ class ModuleIndex:
         self._by_path: dict[str, SourceFile] = {}
         self._by_tail: dict[str, list[SourceFile]] = {}
         self._meant: dict[tuple[str, str, int], SourceFile | None] = {}
-        self._written_imports: dict[str, list[tuple[str, int]]] = {}
         """What the code of a module imports, by its path: the names and their dots."""
         self._imported: dict[str, tuple[frozenset[Module], Reads]] = {}
         self._readers: list[Reads] = []
@@ -129,8 +129,9 @@ class ModuleIndex:
             self._by_path[path] = file
             for named in _names_of(file):
                 self._by_path.setdefault(named.path.replace("\\", "/"), file)
-                if named.module and file not in self._by_name.setdefault(named.module, []):
-                    self._by_name[named.module].append(file)
+                alike = self._by_name.setdefault(named.module, []) if named.module else [file]
+                if not alike or alike[-1] is not file:  # a link may give it the same name again
+                    alike.append(file)
             stem = path.removesuffix("/__init__.py").removesuffix(".py")
             self._by_tail.setdefault(stem.rpartition("/")[2], []).append(file)
 
@@ -298,9 +299,7 @@ class ModuleIndex:
         return modules
 
     def _imports_of(self, module: Module) -> Iterator[Module]:
-        if module.file.path not in self._written_imports:
-            self._written_imports[module.file.path] = list(_imported_names(module.facts.body))
-        for name, level in self._written_imports[module.file.path]:
+        for name, level in _imported_names(module.facts):
             imported = self.find(module, name, level)
             if imported is not None:
                 yield imported
@@ -362,16 +361,19 @@ def _names_of(file: SourceFile) -> tuple[SourceFile | Link, ...]:
     return (file, *file.links)
 
 
-def _imported_names(body: Sequence[Stmt]) -> Iterator[tuple[str, int]]:
+@once_for
+def _imported_names(module: Facts) -> list[tuple[str, int]]:
     """The names that the imports of a module may mean, each with the dots before it."""
-    for part in _imports(body):
+    rows: list[tuple[str, int]] = []
+    for part in _imports(module.body):
         if isinstance(part, Import):
             names = [".".join(part.module.split(".")[:end]) for end in range(1, part.module.count(".") + 2)]
             level = 0
         else:
             names = [part.module, *(f"{part.module}.{name}".lstrip(".") for name, _ in part.names)]
             level = part.level
-        yield from ((name, level) for name in names if name or level)
+        rows += [(name, level) for name in names if name or level]
+    return rows
 
 
 def _imports(body: Sequence[Stmt]) -> Iterator[Import | ImportFrom]:

@@ -77,6 +77,9 @@ def shown_now(findings: Iterable[Finding], shifts: Mapping[str, Shifts]) -> list
     without those whose lines have changed."""
     shown = []
     for finding in findings:
+        if shifts.keys().isdisjoint((finding.place.file, *(related.place.file for related in finding.related))):
+            shown.append(finding)
+            continue
         shift = shifts.get(finding.place.file)
         place = finding.place if shift is None else shift.of(finding.place)
         if place is not None:

@@ -90,6 +90,9 @@ class Linker:
         self.earlier.of(self.kept)
         self.files = sorted(files.files, key=lambda file: file.relative)
         self._shown = {file.relative: file for file in self.files}
+        self._by_module: dict[str | None, list[SourceFile]] = {}
+        for file in self.files:
+            self._by_module.setdefault(file.module, []).append(file)
         self.relevant = files.relevant
         self.interfaces = interfaces
         self.jobs = jobs
@@ -215,11 +218,8 @@ class Linker:
         shown path ``near``."""
         if entry.file is not None:
             return self.index.module(entry.file)
-        candidates = [
-            file
-            for file in self.files
-            if file.module == entry.module and file.package == entry.package and file.kind != "setup_py"
-        ]
+        named = self._by_module.get(entry.module, ())
+        candidates = [file for file in named if file.package == entry.package and file.kind != "setup_py"]
         candidates = candidates or self._files_at(entry)
         if not candidates:
             return None

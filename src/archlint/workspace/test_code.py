@@ -6,6 +6,7 @@ import posixpath
 import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 _TRIES_OUT = frozenset({"test", "tests", "testing", "mock", "mocks", "mocked", "dummy", "dummies"}) | {
     *("fake", "fakes", "stub", "stubs", "fixture", "fixtures"),
@@ -39,14 +40,7 @@ class FileRoles:
 
     def is_test(self, path: str) -> bool:
         """Whether a file is test code: in a folder ``test`` or ``tests`` of the workspace, or named like a test."""
-        *folders, name = self._parts(path)
-        stem = name.removesuffix(".py")
-        return (
-            any(folder in ("test", "tests") for folder in folders)
-            or stem.startswith("test_")
-            or stem.endswith("_test")
-            or stem == "conftest"
-        )
+        return _is_test(self._below_workspace(path))
 
     def is_trial(self, path: str) -> bool:
         """Whether a file is test code, or replaces something (a mock), or tries it out, by a word in its own name or in
@@ -72,8 +66,22 @@ class FileRoles:
         return None if word is None else posixpath.join(folder, name[word.end() :])
 
     def _parts(self, path: str) -> list[str]:
-        below = self.below.rstrip("/") + "/" if self.below not in ("", ".") else ""
-        return path.removeprefix(below).split("/")
+        return self._below_workspace(path).split("/")
+
+    def _below_workspace(self, path: str) -> str:
+        return path.removeprefix(self.below.rstrip("/") + "/" if self.below not in ("", ".") else "")
+
+
+@lru_cache(maxsize=50_000)  # asked of each call that programs make
+def _is_test(path: str) -> bool:
+    *folders, name = path.split("/")
+    stem = name.removesuffix(".py")
+    return (
+        any(folder in ("test", "tests") for folder in folders)
+        or stem.startswith("test_")
+        or stem.endswith("_test")
+        or stem == "conftest"
+    )
 
 
 def common_folder(paths: Sequence[str]) -> str:
