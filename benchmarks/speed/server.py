@@ -22,6 +22,8 @@ from benchmarks.speed.edits import Topic, topics_below
 from benchmarks.speed.workspaces import make_workspace
 
 _PATIENCE = 300.0
+_QUIET = 1.5
+"""Seconds without any work after which the server has done all that it does for an edit."""
 
 
 @dataclass
@@ -53,11 +55,14 @@ def _half_typed(text: str, topic: Topic, number: int) -> str:
     return f"{text}\ndef later_{number}(\n"
 
 
-_EDITS: dict[str, Callable[[str, Topic, int], str]] = {
-    "another name for a topic": _renamed,
-    "a comment at the end": _commented,
-    "half-typed code": _half_typed,
-}
+_Edit = Callable[[str, Topic, int], str]
+_EDITS: tuple[tuple[str, _Edit, bool], ...] = (
+    ("another name for a topic", _renamed, True),
+    ("the same, while the whole answer to the edit before is worked out", _renamed, False),
+    ("a comment at the end", _commented, True),
+    ("half-typed code", _half_typed, True),
+)
+"""Kinds of edits, and whether each is made after a pause in the typing."""
 
 
 def waits(packages: int, rounds: int) -> Iterator[Waits]:
@@ -74,9 +79,12 @@ async def _all(root: Path, rounds: int) -> list[Waits]:
     await client.begin(root)
     topics = topics_below(root)[:rounds]
     rows = []
-    for kind, edit in _EDITS.items():
+    for kind, edit, pauses in _EDITS:
         row = Waits(kind)
-        for number, topic in enumerate(topics):
+        await client.rest()
+        for number, topic in enumerate(topics, len(rows) * rounds):
+            if pauses:
+                await client.rest()
             wall, cpu = await client.type(topic.file, edit(client.text(topic.file), topic, number))
             row.wall.append(wall)
             row.cpu.append(cpu)
@@ -116,7 +124,7 @@ class _Client:
             item = lsp.TextDocumentItem(uri, "python", 0, file.read_text())
             self._client.text_document_did_open(lsp.DidOpenTextDocumentParams(item))
             await self._until(lambda: uri in self._shown)
-            await asyncio.sleep(2)  # whatever else the server does after an analysis
+            await self.rest()
         self._texts[file] = text
         self._versions[uri] += 1
         version, began, used = self._versions[uri], time.perf_counter(), self._processor_time()
@@ -125,6 +133,13 @@ class _Client:
         self._client.text_document_did_change(lsp.DidChangeTextDocumentParams(document, [change]))
         await self._until(lambda: self._shown.get(uri) == version)
         return time.perf_counter() - began, self._processor_time() - used
+
+    async def rest(self) -> None:
+        """Until the server has nothing more to do."""
+        used = -1.0
+        while used != (now := self._processor_time()):
+            used = now
+            await asyncio.sleep(_QUIET)
 
     async def _until(self, holds: Callable[[], bool]) -> None:
         while not holds():

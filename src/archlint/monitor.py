@@ -27,6 +27,9 @@ class Monitor:
     def judging(self, systems: int) -> None:
         """So many more systems are to be judged."""
 
+    def asking(self) -> None:
+        """A rule is asked next."""
+
     def judged(self) -> None:
         """A system has been judged."""
 

@@ -11,6 +11,7 @@ from archlint.finding import Finding
 from archlint.live.buffers import Buffer, Buffers, as_saved
 from archlint.live.snapshot import Snapshot
 from archlint.live.workspace import Asked, LiveWorkspace
+from archlint.monitor import Monitor
 from server.robot import LISTENER, TALKER, Robot
 
 LAUNCH = """\
@@ -113,6 +114,26 @@ def test_there_is_no_first_answer_to_what_is_more_than_an_edit_of_code(live: Liv
     assert live.hold(live.robot.talker, TALKER).first_answer() is None
     live.analyse()
     assert live.hold(live.robot.manifest, live.robot.manifest.read_text("utf-8")).first_answer() is None
+
+
+class Newer(BaseException):
+    """What ends an analysis that is overtaken."""
+
+
+def test_an_analysis_that_is_overtaken_ends_before_the_next_rule(live: Live) -> None:
+    asked: list[str] = []
+
+    class Overtaking(Monitor):
+        def asking(self) -> None:
+            asked.append("a rule")
+            if len(asked) == 3:
+                raise Newer
+
+    with pytest.raises(Newer):
+        live.workspace.analyse(live.asked, live.buffers, Overtaking())
+
+    assert len(asked) == 3
+    assert live.analyse().findings == LiveWorkspace(str(live.robot.folder)).analyse(live.asked, {}).findings
 
 
 def test_a_comment_that_moves_nothing_is_no_reason_to_judge_again(live: Live, monkeypatch: pytest.MonkeyPatch) -> None:

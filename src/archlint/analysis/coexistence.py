@@ -61,7 +61,10 @@ def named_by_library(endpoint: Endpoint) -> bool:
 
 
 def in_source_order(endpoints: Iterable[Endpoint]) -> list[Endpoint]:
-    return sorted(endpoints, key=lambda e: (e.place, e.node.name or "", e.type or ""))
+    ends = list(endpoints)
+    if len(ends) > 1:
+        ends.sort(key=lambda end: (end.place, end.node.name or "", end.type or ""))
+    return ends
 
 
 def coexisting_pairs(system: System, endpoints: Iterable[Endpoint]) -> Iterator[tuple[Endpoint, Endpoint]]:

@@ -36,7 +36,12 @@ def judged_calls(system: System) -> list[tuple[Program, ApiCall]]:
         for call in program.calls
         if not system.roles.is_test(call.place.file)
     ]
-    return sorted(judged, key=lambda row: (row[1].place, row[1].api, len(row[1].chain)))
+    return sorted(judged, key=_in_source)
+
+
+def _in_source(row: tuple[Program, ApiCall]) -> tuple[object, ...]:
+    _, call = row
+    return call.place.file, call.place.span, call.api, len(call.chain)
 
 
 _Noted = TypeVar("_Noted", "RefusedCall", "WrongValue", "MistakenFuture")

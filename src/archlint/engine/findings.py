@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_left_alone
@@ -119,11 +120,7 @@ def _judged(
     systems = systems_of(inputs, facts)
     index = systems[0].workspace or WorkspaceIndex()
     faults, launch_files = index.faults, index.launch_files
-    own = {file.path for file in known}
-    others = (file for file in python_files(workspace) if file.path not in own)
-    imported = [file for file in others if facts.was_read(file) and not facts.is_ros1(file)]
-    imported.extend(broken_packages(python_files(workspace), facts))
-    to_report = _without_left_alone([*known, *imported], request, index, facts)
+    to_report = _without_left_alone([*known, *_imported(workspace, known, facts)], request, index, facts)
     candidates = [*_problems(workspace, to_report, facts), *merged(_rules(request, systems, inputs.memory))]
     candidates.extend(_of_interfaces(workspace, systems, inputs.tree, faults))
     by_file = {file.relative: read.suppressions for file in known if (read := facts.facts_of(file)) is not None}
@@ -168,6 +165,14 @@ def _judged(
     return judged, shown, systems
 
 
+def _imported(workspace: Workspace, known: Sequence[SourceFile], facts: FactsOfFiles) -> Iterator[SourceFile]:
+    """The files that were read beside those that were asked for, and the packages that cannot be imported."""
+    own = {file.path for file in known}
+    others = (file for file in python_files(workspace) if file.path not in own)
+    yield from (file for file in others if facts.was_read(file) and not facts.is_ros1(file))
+    yield from broken_packages(python_files(workspace), facts)
+
+
 def _passed_over(inputs: Inputs, facts: FactsOfFiles, launch_files: LaunchFiles) -> Iterator[str]:
     """What is reported of files for ROS 1; raises :class:`NothingToDo` where there are no others."""
     workspace = inputs.workspace
@@ -186,6 +191,7 @@ def _passed_over(inputs: Inputs, facts: FactsOfFiles, launch_files: LaunchFiles)
 def _rules(request: Request, systems: Sequence[System], memory: Memory | None = None) -> Iterator[Finding]:
     settings, checks = request.settings, registered()
     selection = settings.selection
+    judge = partial(judge_alternatives, monitor=request.monitor)
     request.monitor.judging(len(systems))
     options: dict[tuple[str, ...], Mapping[str, Options]] = {}
     for system in systems:
@@ -197,9 +203,9 @@ def _rules(request: Request, systems: Sequence[System], memory: Memory | None = 
             options[key] = options_for(settings, codes)
         selected = options[key]
         if memory is None:
-            yield from judge_alternatives(system, selected)
+            yield from judge(system, selected)
         else:
-            yield from memory.judged(system, selected, judge_alternatives)
+            yield from memory.judged(system, selected, judge)
         request.monitor.judged()
 
 

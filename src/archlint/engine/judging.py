@@ -10,18 +10,22 @@ from archlint.analysis.aside import is_aside, is_disused
 from archlint.checks.registry import Check, Options, failure, registered
 from archlint.faults import Fault
 from archlint.finding import Finding, Place
+from archlint.monitor import Monitor
 from archlint.rulebook import rules
 from archlint.systems.variants import Arguments, condition
 
 if TYPE_CHECKING:
     from archlint.systems.model import System
 
+_NOBODY = Monitor()
 
-def judge(system: System, selected: Mapping[str, Options]) -> Iterator[Finding]:
+
+def judge(system: System, selected: Mapping[str, Options], monitor: Monitor = _NOBODY) -> Iterator[Finding]:
     """What the selected rules find in a system; a rule that raises becomes an LNT003 finding."""
     for code, check in registered().items():
         if code not in selected:
             continue
+        monitor.asking()
         try:
             findings = list(check.function(system, selected[code]))
         except Exception as error:
@@ -38,20 +42,23 @@ def _passes_by(check: Check, system: System, file: str) -> bool:
     return check.in_use and is_disused(system.workspace, file)
 
 
-def judge_alternatives(system: System, selected: Mapping[str, Options]) -> Iterator[Finding]:
+def judge_alternatives(
+    system: System, selected: Mapping[str, Options], monitor: Monitor = _NOBODY
+) -> Iterator[Finding]:
     """As :func:`judge`; where arguments that nothing decides, or that have choices, make several systems of one launch
     file, each is judged, and a finding says under which arguments it holds.  Of choices, only what the defaults do not
     show at the same place is reported."""
     if not system.alternatives:
-        yield from judge(system, selected)
+        yield from judge(system, selected, monitor)
         return
     checks = registered()
     split = {c: options for c, options in selected.items() if c in checks and checks[c].scope.of_each_arguments}
-    yield from judge(system, {code: options for code, options in selected.items() if code not in split})
+    rest = {code: options for code, options in selected.items() if code not in split}
+    yield from judge(system, rest, monitor)
     every = [arguments for arguments, _ in system.alternatives]
     holding: dict[tuple[object, ...], tuple[Finding, list[Arguments]]] = {}
     for arguments, alternative in system.alternatives:
-        for finding in judge(alternative, split):
+        for finding in judge(alternative, split, monitor):
             key = (finding.code, finding.place, finding.message, finding.node, finding.related)
             holding.setdefault(key, (finding, []))[1].append(arguments)
     at_place: dict[tuple[object, ...], list[Finding]] = {}

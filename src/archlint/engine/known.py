@@ -90,7 +90,9 @@ class Sieve:
     """
 
     def __init__(self, baseline: Baseline | None = None, before: Sequence[Older] | None = None) -> None:
-        self.occurrences: list[Occurrence] = []
+        self._held: list[Occurrence] = []
+        self._unheld: list[tuple[Finding, Set[str]]] = []
+        """The findings where there is nothing to compare them with."""
         self._entries = () if baseline is None else baseline.entries
         self._older = None if before is None else Counter(older.key for older in before)
         self._baseline = Known(entry.key for entry in self._entries)
@@ -101,16 +103,25 @@ class Sieve:
 
     def part(self, findings: Iterable[Finding], files: Set[str] = frozenset()) -> Sifted:
         """The findings of one workspace, known ones apart; ``files`` are its files, as findings name them."""
+        ordered = sorted(findings, key=lambda finding: finding.sort_key)
+        if not self._entries and self._older is None:
+            self._unheld += ((finding, files) for finding in ordered)
+            return Sifted(new=ordered)
         sifted = Sifted()
-        for finding in sorted(findings, key=lambda finding: finding.sort_key):
+        for finding in ordered:
             occurrence = Occurrence.of(finding, files)
             # Both are asked: what the baseline holds is no longer there for an equal finding that is new.
             baselined, older = self._baseline.takes(occurrence.key), self._is_older(occurrence)
             if finding.code in NEVER_HELD:
                 baselined = older = False
             (sifted.baselined if baselined else sifted.older if older else sifted.new).append(finding)
-            self.occurrences.append(replace(occurrence, known=baselined or older))
+            self._held.append(replace(occurrence, known=baselined or older))
         return sifted
+
+    @property
+    def occurrences(self) -> list[Occurrence]:
+        """Every finding so far as it is known again."""
+        return [*self._held, *(Occurrence.of(finding, files) for finding, files in self._unheld)]
 
     def _is_older(self, occurrence: Occurrence) -> bool:
         """Whether the earlier revision has a finding, too, perhaps in a file that was renamed since."""

@@ -168,6 +168,9 @@ class _Watching(Monitor):
     def judging(self, systems: int) -> None:
         self._look()
 
+    def asking(self) -> None:
+        self._look()
+
     def judged(self) -> None:
         self._look()
 

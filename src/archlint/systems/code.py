@@ -40,8 +40,12 @@ class WorkspaceCode:
         file = self._by_path.get(path)
         return None if file is None or file.kind not in PYTHON_KINDS else self._facts_of(file)
 
-    def asked_for(self) -> list[tuple[SourceFile, Facts]]:
+    def asked_for(self) -> Sequence[tuple[SourceFile, Facts]]:
         """The files that were asked for and that can matter, with their facts."""
+        return self._asked_for
+
+    @cached_property
+    def _asked_for(self) -> list[tuple[SourceFile, Facts]]:
         rows = [(file, self._facts_of(file)) for file in self._files if self._matters(file)]
         return [(file, read) for file, read in rows if read is not None]
 
