@@ -1,12 +1,18 @@
-# On a fresh Debian machine with Python 3.10 or newer: `make demo`, `make test` and `make test-ros`; all tests, as .ci/run
-# has them: `make --keep-going --jobs 3 --output-sync=target test test-ros`.
+# On a fresh Debian machine with Python 3.10 or newer: `make demo`, `make test`, `make test-ros` and `make test-page`; all
+# tests, as .ci/run has them: `make --keep-going --jobs 4 --output-sync=target test test-ros test-page`.
 
 PYTHON ?= python3
 VENV   := .venv
 BIN    := $(VENV)/bin
 STAMP  := $(VENV)/.installed-$(shell cksum < pyproject.toml | tr -d ' ')
 
-.PHONY: demo test test-ros test-ros-full adoption adoption-public docs check style types layers suite clean
+# Debian packages, where we may install some: one target at a time, since apt does not wait for another one.
+define APT
+	sudo=; test "$$(id -u)" = 0 || sudo=sudo; \
+	flock /tmp/archlint-apt.lock sh -c "$$sudo apt-get update -qq && $$sudo apt-get install -qq -y $(1)"
+endef
+
+.PHONY: demo test test-page test-ros test-ros-full adoption adoption-public docs check style types layers suite clean
 
 # A Debian without python3-venv cannot make an environment with pip in it: install that package where we may.
 $(STAMP): pyproject.toml
@@ -40,10 +46,14 @@ suite: $(STAMP)  ## as many tests at a time as there are processors
 test-ros: $(STAMP)  ## against running nodes, on the ROS 2 distributions that PyPI has wheels of: two at a time
 	@command -v cmake >/dev/null && command -v c++ >/dev/null || { \
 	  echo "installing cmake and g++, which build interfaces" >&2; \
-	  sudo=; test "$$(id -u)" = 0 || sudo=sudo; \
-	  $$sudo apt-get update -qq && $$sudo apt-get install -qq -y cmake g++; } || true
+	  $(call APT,cmake g++); } || true
 	@$(MAKE) --no-print-directory $(if $(findstring jobserver,$(MAKEFLAGS)),,--jobs 2) --keep-going --output-sync=target \
 	  test-ros-jazzy test-ros-kilted
+
+test-page: $(STAMP)  ## the HTML page in a real Chromium, which is installed where it is missing
+	@command -v chromium >/dev/null || { echo "installing chromium, which opens the HTML page" >&2; \
+	  $(call APT,chromium) >/dev/null; } || true
+	$(BIN)/python -m pytest tests_page -rs
 
 test-ros-full:  ## the same, each program started in every way and recorded, too
 	@$(MAKE) --no-print-directory test-ros TESTS_ROS=--full

@@ -51,14 +51,18 @@ def test_mermaid_crosses_it_out_in_red() -> None:
     assert "linkStyle 0,1 stroke:#b91c1c" in drawn
 
 
-@pytest.mark.parametrize("show", [svg, html])
-def test_pictures_carry_the_colour_and_the_words(show) -> None:
-    drawn = show(scan())
+def test_a_picture_carries_the_colour_and_the_words() -> None:
+    drawn = svg(scan())
     assert "#b91c1c" in drawn
     assert REASON in drawn
 
 
-@pytest.mark.parametrize("show", [text.render, dot, mermaid, svg, html])
+def test_a_page_has_the_words() -> None:
+    assert f'"broken":"{REASON}"' in html(scan())
+    assert '"broken"' not in html(scan(listening=BEST_EFFORT))
+
+
+@pytest.mark.parametrize("show", [text.render, dot, mermaid, svg])
 @pytest.mark.parametrize(
     "listening",
     [BEST_EFFORT, Qos(reliability=None), Qos(reliability="system_default")],

@@ -113,7 +113,7 @@ def test_mermaid_colours_them_too(system: System):
     assert re.search(r"linkStyle \d+ stroke:#e11d48", drawn)
 
 
-def test_the_page_says_it_in_the_details(system: System):
+def test_the_page_has_it_in_its_data(system: System):
     page = html.render(system)
-    assert '"when it runs: missing"' in page
-    assert "when it runs: different: best effort" in page
+    assert '"look":"missing"' in page
+    assert re.search('"observed":"different","remark":"different: best effort', page)

@@ -19,6 +19,8 @@ from archlint.render.diagram.model import Diagram
 from archlint.render.errors import CannotDraw, NoGraphviz
 
 Picture = Literal["svg", "png", "pdf"]
+Layout = Literal["svg", "png", "pdf", "json0"]
+"""What Graphviz is asked for: a picture, or where everything stands (``json0``)."""
 
 TIME_LIMIT = 30
 """Seconds that a layout may take."""
@@ -55,7 +57,7 @@ def draw(diagram: Diagram, format: Picture) -> bytes:
     return layout(dot.write(diagram, **attributes), format)
 
 
-def layout(source: str, format: Picture) -> bytes:
+def layout(source: str, format: Layout) -> bytes:
     """What Graphviz makes of ``source``.  Raises :class:`CannotDraw`."""
     encoded = source.encode("utf-8", "replace")
     try:
@@ -76,7 +78,7 @@ def layout(source: str, format: Picture) -> bytes:
     )
 
 
-def _with_system_graphviz(source: bytes, format: Picture) -> bytes:
+def _with_system_graphviz(source: bytes, format: Layout) -> bytes:
     from graphviz.backend import dot_command, execute
 
     command = dot_command.command("dot", format)
@@ -84,7 +86,7 @@ def _with_system_graphviz(source: bytes, format: Picture) -> bytes:
     return bytes(done.stdout)
 
 
-def _with_bundled_graphviz(source: bytes, format: Picture) -> bytes:
+def _with_bundled_graphviz(source: bytes, format: Layout) -> bytes:
     command = [sys.executable, "-I", "-c", _BUNDLED, format, *filter(None, sys.path)]
     return subprocess.run(command, input=source, capture_output=True, timeout=TIME_LIMIT, check=True).stdout
 

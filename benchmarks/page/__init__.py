@@ -1,0 +1,1 @@
+"""How the HTML page behaves in a real browser; `python -m benchmarks.page` measures it."""

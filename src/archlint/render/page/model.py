@@ -1,0 +1,38 @@
+"""What a page is made of."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from archlint.finding import Finding
+    from archlint.systems.model import System
+
+
+@dataclass(frozen=True)
+class PageSystem:
+    """A system that the page can show, with the launch arguments that make it."""
+
+    system: System
+    arguments: Mapping[str, str] = field(default_factory=dict)
+
+    @property
+    def title(self) -> str:
+        """``launch/robot.launch.py  use_sim:=true``."""
+        words = [self.system.name or "all nodes", *(f"{name}:={value}" for name, value in self.arguments.items())]
+        return "  ".join(words)
+
+
+@dataclass(frozen=True)
+class PageContents:
+    """The systems of a page, the first of which it opens with, and what was found in them."""
+
+    systems: Sequence[PageSystem]
+    findings: Sequence[Finding] = ()
+    source_link: str | None = None
+    """The address of a place in the source, with ``{file}`` (as places have it), ``{line}`` and ``{column}``."""
+
+
+__all__ = ["PageContents", "PageSystem"]

@@ -1,0 +1,194 @@
+"""Where each shape of a picture stands and how each line runs, worked out by Graphviz when the page is written.
+
+A small graph is laid out as a whole.  Of a large one each group is laid out by itself and the groups are set in rows:
+``dot`` would need minutes and put them into one column.  Without Graphviz the page arranges itself when it is opened.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from archlint.render.drawing import layout
+from archlint.render.errors import CannotDraw
+
+Box = tuple[float, float, float, float]
+"""Left, top, width and height, in pixels."""
+
+AS_A_WHOLE = 220
+"""Shapes up to which one layout is made of all."""
+MOST = 3000
+"""Shapes beyond which a page arranges only what is opened."""
+
+_INCH = 72.0
+_LETTER = 6.7
+"""Pixels of a letter of 12 pixels' height, on average; names have few narrow ones."""
+_LINE, _PAD, _SMALL = 16.0, 10.0, 10.5 / 12
+_FRAME = 26.0
+"""Pixels between the frame of a group and what is in it; its title is there, too."""
+_BETWEEN = 40.0
+"""Pixels between groups."""
+
+
+@dataclass(frozen=True)
+class Shape:
+    """What stands in the picture: its lines of text, and the group that it is drawn in (empty for none)."""
+
+    is_node: bool
+    label: tuple[str, ...]
+    group: str
+
+    @property
+    def size(self) -> tuple[float, float]:
+        """Width and height; the first line is the name, in larger letters for a node."""
+        letter = _LETTER * (13 / 12 if self.is_node else 11 / 12)
+        widths = [len(self.label[0]) * letter, *(len(line) * _LETTER * _SMALL for line in self.label[1:])]
+        return (max(widths) + 2 * _PAD, len(self.label) * _LINE + _PAD)
+
+
+@dataclass(frozen=True)
+class Line:
+    """A line between two shapes, by their numbers."""
+
+    tail: int
+    head: int
+
+
+@dataclass(frozen=True)
+class Drawing:
+    """A box for each shape, and a path for each line: the points of a Bézier curve, x and y in turn, or None for a line
+    that the page draws."""
+
+    boxes: Sequence[Box]
+    paths: Sequence[Sequence[float] | None]
+
+
+def place(shapes: Sequence[Shape], lines: Sequence[Line]) -> Drawing | None:
+    """None where Graphviz is not there, or does not get it done."""
+    if not shapes or len(shapes) > MOST:
+        return None
+    try:
+        if len(shapes) <= AS_A_WHOLE:
+            return _whole(shapes, lines)
+        return _in_rows(shapes, lines)
+    except CannotDraw:
+        return None
+
+
+def _whole(shapes: Sequence[Shape], lines: Sequence[Line]) -> Drawing:
+    said = _laid_out(shapes, lines, hurry=False)
+    boxes = [said.box(number, shape) for number, shape in enumerate(shapes)]
+    return Drawing(boxes, [said.path(number) for number in range(len(lines))])
+
+
+def _in_rows(shapes: Sequence[Shape], lines: Sequence[Line]) -> Drawing:
+    """The lines inside of groups are laid out with them, and the page draws those in between."""
+    inner = [line if shapes[line.tail].group == shapes[line.head].group else None for line in lines]
+    said = _laid_out(shapes, inner, hurry=True)
+    boxes = [said.box(number, shape) for number, shape in enumerate(shapes)]
+    members: dict[str, list[int]] = {}
+    for number, shape in enumerate(shapes):
+        members.setdefault(shape.group, []).append(number)
+    moves: dict[str, tuple[float, float]] = {}
+    frames = {group: _around([boxes[number] for number in numbers]) for group, numbers in members.items()}
+    for group, (left, top) in _rows(frames):
+        moves[group] = (left - frames[group][0], top - frames[group][1])
+    return Drawing(
+        [_moved(box, moves[shape.group]) for box, shape in zip(boxes, shapes, strict=True)],
+        [
+            None if line is None else _path_moved(said.path(number), moves[shapes[line.tail].group])
+            for number, line in enumerate(inner)
+        ],
+    )
+
+
+def _around(boxes: Sequence[Box]) -> Box:
+    left, top = min(box[0] for box in boxes) - _FRAME, min(box[1] for box in boxes) - _FRAME
+    right = max(box[0] + box[2] for box in boxes) + _FRAME
+    return (left, top, right - left, max(box[1] + box[3] for box in boxes) + _FRAME - top)
+
+
+def _rows(frames: dict[str, Box]) -> Iterator[tuple[str, tuple[float, float]]]:
+    """Left and top of each frame, in rows of about equal width that together are as wide as a screen: 16 to 10."""
+    area = sum((width + _BETWEEN) * (height + _BETWEEN) for _, _, width, height in frames.values())
+    limit = max((area * 1.6) ** 0.5, *(width for _, _, width, _ in frames.values()))
+    left = top = height_of_row = 0.0
+    for group in sorted(frames, key=lambda name: (name == "", name)):
+        _, _, width, height = frames[group]
+        if left and left + width > limit:
+            left, top, height_of_row = 0.0, top + height_of_row + _BETWEEN, 0.0
+        yield group, (left, top)
+        left += width + _BETWEEN
+        height_of_row = max(height_of_row, height)
+
+
+def _moved(box: Box, by: tuple[float, float]) -> Box:
+    return (box[0] + by[0], box[1] + by[1], box[2], box[3])
+
+
+def _path_moved(path: Sequence[float] | None, by: tuple[float, float]) -> list[float] | None:
+    return None if path is None else [value + by[index % 2] for index, value in enumerate(path)]
+
+
+@dataclass(frozen=True)
+class _Layout:
+    """What Graphviz says; it counts from the bottom, and a page from the top."""
+
+    height: float
+    shapes: dict[str, dict[str, Any]]
+    lines: dict[str, dict[str, Any]]
+
+    def box(self, number: int, shape: Shape) -> Box:
+        x, y = map(float, self.shapes[f"n{number}"]["pos"].split(","))
+        width, height = shape.size
+        return (x - width / 2, self.height - y - height / 2, width, height)
+
+    def path(self, number: int) -> list[float] | None:
+        line = self.lines.get(f"e{number}")
+        if line is None or not line.get("pos"):
+            return None
+        words = line["pos"].split(";")[0].split()
+        end = next((word[2:] for word in words if word.startswith("e,")), None)
+        pairs = [word for word in words if not word.startswith(("e,", "s,"))]
+        points: list[float] = []
+        for pair in pairs:
+            x, y = map(float, pair.split(","))
+            points += [x, self.height - y]
+        if end is not None:  # the tip of the arrow, where the curve ends on the page
+            x, y = map(float, end.split(","))
+            points[-2:] = [x, self.height - y]
+        return points
+
+
+def _laid_out(shapes: Sequence[Shape], lines: Sequence[Line | None], *, hurry: bool) -> _Layout:
+    document = json.loads(layout("\n".join(_source(shapes, lines, hurry)), "json0"))
+    named = {row["name"]: row for row in document.get("objects", ())}
+    edges = {row["id"]: row for row in document.get("edges", ())}
+    return _Layout(float(document["bb"].split(",")[3]), named, edges)
+
+
+def _source(shapes: Sequence[Shape], lines: Sequence[Line | None], hurry: bool) -> Iterator[str]:
+    """Only names made up here: no text of the user's is needed for a layout."""
+    quick = ", nslimit=1, nslimit1=1, mclimit=0.1" if hurry else ""
+    yield f"digraph page {{ graph [rankdir=LR, nodesep=0.22, ranksep=0.7{quick}];"
+    yield 'node [shape=box, fixedsize=true, label=""]; edge [arrowsize=0.7];'
+    groups: dict[str, list[int]] = {}
+    for number, shape in enumerate(shapes):
+        groups.setdefault(shape.group, []).append(number)
+    for index, (group, numbers) in enumerate(groups.items()):
+        if group:
+            yield f"subgraph cluster_{index} {{ graph [margin=18];"
+        for number in numbers:
+            width, height = shapes[number].size
+            yield f"n{number} [width={width / _INCH:.3f}, height={height / _INCH:.3f}];"
+        if group:
+            yield "}"
+    for number, line in enumerate(lines):
+        if line is not None:
+            yield f"n{line.tail} -> n{line.head} [id=e{number}];"
+    yield "}"
+
+
+__all__ = ["Drawing", "Line", "Shape", "place"]
