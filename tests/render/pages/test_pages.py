@@ -131,6 +131,22 @@ def test_a_system_has_its_picture_and_its_connections():
     assert [row[0] for row in table_under(text, "Services")] == ["/query_sensor", "/set_motor"]
 
 
+def test_a_launch_file_alone_has_pages_of_its_nodes_with_what_they_need():
+    control = pages([], [replace(lesson(), name="robot.launch.py")], ".")["nodes/my_first_package.control_node.md"]
+    assert table_under(control, "Needs")[0] == ["service /query_sensor", "/sensor_node"]
+
+
+def test_a_large_system_has_several_pictures():
+    nodes = [
+        node(f"/{name}/n{number}", *(publisher(f"t{i}") for i in range(40)), *(subscriber(f"t{i}") for i in range(40)))
+        for name in ("left", "right")
+        for number in range(4)
+    ]
+    text = pages([], [system(*nodes, name="robot.launch.py")], ".")["systems/robot.launch.py.md"]
+    drawn = text.partition("## Picture")[2].partition("## Nodes")[0]
+    assert drawn.count("```mermaid") > 1
+
+
 def test_a_topic_that_carries_nothing_says_why():
     best_effort = Qos(reliability="best_effort")
     ends = [node("/camera", publisher("scan", qos=best_effort)), node("/driver", subscriber("scan", qos=Qos()))]

@@ -36,7 +36,7 @@ def pages(opened: Sequence[System], launched: Sequence[System], to_sources: str)
 
 
 def _system_of(node: Node, site: Site) -> System | None:
-    return next((system for system in site.opened if node in system.nodes), None)
+    return next((system for system in (*site.opened, *site.systems.values()) if node in system.nodes), None)
 
 
 __all__ = ["MARK", "pages"]

@@ -24,8 +24,10 @@ _MOST_GAPS = 20
 
 
 def node_page(node: Node, system: System | None, rates: Mapping[int, float], site: Site, page: str) -> str:
-    """The page about a class of nodes.  ``system`` is the one of all code that it is in, None where only a launch file
-    was asked for; ``rates`` are messages a second by ``id`` of the creation of a publisher."""
+    """The page about a node as its code makes it.
+
+    ``system`` is the one that it is in; ``rates`` are messages a second by ``id`` of the creation of a publisher.
+    """
     blueprint = node.blueprint
     assert blueprint is not None
     blocks = [

@@ -17,9 +17,6 @@ if TYPE_CHECKING:
     from archlint.systems.model import System
     from archlint.systems.nodes import Connection, Node
 
-_DRAWABLE = 50_000
-"""Mermaid reads no more characters (``maxTextSize``)."""
-
 
 def system_page(system: System, site: Site, page: str) -> str:
     """The page about what one launch file starts."""
@@ -28,7 +25,7 @@ def system_page(system: System, site: Site, page: str) -> str:
         f"# {text(name.rpartition('/')[2])}",
         "\n".join(_facts(system, name, site, page)),
         *_arguments(system),
-        *_picture(system, name),
+        *_picture(system),
         *_nodes(system, site, page),
         *_connections("Topics", ("Topic", "Published by", "Subscribed by"), system, system.topics, site, page),
         *_connections("Services", ("Service", "Served by", "Called by"), system, system.services, site, page),
@@ -69,16 +66,13 @@ def _default(words: str | None) -> str:
     return "not known" if words is None else value_words(words)
 
 
-def _picture(system: System, name: str) -> Iterator[str]:
-    picture = render("mermaid", system)
-    assert isinstance(picture, str)
-    if not any(node.creations for node in system.nodes):
-        return
-    if len(picture) > _DRAWABLE or picture.startswith("%%"):
-        command = f"archlint graph --launch {name} -o system.svg"
-        yield f"The picture is too large for this page: {code(command)} draws it."
-        return
-    yield f"```mermaid\n{picture.rstrip()}\n```"
+def _picture(system: System) -> Iterator[str]:
+    """Who talks to whom; several pictures where one would be more than Mermaid takes."""
+    if any(node.creations for node in system.nodes):
+        picture = render("markdown", system)
+        assert isinstance(picture, str)
+        yield "## Picture"
+        yield picture.rstrip()
 
 
 def _nodes(system: System, site: Site, page: str) -> Iterator[str]:
