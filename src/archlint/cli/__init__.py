@@ -20,6 +20,7 @@ COMMANDS = (
     "diff",
     "show",
     "trace",
+    "impact",
     "docs",
     "export",
     "facts",

@@ -38,6 +38,8 @@ commands:
                       types, QoS, places
   trace NAME          where what arrives there comes from and what depends on
                       it, with periods and waits; --from NAME, --to NAME
+  impact NAME         what breaks when a node, topic, service, action or
+                      interface is taken away or changed
   docs [PATH ...]     a page of Markdown for each node and each launch file;
                       --check fails where committed pages are stale
   export --format F   declarations made from the source: interface-yaml, nodl,
