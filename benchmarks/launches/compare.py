@@ -20,6 +20,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+from archlint.interpreter.library import INSTALL_FOLDER
 from archlint.launch.functions import PROCESS_END, PROCESS_OUTPUT
 from archlint.launch.moveit_configs.collected import FOLDER_ORDER
 from archlint.launch.read_files import FILE_OF_THE_MACHINE
@@ -145,8 +146,8 @@ def _is_outside(value: object) -> bool:
     return bool(outside) or (isinstance(value, str) and len(value) > DOCUMENT)
 
 
-_SANDBOX = re.compile(r"/launches-\w+/work\b")
-"""The home folder of a run, and what it makes up for temporary files."""
+_SANDBOX = re.compile(r"/launches-\w+/work\b|<[\w.]+ object at 0x[0-9a-f]+>")
+"""The home folder of a run, and what it makes up for temporary files; where an object lies in the memory of a run."""
 
 
 def _of_parameters(real: Row, ours: Row) -> str:
@@ -176,12 +177,13 @@ _VARIABLE = re.compile(r"the environment variable (\w+)")
 
 
 _COMMAND = re.compile(r"\b(?:subprocess\.(?:run|Popen|check_output|getoutput)|os\.popen)\b")
-_OF_THE_MACHINE = (FOLDER_ORDER, PROCESS_END, PROCESS_OUTPUT, FILE_OF_THE_MACHINE)
+_OF_THE_MACHINE = (FOLDER_ORDER, PROCESS_END, PROCESS_OUTPUT, FILE_OF_THE_MACHINE, INSTALL_FOLDER)
 
 
 def _is_asked(why: str, variables: frozenset[str]) -> bool:
     """Whether a reason names a variable that the run did ask for, or what only the machine can tell: what a command
-    prints, how a process ends, which files there are outside of the workspace, in which order a folder lists them."""
+    prints, how a process ends, which files there are outside of the workspace, in which order a folder lists them,
+    what is around the folder that the workspace is installed to."""
     found = _VARIABLE.search(why)
     machine = any(words in why for words in _OF_THE_MACHINE) or _COMMAND.search(why)
     return (found is not None and found[1] in variables) or bool(machine)
@@ -190,7 +192,10 @@ def _is_asked(why: str, variables: frozenset[str]) -> bool:
 def _take_as_outside(row: Row, variables: frozenset[str]) -> None:
     """Note what is not known for want of a variable."""
     row.outside = bool(row.undecided_by) and all(_is_asked(why, variables) for why in row.undecided_by)
-    row.may_have_more = bool(row.open) and all(_is_asked(why, variables) for why in row.open)
+    files = row.fields["files"]
+    assert isinstance(files, list)
+    why_more = [*row.open, *(file.reason for file in files if isinstance(file, Unknown))]
+    row.may_have_more = bool(why_more) and all(_is_asked(why, variables) for why in why_more)
     row.fields = {name: _marked(value, variables) for name, value in row.fields.items()}
 
 

@@ -143,9 +143,12 @@ def _file(use: ParameterFileUse, shown: _Shown) -> object:
 _WORKSPACE = re.compile(r"\$\(workspace\)/([^\s:;,]*)")
 _PACKAGE_PATH = re.compile(r"(\$\(find-pkg-(?:share|prefix) [\w.-]+\))((?:/[^\s:;,/]*)+)")
 
+_SHARE_IN_PREFIX = re.compile(r"\$\(find-pkg-prefix ([\w.-]+)\)/share/\1(?=/|$)")
+
 
 def normal(text: str) -> str:
     """A text with the paths in it in their shortest form."""
+    text = _SHARE_IN_PREFIX.sub(r"$(find-pkg-share \1)", text)
     return _PACKAGE_PATH.sub(lambda found: _path(found[1], found[2]), text)
 
 

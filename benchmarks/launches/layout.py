@@ -70,8 +70,19 @@ _WORD = re.compile(r'"([^"]*)"|([^\s"]+)')
 _VARIABLE = re.compile(r"\$\{(\w+)\}")
 
 
+_FOREACH = re.compile(
+    r"\bforeach\s*\(\s*(\w+)\s+(?:IN\s+ITEMS\s+)?([^()]*)\)(.*?)\bendforeach\s*\([^()]*\)", re.S | re.I
+)
+
+
+def _repeated(loop: re.Match[str]) -> str:
+    """The commands of a loop for each of its words; of one over lists, as they stand."""
+    words = loop[2].split()
+    return loop[3] if "LISTS" in words else "".join(loop[3].replace(f"${{{loop[1]}}}", word) for word in words)
+
+
 def _commands(path: Path, variables: dict[str, str]) -> Iterator[tuple[str, list[str]]]:
-    text = re.sub(r"#.*", "", path.read_text("utf-8", "replace"))
+    text = _FOREACH.sub(_repeated, re.sub(r"#.*", "", path.read_text("utf-8", "replace")))
     for match in _COMMAND.finditer(text):
         words = [quoted or plain for quoted, plain in _WORD.findall(match[2])]
         for _ in range(3):

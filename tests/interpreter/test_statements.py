@@ -401,3 +401,47 @@ def test_what_an_open_branch_comes_to_is_among_the_options(rows: list[tuple[str,
     really = in_python(body, ways=ways)
     for name in ("a", "b"):
         assert really[name] in found.options(name) or ... in found.options(name)
+
+
+def test_a_conversion_that_fails_leads_to_its_handler():
+    assert_like_python(
+        """
+        try:
+            number = int('eight')
+        except KeyError:
+            number = 1
+        except (TypeError, ValueError) as error:
+            number = 2
+        else:
+            number = 3
+        finally:
+            done = True
+        try:
+            try:
+                inner = float(None)
+            except KeyError:
+                inner = 1
+        except Exception:
+            inner = 2
+        words = []
+        for text in ['x', 'y']:
+            try:
+                words.append(int(text))
+            except ValueError:
+                words.append(text)
+                continue
+            words.append('never')
+        """
+    )
+
+
+@pytest.mark.parametrize(
+    "block",
+    [
+        "try:\n    value = int('a')\nexcept errors.Wrong:\n    value = 1",
+        "try:\n    value = int('a') if OUTSIDE else 1\nexcept ValueError:\n    value = 2",
+        "value = 1\nif OUTSIDE:\n    try:\n        int('a')\n    except ValueError:\n        value = 2",
+    ],
+)
+def test_a_conversion_that_may_not_come_to_that_leads_nowhere(block: str):
+    assert not interpret(f"{OUTSIDE}\n{block}\n").is_known("value")

@@ -127,3 +127,87 @@ def test_the_entities_of_a_description_are_actions(launches):
     assert [one.executable.text for one in launched.started] == ["first", "second"] and not launched.gaps
     unknown = launches.python("LaunchDescription(nodes_of('a')).entities", "from elsewhere import nodes_of")
     assert not unknown.started and unknown.gaps
+
+
+HELPERS = """\
+import logging, os
+from pathlib import Path
+from launch.logging import get_logger
+def value_of(text):
+    try:
+        return int(text)
+    except ValueError:
+        pass
+    try:
+        return float(text)
+    except ValueError:
+        return text
+def flat(data, above='', found=None):
+    found = {} if found is None else found
+    for key, value in data.items():
+        if isinstance(value, dict):
+            flat(value, above + key + '.', found)
+        else:
+            found[above + key] = value
+    return found
+def endless(depth):
+    return endless(depth + 1)
+def read(text):
+    try:
+        logging.getLogger('launch').info(f'reading {text}')
+        logging.debug('reading')
+        get_logger().warning('reading')
+        return 'read_' + text
+    except OSError:
+        return 'default'
+"""
+
+
+@pytest.mark.parametrize(
+    ("expression", "expected"),
+    [
+        ("f\"{value_of('8')}_{value_of('0.5')}_{value_of('fast')}\"", "8_0.5_fast"),
+        ("str(value_of(os.environ['NUMBER']))", "?"),
+        # A driver has hundreds of parameters.
+        ("[value_of(str(number)) for number in range(400)][-1] and 'all'", "all"),
+        ("'-'.join(flat({'a': {'b': {'c': {'d': 'e'}}}, 'f': 'g'}))", "a.b.c.d-f"),
+        ("endless(1)", "?"),
+        # What is logged fails no more than what is printed.
+        ("read('it')", "read_it"),
+    ],
+)
+def test_helpers_of_launch_files(launches, expression, expected):
+    assert names(
+        launches.python("[Node(package='r', executable='t', name=name)]", f"{HELPERS}name = {expression}")
+    ) == [expected]
+
+
+SHARE = "get_package_share_directory('robot')"
+
+
+@pytest.mark.parametrize(
+    ("path", "expected"),
+    [
+        (f"Path({SHARE}).parent", "$(find-pkg-prefix robot)/share"),
+        (f"Path({SHARE}).parents[1] / 'lib'", "$(find-pkg-prefix robot)/lib"),
+        (f"os.path.dirname(os.path.dirname({SHARE}))", "$(find-pkg-prefix robot)"),
+        (f"os.path.dirname({SHARE} + '/config')", "$(find-pkg-share robot)"),
+        (f"os.path.abspath({SHARE} + '/config/../maps')", "$(find-pkg-share robot)/maps"),
+        (f"os.path.normpath({SHARE} + '/../../lib')", "$(find-pkg-prefix robot)/lib"),
+        ("Path(__file__).resolve().parents[1] / 'config'", "$(workspace)/robot/config"),
+        ("Path(__file__).parents[1]", "$(workspace)/robot"),
+    ],
+)
+def test_the_folders_around_a_path(launches, path, expected):
+    before = f"import os\nfrom pathlib import Path\npath = str({path})"
+    assert names(launches.python("[Node(package='r', executable='t', name=path)]", before)) == [expected]
+
+
+@pytest.mark.parametrize(
+    "path",
+    [f"Path({SHARE}).parents[3]", f"Path({SHARE}).parents[2] / 'src'", f"os.path.abspath({SHARE} + '/../../..')"],
+)
+def test_nobody_knows_what_is_around_an_installed_package(launches, path):
+    before = f"import os\nfrom pathlib import Path\npath = {path}"
+    [started] = launches.python("[Node(package='r', executable='t', name=path)]", before).started
+    assert (started.name.text, started.name.reason) == (None, "where the workspace is installed")

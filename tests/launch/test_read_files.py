@@ -116,12 +116,12 @@ def test_a_try_that_raises_or_imports_may_come_to_its_handler(launches):
         ("yaml.safe_dump({'a': [True, None]}, default_flow_style=True)", "{a: [true, null]}\n"),
         ("json.dumps({'a': {'b': 1}}, sort_keys=True)", '{"a": {"b": 1}}'),
         ("yaml.dump([os.environ['NAME']])", "?"),
-        ("yaml.dump([1], stream)", "?"),
+        ("yaml.dump([1], sys.stdout)", "-"),
         ("json.dumps([1], default=str)", "?"),
     ],
 )
 def test_data_as_a_text(launches, expression: str, text: str):
-    before = f"import json, yaml\nname = {expression}"
+    before = f"import json, sys, yaml\nname = {expression}"
     assert names(launches.python(f"[{TALKER}]", before)) == [text]
 
 

@@ -40,6 +40,8 @@ class Activation:
     """How many of them may be there for an attribute that is missing."""
     expecting_refusals: int = 0
     """How many of them are there for a call that Python rejects."""
+    catching: list[tuple[facts.Try, int]] = field(default_factory=list)
+    """The ``try`` blocks around what runs now, innermost last, each with the number of undecided branches around it."""
     returns: list[tuple[Value, Layer | None]] = field(default_factory=list)
     yields: list[Value] = field(default_factory=list)
     scopes: list[int] = field(default_factory=list)

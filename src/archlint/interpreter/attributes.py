@@ -79,8 +79,8 @@ def _of_builtin_type(machine: Machine, value: Value, name: str) -> Value:
             return Builtin(f"{kind}.{name}", value)
         case DictValue():
             return Builtin(f"dict.{name}", value)
-        case Known(value=str(text)) if name == "parent":  # of a pathlib.Path
-            return Known(text.rpartition("/")[0] or "/", value.via, kind="path")
+        case Known(value=str()) if name == "parent":  # of a pathlib.Path
+            return path_parts.folder_of(machine, value)
         case Known(kind="path") if name in path_parts.ATTRIBUTES:
             return path_parts.attribute(machine, value, name)
         case Known():

@@ -12,7 +12,7 @@ from archlint.interpreter.bindings import bound_names
 from archlint.interpreter.builtins import call_builtin
 from archlint.interpreter.call_site import CallSite
 from archlint.interpreter.heap import Layer
-from archlint.interpreter.limits import DEPTH
+from archlint.interpreter.limits import DEPTH, NESTED_CALLS
 from archlint.interpreter.machine import Machine, Status
 from archlint.interpreter.objects.classes import instantiate
 from archlint.interpreter.values import (
@@ -127,10 +127,7 @@ def bind_arguments(machine: Machine, function: FunctionValue, site: CallSite) ->
 def call_function(machine: Machine, function: FunctionValue, site: CallSite, self_value: Value | None = None) -> Value:
     """Run a function of the workspace and return what it may return."""
     ir = function.ir
-    running = sum(
-        1 for activation in machine.activations if activation.function is not None and activation.function.ir is ir
-    )
-    if running > 2:
+    if _is_too_deep(machine, ir):
         return Unknown(f"'{function.qualified}' calls itself")
     if len(machine.activations) >= DEPTH:
         machine.give_up()
@@ -141,6 +138,19 @@ def call_function(machine: Machine, function: FunctionValue, site: CallSite, sel
         return enter_function(machine, function, site, self_value)
 
     return repeats.follow(machine, function, key, enter)
+
+
+def _is_too_deep(machine: Machine, ir: facts.Function | facts.Lambda) -> bool:
+    """Whether a function has called itself as often as is followed."""
+    running = [
+        activation
+        for activation in machine.activations
+        if activation.function is not None and activation.function.ir is ir
+    ]
+    if len(running) < NESTED_CALLS:
+        return False
+    certain = len(machine.branch_arms) == running[0].branch_arms
+    return not certain or len(running) >= machine.allowed_nesting
 
 
 def enter_function(machine: Machine, function: FunctionValue, site: CallSite, self_value: Value | None) -> Value:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import builtins
 import re
+from collections.abc import Sequence
 
 from archlint.syntax import facts
 
@@ -10,12 +12,23 @@ _IMPORT_ERRORS = {"ImportError", "ModuleNotFoundError"}
 _OTHER_ERROR = re.compile(r"(?!Attribute)\w+(Error|Exception|Warning|Interrupt|Timeout)$")
 """A class whose name says what else went wrong."""
 _REFUSALS = frozenset({"AttributeError", "TypeError"})
+_BUILTIN = frozenset(
+    name for name, cls in vars(builtins).items() if isinstance(cls, type) and issubclass(cls, BaseException)
+)
 _FOR_ALL = frozenset({"Exception", "BaseException"})
 _LOGS = frozenset({"debug", "info", "warn", "warning", "error", "fatal", "critical", "exception"}) | {
     "print",
     "print_exc",
 }
 """What is called to say that something went wrong: methods of loggers, and functions."""
+
+
+class Raised(Exception):
+    """Leads to the handler of a ``try`` around what runs: it raises an exception for certain."""
+
+    def __init__(self, handler: facts.Handler) -> None:
+        super().__init__()
+        self.handler = handler
 
 
 def is_import_error(expression: facts.Expr | None) -> bool:
@@ -33,6 +46,22 @@ def may_expect_missing_attribute(handler: facts.Handler) -> bool:
 def expects_refusal(handler: facts.Handler) -> bool:
     """Whether a handler is there for a call that Python rejects: it names ``TypeError`` or ``AttributeError``."""
     return not handler.caught.isdisjoint(_REFUSALS)
+
+
+def handler_of(handlers: Sequence[facts.Handler], names: Sequence[str]) -> facts.Handler | None:
+    """The handler for an exception of Python's own, whose class and bases have these names; None where there is none,
+    or one in front of it that is for other classes: nobody knows what it catches."""
+    for handler in handlers:
+        if not is_of_python(handler):
+            return None
+        if handler.type is None or not handler.caught.isdisjoint(names):
+            return handler
+    return None
+
+
+def is_of_python(handler: facts.Handler) -> bool:
+    """Whether a handler is for exceptions of Python's own only."""
+    return handler.caught <= _BUILTIN
 
 
 def only_goes_on(handler: facts.Handler) -> bool:

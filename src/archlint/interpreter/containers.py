@@ -25,12 +25,16 @@ ITEM_LIMIT = 4096
 
 
 def new_list(
-    machine: Machine, values: Sequence[Value], kind: ListKind = "list", open_: bool = False, exhaustive: bool = False
+    machine: Machine,
+    values: Sequence[Value],
+    kind: ListKind = "list",
+    open_: bool = False,
+    exhaustive: bool = False,
+    ordered: bool = False,
 ) -> ListValue:
     collection = ListValue(machine.store.new_key(), kind)
-    machine.store.set(
-        collection.key, ITEMS, Items(distinct(values) if kind == "set" else tuple(values), open_, exhaustive)
-    )
+    items = Items(distinct(values) if kind == "set" else tuple(values), open_, exhaustive, ordered)
+    machine.store.set(collection.key, ITEMS, items)
     return collection
 
 

@@ -94,6 +94,8 @@ def _item_of_list(items: Items, index: Value) -> Value:
     if number is not None:
         if -items.size <= number < items.size and not items.open:
             return with_via(items.values[number], index.via)
+        if items.ordered and number >= 0:
+            return with_via(items.values[min(number, items.size - 1)], index.via)
         return Unknown("the items of this list are not known")
     if items.values and not items.open:
         return with_via(one_of(items.values), index.via)

@@ -22,6 +22,8 @@ if TYPE_CHECKING:
     from archlint.interpreter.values import Builtin, ClassValue, Known
     from archlint.syntax import facts
 
+INSTALL_FOLDER = "where the workspace is installed"
+
 
 class Library:
     """The answers where nothing is known of any library, and the events where nobody watches."""
@@ -184,6 +186,10 @@ class Library:
     def asked_for_file(self, path: str) -> Value:
         """Whether a file or folder exists, of which the code asks that."""
         return Unknown("whether a file exists")
+
+    def folder_around(self, path: str) -> str | Unknown | None:
+        """The folder around one of those that stand for a place, such as ``$(workspace)``; None for any other path."""
+        return Unknown(INSTALL_FOLDER) if path.startswith("$(") and "/" not in path else None
 
     def expects_to_read(self) -> bool:
         """Whether a ``try`` of which everything is known ends without an exception, so that no handler runs."""

@@ -17,6 +17,10 @@ ROOTS = 4_000
 SELF_STARTS = 2
 """How often a function runs as a callback that it started itself.  A callback that makes a node of its own class
 gives each node a callback of its own; the third does what the second did."""
+NESTED_CALLS = 3
+"""How many calls of one function run at a time, each in the one before."""
+RUNS = 150
+"""How often one root runs a function with any arguments."""
 WORK_OF_A_STEP = 500
 """How many slots and items that branches leave may be joined for the price of a statement."""
 UNROLL = 512

@@ -19,9 +19,10 @@ from archlint.faults import Faults
 from archlint.finding import Place
 from archlint.interpreter.activation import Activation
 from archlint.interpreter.call_site import NOTHING_GIVEN, CallSite
+from archlint.interpreter.caught import Raised
 from archlint.interpreter.heap import Layer, Slot, Store
 from archlint.interpreter.library import Library
-from archlint.interpreter.limits import COMPREHENDED, PROGRAM_STEPS, STEPS, WORK_OF_A_STEP
+from archlint.interpreter.limits import COMPREHENDED, NESTED_CALLS, PROGRAM_STEPS, RUNS, STEPS, WORK_OF_A_STEP
 from archlint.interpreter.modules import Module, ModuleIndex, Scope, ScopeKind
 from archlint.interpreter.values import External, Instance, Known, ModuleValue, Unknown, Value, reason
 from archlint.reasons import Uninformative
@@ -93,6 +94,9 @@ class Machine(ABC):
         """How many calls, items and tests have been met that are not known."""
         self.steps = 0
         self.allowed_steps = PROGRAM_STEPS
+        self.allowed_runs = RUNS
+        self.allowed_nesting = NESTED_CALLS
+        """How many calls of one function may run at a time where it is certain that each comes to the next."""
         self.left = PROGRAM_STEPS
         """What is left of the program's statements."""
         self.granted = PROGRAM_STEPS
@@ -301,8 +305,8 @@ class Machine(ABC):
                 status = self.run_statement(statement)
             except Refused:
                 return "raise"
-            except (RecursionError, MemoryError):
-                raise  # not for the innermost statement, which was only the last straw
+            except (Raised, RecursionError, MemoryError):
+                raise  # the last two not for the innermost statement, which was only the last straw
             except Exception as error:
                 status = self._step_over(statement, error, activation, depth, arms)
             if status is not None:

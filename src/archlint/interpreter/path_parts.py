@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import posixpath
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.interpreter.containers import new_list
-from archlint.interpreter.values import Known, Value
+from archlint.interpreter.values import Known, Unknown, Value
 
 if TYPE_CHECKING:
     from archlint.interpreter.machine import Machine
 
-ATTRIBUTES = frozenset({"name", "stem", "suffix", "parents"})
+ATTRIBUTES = frozenset({"name", "parent", "stem", "suffix", "parents"})
 
 
 def attribute(machine: Machine, path: Known, name: str) -> Value:
@@ -25,18 +26,46 @@ def attribute(machine: Machine, path: Known, name: str) -> Value:
             return Known(posixpath.splitext(last)[0], path.via)
         case "suffix":
             return Known(posixpath.splitext(last)[1], path.via)
+        case "parent":
+            return folder_of(machine, path)
     return _parents(machine, path)
 
 
-def _parents(machine: Machine, path: Known) -> Value:
-    """The folders around a path; of ``$(workspace)/…`` and the like nobody knows where they begin."""
-    folders: list[str] = []
+def folder_of(machine: Machine, path: Known) -> Value:
+    """The folder that a path lies in."""
     text = str(path.value)
-    while "/" in text.removeprefix("/") or (text.startswith("/") and text != "/"):
-        text = text.rpartition("/")[0] or "/"
-        folders.append(text)
-    values = [Known(folder, path.via, kind="path") for folder in folders]
-    return new_list(machine, values, "tuple", open_=not text.startswith("/"))
+    around = machine.library.folder_around(text)
+    if isinstance(around, Unknown):
+        return around
+    if around is None:
+        around = text.rpartition("/")[0] or ("/" if text.startswith("/") else ".")
+    return Known(around, path.via, kind="path")
 
 
-__all__ = ["ATTRIBUTES", "attribute"]
+def shortest(machine: Machine, path: Known) -> Value:
+    """A path without ``..``, as ``os.path.normpath`` gives it."""
+    text = str(path.value)
+    if not text.startswith("$("):
+        return Known(posixpath.normpath(text), path.via, path.origin, path.kind)
+    first, *rest = text.split("/")
+    found: Value = replace(path, value=first)
+    for part in rest:
+        if not isinstance(found, Known):
+            return found
+        if part == "..":
+            found = folder_of(machine, found)
+        elif part not in ("", "."):
+            found = Known(f"{found.value!s}/{part}", path.via)
+    return replace(found, origin=path.origin, kind=path.kind) if isinstance(found, Known) else found
+
+
+def _parents(machine: Machine, path: Known) -> Value:
+    """The folders around a path, the nearest first.  Where one is not known, nor how many there are, it stands for all
+    that follow."""
+    folders = [folder_of(machine, path)]
+    while isinstance(last := folders[-1], Known) and last.value not in ("/", "."):
+        folders.append(folder_of(machine, last))
+    return new_list(machine, folders, "tuple", open_=isinstance(last, Unknown), ordered=True)
+
+
+__all__ = ["ATTRIBUTES", "attribute", "folder_of", "shortest"]

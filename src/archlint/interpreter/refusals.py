@@ -10,6 +10,7 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.finding import Place
+from archlint.interpreter import caught
 from archlint.interpreter.machine import Phase, Refused
 from archlint.interpreter.values import (
     ApiMethod,
@@ -96,6 +97,20 @@ def is_certain(machine: Machine) -> bool:
     """Whether the statement that runs always comes to the expression that is evaluated."""
     activation = machine.activations[-1]
     return activation.scope.kind != "comprehension" and activation.settled == len(machine.branch_arms)
+
+
+def note_error(machine: Machine, error: type[Exception]) -> None:
+    """What is evaluated raises an exception of Python's own: go on at the handler that is there for it, if one around
+    it in the same function is, and if it is certain that it comes to this."""
+    if not is_certain(machine):
+        return
+    names = [cls.__name__ for cls in error.__mro__]
+    for attempt, arms in reversed(machine.activation.catching):
+        handler = caught.handler_of(attempt.handlers, names)
+        if handler is not None and arms == len(machine.branch_arms):
+            raise caught.Raised(handler)
+        if handler is not None or attempt.final or not all(map(caught.is_of_python, attempt.handlers)):
+            return
 
 
 def _refuses(machine: Machine, function: Value, given: int, keywords: Mapping[str, Value]) -> bool:

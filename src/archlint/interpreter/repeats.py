@@ -23,8 +23,6 @@ REPEATS = 3
 """How often one root runs a function with the same arguments, whatever it does."""
 AGAIN = 12
 """How often it runs one with the same arguments that does something else each time, or makes an object."""
-RUNS = 150
-"""How often one root runs a function with any arguments."""
 
 
 def call_key(function: FunctionValue, args: Iterable[Value], keywords: Mapping[str, Value]) -> Key:
@@ -47,7 +45,7 @@ def follow(machine: Machine, function: FunctionValue, key: Key, enter: Callable[
             return Unknown(f"'{function.qualified}' is called too often to follow")
     else:
         runs = machine.runs.get(id(function.ir), 0)
-        if runs >= RUNS:
+        if runs >= machine.allowed_runs:
             machine.give_up()
             return Unknown(f"'{function.qualified}' is called too often to follow")
         machine.runs[id(function.ir)] = runs + 1

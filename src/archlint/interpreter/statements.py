@@ -105,19 +105,25 @@ def _entered(machine: Machine, value: Value) -> Value:
 
 def _try(machine: Machine, s: facts.Try) -> Status:
     activation = machine.activation
-    forgiving = any(caught.may_expect_missing_attribute(handler) for handler in s.handlers)
-    expecting = any(map(caught.expects_refusal, s.handlers))
     before = activation.ended_arms
-    activation.tries += 1
-    activation.forgiving += forgiving
-    activation.expecting_refusals += expecting
-    unknown = machine.unknown_results
     try:
-        status = machine.execute(s.body)
-    finally:
-        activation.tries -= 1
-        activation.forgiving -= forgiving
-        activation.expecting_refusals -= expecting
+        status = _tried(machine, s)
+    except caught.Raised as raised:
+        if all(handler is not raised.handler for handler in s.handlers):
+            raise
+        status = _handle(machine, raised.handler)
+    if s.final:
+        ended, activation.ended_arms = activation.ended_arms, before
+        final = machine.execute(s.final)
+        activation.ended_arms |= ended
+        return final or status
+    return status
+
+
+def _tried(machine: Machine, s: facts.Try) -> Status:
+    """Run a ``try``, and its handlers for the case that something goes wrong."""
+    unknown = machine.unknown_results
+    status = _attempt(machine, s)
     goes_well = machine.unknown_results == unknown and status != "raise" and _only_reads(machine, s.body)
     if status is None and s.orelse:
         status = machine.execute(s.orelse)
@@ -129,18 +135,34 @@ def _try(machine: Machine, s: facts.Try) -> Status:
         if status is None and (_cannot_raise(s.body) or caught.is_import_error(handler.type)):
             continue
         with machine.arm(key, arm) as taken:
-            if handler.name is not None:
-                machine.assign_name(handler.name, Unknown("an exception"))
-            handled = machine.execute(handler.body)
+            handled = _handle(machine, handler)
         machine.end_arm(key, arm, handled)
         results.append((handled, taken[0]))
-    status = machine.join(results) if len(results) > 1 else status
-    if s.final:
-        ended, activation.ended_arms = activation.ended_arms, before
-        final = machine.execute(s.final)
-        activation.ended_arms |= ended
-        return final or status
-    return status
+    return machine.join(results) if len(results) > 1 else status
+
+
+def _attempt(machine: Machine, s: facts.Try) -> Status:
+    """Run the body of a ``try``."""
+    activation = machine.activation
+    forgiving = any(caught.may_expect_missing_attribute(handler) for handler in s.handlers)
+    expecting = any(map(caught.expects_refusal, s.handlers))
+    activation.tries += 1
+    activation.forgiving += forgiving
+    activation.expecting_refusals += expecting
+    activation.catching.append((s, len(machine.branch_arms)))
+    try:
+        return machine.execute(s.body)
+    finally:
+        activation.catching.pop()
+        activation.tries -= 1
+        activation.forgiving -= forgiving
+        activation.expecting_refusals -= expecting
+
+
+def _handle(machine: Machine, handler: facts.Handler) -> Status:
+    if handler.name is not None:
+        machine.assign_name(handler.name, Unknown("an exception"))
+    return machine.execute(handler.body)
 
 
 def _only_reads(machine: Machine, body: list[facts.Stmt]) -> bool:

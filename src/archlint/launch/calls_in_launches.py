@@ -7,9 +7,11 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.interpreter import containers
+from archlint.interpreter import containers, path_parts
 from archlint.interpreter.values import (
     NONE,
+    External,
+    Instance,
     Known,
     Unknown,
     Value,
@@ -18,7 +20,7 @@ from archlint.interpreter.values import (
     one_of,
     reason,
 )
-from archlint.launch import calls, expressions, mathematics, read_files, robot_poses
+from archlint.launch import calls, expressions, mathematics, read_files, robot_poses, written_files
 from archlint.launch.kinds import FileKind
 from archlint.launch.mistakes import NotAPath
 from archlint.launch.moveit_configs import methods as moveit_methods
@@ -113,10 +115,29 @@ def _evaluate(run: LaunchRun, receiver: Value, site: CallSite) -> Value:
     return Unknown(calls.UNDECIDED) if verdict.holds is None else Known(verdict.holds)
 
 
+def _logger(run: LaunchRun, site: CallSite) -> Value:
+    """``logging.getLogger(name)``."""
+    return Instance(External(_LOGGER), run.store.new_key(), None, {})
+
+
+def _said(run: LaunchRun, receiver: Value, site: CallSite) -> Value:
+    return NONE
+
+
+def _logged(run: LaunchRun, site: CallSite) -> Value:
+    return NONE
+
+
+_LOGGER = "logging.Logger"
+_LOGS = ("critical", "debug", "error", "exception", "info", "log", "warn", "warning")
+
 METHODS = {
+    **{f"{_LOGGER}.{name}": _said for name in (*_LOGS, "setLevel")},
     **moveit_methods.METHODS,
     **robot_poses.METHODS,
     **expressions.METHODS,
+    **read_files.METHODS,
+    **written_files.METHODS,
     "launch.LaunchContext.perform_substitution": _perform_argument,
     **{f"launch.{name}.perform": perform_method for name in SUBSTITUTIONS},
     **{f"launch.{name}.evaluate": _evaluate for name in CONDITIONS},
@@ -137,7 +158,7 @@ def _path(run: LaunchRun, site: CallSite) -> Value:
 
 def _same_path(run: LaunchRun, site: CallSite) -> Value:
     path = known_text(site.args[0]) if site.args else None
-    return Unknown("a path of this machine") if path is None else Known(posixpath.normpath(path))
+    return Unknown("a path of this machine") if path is None else path_parts.shortest(run, Known(path))
 
 
 def _is_absolute(run: LaunchRun, site: CallSite) -> Value:
@@ -183,7 +204,11 @@ PLAIN = {
     **mathematics.PLAIN,
     **moveit_methods.PLAIN,
     **read_files.PLAIN,
+    **written_files.PLAIN,
     **expressions.PLAIN,
+    **{f"logging.{name}": _logged for name in (*_LOGS, "basicConfig")},
+    "logging.getLogger": _logger,
+    "launch.logging.get_logger": _logger,
     "runpy.run_path": _run_path,
     "ament_index_python.has_resource": _has_resource,
     "ament_index_python.resources.has_resource": _has_resource,

@@ -16,7 +16,7 @@ from archlint.launch.mistakes import (
     WithoutContext,
 )
 from archlint.launch.model import DeclaredArgument, Gap, Included, Launched
-from archlint.launch.named_files import FileReference, Replacing, Rewriting
+from archlint.launch.named_files import FileReference, Replacing, Rewriting, Written
 from archlint.launch.parameter_sources import OpenParameters, ParameterFileUse, ParameterSetting
 from archlint.launch.started import Remap, Started
 from archlint.model import Text
@@ -27,7 +27,8 @@ LAUNCHES: Final = Language(
     (FileKind, FileStatus, GapKind, StartedKind),
     (
         *(Launched, Started, Remap, Included, DeclaredArgument, Gap, Place, Text),
-        *(ParameterSetting, ParameterFileUse, OpenParameters, FileReference, Rewriting, Replacing, NotKnown),
+        *(ParameterSetting, ParameterFileUse, OpenParameters, FileReference, Rewriting, Replacing, Written),
+        NotKnown,
         *(LeakedArgument, NotACondition, NotAPath, UndeclaredUse, UnknownAttribute, WithoutContext),
         *(branches.CodeBranch, branches.ChoiceOfCallee, branches.ChoiceOfArgument, branches.AttributeBranch),
         *(branches.ArgumentBranch, branches.UnfollowedCondition, branches.ChoiceOfValue, branches.ChoiceOfVisit),

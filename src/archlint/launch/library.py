@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Concatenate, ParamSpec
 
 from archlint.interpreter.values import External, Instance, Known, Unknown, Value
-from archlint.launch import calls, calls_in_launches, mathematics, read_files, tables
+from archlint.launch import calls, calls_in_launches, mathematics, read_files, tables, written_files
 from archlint.launch.objects import LaunchObject, argument, kind_of
 from archlint.libraries.api_use import Offers
 from archlint.libraries.library import RosLibrary
@@ -94,6 +94,8 @@ class LaunchFileLibrary(LaunchLibrary):
 
     def attribute_of_object(self, value: Instance, cls: External, name: str) -> Value:
         """Also what a component says of itself: ``description.node_name``."""
+        if name == "name" and written_files.is_written_file(value):
+            return written_files.name_of(value)
         given = value.argument(_SAID_BY_COMPONENTS.get(name, "")) if isinstance(value, LaunchObject) else None
         is_component = kind_of(value) == tables.LaunchClass.COMPOSABLE_NODE
         return given if is_component and given is not None else super().attribute_of_object(value, cls, name)
@@ -116,7 +118,7 @@ class LaunchFileLibrary(LaunchLibrary):
 
     def asked_for_file(self, path: str) -> Value:
         unknown = super().asked_for_file(path)
-        if path.startswith(("/", "~")):
+        if path.startswith(("/", "~", "$(find-pkg-prefix ")):
             return Unknown(read_files.FILE_OF_THE_MACHINE)
         # What is not there is LCH004's: the launch file may stop where it asks.
         return Known(True) if read_files.is_there(self._launch, path) else unknown

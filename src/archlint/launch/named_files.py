@@ -50,11 +50,18 @@ class Replacing:
 
 
 @dataclass(frozen=True)
+class Written:
+    """The text that the code of a launch file writes into a file of its own."""
+
+    text: str
+
+
+@dataclass(frozen=True)
 class MadeFile:
     """A file that a launch makes of another one: ``source`` is the path of that."""
 
     source: str
-    changes: tuple[Rewriting | Replacing, ...]
+    changes: tuple[Rewriting | Replacing | Written, ...]
 
 
 def why_unknown(reference: FileReference) -> str:

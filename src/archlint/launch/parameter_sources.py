@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from archlint.finding import Place
-from archlint.launch.named_files import FileReference, Replacing, Rewriting
+from archlint.launch.named_files import FileReference, Replacing, Rewriting, Written
 from archlint.syntax.parameter_files import ParameterData
 
 PARAMS_FILE = "--params-file"
@@ -56,15 +56,16 @@ class ParameterFileUse:
     shared: bool = False
     configurations: tuple[tuple[str, str], ...] = ()
     """The launch configurations that are known where the file is read, for the ``$(var …)`` in it."""
-    changes: tuple[Rewriting | Replacing, ...] = ()
-    """What the launch changes in the file before a node reads it: it reads another, made of this one."""
+    changes: tuple[Rewriting | Replacing | Written, ...] = ()
+    """What the launch changes in the file before a node reads it: it reads another, made of this one.  What the launch
+    has written comes first."""
     is_open: ClassVar[bool] = False
     in_dict: ClassVar[bool] = False
     option: ClassVar[str] = PARAMS_FILE
 
     @property
     def followed(self) -> bool:
-        return self.reference.source is not None
+        return self.reference.source is not None or isinstance(next(iter(self.changes), None), Written)
 
     @property
     def sets_anything(self) -> bool:

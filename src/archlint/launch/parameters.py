@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.finding import Place
@@ -11,13 +12,16 @@ from archlint.interpreter.values import (
     DictValue,
     External,
     Holed,
+    Instance,
     Known,
     ListValue,
     OneOf,
     Value,
     reason,
 )
+from archlint.launch import read_files, written_files
 from archlint.launch.kinds import FileKind
+from archlint.launch.named_files import FileReference, Written
 from archlint.launch.objects import LaunchObject, class_name, kind_of, known_text, place_of
 from archlint.launch.parameter_sources import OpenParameters, ParameterFileUse, ParameterSetting
 from archlint.launch.tables import SUBSTITUTIONS, LaunchClass
@@ -87,10 +91,21 @@ def file_use(run: LaunchRun, value: Value | None, place: Place, substitutions: b
     match path:
         case Known(origin=origin) if made_file is not None:
             path = Known(made_file.source, origin=origin)
-    reference = run.reference(FileKind.PARAMETERS, path, place)
-    known = sorted(run.launch.known_configurations().items()) if substitutions else ()
     changes = () if made_file is None else made_file.changes
-    return ParameterFileUse(reference, place, substitutions, configurations=tuple(known), changes=changes)
+    reference, written = _of_launch(run, path, place)
+    known = sorted(run.launch.known_configurations().items()) if substitutions else ()
+    return ParameterFileUse(reference, place, substitutions, configurations=tuple(known), changes=(*written, *changes))
+
+
+def _of_launch(run: LaunchRun, path: Value, place: Place) -> tuple[FileReference, tuple[Written, ...]]:
+    """The file at a path; where the code of the launch file writes it, what is in it."""
+    text = written_files.content(run, known_text(path) or "")
+    if text is None:
+        return run.reference(FileKind.PARAMETERS, path, place), ()
+    reference = run.resolve(FileKind.PARAMETERS, path, place)
+    if text.text is None:
+        return replace(reference, written=None, reason=reason(text)), ()
+    return reference, (Written(text.text),)
 
 
 class _Room:
@@ -144,6 +159,8 @@ def python_of(run: LaunchRun, value: Value) -> ParameterData:
             return _of_text(run.perform(value))
         case ListValue():
             return _list(run, value)
+        case Instance(cls=External(path=read_files.FILE)):
+            return NotKnown("the text of a file")
     return NotKnown(reason(value))
 
 

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from archlint.workspace.tree import Tree
 
 _SHARE = re.compile(r"^\$\(find-pkg-share ([\w.-]+)\)(.*)$", re.DOTALL)
+_SHARE_IN_PREFIX = re.compile(r"^\$\(find-pkg-prefix ([\w.-]+)\)/share/\1(?=/|$)")
 
 
 class LaunchPaths:
@@ -51,7 +52,7 @@ class LaunchPaths:
                 written = str(value)
             case _:
                 return FileReference(kind, None, None, FileStatus.UNKNOWN, None, place, reason(path), conditional)
-        shared = _SHARE.match(written)
+        shared = _SHARE.match(_SHARE_IN_PREFIX.sub(r"$(find-pkg-share \1)", written))
         if shared is not None:
             package, rest = shared[1], posixpath.normpath(shared[2].lstrip("/") or ".")
             source, status = self._in_package(package, rest)

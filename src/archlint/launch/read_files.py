@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from archlint.interpreter import containers
 from archlint.interpreter.values import (
+    NONE,
     DictValue,
     External,
     Instance,
@@ -21,10 +22,15 @@ from archlint.interpreter.values import (
     constants_of,
     reason,
 )
+from archlint.launch import written_files
 from archlint.launch.kinds import FileKind, FileStatus
 from archlint.launch.objects import argument, known_text
 from archlint.launch.shared_paths import note_paths
 from archlint.syntax.safe_yaml import YamlError, YamlReader
+
+FILE = "io.TextIOWrapper"
+"""The class of an open file that is read."""
+_FOR_WRITING = ("w", "wt", "w+")
 
 if TYPE_CHECKING:
     from archlint.interpreter.call_site import CallSite
@@ -35,6 +41,10 @@ if TYPE_CHECKING:
 
 def _open(run: LaunchRun, site: CallSite) -> Value:
     """``open(path)`` in a launch file: the file, for whoever loads YAML from it."""
+    mode = known_text(site.args[1] if len(site.args) > 1 else site.keywords.get("mode", NONE))
+    path = known_text(site.args[0]) if site.args else None
+    if mode in _FOR_WRITING and path is not None:
+        return written_files.written_file(run, path)
     if site.args and isinstance(site.args[0], Known):
         if len(site.args) == 1 and not site.keywords.keys() - {"encoding"} and not run.activation.tries:
             note_paths(run, site.args, run.place_now)
@@ -44,7 +54,12 @@ def _open(run: LaunchRun, site: CallSite) -> Value:
 
 def opened(run: LaunchRun, path: Known) -> Instance:
     """A file that is open for reading."""
-    return Instance(External("io.TextIOWrapper"), run.store.new_key(), None, {"path": path})
+    return Instance(External(FILE), run.store.new_key(), None, {"path": path})
+
+
+def _read(run: LaunchRun, receiver: Value, site: CallSite) -> Value:
+    """``file.read()``: as long as nothing but YAML or JSON is read in it, the file stands for its text."""
+    return Unknown("a part of a file") if site.values else receiver
 
 
 def _load_yaml(run: LaunchRun, site: CallSite) -> Value:
@@ -82,8 +97,12 @@ def _load_json(run: LaunchRun, site: CallSite) -> Value:
 
 def _text_in(run: LaunchRun, args: list[Value]) -> str | Unknown:
     """The text of the file that a loader is given."""
-    path = argument(args[0], "path") if args else None
-    return Unknown("the content of a file") if path is None else _text_of(run, path)
+    if not args:
+        return Unknown("the content of a file")
+    path, text = argument(args[0], "path"), known_text(args[0])
+    if path is None:
+        return Unknown(reason(args[0])) if text is None else text
+    return _text_of(run, path)
 
 
 def _text_of(run: LaunchRun, path: Value) -> str | Unknown:
@@ -148,17 +167,29 @@ def _written(write: Callable[..., str], name: str, options: frozenset[str]) -> P
     """``yaml.dump(data)`` or ``json.dumps(data)``: the text.  Into a file these make none."""
 
     def written(run: LaunchRun, site: CallSite) -> Value:
-        given = constants_of(site.keywords.values())
-        if len(site.args) != 1 or given is None or not options.issuperset(site.keywords):
-            return Unknown(f"what {name}() writes")
-        try:
-            return Known(write(_plain(run, site.args[0], 0), **dict(zip(site.keywords, given, strict=True))))
-        except _NotKnownError as error:
-            return Unknown(str(error))
-        except (TypeError, ValueError, RecursionError):
-            return Unknown("an operation that fails")
+        keywords = {key: value for key, value in site.keywords.items() if key not in ("stream", "fp")}
+        data, *streams = [*site.args, *(site.keywords[key] for key in ("stream", "fp") if key in site.keywords)] or [
+            NONE
+        ]
+        given = constants_of(keywords.values())
+        if not site.args or len(streams) > 1 or given is None or not options.issuperset(keywords):
+            text: Value = Unknown(f"what {name}() writes")
+        else:
+            text = _as_text(run, data, write, dict(zip(keywords, given, strict=True)))
+        for stream in streams:
+            written_files.write(run, stream, text)
+        return NONE if streams else text
 
     return written
+
+
+def _as_text(run: LaunchRun, data: Value, write: Callable[..., str], options: dict[str, Any]) -> Value:
+    try:
+        return Known(write(_plain(run, data, 0), **options))
+    except _NotKnownError as error:
+        return Unknown(str(error))
+    except (TypeError, ValueError, RecursionError):
+        return Unknown("an operation that fails")
 
 
 def _dumped(data: object, **options: Any) -> str:
@@ -199,6 +230,7 @@ NESTED = 20
 _YAML_OPTIONS = frozenset({"default_flow_style", "sort_keys", "indent", "width", "allow_unicode"})
 _JSON_OPTIONS = frozenset({"indent", "sort_keys", "ensure_ascii"})
 
+METHODS = {f"{FILE}.read": _read}
 PLAIN: dict[str, Plain] = {
     "open": _open,
     "os.listdir": _list_folder,
@@ -210,7 +242,8 @@ PLAIN: dict[str, Plain] = {
     "yaml.full_load": _load_yaml,
     "yaml.dump": _written(_dumped, "yaml.dump", _YAML_OPTIONS),
     "yaml.safe_dump": _written(_dumped, "yaml.safe_dump", _YAML_OPTIONS),
+    "json.dump": _written(json.dumps, "json.dump", _JSON_OPTIONS),
     "json.dumps": _written(json.dumps, "json.dumps", _JSON_OPTIONS),
 }
 
-__all__ = ["FILE_OF_THE_MACHINE", "PLAIN", "is_there", "matches", "opened", "value_of", "yaml_file"]
+__all__ = ["FILE", "FILE_OF_THE_MACHINE", "METHODS", "PLAIN", "is_there", "matches", "opened", "value_of", "yaml_file"]

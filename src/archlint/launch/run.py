@@ -19,7 +19,7 @@ from archlint.finding import Place
 from archlint.interpreter import containers, values
 from archlint.interpreter.limits import FEW_STEPS, PROGRAM_STEPS
 from archlint.interpreter.roots import enter_root
-from archlint.interpreter.values import DictValue, Known, OneOf, Value
+from archlint.interpreter.values import DictValue, Instance, Known, OneOf, Value
 from archlint.launch.argument_names import AGAIN, ArgumentNames
 from archlint.launch.context import Context
 from archlint.launch.domains import Domains
@@ -46,6 +46,13 @@ _Noted = TypeVar("_Noted")
 
 LAUNCH_STEPS = 400_000
 """How many statements all functions of one launch may run: each OpaqueFunction is a run of its own."""
+
+LAUNCH_RUNS = 4_000
+"""How often one function of them may run a function: a helper converts each parameter of a driver, which has hundreds,
+and each of its cameras has them all."""
+
+LAUNCH_NESTED_CALLS = 20
+"""How many calls of one function run at a time: a helper goes through what a file holds, which is nested."""
 
 
 @dataclass(frozen=True)
@@ -114,10 +121,14 @@ class LaunchRun(Run):
         """The paths of which the code asks whether a file exists."""
         self.made_files: dict[str, MadeFile] = {}
         """The files that the launch makes of others, each under a path of its own."""
+        self.written_files: dict[str, Instance] = {}
+        """The files that its code writes, by their paths."""
         self.performing = 0
         """How deep the text is nested that is performed now, and ``performed`` of how many parts it has been."""
         self.performed = 0
         self.left = LAUNCH_STEPS
+        self.allowed_runs = LAUNCH_RUNS
+        self.allowed_nesting = LAUNCH_NESTED_CALLS
 
     # ------------------------------------------------------------------------------ what the rooms implement
 

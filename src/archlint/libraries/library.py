@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Iterable, Sequence
 from contextlib import AbstractContextManager
 from typing import TYPE_CHECKING
 
 from archlint.interpreter.library import Library
-from archlint.interpreter.values import ApiMethod, Builtin, External, ForeignValue, Instance, Known, Value
+from archlint.interpreter.values import ApiMethod, Builtin, External, ForeignValue, Instance, Known, Unknown, Value
 from archlint.libraries import calls, classes, interest, refused_calls
 from archlint.libraries.api_signatures import attributes_of
 from archlint.libraries.offers import OFFERS
@@ -40,6 +41,9 @@ if TYPE_CHECKING:
     from archlint.interpreter.values import ClassValue
     from archlint.libraries.run import Run
     from archlint.syntax import facts
+
+
+_SHARE = re.compile(r"\$\(find-pkg-share ([^()/]+)\)")
 
 
 class RosLibrary(Library):
@@ -178,6 +182,10 @@ class RosLibrary(Library):
 
     def undecided(self, branch: Branch, test: Value) -> None:
         self.run.note_open_test(branch, test)
+
+    def folder_around(self, path: str) -> str | Unknown | None:
+        share = _SHARE.fullmatch(path)
+        return f"$(find-pkg-prefix {share[1]})/share" if share is not None else super().folder_around(path)
 
     def asked_for_file(self, path: str) -> Value:
         self.run.note_asked_file(path)

@@ -93,6 +93,8 @@ def settings_of(started: Started, node: str | None, facts_of: Callable[[str], Pa
                 )
             case ParameterFileUse(reference=FileReference(source=str(file))):
                 yield from _set_in_file(parameter, file, _sections_for(started, facts_of(file)))
+            case ParameterFileUse(followed=True):
+                yield from _set_in_file(parameter, parameter.place.file, ())
 
 
 def as_launch_writes(value: object) -> tuple[object, str | None]:

@@ -1,4 +1,5 @@
-"""What a node reads of a parameter file that the launch has rewritten: nav2's ``RewrittenYaml`` and ``ReplaceString``.
+"""What a node reads of a parameter file that the launch has written or rewritten: nav2's ``RewrittenYaml`` and
+``ReplaceString``.
 
 Source: ``nav2_common/launch`` of ros-navigation/navigation2, which loads the file, changes it and dumps it with PyYAML.
 """
@@ -10,9 +11,16 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
-from archlint.launch.named_files import Replacing, Rewriting
+from archlint.launch.named_files import Replacing, Rewriting, Written
 from archlint.launch.parameters import from_yaml
-from archlint.syntax.parameter_files import NotKnown, ParameterEntry, ParameterSection, first_not_known, node_key
+from archlint.syntax.parameter_files import (
+    NotKnown,
+    ParameterEntry,
+    ParameterSection,
+    first_not_known,
+    node_key,
+    read_parameters,
+)
 from archlint.syntax.parameter_structure import ROOT
 from archlint.syntax.safe_yaml import plain_scalar, written_and_read
 
@@ -20,7 +28,7 @@ Path = tuple[str, ...]
 
 
 def rewritten(
-    sections: Sequence[ParameterSection], changes: Iterable[Rewriting | Replacing]
+    sections: Sequence[ParameterSection], changes: Iterable[Rewriting | Replacing | Written]
 ) -> Sequence[ParameterSection]:
     """The sections after the changes, one after the other."""
     for change in changes:
@@ -29,7 +37,14 @@ def rewritten(
                 sections = [_replaced(section, words) for section in sections]
             case Rewriting():
                 sections = _rewritten(sections, change)
+            case Written(text=text):
+                sections = [_as_written(section) for section in read_parameters(text).sections]
     return sections
+
+
+def _as_written(section: ParameterSection) -> ParameterSection:
+    """What the launch writes stands in no file of the workspace."""
+    return replace(section, entries=tuple(replace(entry, changed=True, added=True) for entry in section.entries))
 
 
 # ------------------------------------------------------------------------------------------------- RewrittenYaml

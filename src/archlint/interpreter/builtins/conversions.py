@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from archlint.interpreter import formatting
+from archlint.interpreter import formatting, refusals
 from archlint.interpreter.builtins.handlers import Handler, because_of, first
 from archlint.interpreter.constant_expressions import NotFollowed, evaluate
 from archlint.interpreter.values import (
@@ -56,9 +56,21 @@ def number(convert: Callable[..., Any]) -> Handler:
         base = constants_of(rest)
         if base is None:
             return Unknown(reason(*rest))
-        return one_of(_converted(option, convert, base, via(*rest)) for option in alternatives(site.args[0]))
+        options = alternatives(site.args[0])
+        if len(options) == 1:
+            _note_failure(machine, options[0], convert, base)
+        return one_of(_converted(option, convert, base, via(*rest)) for option in options)
 
     return handler
+
+
+def _note_failure(machine: Machine, value: Value, convert: Callable[..., Any], base: list[Any]) -> None:
+    """``int('fast')`` raises a ValueError.  What a parameter decides may be another value in the next run."""
+    if isinstance(value, Known) and not value.via:
+        try:
+            convert(value.value, *base)
+        except (TypeError, ValueError, OverflowError) as error:
+            refusals.note_error(machine, type(error))
 
 
 _MAKE: dict[Callable[..., Any], str] = {int: "int", float: "float"}

@@ -7,6 +7,7 @@ import string
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
+from archlint.interpreter import path_parts
 from archlint.interpreter.attributes import get_attribute
 from archlint.interpreter.containers import new_list
 from archlint.interpreter.formatting import CARTESIAN, combine, format_one
@@ -152,6 +153,11 @@ def _same_path(call: TextCall) -> Value:
     return constant(str(call.target.value), call.target.via, kind, file_origin(call.target, *call.site.args))
 
 
+def _resolved(call: TextCall) -> Value:
+    same = _same_path(call)
+    return path_parts.shortest(call.machine, same) if isinstance(same, Known) else same
+
+
 def _join_path(call: TextCall) -> Value:
     constants = constants_of(call.site.args)
     if constants is None:
@@ -261,7 +267,8 @@ _METHODS: dict[str, Method] = {
     "joinpath": _join_path,
     "open": _open,
     "partition": _split,
-    "resolve": _same_path,
+    "read_text": _open,
+    "resolve": _resolved,
     "rpartition": _split,
     "rsplit": _split,
     "split": _split,

@@ -261,14 +261,18 @@ class ClassValue(Value):
 
 class Items:
     """Items of a list; ``open`` where which of them there are is not known: there may be more, or, if it is
-    ``exhaustive``, fewer, but no others."""
+    ``exhaustive``, fewer, but no others.  Those that are ``ordered`` are the first ones of the list, and the last of
+    them stands for all that follow."""
 
-    __slots__ = ("exhaustive", "open", "values")
+    __slots__ = ("exhaustive", "open", "ordered", "values")
 
-    def __init__(self, values: tuple[Value, ...], open_: bool = False, exhaustive: bool = False) -> None:
+    def __init__(
+        self, values: tuple[Value, ...], open_: bool = False, exhaustive: bool = False, ordered: bool = False
+    ) -> None:
         self.values = values
         self.open = open_
         self.exhaustive = exhaustive or not open_
+        self.ordered = ordered
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Items) and self._all == other._all
@@ -278,7 +282,7 @@ class Items:
 
     @property
     def _all(self) -> tuple[object, ...]:
-        return (self.values, self.open, self.exhaustive)
+        return (self.values, self.open, self.exhaustive, self.ordered)
 
     @property
     def size(self) -> int:

@@ -44,7 +44,8 @@ class ListValue(Value):
             return Items((), True)
         if not self.via:
             return items
-        return Items(tuple(item.chosen_by(self.via) for item in items.values), items.open, items.exhaustive)
+        values = tuple(item.chosen_by(self.via) for item in items.values)
+        return Items(values, items.open, items.exhaustive, items.ordered)
 
     def truth(self, state: State) -> bool | None:
         return self.items(state).truth

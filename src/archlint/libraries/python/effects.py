@@ -5,7 +5,7 @@ from __future__ import annotations
 import posixpath
 from typing import TYPE_CHECKING
 
-from archlint.interpreter import containers
+from archlint.interpreter import containers, path_parts
 from archlint.interpreter.builtins import BUILTINS
 from archlint.interpreter.call_site import CallSite
 from archlint.interpreter.containers import ITEM_LIMIT
@@ -180,10 +180,10 @@ PLAIN: dict[str, Plain] = {
     "asyncio.ensure_future": _identity,
     "typing.cast": lambda run, site: site.args[1] if len(site.args) > 1 else Unknown("no argument"),
     "itertools.chain": lambda run, site: _chain(run, site.args),
-    "os.path.basename": lambda run, site: _path_part(site.args, 1),
-    "os.path.dirname": lambda run, site: _path_part(site.args, 0),
+    "os.path.basename": lambda run, site: _file_name(site.args),
+    "os.path.dirname": lambda run, site: _folder(run, site.args),
     "os.path.split": lambda run, site: containers.new_list(
-        run, [_path_part(site.args, 0), _path_part(site.args, 1)], "tuple"
+        run, [_folder(run, site.args), _file_name(site.args)], "tuple"
     ),
     **{
         f"{module}.{name}": _number(f"{module}.{name}", of_class)
@@ -208,10 +208,19 @@ def _chain(run: Run, args: list[Value]) -> Value:
     return containers.new_list(run, values[: containers.ITEM_LIMIT], "list", open_)
 
 
-def _path_part(args: list[Value], at: int) -> Value:
+def _folder(run: Run, args: list[Value]) -> Value:
+    match args:
+        case [Known(value=str(path)) as known, *_] if run.library.folder_around(path) is not None:
+            return path_parts.folder_of(run, known)
+        case [Known(value=str(path), via=parameters), *_]:
+            return Known(posixpath.dirname(path), parameters)
+    return Unknown(reason(*args))
+
+
+def _file_name(args: list[Value]) -> Value:
     match args:
         case [Known(value=str(path), via=parameters), *_]:
-            return Known(posixpath.split(path)[at], parameters)
+            return Known(posixpath.basename(path), parameters)
     return Unknown(reason(*args))
 
 

@@ -1,0 +1,90 @@
+"""Files that code of a launch file writes: what is in them is known where it is known what is written."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from archlint.interpreter import containers
+from archlint.interpreter.values import NONE, External, Instance, Known, Unknown, Value, reason
+from archlint.launch.objects import argument, known_text
+
+if TYPE_CHECKING:
+    from archlint.interpreter.call_site import CallSite
+    from archlint.launch.run import LaunchRun
+
+WRITTEN_FILE = "tempfile.NamedTemporaryFile"
+"""The class of an open file that is written, whatever opened it."""
+_TEXT = "#text"
+"""Where the store has what has been written."""
+
+
+def written_file(run: LaunchRun, path: str) -> Instance:
+    """A new file that is open for writing."""
+    file = Instance(External(WRITTEN_FILE), run.store.new_key(), None, {"path": Known(path)})
+    run.store.set(file.key, _TEXT, Known(""))
+    run.written_files[path] = file
+    return file
+
+
+def _temporary(run: LaunchRun, site: CallSite) -> Instance:
+    """``tempfile.NamedTemporaryFile('w', …)``: a file whose name is made up."""
+    return written_file(run, f"$(file-made-by-launch {len(run.written_files) + len(run.made_files) + 1})")
+
+
+def _descriptor_and_path(run: LaunchRun, site: CallSite) -> Value:
+    """``tempfile.mkstemp()``."""
+    file = _temporary(run, site)
+    return containers.new_list(run, [file, name_of(file)], "tuple")
+
+
+def _opened_descriptor(run: LaunchRun, site: CallSite) -> Value:
+    """``os.fdopen(descriptor, 'w')``."""
+    return site.args[0] if site.args and is_written_file(site.args[0]) else Unknown("a file")
+
+
+def is_written_file(value: Value | None) -> bool:
+    return isinstance(value, Instance) and isinstance(value.cls, External) and value.cls.path == WRITTEN_FILE
+
+
+def name_of(file: Instance) -> Value:
+    """``file.name``."""
+    return argument(file, "path") or Unknown("the name of a file")
+
+
+def write(run: LaunchRun, file: Value, text: Value) -> None:
+    """Add a text at the end of a file that is written."""
+    if not isinstance(file, Instance):
+        return
+    before, more = run.store.get(file.key, _TEXT), known_text(text)
+    known = before.text if isinstance(before, Value) else None
+    known_more = known is not None and more is not None
+    run.store.set(file.key, _TEXT, Known(f"{known}{more}") if known_more else Unknown(reason(text)))
+
+
+def _write(run: LaunchRun, receiver: Value, site: CallSite) -> Value:
+    write(run, receiver, site.args[0] if site.args else Unknown("what is written to a file"))
+    return Unknown("how much is written")
+
+
+def _nothing(run: LaunchRun, receiver: Value, site: CallSite) -> Value:
+    return NONE
+
+
+def content(run: LaunchRun, path: str) -> Value | None:
+    """The text of a file that the launch writes; None of any other file."""
+    file = run.written_files.get(path)
+    text = None if file is None else run.store.get(file.key, _TEXT)
+    return text if isinstance(text, Value) else None
+
+
+PLAIN = {
+    "tempfile.NamedTemporaryFile": _temporary,
+    "tempfile.mkstemp": _descriptor_and_path,
+    "os.fdopen": _opened_descriptor,
+}
+METHODS = {
+    f"{WRITTEN_FILE}.write": _write,
+    **dict.fromkeys((f"{WRITTEN_FILE}.{name}" for name in ("close", "flush")), _nothing),
+}
+
+__all__ = ["METHODS", "PLAIN", "content", "is_written_file", "name_of", "write", "written_file"]
