@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from archlint.systems.overrides import NotKnown, settings_of
+from archlint.systems.overrides import NotKnown, overrides_of, settings_of
 from launching import names, node, parameters
 
 
@@ -72,10 +72,11 @@ for side in sides:
         ("IfCondition(EnvironmentVariable('MOCK'))", ["mock", "real"]),
     ],
 )
-def test_a_condition_that_code_evaluates(launches, condition, expected):
+@pytest.mark.parametrize("evaluate", ["evaluate", "_predicate_func"])
+def test_a_condition_that_code_evaluates(launches, condition, expected, evaluate):
     before = f"""\
 def setup(context):
-    if {condition}.evaluate(context):
+    if {condition}.{evaluate}(context):
         return [{node("mock")}]
     return [{node("real")}]
 """
@@ -249,3 +250,25 @@ def test_a_container_is_sent_the_text_itself(launches):
     )
     (setting,) = settings_of(launched.started[0], None, launches.of_workspace().files.parameters)
     assert setting.value == "y"
+
+
+def test_launch_reads_the_file_of_a_component_with_pyyaml(launches):
+    """rcl, which reads the file of a node, takes `1e-2` for a number and `y` for a boolean; PyYAML takes them for
+    texts, and launch sends the component what PyYAML reads."""
+    launches.file(
+        "robot/config/p.yaml",
+        "/**:\n  ros__parameters:\n    small: 1e-2\n    answer: y\n    number: 1.5\n    day: 2024-13-01\n"
+        "    quoted: 'true'\n    list: [1e3, 2]\n",
+    )
+    file = "get_package_share_directory('robot') + '/config/p.yaml'"
+    component = f"ComposableNode(package='robot', plugin='Camera', name='camera', parameters=[{file}])"
+    launched = launches.python(
+        f"[LoadComposableNodes(target_container='c', composable_node_descriptions=[{component}]),"
+        f" Node(package='robot', executable='talker', name='talker', namespace='/', parameters=[{file}])]"
+    )
+    read = launches.of_workspace().files.parameters
+    of_component, of_node = (overrides_of(started, "/camera", read) for started in launched.started)
+    assert of_component == {
+        "small": "1e-2", "answer": "y", "number": 1.5, "day": "2024-13-01", "quoted": "true", "list": ["1e3", 2]
+    }  # fmt: skip
+    assert of_node == {**of_component, "small": 0.01, "answer": True, "list": [1000.0, 2]}

@@ -43,6 +43,8 @@ class Recorder:
         self.original: dict[str, str] = {}
         self.includes = 0
         self.started: list[Any] = []
+        self.gone: list[Any] = []
+        """The event handlers that are not registered any more."""
 
     # ------------------------------------------------------------------------------------------- visiting
 
@@ -89,6 +91,8 @@ class Recorder:
 
     def comes(self, handler: Any) -> bool:
         """Whether there is a process whose event a handler waits for; other events are taken to come."""
+        if any(handler is one for one in self.gone):
+            return False
         kind = vars(handler).get("_OnActionEventBase__target_event_cls")
         if kind is None or not issubclass(kind, launch.events.process.RunningProcessEvent):
             return True
@@ -220,6 +224,7 @@ def follow(recorder: Recorder) -> None:
     ros.LoadComposableNodes.execute = lambda self, context: recorder.components(self, context)  # noqa: PLW0108
     actions.TimerAction.execute = lambda self, context: recorder.put_off(self, context)  # noqa: PLW0108
     ros.ROSTimer.execute = lambda self, context: recorder.put_off(self, context)  # noqa: PLW0108
+    launch.LaunchContext.unregister_event_handler = lambda self, handler: recorder.gone.append(handler)
     actions.RegisterEventHandler.execute = lambda self, context: recorder.handler(self, context)  # noqa: PLW0108
     kept = actions.IncludeLaunchDescription.execute
     actions.IncludeLaunchDescription.execute = lambda self, context: recorder.include(self, context, kept)

@@ -110,7 +110,7 @@ def _perform_argument(run: LaunchRun, receiver: Value, site: CallSite) -> Value:
 
 
 def _evaluate(run: LaunchRun, receiver: Value, site: CallSite) -> Value:
-    """``IfCondition(…).evaluate(context)``."""
+    """``IfCondition(…).evaluate(context)``, also by the name of what it calls."""
     verdict = run.judge(receiver)
     return Unknown(calls.UNDECIDED) if verdict.holds is None else Known(verdict.holds)
 
@@ -140,7 +140,7 @@ METHODS = {
     **written_files.METHODS,
     "launch.LaunchContext.perform_substitution": _perform_argument,
     **{f"launch.{name}.perform": perform_method for name in SUBSTITUTIONS},
-    **{f"launch.{name}.evaluate": _evaluate for name in CONDITIONS},
+    **{f"launch.{name}.{method}": _evaluate for name in CONDITIONS for method in ("evaluate", "_predicate_func")},
 }
 
 

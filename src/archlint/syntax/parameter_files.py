@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Union
 from archlint.syntax.facts import FileProblem, Span, Suppression
 from archlint.syntax.launch_yaml import suppressions_of_lines
 from archlint.syntax.parameter_structure import ROOT, Misplaced, first_misplaced
-from archlint.syntax.safe_yaml import YamlError, YamlReader, span_of
+from archlint.syntax.safe_yaml import YamlError, YamlReader, in_python, span_of
 
 if TYPE_CHECKING:
     import yaml
@@ -48,6 +48,8 @@ class ParameterEntry:
     path: tuple[str, ...] = ()
     changed: bool = False
     added: bool = False
+    in_python: Any = None
+    """The value as PyYAML has it, which launch reads the file of a component with."""
 
 
 @dataclass(frozen=True)
@@ -130,4 +132,5 @@ def _entries(
         else:
             quoted = isinstance(value, yaml.ScalarNode) and value.style in ("'", '"')
             data = reader.value(value, depth)
-            entries.append(ParameterEntry(".".join(path), data, span_of(key_node), quoted, path))
+            name, span, there = ".".join(path), span_of(key_node), in_python(value)
+            entries.append(ParameterEntry(name, data, span, quoted, path, in_python=there))

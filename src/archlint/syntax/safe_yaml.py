@@ -73,6 +73,23 @@ class YamlReader:
         return {key: self.value(value, depth + 1) for key, _, value in self.pairs(node, depth)}
 
 
+def in_python(node: yaml.Node) -> Any:
+    """What PyYAML makes of a value that has been read before: ``1e5`` and ``y`` are texts to it, ``0o17`` is, too, and
+    ``1_000`` is a number.  A date is its text."""
+    import yaml
+
+    match node:
+        case yaml.ScalarNode(value=text):
+            try:
+                made = yaml.constructor.SafeConstructor().construct_object(node)
+            except (ValueError, yaml.YAMLError):  # 2024-13-01 looks like a date
+                return text
+            return made if made is None or isinstance(made, (bool, int, float, str)) else text
+        case yaml.SequenceNode(value=items):
+            return [in_python(item) for item in items]
+    return {}
+
+
 def _compose(text: str, several: bool, rcl: bool) -> list[yaml.Node]:
     import yaml
 

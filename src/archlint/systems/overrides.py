@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Any
 
@@ -129,11 +129,16 @@ def _set_in_file(use: ParameterFileUse, file: str, sections: Sequence[ParameterS
 
 
 def _sections_for(started: Started, read: ParameterFacts) -> tuple[ParameterSection, ...]:
-    """The sections of a parameter file; of one without any, a component takes everything (``to_parameters_list`` of
-    launch_ros), and a node nothing."""
-    if read.sections or not read.plain or started.kind != StartedKind.COMPONENT:
+    """The sections of a parameter file.  That of a component launch reads itself, with PyYAML, and takes everything of
+    one without any (``to_parameters_list`` of launch_ros); a node takes nothing of it."""
+    if started.kind != StartedKind.COMPONENT:
         return read.sections
-    return (ParameterSection(EVERY_NODE, "", read.plain[0].span, read.plain, ("**",)),)
+    plain = () if read.sections or not read.plain else read.plain
+    sections = read.sections or ((ParameterSection(EVERY_NODE, "", plain[0].span, plain, ("**",)),) if plain else ())
+    return tuple(
+        replace(section, entries=tuple(replace(entry, value=entry.in_python) for entry in section.entries))
+        for section in sections
+    )
 
 
 def _own_key(started: Started) -> str:
