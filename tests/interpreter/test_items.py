@@ -225,3 +225,26 @@ def test_what_is_set_by_way_of_dict_is_an_attribute():
 def test_a_list_takes_no_item_that_it_has_not():
     interpreted = interpret("names = ['a']\nnames[3] = 'b'\nit = names[0]")
     assert interpreted.constant("it") == "a"
+
+
+def test_tuples_as_keys():
+    assert_like_python(
+        """
+        cells = {(0, 0): 'start', (0, (1, 'x')): 'wall'}
+        cells[(2, 3)] = 'goal'
+        found = [cells[(0, 0)], cells[0, (1, 'x')], cells.get((2, 3)), cells.get((9, 9), 'free')]
+        is_there = [(0, 0) in cells, (1, 0) in cells]
+        rows = [row + column for row, column in {(1, 2): 'a', (3, 4): 'b'}]
+        squares = {(number, number): number * number for number in (1, 2)}
+        square = squares[2, 2]
+        cells.setdefault((0, 0), 'other')
+        del cells[(2, 3)]
+        left = sorted(cells.values())
+        data = {}
+        for path, value in {('a', 'b'): 1, ('a', 'c', 'd'): 2}.items():
+            at = data
+            for key in path[:-1]:
+                at = at.setdefault(key, {})
+            at[path[-1]] = value
+        """
+    )

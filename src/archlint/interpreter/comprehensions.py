@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from archlint.interpreter.assignment import assign
 from archlint.interpreter.conditions import evaluate_test
-from archlint.interpreter.containers import ITEM_LIMIT, new_dict, new_list, unknown_item
+from archlint.interpreter.containers import ITEM_LIMIT, entry_key, new_dict, new_list, unknown_item
 from archlint.interpreter.limits import UNROLL
 from archlint.interpreter.values import NONE, Unknown, UnknownKey, Value, reason
 from archlint.reasons import Uninformative
@@ -76,7 +76,7 @@ def _collected(
     if e.kind == "dict":
         entries: dict[Hashable, tuple[Value, Value]] = {}
         for key, value in rows:
-            at = key.entry_key()
+            at = entry_key(machine, key)
             open_ = open_ or at is None
             entries[at if at is not None else UnknownKey(len(entries))] = (key, value)
         return new_dict(machine, entries, open_)

@@ -53,6 +53,16 @@ def new_dict(machine: Machine, entries: dict[Hashable, tuple[Value, Value]], ope
     return collection
 
 
+def entry_key(machine: Machine, value: Value) -> Hashable | None:
+    """What stands for a value as the key of a dict, for a tuple what stands for its items; None where it is not
+    known."""
+    if not isinstance(value, ListValue) or value.kind != "tuple":
+        return value.entry_key()
+    items = value.items(machine)
+    keys = [entry_key(machine, item) for item in items.values]
+    return None if items.open or None in keys else ("tuple", *keys)
+
+
 def dict_of_names(machine: Machine, values: Mapping[str, Value], open_: bool = False) -> DictValue:
     """A dict with texts for keys."""
     names = ((Known(name), value) for name, value in values.items())

@@ -14,6 +14,7 @@ from archlint.interpreter.comprehensions import comprehension
 from archlint.interpreter.conditions import evaluate_test, operands
 from archlint.interpreter.containers import (
     ITEM_LIMIT,
+    entry_key,
     new_dict,
     new_list,
 )
@@ -126,7 +127,7 @@ def _mapping(machine: Machine, e: facts.Mapping) -> Value:
             open_ = open_ or other is None or other.open
             continue
         key = machine.evaluate(key_expression)
-        at = key.entry_key()
+        at = entry_key(machine, key)
         if at is None:
             open_ = True
             entries[UnknownKey(len(entries))] = (key, value)

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from archlint.interpreter.attributes import get_attribute, method_of, set_attribute
 from archlint.interpreter.call_site import CallSite
-from archlint.interpreter.containers import ITEM_LIMIT, PYTHON, new_list
+from archlint.interpreter.containers import ITEM_LIMIT, PYTHON, entry_key, new_list
 from archlint.interpreter.values import (
     ENTRIES,
     FACTORY,
@@ -139,7 +139,7 @@ def get_entry(machine: Machine, container: DictValue, index: Value, default: Val
 
 def _get_entry(machine: Machine, container: DictValue, index: Value, default: Value | None) -> Value:
     entries = container.entries(machine)
-    at = index.entry_key()
+    at = entry_key(machine, index)
     if at is None:
         values = [*entries.values, *(() if default is None else (default,))]
         return Unknown(reason(index, *values[:1])) if entries.open or not values else one_of(values)
@@ -182,7 +182,7 @@ def set_item(machine: Machine, container: Value, index: Value, value: Value) -> 
 
 def _set_entry(machine: Machine, target: DictValue, index: Value, value: Value, several: bool) -> None:
     entries = target.entries(machine)
-    at = index.entry_key()
+    at = entry_key(machine, index)
     updated = dict(entries.entries)
     if at is None:
         strange = [row for key, row in updated.items() if isinstance(key, UnknownKey)]
@@ -217,7 +217,7 @@ def delete_item(machine: Machine, container: Value, index: Value) -> None:
     """``del container[index]``."""
     match container:
         case DictValue():
-            at, entries = index.entry_key(), container.entries(machine)
+            at, entries = entry_key(machine, index), container.entries(machine)
             kept = {key: entry for key, entry in entries.entries.items() if key != at}
             machine.store.set(container.key, ENTRIES, Entries(kept, entries.open or at is None))
         case ListValue():

@@ -7,7 +7,7 @@ import posixpath
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from archlint.interpreter.containers import ITEM_LIMIT, PYTHON, new_dict, new_list
+from archlint.interpreter.containers import ITEM_LIMIT, PYTHON, entry_key, new_dict, new_list
 from archlint.interpreter.formatting import CARTESIAN, percent_format, plain_text
 from archlint.interpreter.values import (
     TEXT_LIMIT,
@@ -223,7 +223,7 @@ def _contains(machine: Machine, item: Value, container: Value) -> bool | None:
         case Known(value=str(text)):
             return None if item.text is None else item.text in text
         case DictValue():
-            at, entries = item.entry_key(), container.entries(machine)
+            at, entries = entry_key(machine, item), container.entries(machine)
             if at is None:
                 return None
             return True if at in entries.entries else None if entries.open else False

@@ -105,7 +105,7 @@ def _of_launch(run: LaunchRun, path: Value, place: Place) -> tuple[FileReference
     reference = run.resolve(FileKind.PARAMETERS, path, place)
     if text.text is None:
         return replace(reference, written=None, reason=reason(text)), ()
-    return reference, (Written(text.text),)
+    return replace(reference, reason=None), (Written(text.text),)
 
 
 class _Room:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Hashable
 from typing import TYPE_CHECKING
 
-from archlint.interpreter.containers import new_dict, new_list
+from archlint.interpreter.containers import entry_key, new_dict, new_list
 from archlint.interpreter.items import delete_item, get_entry, set_item
 from archlint.interpreter.values import (
     ENTRIES,
@@ -47,7 +47,7 @@ def update_entries(machine: Machine, entries: dict[Hashable, tuple[Value, Value]
         if row is None or row.open or row.size != 2:
             return False
         key, value = row.values
-        at = key.entry_key()
+        at = entry_key(machine, key)
         if at is None:
             return False
         entries[at] = (key, value)
@@ -93,7 +93,7 @@ def _get(machine: Machine, target: DictValue, site: CallSite) -> Value | None:
 def _set_default(machine: Machine, target: DictValue, site: CallSite) -> Value | None:
     if not site.args:
         return None
-    entries, at = target.entries(machine), site.args[0].entry_key()
+    entries, at = target.entries(machine), entry_key(machine, site.args[0])
     if at is not None and at in entries.entries:
         return entries.entries[at][1]
     value = _default(site)
