@@ -82,6 +82,9 @@ class Machine(ABC):
     """The state of one abstract interpretation."""
 
     library: Library
+    allowed_runs = RUNS
+    allowed_nesting = NESTED_CALLS
+    """How many calls of one function may run at a time where it is certain that each comes to the next."""
 
     def __init__(self, index: ModuleIndex, store: Store) -> None:
         self.index = index
@@ -94,9 +97,6 @@ class Machine(ABC):
         """How many calls, items and tests have been met that are not known."""
         self.steps = 0
         self.allowed_steps = PROGRAM_STEPS
-        self.allowed_runs = RUNS
-        self.allowed_nesting = NESTED_CALLS
-        """How many calls of one function may run at a time where it is certain that each comes to the next."""
         self.left = PROGRAM_STEPS
         """What is left of the program's statements."""
         self.granted = PROGRAM_STEPS

@@ -70,6 +70,9 @@ class Surroundings:
 class LaunchRun(Run):
     """``launch`` is the launch context; ``file`` the launch file whose actions are visited now."""
 
+    allowed_runs = LAUNCH_RUNS
+    allowed_nesting = LAUNCH_NESTED_CALLS
+
     def __init__(
         self, library: Callable[[Run], Library], surroundings: Surroundings, file: str, result: Launched
     ) -> None:
@@ -119,16 +122,12 @@ class LaunchRun(Run):
         """Whether what is visited now starts when the groups around it, and the namespace that they push, have gone."""
         self.asked_files: set[str] = set()
         """The paths of which the code asks whether a file exists."""
-        self.made_files: dict[str, MadeFile] = {}
-        """The files that the launch makes of others, each under a path of its own."""
-        self.written_files: dict[str, Instance] = {}
-        """The files that its code writes, by their paths."""
+        self.made_files, self.written_files = dict[str, MadeFile](), dict[str, Instance]()
+        """The files that the launch makes of others, each under a path of its own, and those that its code writes."""
         self.performing = 0
         """How deep the text is nested that is performed now, and ``performed`` of how many parts it has been."""
         self.performed = 0
         self.left = LAUNCH_STEPS
-        self.allowed_runs = LAUNCH_RUNS
-        self.allowed_nesting = LAUNCH_NESTED_CALLS
 
     # ------------------------------------------------------------------------------ what the rooms implement
 
