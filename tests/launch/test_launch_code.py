@@ -211,3 +211,12 @@ def test_nobody_knows_what_is_around_an_installed_package(launches, path):
     before = f"import os\nfrom pathlib import Path\npath = {path}"
     [started] = launches.python("[Node(package='r', executable='t', name=path)]", before).started
     assert (started.name.text, started.name.reason) == (None, "where the workspace is installed")
+
+
+def test_the_arguments_that_a_description_declares(launches):
+    before = f"""\
+ld = LaunchDescription([DeclareLaunchArgument('ns', default_value='robot')])
+given = {{argument.name: LaunchConfiguration(argument.name) for argument in ld.get_launch_arguments()}}
+ld.add_action(GroupAction([{node("a", namespace="LaunchConfiguration('ns')")}], launch_configurations=given,
+    forwarding=False))"""
+    assert names(launches.python("ld.entities", before)) == ["/robot/a"]

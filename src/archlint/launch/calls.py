@@ -16,7 +16,16 @@ from archlint.interpreter.values import (
     Value,
     reason,
 )
-from archlint.launch.objects import ENTITIES, GIVEN, MADE_BY_BASE, LaunchObject, entities_of, given, launch_object
+from archlint.launch.objects import (
+    ENTITIES,
+    GIVEN,
+    MADE_BY_BASE,
+    LaunchObject,
+    entities_of,
+    given,
+    kind_of,
+    launch_object,
+)
 from archlint.launch.substitutions.paths import package_share
 from archlint.launch.substitutions.texts import each_text
 from archlint.launch.tables import CLASSES, CONDITIONS, SUBSTITUTIONS, LaunchClass
@@ -29,6 +38,7 @@ if TYPE_CHECKING:
     from archlint.libraries.run import Run
 
 
+DECLARES = (LaunchClass.DECLARE_LAUNCH_ARGUMENT, LaunchClass.DECLARE_BOOLEAN_LAUNCH_ARGUMENT)
 PACKAGES_OF_THE_MACHINE = "the environment variable AMENT_PREFIX_PATH"
 """Names the folders that packages are installed to."""
 
@@ -129,6 +139,17 @@ def _find(run: Run, receiver: Value, site: CallSite) -> Value:
     return each_text(names[0], package_share) if names else Unknown("no value")
 
 
+def _declared(run: Run, receiver: Value, site: CallSite) -> Value:
+    """``description.get_launch_arguments()``: the declarations in it; in what it includes, there may be more."""
+    actions = (entities_of(run, receiver) if isinstance(receiver, Instance) else None) or Items((), True)
+    declared = [action for action in actions.values if kind_of(action) in DECLARES]
+    others = (action for action in actions.values if kind_of(action) not in (*DECLARES, *_WITHOUT_ACTIONS))
+    return containers.new_list(run, declared, "list", actions.open or any(True for _ in others))
+
+
+_WITHOUT_ACTIONS = (LaunchClass.NODE, LaunchClass.LIFECYCLE_NODE, LaunchClass.SET_LAUNCH_CONFIGURATION)
+
+
 def _performed(run: Run, receiver: Value, site: CallSite) -> Value:
     return Unknown("a substitution outside of a launch file")
 
@@ -142,6 +163,7 @@ UNDECIDED = "a condition that is not known"
 METHODS = {
     "launch.LaunchDescription.add_action": _add,
     "launch.LaunchDescription.add_entity": _add,
+    "launch.LaunchDescription.get_launch_arguments": _declared,
     "launch.LaunchContext.perform_substitution": _performed,
     "launch.FindPackageShare.find": _find,
     "launch.FindPackagePrefix.find": _find,

@@ -30,8 +30,6 @@ def _row(path: str) -> Api | None:
     return _ROS.row(path) or tables.find(path)
 
 
-_DECLARES = (tables.LaunchClass.DECLARE_LAUNCH_ARGUMENT, tables.LaunchClass.DECLARE_BOOLEAN_LAUNCH_ARGUMENT)
-
 _SAID_BY_COMPONENTS = {
     "package": "package",
     "node_plugin": "plugin",
@@ -55,7 +53,7 @@ class LaunchLibrary(RosLibrary):
     def attribute_of_object(self, value: Instance, cls: External, name: str) -> Value:
         is_entities = name == "entities" and names.canonical(cls.path) == "launch.LaunchDescription"
         said = calls.entities(self.run, value) if is_entities else None
-        if name == "name" and kind_of(value) in _DECLARES:
+        if name == "name" and kind_of(value) in calls.DECLARES:
             said = argument(value, "name")
         return super().attribute_of_object(value, cls, name) if said is None else said
 
