@@ -48,15 +48,15 @@ def shortest(machine: Machine, path: Known) -> Value:
     if not text.startswith("$("):
         return Known(posixpath.normpath(text), path.via, path.origin, path.kind)
     first, *rest = text.split("/")
-    found: Value = replace(path, value=first)
+    shorter: Value = replace(path, value=first)
     for part in rest:
-        if not isinstance(found, Known):
-            return found
+        if not isinstance(shorter, Known):
+            return shorter
         if part == "..":
-            found = folder_of(machine, found)
+            shorter = folder_of(machine, shorter)
         elif part not in ("", "."):
-            found = Known(f"{found.value!s}/{part}", path.via)
-    return replace(found, origin=path.origin, kind=path.kind) if isinstance(found, Known) else found
+            shorter = Known(f"{shorter.value!s}/{part}", path.via)
+    return replace(shorter, origin=path.origin, kind=path.kind) if isinstance(shorter, Known) else shorter
 
 
 def _parents(machine: Machine, path: Known) -> Value:

@@ -81,10 +81,10 @@ def in_python(node: yaml.Node) -> Any:
     match node:
         case yaml.ScalarNode(value=text):
             try:
-                made = yaml.constructor.SafeConstructor().construct_object(node)
+                constructed = yaml.constructor.SafeConstructor().construct_object(node)
             except (ValueError, yaml.YAMLError):  # 2024-13-01 looks like a date
                 return text
-            return made if made is None or isinstance(made, (bool, int, float, str)) else text
+            return constructed if constructed is None or isinstance(constructed, (bool, int, float, str)) else text
         case yaml.SequenceNode(value=items):
             return [in_python(item) for item in items]
     return {}
