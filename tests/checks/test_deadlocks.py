@@ -707,6 +707,39 @@ def test_a_loop_that_is_always_left_does_not_wait(run: Run, body: str, expected:
     assert [code for code in found if code == "EXE002"] == expected
 
 
+@pytest.mark.parametrize(
+    ("body", "expected"),
+    [
+        ("await self.pause()", []),
+        ("if (await self.other).success:\n            self.count += 1", []),
+        ("if goal_handle.is_cancel_requested:\n            return None\n        await self.pause()", []),
+        ("if self.hurry:\n            continue\n        await self.pause()", ["EXE002"]),
+        ("time.sleep(0.1)", ["EXE002"]),
+    ],
+)
+def test_a_loop_that_awaits_in_each_round_lets_others_run(run: Run, body: str, expected: list[str]):
+    method = f"""
+async def execute(self, goal_handle):
+    future = self.client.call_async(Trigger.Request())
+    while not future.done():
+        {body}
+    return Fibonacci.Result()
+"""
+    found = codes(run(source(CLIENT + SERVER, method)))
+    assert [code for code in found if code == "EXE002"] == expected
+
+
+def test_a_loop_that_awaits_holds_the_group_of_its_callback(run: Run):
+    method = """
+async def tick(self):
+    future = self.client.call_async(Trigger.Request())
+    while not future.done():
+        await self.pause()
+"""
+    assert codes(run(source(CLIENT + TIMER, method))) == ["EXE002"]
+    assert codes(run(source(CLIENT_APART + TIMER, method))) == []
+
+
 KEPT = """
     from dataclasses import dataclass
 

@@ -443,6 +443,34 @@ def test_what_a_scoped_include_does_not_take_is_gone_after_it(findings):
     assert found.help.startswith("the value has no effect") and not found.related
 
 
+GIVEN_TOO_EARLY = '<include file="$(dirname)/view.launch.xml"><arg name="world" value="hall"/></include>\n'
+
+
+@pytest.mark.parametrize(
+    ("later", "told"),
+    [
+        ('<include file="$(find-pkg-share simulator)/launch/it.launch.xml"/>', 0),
+        ('<include file="$(dirname)/simulator.launch.xml"/>', 0),
+        (
+            '<include file="$(find-pkg-share simulator)/launch/it.launch.xml"><arg name="world" value="a"/></include>',
+            1,
+        ),
+        ('<include file="$(dirname)/panel.launch.xml"/>', 1),
+        ("", 1),
+    ],
+)
+def test_an_argument_that_reaches_a_later_include(findings, later, told):
+    """Includes are not scoped: what the first one does not take, a simulator that is not in the workspace may."""
+    files = {
+        "launch/view.launch.xml": f"<launch>{node(exec='viewer')}</launch>",
+        "launch/panel.launch.xml": '<launch><arg name="ns" default=""/></launch>',
+        "launch/simulator.launch.xml": f'<launch><arg name="world" default="a"/>{node(name="$(var world)")}</launch>',
+    }
+    assert len(findings("LCH003", GIVEN_TOO_EARLY + later, **files)) == told
+    assert len(findings("LCH003", later + GIVEN_TOO_EARLY, **files)) == 1
+    assert len(findings("LCH003", f"<group>{GIVEN_TOO_EARLY}</group>{later}", **files)) == 1
+
+
 LATE_IN_THE_LIST = """\
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument

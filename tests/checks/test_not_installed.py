@@ -155,6 +155,23 @@ def test_a_package_dir(findings):
     assert findings("PKG004", **files, **{"src/robot/words/__init__.py": ""}) == []
 
 
+def test_a_package_dir_that_is_not_there(findings):
+    moved = "    package_dir={'': 'src'},\n"
+    files = CODE | INITS | {"setup.py": setup("find_packages()", moved)}
+    (finding,) = findings("PKG004", **files)
+    assert finding.message == "package_dir= puts packages into 'src', a folder that is not there: the build stops"
+    assert finding.help == "remove package_dir=: the packages are beside setup.py"
+    assert moved.strip() in files["setup.py"].splitlines()[finding.place.line - 1]
+    (elsewhere,) = findings("PKG004", **{"lib/tools/a.py": "", "setup.py": setup("['tools']", moved)})
+    assert elsewhere.help == "move the packages to 'src', or change package_dir="
+
+
+def test_a_package_dir_that_is_there(findings):
+    files = {f"src/{name}": text for name, text in (CODE | INITS).items()}
+    moved = "    package_dir={'robot': 'src/robot', 'tools': 'tools'},\n"
+    assert findings("PKG004", **files, **{"setup.py": setup("['robot', 'robot.words']", moved)}) == []
+
+
 def test_a_package_that_cmake_builds_installs_what_cmake_says(findings):
     files = {"package.xml": CMAKE, "CMakeLists.txt": "project(robot)\nament_python_install_package(robot)\n"}
     assert findings("PKG004", **CODE, **files, **{"setup.py": setup("['robot']")}) == []
@@ -219,6 +236,40 @@ def test_a_build_that_puts_files_into_its_install_folder_by_itself(findings, com
     assert len(findings("LCH001", node(executable="other"), **files)) == count
     include = '<include file="$(find-pkg-share robot)/launch/other.launch.xml"/>'
     assert len(findings("LCH004", include, **files)) == count
+
+
+INSTALL_FOLDERS = """\
+function(install_folders)
+  foreach(FOLDER ${ARGN})
+    install(DIRECTORY "${FOLDER}/" DESTINATION "share/${PROJECT_NAME}/${FOLDER}")
+  endforeach()
+endfunction()
+"""
+
+
+@pytest.mark.parametrize(
+    ("call", "count"),
+    [
+        ("include(Shared)\ninstall_folders(launch)\n", 0),
+        ("include(Shared)\ninstall_folders(config)\n", 1),
+        ("include(Shared)\n", 1),
+        ("include(CTest)\n", 1),
+        ("include(Shared)\nfrom_elsewhere(launch)\n", 0),
+        ("include(Shared)\nfrom_elsewhere(config)\n", 1),
+    ],
+)
+@pytest.mark.parametrize(
+    "path",
+    [
+        'set(CMAKE_MODULE_PATH "${CMAKE_MODULE_PATH}" "${PROJECT_SOURCE_DIR}/cmake")\n',
+        "list(APPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_SOURCE_DIR}/cmake)\n",
+    ],
+)
+def test_a_cmake_function_of_a_module_in_the_source_tree(findings, path, call, count):
+    cmake = f"project(robot)\n{path}{call}ament_package()\n"
+    files = {"package.xml": CMAKE, "setup.py": "", "CMakeLists.txt": cmake, "config/a.yaml": ""}
+    files["cmake/Shared.cmake"] = INSTALL_FOLDERS
+    assert len(findings("PKG004", LAUNCH, **files)) == count
 
 
 def test_one_launch_file_of_several_may_be_put_aside(findings):

@@ -544,3 +544,33 @@ def test_a_launch_file_reads_the_keys_that_it_asks_for(findings, key: str, count
     taken = f"yaml.safe_load(open(file))['talker']['ros__parameters']['{key}']"
     yaml = "talker:\n  ros__parameters:\n    gain: 2.0\n    pose: [0.0]\n"
     assert len(findings("file", f", {{'gain': {taken}}}", yaml=yaml)) == count
+
+
+IN_A_LOOP = """\
+self.declare_parameter('servos_used', DEFAULT)
+        used = self.get_parameter('servos_used').value
+        if used < 0:
+            raise ValueError('how many?')
+        for number in range(used):
+            self.declare_parameter(f'servo{number}.min', 0.0)
+"""
+
+
+@pytest.mark.parametrize("default", [0, 1, 2])
+@pytest.mark.parametrize(
+    ("given", "told"),
+    [
+        ("'servos_used': 2, 'servo0.min': 1.0, 'servo1.min': 1.0", []),
+        ("'servos_used': 2, 'servo1.min': 1.0, 'servo2.min': 1.0", ["servo2.min"]),
+        ("'servos_used': 2, 'speed': 1.0", ["speed"]),
+    ],
+)
+def test_parameters_that_a_loop_declares_as_often_as_another_one_says(
+    findings, default: int, given: str, told: list[str]
+):
+    """The value of the launch file counts, and the default does not."""
+    loop = IN_A_LOOP.replace("DEFAULT", str(default))
+    talker = TALKER.replace("self.declare_parameter('gain', 1.0)", loop)
+    found = findings(f"{{{given}}},", talker=talker)
+    assert [name for name in told if any(name in one.message for one in found)] == told
+    assert len(found) == len(told)

@@ -8,7 +8,7 @@ from archlint.analysis.reach import same_expression
 from archlint.syntax import facts
 from archlint.syntax.control_flow import loop_of
 from archlint.syntax.parts import names_in
-from archlint.syntax.walk import called_name, statements_of
+from archlint.syntax.walk import called_name, parts_of, statements_of
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -33,6 +33,12 @@ def loop_until_done(code: SourceCode, call: ApiCall) -> Loop | None:
         return None
     only_waits = not loop_of(loop).is_left_otherwise and all(map(_is_limit, _other_ends(loop, asked)))
     return loop if only_waits and (loop.tests or _counts(loop)) and _is_about_one(loop, asked) else None
+
+
+def awaits_in_each_round(loop: Loop) -> bool:
+    """Whether a loop gives its thread back before each further round: others run meanwhile, as with ``await``."""
+    rounds = loop_of(loop)
+    return rounds.is_in_every_round(*(block for block in rounds.blocks if any(parts_of(block.fact, facts.Await))))
 
 
 def gives_up(code: SourceCode, call: ApiCall) -> bool:

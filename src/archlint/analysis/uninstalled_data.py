@@ -51,7 +51,7 @@ def data_left_out(workspace: WorkspaceIndex) -> Iterator[DataLeftOut]:
 def _is_left_out(workspace: WorkspaceIndex, installs: Installs, file: str) -> bool:
     sources = installs.source_of(f"share/{installs.package}/{file}")
     there = workspace.tree.is_file(posixpath.normpath(posixpath.join(installs.folder, file)))
-    return there and not any(map(workspace.tree.is_file, sources))
+    return there and not any(map(workspace.tree.is_file, sources)) and not installs.may_install(file)
 
 
 @once_for_each_file

@@ -47,6 +47,7 @@ def launch_files_left_out(workspace: WorkspaceIndex) -> Iterator[LaunchFilesLeft
         place = mended_at(workspace, installs)
         own = _launch_files(workspace, installs)
         missing = [file for file in own if not any(installs.places_of(file)) and file not in _told_already(workspace)]
+        missing = [file for file in missing if not any(map(installs.may_install, _below(installs, [file])))]
         if place is None or not missing:
             continue
         told = {file: list(_told_at(workspace, installs.package, file)) for file in missing}

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.deadlock import AWAIT, CALL, SPIN
-from archlint.analysis.future_loops import gives_up, loop_until_done
+from archlint.analysis.future_loops import awaits_in_each_round, gives_up, loop_until_done
 from archlint.analysis.kept import once
 from archlint.analysis.reach import (
     argument,
@@ -102,6 +102,10 @@ def _waits_of(code: SourceCode, call: ApiCall, signals: _Signals) -> Iterator[tu
     elif call.api == DONE:
         loop = loop_until_done(code, call)
         if loop is not None:
+            if awaits_in_each_round(loop):
+                if not gives_up(code, call):
+                    yield AWAIT, creations_of(call.receiver)
+                return
             spins = not names_in(loop).isdisjoint({"spin", "spin_once", "spin_until_future_complete"})
             yield SPIN if spins else CALL, creations_of(call.receiver)
     elif call.api == _EVENT_WAIT and isinstance(call.receiver, Object):

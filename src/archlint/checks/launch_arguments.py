@@ -228,8 +228,9 @@ def _unknown_arguments(
     read = {name for target in targets for name in target.read}
     unknown = [
         name
-        for name in given
+        for name, place in given.items()
         if name not in declared
+        and place not in launched.reach_later
         and name not in read
         and not any((include.file, name) in launched.set_by_includes for include in includes)
         and not any(may_read_argument(workspace, file, name) for file in files)

@@ -14,6 +14,7 @@ from archlint.analysis.uninstalled_files import (
     ListedInVain,
     launch_files_left_out,
     listed_in_vain,
+    understood,
 )
 from archlint.checks.folding import folds, with_others
 from archlint.checks.packages import workspace_of
@@ -24,6 +25,7 @@ from archlint.suggestions import listed
 
 if TYPE_CHECKING:
     from archlint.systems.model import System, WorkspaceIndex
+    from archlint.workspace.installed import AbsentFolder
 
 _SHOWN = 5
 """How many places that need something are related."""
@@ -39,7 +41,9 @@ def not_installed(system: System, options: Options) -> Iterator[Finding]:
     for needing in left_out_code(workspace):
         needed.setdefault(needing.package, []).append(needing)
     for package, rows in needed.items():
-        yield _code(workspace, package, rows)
+        if _absent_folder(workspace, package) is None:
+            yield _code(workspace, package, rows)
+    yield from _packages_nowhere(workspace)
     yield from map(_launch_files, launch_files_left_out(workspace))
     named: dict[str, list[DataLeftOut]] = {}
     for named_row in data_left_out(workspace):
@@ -86,6 +90,27 @@ def _code(workspace: WorkspaceIndex, package: str, rows: Sequence[LeftOut]) -> F
         related=related,
         identity=(package, *(group.name for group in groups)),
     )
+
+
+def _absent_folder(workspace: WorkspaceIndex, package: str) -> AbsentFolder | None:
+    code = workspace.installs[package].python
+    return None if code is None else code.absent
+
+
+def _packages_nowhere(workspace: WorkspaceIndex) -> Iterator[Finding]:
+    """Each ``package_dir=`` that leads to a folder which is not there: the build stops, so nothing else counts."""
+    for package in understood(workspace):
+        absent = _absent_folder(workspace, package)
+        if absent is not None:
+            yield finding(
+                "PKG004",
+                absent.place,
+                f"package_dir= puts packages into '{absent.path}', a folder that is not there: the build stops",
+                help="remove package_dir=: the packages are beside setup.py"
+                if absent.unneeded
+                else f"move the packages to '{absent.path}', or change package_dir=",
+                identity=(package, "package_dir"),
+            )
 
 
 def _group(file: str, module: str) -> _Group:

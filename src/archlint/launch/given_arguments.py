@@ -6,7 +6,7 @@ Source: launch, ``IncludeLaunchDescription.execute`` sets each argument in the c
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -40,7 +40,8 @@ class GivenArguments:
 
     Of a launch, ``read_on`` gets the places of what is read after includes, by those where the values are written;
     ``set_by_includes`` gets files, each with a configuration that only its includes give a value and that it reads
-    after them: that is what they are for.  ``leaked`` gets what is another value then.
+    after them: that is what they are for.  ``leaked`` gets what is another value then.  ``reach_later`` gets the places
+    of values that a later include may read, because it declares the argument or because nobody knows what it reads.
     """
 
     def __init__(self, result: Launched) -> None:
@@ -77,6 +78,12 @@ class GivenArguments:
         self._result.read_on.setdefault(given.place, action)
         self._note_leak(name, value, given.before, given.place, action, file, given.include)
 
+    def note_unread_include(self, configurations: Mapping[str, Value]) -> None:
+        """An include is visited whose file is not here: it may read everything that is set now."""
+        for name, given in self._given.items():
+            if configurations.get(name) is given.value:
+                self._result.reach_later.add(given.place)
+
     def note_default(self, name: str, value: Value, place: Place, file: str, includes: Sequence[Place]) -> None:
         """A file sets the default of an argument; ``includes`` lead to it."""
         self._defaults[name] = _Default(value, place, file, tuple(includes))
@@ -90,6 +97,7 @@ class GivenArguments:
             return
         given, other = self._given.get(name), self._defaults.get(name)
         if given is not None and given.value is value and given.include not in includes:
+            self._result.reach_later.add(given.place)
             self._note_leak(name, value, own, given.place, place, file, given.include)
         elif other is not None and other.value is value and other.file != file:
             beside = [include for include in other.includes if include not in includes]

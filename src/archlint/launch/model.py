@@ -89,6 +89,8 @@ class Launched:
     such place by that of the argument."""
     set_by_includes: set[tuple[str, str]] = field(default_factory=set)
     """Files, each with a launch configuration that it reads after an include and that has no other value there."""
+    reach_later: set[Place] = field(default_factory=set)
+    """The arguments of includes that a later include takes, or may take because its file is not here."""
     leaked: list[LeakedArgument] = field(default_factory=list)
     """What includes change for the actions behind them."""
     references: list[FileReference] = field(default_factory=list)

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.interpreter.values import DictValue
-from archlint.workspace.installed import PythonCode
+from archlint.workspace.installed import AbsentFolder, PythonCode
 
 if TYPE_CHECKING:
     from archlint.interpreter.values import Value
@@ -30,7 +30,31 @@ def python_code(installs: Installs, run: SetupRun, keywords: Mapping[str, Value]
     def shown(path: str) -> str:
         return posixpath.normpath(posixpath.join(installs.folder, path))
 
-    return PythonCode(frozenset(map(shown, places)), frozenset(map(shown, files)), run.packages_at, run.searches)
+    absent = _absent(run, shown, names, folders)
+    return PythonCode(
+        frozenset(map(shown, places)), frozenset(map(shown, files)), run.packages_at, run.searches, absent
+    )
+
+
+def _absent(
+    run: SetupRun, shown: Callable[[str], str], names: Sequence[str], folders: Mapping[str, str]
+) -> AbsentFolder | None:
+    """The first folder of ``package_dir=`` that packages are to be in and that is not there.
+
+    Source: ``build_py.check_package`` of setuptools raises "package directory … does not exist".
+    """
+    tree, place = run.tree, run.package_dir_at
+    if tree is None or place is None:
+        return None
+
+    def is_there(path: str) -> bool:
+        return any(True for _ in tree.files_below(shown(path)))
+
+    for key, folder in folders.items():
+        inside = [name for name in names if key in ("", name) or name.startswith(f"{key}.")]
+        if inside and not is_there(folder):
+            return AbsentFolder(folder, place, all(is_there(name.replace(".", "/")) for name in inside))
+    return None
 
 
 def _texts(run: SetupRun, value: Value | None) -> Sequence[str] | None:

@@ -167,12 +167,12 @@ class Loop:
         onward = [edge, *(later for block in inside for later in block.edges)]
         return all(later.target is not self.head for later in onward)
 
-    def is_in_every_round(self, block: Block) -> bool:
-        """Whether no round that leads to another one goes past a block."""
-        if block is self.head:
+    def is_in_every_round(self, *blocks: Block) -> bool:
+        """Whether no round that leads to another one goes past all of some blocks."""
+        if self.head in blocks:
             return True
         begins = [edge.target for edge in self.head.edges if self._stays_within(edge)]
-        others = reach(begins, self._stays_within, avoiding=[block])
+        others = reach(begins, self._stays_within, avoiding=blocks)
         return all(edge.target is not self.head for other in others for edge in other.edges)
 
     def _stays_within(self, edge: Edge) -> bool:

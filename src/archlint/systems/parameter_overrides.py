@@ -96,11 +96,14 @@ def _all_is_known(started: Started) -> bool:
 
 
 def _decided_by(program: Program) -> tuple[bool, set[str]]:
-    """The parameters that names, periods and QoS come from; first whether any other may matter, too."""
+    """The parameters that names (those of other parameters, too), periods and QoS come from; first whether any other
+    may matter."""
     mentioned: set[str] = set()
     everything = False
     for blueprint in program.nodes:
         everything |= _takes_any(blueprint)
+        for declaration in blueprint.parameters:
+            mentioned.update((declaration.name.parameter or "").split(","))
         for creation in blueprint.creations:
             unclear = creation.name.resolution in _UNCLEAR and creation.kind in ENDPOINT_KINDS
             everything |= creation.conditional or unclear

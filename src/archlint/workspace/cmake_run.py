@@ -28,6 +28,9 @@ _VALUES = 2_000
 """Items of a list that are kept."""
 _CHARACTERS = 20_000
 
+_MODULE_PATH = "CMAKE_MODULE_PATH"
+"""The variable that lists where ``include(Module)`` looks first."""
+
 _WORD = re.compile(r"[\w.-]+")
 _VARIABLE = re.compile(r"\$\{([\w.+/-]+)\}")
 _BLOCKS = {"foreach": "endforeach", "while": "endwhile", "macro": "endmacro", "function": "endfunction"}
@@ -101,7 +104,7 @@ class CMakeRun:
     def run(self, file: str, folder: str, project: str | None = None) -> None:
         """Run the CMakeLists.txt of a package; ``project`` is its name until the file gives it one."""
         here = SOURCE + folder
-        scope = _Scope({"CMAKE_SOURCE_DIR": [here], "PROJECT_SOURCE_DIR": [here]}, folder)
+        scope = _Scope({"CMAKE_SOURCE_DIR": [here], "PROJECT_SOURCE_DIR": [here], _MODULE_PATH: []}, folder)
         if project is not None:
             scope.variables["PROJECT_NAME"] = [project]
         self._file(file, scope, 0)
@@ -195,14 +198,23 @@ class CMakeRun:
         self._file(posixpath.normpath(posixpath.join(folder, CMAKE_FILE)), scope.inner(folder), depth + 1)
 
     def _include(self, step: Step, argument: Argument, scope: _Scope, depth: int) -> None:
-        if not argument.open and "/" not in argument.text and "." not in argument.text:
-            return  # a module of CMake's own: these install nothing
         if argument.open:
             self.open = True
             return
+        path: str | None = step.path(argument.text)
+        if "/" not in argument.text and "." not in argument.text:
+            path = self._module(step, argument.text, scope)
+        if path is None:
+            return  # a module of CMake's own: these install nothing
         here = scope.variables.get("CMAKE_CURRENT_LIST_DIR")
-        self._file(step.path(argument.text), scope, depth + 1)
+        self._file(path, scope, depth + 1)
         scope.variables["CMAKE_CURRENT_LIST_DIR"] = here
+
+    def _module(self, step: Step, name: str, scope: _Scope) -> str | None:
+        """The file of a module of the source tree, by the name that ``include`` has for it."""
+        folders = scope.variables.get(_MODULE_PATH) or ()
+        paths = (step.path(posixpath.join(folder, f"{name}.cmake")) for folder in folders)
+        return next((path for path in paths if self._read(path) is not None), None)
 
     def _assign(self, step: Step, texts: list[str], scope: _Scope) -> None:
         """What a command does to variables."""

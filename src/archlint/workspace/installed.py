@@ -55,6 +55,16 @@ class NeededSource:
 
 
 @dataclass(frozen=True)
+class AbsentFolder:
+    """A folder in which ``package_dir=``, written at ``place``, puts packages, and that is not there: setuptools stops.
+    ``unneeded`` is true where the packages are found without it."""
+
+    path: str
+    place: Place
+    unneeded: bool
+
+
+@dataclass(frozen=True)
 class PythonCode:
     """The modules that a ``setup.py`` installs: all that lie in some ``folders`` themselves, and single ``modules``,
     by their shown paths.  ``place`` is that of ``packages=``; ``searched`` is true where ``find_packages()`` finds the
@@ -64,6 +74,7 @@ class PythonCode:
     modules: frozenset[str]
     place: Place
     searched: bool = False
+    absent: AbsentFolder | None = None
 
     def has(self, path: str) -> bool:
         """Whether a file of Python, by its shown path, is installed."""
@@ -84,7 +95,8 @@ class Installs:
     words: frozenset[str] = frozenset()
     """Every word of the CMake files, but for their comments."""
     mentioned: frozenset[str] = frozenset()
-    """What CMake commands that are not known here are given: each may be the name of an executable."""
+    """What CMake commands that are not known here are given: each may be the name of an executable, or a folder that
+    the command installs."""
     too_deep: dict[str, str] = field(default_factory=dict)
     """Programs by name that come to a folder inside ``lib/<package>``, where ``ros2 run`` finds them and launch does
     not: that folder."""
@@ -105,6 +117,13 @@ class Installs:
 
     def add(self, executable: Executable) -> None:
         self.executables.setdefault(executable.name, executable)
+
+    def may_install(self, file: str) -> bool:
+        """Whether a CMake command that is not known here is given a file, by its path below the package's folder, or a
+        folder that it is in."""
+        parts = posixpath.normpath(file).split("/")
+        around = ("/".join(parts[:end]) for end in range(1, len(parts) + 1))
+        return not {word.rstrip("/") for word in self.mentioned}.isdisjoint(around)
 
     def source_of(self, installed: str, rows: Sequence[InstalledFiles] | None = None) -> Iterator[str]:
         """Shown paths that an installed path (below the prefix) may come from, best first; ``rows`` narrows the

@@ -69,7 +69,10 @@ def numbers(machine: Machine, site: CallSite) -> Value:
         return Unknown("a range that fails")
     if wanted[ITEM_LIMIT:]:  # its length may be too large a number for len()
         return Unknown("a range too long to follow")
-    return new_list(machine, [Known(number, via(*site.args)) for number in wanted])
+    parameters = via(*site.args)
+    if not wanted and parameters and not machine.are_settled(parameters):
+        return Unknown("a parameter says how many, and its default is none", min(parameters))
+    return new_list(machine, [Known(number, parameters) for number in wanted])
 
 
 # ------------------------------------------------------------------------------------- from one to another

@@ -53,6 +53,8 @@ def include(run: LaunchRun, entity: LaunchObject) -> None:
         reference = run.reference(FileKind.LAUNCH, option, place)
         visible = None if given is not None and run.is_open(given) else _visible_texts(run, [name for name, _ in names])
         run.result.included.append(Included(reference, names, place, run.file, run.is_dormant, visible))
+        if reference.source is None:
+            run.given.note_unread_include(run.launch.configurations)
         with run.given.passing([name for name, _ in names]):
             run.include(reference, plain=not names and option is path, called_at=entity.called_at)
 

@@ -33,6 +33,8 @@ class SetupRun(Run):
     """Where ``packages=`` is written."""
     data_files_at: Place | None = None
     """Where ``data_files=`` is written."""
+    package_dir_at: Place | None = None
+    """Where ``package_dir=`` is written."""
     searches = False
     """Whether the code calls ``find_packages()``."""
 
@@ -46,6 +48,7 @@ def record_setup(run: Run, site: CallSite) -> Value:
         run.called_at = None if site.expression is None else run.place(site.expression.span)
         run.packages_at = _written_at(run, site, "packages")
         run.data_files_at = _written_at(run, site, "data_files")
+        run.package_dir_at = _written_at(run, site, "package_dir")
     return Unknown("the result of setup()")
 
 
