@@ -176,14 +176,14 @@ def _may_have_more(ours: Row) -> bool:
 _VARIABLE = re.compile(r"the environment variable (\w+)")
 
 
-_COMMAND = re.compile(r"\b(?:subprocess\.(?:run|Popen|check_output|getoutput)|os\.popen)\b")
+_COMMAND = re.compile(r"\b(?:subprocess\.(?:run|Popen|check_output|getoutput)|os\.popen|platform\.node)\b")
 _OF_THE_MACHINE = (FOLDER_ORDER, PROCESS_END, PROCESS_OUTPUT, FILE_OF_THE_MACHINE, INSTALL_FOLDER)
 
 
 def _is_asked(why: str, variables: frozenset[str]) -> bool:
     """Whether a reason names a variable that the run did ask for, or what only the machine can tell: what a command
-    prints, how a process ends, which files there are outside of the workspace, in which order a folder lists them,
-    what is around the folder that the workspace is installed to."""
+    prints, what its name is, how a process ends, which files there are outside of the workspace, in which order a
+    folder lists them, what is around the folder that the workspace is installed to."""
     found = _VARIABLE.search(why)
     machine = any(words in why for words in _OF_THE_MACHINE) or _COMMAND.search(why)
     return (found is not None and found[1] in variables) or bool(machine)
