@@ -14,6 +14,7 @@ import pytest
 from archlint.render import drawing
 from archlint.render.diagram import making
 from archlint.render.drawing import CannotDraw
+from archlint.render.view import View
 from render.hostile import hostile
 from render.lesson import lesson
 from render.pictures import diagram
@@ -119,6 +120,21 @@ def test_a_layout_that_does_not_end(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(drawing, "TIME_LIMIT", 0.001)
     with pytest.raises(CannotDraw, match="took more than"):
         drawn_as_svg(lesson())
+
+
+def test_words_on_lines_that_graphviz_cannot_place(monkeypatch: pytest.MonkeyPatch) -> None:
+    tried: list[str] = []
+
+    def layout(source: str, format: str) -> bytes:
+        tried.append(source)
+        if len(tried) == 1:
+            raise CannotDraw("Graphviz failed: fixLabelOrder")
+        return b"drawn"
+
+    monkeypatch.setattr(drawing, "layout", layout)
+    made = system(node("/a", publisher("/x")), node("/b", subscriber("/x")))
+    assert drawing.draw(diagram(made, View(style="nodes")), "png") == b"drawn"
+    assert [source.count("xlabel=") for source in tried] == [0, 1]
 
 
 def test_no_graphviz_at_all(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 
 CAREFUL_LAYOUT = 300
 """Shapes up to which ``dot`` takes all the time it wants (0.2 s for 200, 27 s for 1000 on one machine)."""
+CAREFUL_LINES = 600
+"""And lines, which a picture with few shapes may have in plenty."""
 
 _SHAPES: Mapping[ShapeKind, str] = {
     "node": "box",
@@ -57,12 +59,20 @@ def render(diagram: Diagram) -> str:
     return write(diagram)
 
 
-def write(diagram: Diagram, **attributes: str) -> str:
-    """``attributes`` are those of the whole graph, such as ``dpi``."""
+def write(diagram: Diagram, attributes: Mapping[str, str] | None = None, hurry: bool = False) -> str:
+    """``attributes`` are those of the whole graph, such as ``dpi``; in a ``hurry`` the words on lines have no place of
+    their own in the layout, and lines are straight, as in all that is large."""
     ids = ids_of(diagram.shapes)
-    attributes = {**(_HURRY if len(diagram.shapes) > CAREFUL_LAYOUT else {}), **attributes}
-    body = [*_defaults(attributes, diagram), *_shapes(diagram, ids), *(_edge(line, ids) for line in diagram.lines)]
+    hurry = hurry or is_large(diagram)
+    attributes = {**(_HURRY if hurry else {}), **(attributes or {})}
+    lines = (_edge(line, ids, "xlabel" if hurry else "label") for line in diagram.lines)
+    body = [*_defaults(attributes, diagram), *_shapes(diagram, ids), *lines]
     return "\n".join(["digraph archlint {", *body, "}"]) + "\n"
+
+
+def is_large(diagram: Diagram) -> bool:
+    """Whether a careful layout would take too long."""
+    return len(diagram.shapes) > CAREFUL_LAYOUT or len(diagram.lines) > CAREFUL_LINES
 
 
 def quote(text: str) -> str:
@@ -80,10 +90,10 @@ def escape(text: str) -> str:
     return shown
 
 
-def _attributes(values: Mapping[str, str], label: str = "") -> str:
-    """``label`` is an HTML-like one, whole."""
-    every = [f"label=<{label}>"] if label else []
-    return "[" + ", ".join([*every, *(f"{name}={quote(value)}" for name, value in values.items())]) + "]"
+def _attributes(values: Mapping[str, str], label: str = "", name: str = "label") -> str:
+    """``label`` is an HTML-like one, whole, and ``name`` the attribute that it is."""
+    every = [f"{name}=<{label}>"] if label else []
+    return "[" + ", ".join([*every, *(f"{key}={quote(value)}" for key, value in values.items())]) + "]"
 
 
 def _defaults(attributes: Mapping[str, str], diagram: Diagram) -> Iterator[str]:
@@ -116,7 +126,7 @@ def _caption(diagram: Diagram) -> str:
         if kind in tones
     ]
     if samples:
-        rows.append(_cells([(kind, drawn, look.PALETTE[kind].text) for kind, drawn in samples]))
+        rows.append(_cells([(kind, drawn, look.PALETTE[kind].text) for kind, drawn in samples], "LEFT"))
     return _table(rows, "LEFT") if rows else ""
 
 
@@ -178,7 +188,7 @@ def _badges(badges: Sequence[Badge]) -> str:
     return _cells([(text, f'BGCOLOR="{fill}"', letters) for text, fill, letters in shown])
 
 
-def _cells(cells: Sequence[tuple[str, str, str]]) -> str:
+def _cells(cells: Sequence[tuple[str, str, str]], align: str = "CENTER") -> str:
     """Coloured words side by side: text, attributes of its cell, and the colour of its letters.  Graphviz would widen
     them to what they are in, so that they say how large they are."""
     widths = [round(5.6 * len(text)) + 6 for text, _, _ in cells]
@@ -187,11 +197,11 @@ def _cells(cells: Sequence[tuple[str, str, str]]) -> str:
         for (text, look, letters), width in zip(cells, widths, strict=True)
     )
     size = f'FIXEDSIZE="TRUE" WIDTH="{sum(widths) + 2 * len(cells) + 4}" HEIGHT="18"'
-    return f'<TABLE BORDER="0" CELLBORDER="0" CELLSPACING="2" CELLPADDING="0" {size}><TR>{row}</TR></TABLE>'
+    return f'<TABLE BORDER="0" CELLSPACING="2" CELLPADDING="0" ALIGN="{align}" {size}><TR>{row}</TR></TABLE>'
 
 
-def _edge(line: Line, ids: Mapping[Key, str]) -> str:
-    return f"  {ids[line.tail]} -> {ids[line.head]} {_attributes(edge(line), _line_label(line))};"
+def _edge(line: Line, ids: Mapping[Key, str], label: str) -> str:
+    return f"  {ids[line.tail]} -> {ids[line.head]} {_attributes(edge(line), _line_label(line), label)};"
 
 
 def edge(line: Line) -> dict[str, str]:
@@ -222,4 +232,4 @@ def _line_label(line: Line) -> str:
     return _table(rows) if rows else ""
 
 
-__all__ = ["BADGES", "CAREFUL_LAYOUT", "edge", "escape", "quote", "render", "vertex", "write"]
+__all__ = ["BADGES", "CAREFUL_LAYOUT", "edge", "escape", "is_large", "quote", "render", "vertex", "write"]

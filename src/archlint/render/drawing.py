@@ -53,8 +53,17 @@ def pdf(diagram: Diagram) -> bytes:
 
 def draw(diagram: Diagram, format: Picture) -> bytes:
     """Raises :class:`CannotDraw`."""
-    attributes = {"dpi": "144" if len(diagram.shapes) <= SHARP else "96"} if format == "png" else {}
-    return layout(dot.write(diagram, **attributes), format)
+    attributes: dict[str, str] = {}
+    if format == "png":
+        attributes["dpi"] = "144" if len(diagram.shapes) <= SHARP else "96"
+    try:
+        return layout(dot.write(diagram, attributes), format)
+    except NoGraphviz:
+        raise
+    except CannotDraw:  # some versions of Graphviz cannot place the words on certain lines
+        if dot.is_large(diagram):
+            raise
+    return layout(dot.write(diagram, attributes, hurry=True), format)
 
 
 def layout(source: str, format: Layout) -> bytes:

@@ -35,6 +35,8 @@ _SHAPES: Mapping[ShapeKind, tuple[str, str]] = {
     "ends": ('["', '"]'),
     "group": ('[("', '")]'),
 }
+_SETTINGS = '%%{init: {"flowchart": {"wrappingWidth": 800}}}%%'
+"""Lines of a label are as we break them: Mermaid would at 200 pixels."""
 _SIGNS = {"error": "✖", "warning": "⚠", "info": "·"}
 
 
@@ -79,6 +81,7 @@ def _is_edge(line: str) -> bool:
 def chart(diagram: Diagram) -> str:
     ids = ids_of(diagram.shapes)
     lines = [
+        _SETTINGS,
         "flowchart LR",
         *_vertices(diagram, ids),
         *(_edge(line, ids) for line in diagram.lines),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import posixpath
+import re
 from dataclasses import replace
 
 import pytest
@@ -126,7 +127,7 @@ def test_test_code_has_no_page():
 def test_a_system_has_its_picture_and_its_connections():
     launched = replace(lesson(), name="robot.launch.py")
     text = pages([], [launched], ".")["systems/robot.launch.py.md"]
-    assert "\n```mermaid\nflowchart LR\n" in text
+    assert re.search(r"\n```mermaid\n%%.*\nflowchart LR\n", text)
     assert [row[0] for row in table_under(text, "Nodes")] == ["/control_node", "/motor_node", "/sensor_node"]
     assert [row[0] for row in table_under(text, "Services")] == ["/query_sensor", "/set_motor"]
 
