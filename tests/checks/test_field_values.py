@@ -300,3 +300,24 @@ def test_fields_of_one_type_that_get_the_same_wrong_kind_are_one_finding(judge: 
     assert first.message.endswith("; 2 more lines do the same")
     assert ["'y'" in first.related[0].message, "'z'" in first.related[1].message] == [True, True]
     assert "'x' of geometry_msgs/msg/Vector3" in other.message
+
+
+def test_a_name_that_no_interface_package_has_comes_from_another_star_import(judge: Judge):
+    """visualization_msgs has a Marker, and neither a Pose nor an InteractiveMarkerServer."""
+    judge(
+        "MSG003",
+        """
+        import rclpy
+        from elsewhere import *
+        from visualization_msgs.msg import *
+
+        def main():
+            rclpy.init()
+            node = rclpy.create_node('robot')
+            server = InteractiveMarkerServer(node, 'goals')
+            marker = Marker()
+            marker.pose = Pose()
+            marker.id = 'first'  # here
+            rclpy.spin(node)
+        """,
+    )

@@ -102,3 +102,8 @@ def test_a_list_in_yaml(findings):
 def test_a_file_is_one_finding(findings):
     (told,) = findings("LCH007", _args("$(find robot)") + _args("$(var x"))
     assert [row.message.partition(":")[0] for row in told.related] == ["'$(var x' has no closing parenthesis"]
+
+
+@pytest.mark.parametrize("text", [r"$(command 'sh -c \'tr \'-\' \'_\'\'')", r"$(eval '\'$(var x)\' == \'a b\'')"])
+def test_escaped_quotes_do_not_end_a_word(findings, text):
+    assert findings("LCH007", _args(text)) == []

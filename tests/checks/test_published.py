@@ -91,6 +91,19 @@ def test_a_wrong_argument(judge: Judge, line: str, given: str):
 
 
 @pytest.mark.parametrize(
+    ("line", "help"),
+    [
+        ("client.call_async(SetBool())", "write SetBool.Request()"),
+        ("spin.send_goal_async(Spin())", "write Spin.Goal()"),
+    ],
+)
+def test_nothing_makes_objects_of_a_service_or_an_action(judge: Judge, line: str, help: str):
+    [found] = judge("TOP005", NODE.format(line=line + "  # here"))
+    assert "() raises NotImplementedError, before " in found.message
+    assert found.help == help
+
+
+@pytest.mark.parametrize(
     "line",
     [
         "flags.publish(Bool(data=True))",

@@ -405,6 +405,20 @@ def test_a_circle_that_one_package_does_not_declare_is_told_where_it_uses_the_ot
     ]
 
 
+def test_a_package_that_closes_several_circles_is_told_once(lint: Lint):
+    uses = node("import arm\nimport leg")
+    leg = {
+        "leg/package.xml": manifest("leg", *depends("rclpy", "talk")),
+        "leg/leg/__init__.py": "",
+        "leg/leg/a.py": node(),
+    }
+    leg["arm/package.xml"] = manifest("arm", *depends("rclpy", "talk"))
+    (found,) = lint({**EACH_OTHER, **leg, "talk/talk/a.py": uses}, code="PKG003")
+    assert found.message == "'talk' uses 2 packages that depend on it, without declaring them: arm, leg"
+    assert found.help == "move what both need into a separate package"
+    assert [one.message for one in found.related] == ["'leg' is used here"]
+
+
 def test_two_packages_that_import_each_other(lint: Lint):
     (found,) = lint(EACH_OTHER, code="PKG003")
     assert (found.place.file, [one.place.file for one in found.related]) == ("arm/arm/a.py", ["talk/talk/a.py"])

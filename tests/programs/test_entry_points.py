@@ -299,3 +299,20 @@ def test_a_package_is_built_by_setup_py_or_by_cmake(installs_of, kind: str, exec
     )
     assert {name for name in installs.executables if name in executables} == executables
     assert ("one.py" in installs.executables) == (kind == "ament_cmake")
+
+
+def test_scripts_of_any_language_that_data_files_install_where_launch_looks(installs_of):
+    setup = """\
+import os
+from glob import glob
+from setuptools import setup
+name = 'robot'
+setup(name=name, data_files=[
+    (os.path.join('lib', name), glob('scripts/*.bash')),
+    (os.path.join('share', name), glob('scripts/*.txt')),
+])
+"""
+    installs = installs_of(**{"setup.py": setup, "scripts/lights.bash": "#!/bin/bash\n", "scripts/notes.txt": "on"})
+    assert [(name, found.script) for name, found in installs.executables.items()] == [
+        ("lights.bash", "robot/scripts/lights.bash")
+    ]

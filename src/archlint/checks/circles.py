@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import posixpath
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from itertools import pairwise
@@ -12,6 +13,7 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.undeclared import Use, uses_by_package
 from archlint.finding import Finding, Place, Related, Severity
+from archlint.suggestions import listed
 from archlint.workspace.manifest import condition_verdict
 
 if TYPE_CHECKING:
@@ -22,6 +24,8 @@ _BUILD: frozenset[DependencyKind] = frozenset(
     {"depend", "build", "build_export", "buildtool", "buildtool_export", "exec", "run"}
 )
 
+Step = tuple[str, str]
+"""A package, and one that it needs."""
 Needs = Mapping[str, Mapping[str, Place]]
 """The packages of this workspace that each one needs, with the place that says so."""
 
@@ -44,29 +48,60 @@ def circular_dependency(system: System, options: Options) -> Iterator[Finding]:
         )
     used = _used(workspace, options)
     needs = {name: {**used.get(name, {}), **declared[name]} for name in declared}
+    by_user: dict[str, list[list[Step]]] = {}
     for circle in _circles(needs, reported):
-        yield _undeclared(circle, needs, used)
+        steps = _from_undeclared(circle, needs, used)
+        by_user.setdefault(steps[0][0], []).append(steps)
+    for circles in by_user.values():
+        diagnostic = _undeclared(circles[0], needs) if len(circles) == 1 else _of_one_package(circles, needs)
+        yield replace(diagnostic, severity=Severity.WARNING)
 
 
-def _undeclared(circle: list[str], needs: Needs, used: Needs) -> Finding:
-    """The finding for a circle that colcon does not see, since one package does not declare what it uses."""
+def _from_undeclared(circle: list[str], needs: Needs, used: Needs) -> list[Step]:
+    """The steps of a circle that colcon does not see, from the one on that is not declared."""
     steps = list(pairwise(circle))
     at = next(
         n for n, (package, other) in enumerate(steps) if needs[package][other] == used.get(package, {}).get(other)
     )
-    steps = steps[at:] + steps[:at]
+    return steps[at:] + steps[:at]
+
+
+def _undeclared(steps: list[Step], needs: Needs) -> Finding:
+    """The finding for a circle that colcon does not see, since one package does not declare what it uses."""
     (package, other), *others = steps
     names = [package, *(end for _, end in steps)]
-    diagnostic = finding(
+    return finding(
         "PKG003",
         needs[package][other],
         f"packages depend on each other in a circle: {' → '.join(names)}; '{package}' uses '{other}' here without "
         "declaring it",
-        help="move what both need into a separate package",
+        help=_cure(package, [needs[package][other]]),
         related=[Related(needs[start][end], f"'{start}' depends on '{end}' here") for start, end in others],
-        identity=tuple(sorted(circle[:-1])),
+        identity=tuple(sorted(names[1:])),
     )
-    return replace(diagnostic, severity=Severity.WARNING)
+
+
+def _of_one_package(circles: list[list[Step]], needs: Needs) -> Finding:
+    """The finding for a package that is in several such circles: what starts or includes everything, most often."""
+    package, _ = circles[0][0]
+    first, *others = sorted({steps[0][1] for steps in circles}, key=lambda other: needs[package][other])
+    uses = [needs[package][other] for other in (first, *others)]
+    return finding(
+        "PKG003",
+        uses[0],
+        f"'{package}' uses {len(uses)} packages that depend on it, without declaring them: "
+        f"{listed(sorted([first, *others]))}",
+        help=_cure(package, uses),
+        related=[Related(place, f"'{other}' is used here") for other, place in zip(others, uses[1:], strict=True)],
+        identity=(package, "several"),
+    )
+
+
+def _cure(package: str, uses: list[Place]) -> str:
+    """What to do about uses that a package does not declare: launch files need no home beside a library."""
+    if all("launch" in posixpath.basename(place.file).split(".") for place in uses):
+        return f"move the launch files that use it into a package of their own, such as {package}_bringup"
+    return "move what both need into a separate package"
 
 
 def _declared(package: Package, packages: Mapping[str, Package]) -> dict[str, Place]:

@@ -116,11 +116,18 @@ def _object_of_rclpy(given: Given) -> str | None:
 def _finding(call: ApiCall, creation: Creation, argument: str, section_name: MessageClass, given: str) -> Finding:
     method = call.api.rpartition(".")[2]
     wanted = _words(creation.type or "", section_name)
+    message = f"{method}() is called with {given}, but expects {wanted}"
+    help = f"rclpy raises TypeError when this line runs; pass an object of {wanted}"
+    if section_name and given == creation.type:
+        # Source: the classes that rosidl generates for services and actions, whose __init__ raises it.
+        name = given.rpartition("/")[2]
+        message = f"{name}() raises NotImplementedError, before {method}() is called: nothing makes objects of {given}"
+        help = f"write {name}.{section_name}()"
     return finding(
         "TOP005",
         call.argument_places.get(argument, call.place),
-        f"{method}() is called with {given}, but expects {wanted}",
-        help=f"rclpy raises TypeError when this line runs; pass an object of {wanted}",
+        message,
+        help=help,
         related=[Related(creation.place, f"the {creation.kind.replace('_', ' ')} is created here")],
         node=creation.node.name.text,
         identity=(creation.kind, creation.name.text or "", given),

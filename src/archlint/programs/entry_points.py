@@ -78,7 +78,7 @@ def read_installs(
             installs.open_executables, installs.open_files = before
             installs.python = installs.data_files_at = None
         with _reading(installs, "package.xml", faults):
-            _find_programs(installs, files)
+            _find_programs(installs, tree)
             _follow_links(installs, files, tree)
     return by_package
 
@@ -113,19 +113,18 @@ def _read_setup_at(
         _read_setup(installs, module, index, tree, faults)
 
 
-def _find_programs(installs: Installs, files: Sequence[SourceFile]) -> None:
-    """The scripts that come to the program folder with a whole folder or by a pattern."""
+def _find_programs(installs: Installs, tree: Tree) -> None:
+    """The scripts, of any language, that come to the program folder with a whole folder or by a pattern."""
     programs = f"lib/{installs.package}"
     rows = [row for row in installs.files if posixpath.normpath(row.destination) == programs]
     if not rows:
         return
     place = Place(installs.build_files[-1], 1, 1, 1, 1)
-    for file in files:
-        if file.kind != "python" or file.package != installs.package:
-            continue
-        name = posixpath.basename(file.relative)
-        if file.relative in installs.source_of(f"{programs}/{name}", rows):
-            installs.add(Executable(name, installs.package, place, script=file.relative))
+    folders = dict.fromkeys(row.source if row.folder else posixpath.dirname(row.source) for row in rows)
+    for path in dict.fromkeys(path for folder in folders for path in tree.files_below(folder or ".")):
+        name = posixpath.basename(path)
+        if path in installs.source_of(f"{programs}/{name}", rows):
+            installs.add(Executable(name, installs.package, place, script=path))
 
 
 def _follow_links(installs: Installs, files: Sequence[SourceFile], tree: Tree) -> None:

@@ -106,6 +106,15 @@ def test_what_a_group_hands_on_is_read_before_it_forgets_the_rest(launches):
     assert names(launches.python(f"[{arguments}, {group}]")) == ["o"]
 
 
+def test_a_group_that_keeps_what_is_not_known_may_keep_any(launches):
+    arguments = "ld := LaunchDescription([DeclareLaunchArgument('outer', default_value='o')])"
+    kept = "{a.name: LaunchConfiguration(a.name) for a in ld.get_launch_arguments()}"
+    inner = node("n").replace("'n'", "LaunchConfiguration('outer')")
+    group = f"GroupAction([{inner}], forwarding=False, launch_configurations={kept})"
+    launched = launches.python(f"[{arguments}, {group}]")
+    assert names(launched) == ["?"] and not launched.undeclared
+
+
 def test_frontends_keep_configurations_through_a_group_that_forwards_none(launches):
     xml = launches.xml(
         '<arg name="outer" default="o"/><group forwarding="false"><keep name="kept" value="$(var outer)"/>'

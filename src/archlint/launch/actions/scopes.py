@@ -8,7 +8,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.finding import Place
-from archlint.interpreter.values import Known, Unknown, Value, reason
+from archlint.interpreter.values import DictValue, Known, Unknown, Value, reason
 from archlint.launch.actions.branches import callable_value
 from archlint.launch.context import absolute, prefix_namespace
 from archlint.launch.model import DeclaredArgument
@@ -40,9 +40,13 @@ def group(run: LaunchRun, entity: LaunchObject) -> None:
     outermost = run.around_groups is None
     if outermost:
         run.around_groups = kept
-    given = _configurations(run, entity.argument("launch_configurations"))
+    configurations = entity.argument("launch_configurations")
+    given = _configurations(run, configurations)
     if entity.argument("forwarding") == Known(False):
-        run.launch.configurations = {}
+        # What a dict that is not known keeps may be any of them.
+        keeps_some = configurations is not None and not _is_wholly_known(run, configurations)
+        kept_perhaps = Unknown("the group does not forward it, and what it keeps is not known")
+        run.launch.configurations = dict.fromkeys(run.launch.configurations, kept_perhaps) if keeps_some else {}
         run.launch.namespace = run.launch.remaps = run.launch.parameters = None
     run.launch.configurations.update(given)
     visit_actions(run, entity)
@@ -96,6 +100,12 @@ def timer(run: LaunchRun, entity: LaunchObject) -> None:
     """``TimerAction``."""
     with later(run):
         visit_actions(run, entity)
+
+
+def _is_wholly_known(run: LaunchRun, value: Value) -> bool:
+    """Whether all entries of a dict are known, and their keys."""
+    known = isinstance(value, DictValue) and not value.entries(run).open
+    return known and all(run.text_of(key) is not None for key, _ in run.entries(value))
 
 
 def _configurations(run: LaunchRun, value: Value | None) -> dict[str, Value]:

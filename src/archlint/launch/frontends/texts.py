@@ -27,11 +27,15 @@ def closing(text: str, at: int) -> int:
 
 
 def words_of(text: str) -> Iterator[str]:
-    """Words of a substitution: split at spaces outside of quotes and of inner substitutions."""
-    word, depth, quote = "", 0, ""
+    """Words of a substitution: split at spaces outside of quotes and of inner substitutions.
+
+    Within quotes a backslash keeps what follows from ending them (``grammar.lark`` of launch).
+    """
+    word, depth, quote, escaped = "", 0, "", False
     for character in text:
         if quote:
-            quote = "" if character == quote else quote
+            quote = "" if character == quote and not escaped else quote
+            escaped = character == "\\" and not escaped
         elif character in "\"'" and depth == 0:
             quote = character
         elif character == "(":

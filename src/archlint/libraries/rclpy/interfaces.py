@@ -62,16 +62,17 @@ def missing_interface(run: Run, path: str) -> Value | None:
 def star_sources(run: Run, packages: Sequence[str], name: str) -> Sequence[str]:
     """Those of some foreign packages that a star import may take a name from.
 
-    Interface packages hold class names only; where several could have it, the table of interfaces decides.
+    Interface packages hold class names only, and the table of interfaces says which of them have this one; where none
+    has it, it comes from another package.
     """
     interfaces = [package for package in packages if package.endswith((".msg", ".srv", ".action"))]
-    candidates = [p for p in packages if p in interfaces] if name[:1].isupper() and interfaces else list(packages)
-    if len(candidates) > 1 and run.interfaces is not None:
-        defines = run.interfaces.defines
-        verdicts = {p: defines(*parts_of_type("/".join([*p.rsplit(".", 1), name]))) for p in interfaces}
-        sure = [p for p in candidates if verdicts.get(p)]
-        candidates = sure or [p for p in candidates if verdicts.get(p) is not False]
-    return candidates
+    if not interfaces or not name[:1].isupper() or run.interfaces is None:
+        return interfaces if interfaces and name[:1].isupper() else list(packages)
+    defines = run.interfaces.defines
+    verdicts = {p: defines(*parts_of_type("/".join([*p.rsplit(".", 1), name]))) for p in interfaces}
+    sure = [p for p in interfaces if verdicts[p]]
+    perhaps = [p for p in interfaces if verdicts[p] is None]
+    return sure or perhaps or [p for p in packages if p not in verdicts]
 
 
 def _imported_for_sure(run: Run) -> bool:
