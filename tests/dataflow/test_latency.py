@@ -6,6 +6,7 @@ import pytest
 
 from archlint.dataflow.latency import total
 from archlint.dataflow.misfits import misfits
+from archlint.dataflow.pace import interval
 from dataflow.test_graph import RELAY, SERVER, TALKER
 from dataflow.tracing import Traced
 
@@ -160,3 +161,20 @@ def test_a_branch_in_a_loop_decides(traced: Traced) -> None:
     )
     traced(relay=RELAY)
     assert traced.way("relayed", origin="/talker") == [(None, "how often node of /talker sends is not known")]
+
+
+def test_a_rate_goes_through_many_topics(traced: Traced) -> None:
+    for number in range(20):
+        relay = RELAY.replace("chatter", f"topic{number}").replace("relayed", f"topic{number + 1}")
+        traced(**{f"relay{number}": relay.replace('"relay"', f'"relay{number}"')})
+    traced(talker=TALKER.replace("chatter", "topic0"))
+    flow = traced.flow
+    [last] = [step for step in flow.steps if step.name == "Relay19.on_topic19"]
+    assert interval(flow, last) == 0.1
+
+
+def test_the_shortest_interval_counts(traced: Traced) -> None:
+    traced(talker=TALKER, slow=TALKER.replace('"talker"', '"slow"').replace("0.1", "5.0"), relay=RELAY)
+    flow = traced.flow
+    [relay] = [step for step in flow.steps if step.name == "Relay.on_chatter"]
+    assert interval(flow, relay) == 0.1

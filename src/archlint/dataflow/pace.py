@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from heapq import heapify, heappop, heappush
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
@@ -22,20 +23,47 @@ if TYPE_CHECKING:
     from archlint.place import Place
     from archlint.systems.model import System
 
-_DEPTH = 16
-"""How many topics a rate is followed through."""
 
-
-def interval(flow: Flow, step: Step, depth: int = _DEPTH) -> float | None:
+def interval(flow: Flow, step: Step) -> float | None:
     """The seconds between two starts of a callback at most; None where that is not known."""
-    if step.callback is None:
-        return None
-    if step.callback.role == Role.TIMER:
-        return timer_period(flow.system, step)
-    if step.callback.role != Role.SUBSCRIPTION:
-        return None
-    sent = [sending_interval(flow, link, depth - 1) for topic in _topics(flow, step) for link in flow.into(topic)]
-    return min((seconds for seconds in sent if seconds is not None), default=None)
+    return _intervals(flow).get(id(step))
+
+
+@once
+def _intervals(flow: Flow) -> Mapping[int, float]:
+    """The interval of each callback (``id``) that a timer or a sleeping loop starts, over however many topics: the
+    shortest first, so that each is looked at once."""
+    known: dict[int, float] = {}
+    left: list[tuple[float, int, Step]] = []
+    for number, step in enumerate(flow.steps):
+        period = timer_period(flow.system, step) if _role(step) == Role.TIMER else None
+        if period is not None:
+            left.append((period, number, step))
+        elif _role(step) in (*SCRIPT, Role.THREAD):
+            links = [(_regular_interval(link), link.head) for link in flow.out_of(step)]
+            left += [(seconds, number, head) for seconds, head in links if seconds is not None]
+    numbers = {id(step): number for number, step in enumerate(flow.steps)}
+    heapify(left)
+    while left:
+        seconds, _, step = heappop(left)
+        if id(step) in known:
+            continue
+        known[id(step)] = seconds
+        for link in flow.out_of(step):
+            if id(link.head) not in known and _goes_on(flow, link):
+                heappush(left, (seconds, numbers[id(link.head)], link.head))
+    return {id(step): known[id(step)] for step in flow.steps if step.callback is not None and id(step) in known}
+
+
+def _role(step: Step) -> Role | None:
+    return None if step.callback is None else step.callback.role
+
+
+def _goes_on(flow: Flow, link: Link) -> bool:
+    """Whether what a link leads to runs, or is sent, whenever what it comes from is."""
+    if link.tail.kind == StepKind.TOPIC:
+        return not link.doubt and not link.broken and _role(link.head) == Role.SUBSCRIPTION
+    return link.head.kind == StepKind.TOPIC and _is_sent_each_time(flow, link)
 
 
 def rate(flow: Flow, step: Step) -> float:
@@ -56,21 +84,33 @@ def topic_rate(flow: Flow, topic: Step) -> float:
     return sum(1 / seconds for seconds in times if seconds)
 
 
-def sending_interval(flow: Flow, link: Link, depth: int = _DEPTH) -> float | None:
+def sending_interval(flow: Flow, link: Link) -> float | None:
     """The seconds between two messages that a link carries at most; None where that is not known."""
-    step = link.tail
-    if depth <= 0 or link.how != How.SEND or link.doubt or link.conditional or step.callback is None:
+    if _role(link.tail) in (*SCRIPT, Role.THREAD):
+        return _regular_interval(link)
+    return interval(flow, link.tail) if _is_sent_each_time(flow, link) else None
+
+
+def _call_of(link: Link) -> ApiCall | None:
+    """The call that sends what a link carries, unless something keeps it back."""
+    if link.how != How.SEND or link.doubt or link.broken or link.conditional:
         return None
-    code = source_code(flow.system)
-    calls = [call for call in step.calls if call.place == link.place and call.api in SENDS]
-    if not calls:
-        return None
-    call = calls[0]
-    if step.callback.role in (*SCRIPT, Role.THREAD):
-        return loop_interval(step, call)
-    if call.looped or not is_unguarded(code, call) or notes_that_it_ran(code, call):
-        return None
-    return interval(flow, step, depth)
+    calls = (call for call in link.tail.calls if call.place == link.place and call.api in SENDS)
+    return next(calls, None)
+
+
+def _regular_interval(link: Link) -> float | None:
+    """What the loop around the call of a script or a thread sleeps."""
+    call = _call_of(link)
+    return None if call is None else loop_interval(link.tail, call)
+
+
+def _is_sent_each_time(flow: Flow, link: Link) -> bool:
+    """Whether each run of a callback sends what a link carries."""
+    call, code = _call_of(link), source_code(flow.system)
+    if call is None or call.looped:
+        return False
+    return is_unguarded(code, call) and not notes_that_it_ran(code, call)
 
 
 def loop_interval(step: Step, call: ApiCall) -> float | None:

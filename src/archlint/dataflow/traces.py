@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from archlint.systems.nodes import Endpoint
 
 MOST_WAYS = 12
-"""Ways whose times are worked out for one trace: the shortest from each source, and to each end."""
+"""Sources, and ends, to which the shortest way and its times are worked out for one trace."""
 
 
 @dataclass(frozen=True)
@@ -103,10 +103,8 @@ def _trace(flow: Flow, subject: Subject, origin: list[Subject] | None, end: list
     ahead = tree(flow, subject.leaving, "on", on) if last is not None or not is_limited else []
     ways = list(_ways(flow, subject, behind, ahead, first, last))
     steps = {id(step) for step in _steps((*behind, *ahead))}
-    shown = tuple(Way(tuple(way), tuple(terms(flow, way))) for way in ways[:MOST_WAYS])
-    return Trace(
-        flow, subject, tuple(behind), tuple(ahead), shown, tuple(misfits(flow, steps)), max(0, len(ways) - MOST_WAYS)
-    )
+    shown = tuple(Way(tuple(way), tuple(terms(flow, way))) for way in ways if way is not None)
+    return Trace(flow, subject, tuple(behind), tuple(ahead), shown, tuple(misfits(flow, steps)), ways.count(None))
 
 
 def _ways(
@@ -116,8 +114,8 @@ def _ways(
     ahead: Sequence[Branch],
     first: Sequence[Step] | None,
     last: Sequence[Step] | None,
-) -> Iterator[list[Link]]:
-    """The shortest way from each source to the name, and from it to each end, where those are callbacks."""
+) -> Iterator[list[Link] | None]:
+    """The shortest way from each source to the name, and from it to each end; None for one that is not looked for."""
     if first is not None and last is not None:
         middle = set(map(id, subject.arriving))
         to = shortest(flow, first, middle)
@@ -132,19 +130,19 @@ def _ways(
         yield from _to_each(flow, subject, last if last is not None else _ends_of(ahead))
 
 
-def _from_each(flow: Flow, subject: Subject, sources: Sequence[Step]) -> Iterator[list[Link]]:
+def _from_each(flow: Flow, subject: Subject, sources: Sequence[Step]) -> Iterator[list[Link] | None]:
     arriving = set(map(id, subject.arriving))
-    for source in _worth(sources, arriving):
-        way = shortest(flow, [source], arriving)
-        if way:
+    for number, source in enumerate(_worth(sources, arriving)):
+        way = shortest(flow, [source], arriving) if number < MOST_WAYS else None
+        if way != []:
             yield way
 
 
-def _to_each(flow: Flow, subject: Subject, ends: Sequence[Step]) -> Iterator[list[Link]]:
+def _to_each(flow: Flow, subject: Subject, ends: Sequence[Step]) -> Iterator[list[Link] | None]:
     leaving = set(map(id, subject.leaving))
-    for end in _worth(ends, leaving):
-        way = shortest(flow, subject.leaving, {id(end)})
-        if way:
+    for number, end in enumerate(_worth(ends, leaving)):
+        way = shortest(flow, subject.leaving, {id(end)}) if number < MOST_WAYS else None
+        if way != []:
             yield way
 
 

@@ -103,6 +103,7 @@ def _dot_step(flow: Flow, step: Step, asked: frozenset[int]) -> str:
     style = "filled" + (",rounded" if step.kind == StepKind.CALLBACK else "") + (",dashed" if is_open else "")
     tooltip = "" if step.place is None else f", tooltip={quote(place_words(step.place))}"
     width = ", penwidth=2.6" if id(step) in asked else ""
+    width += ', margin="0,0", height=0' if shape in ("hexagon", "octagon") else ""  # Graphviz adds enough
     return (
         f'label={quote(_label(flow, step))}, shape={shape}, style="{style}", fillcolor="{colours.fill}", '
         f'color="{colours.line}", fontcolor="{colours.text}"{width}{tooltip}'
