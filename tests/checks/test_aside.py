@@ -586,6 +586,17 @@ def test_a_trial_may_spin_until_its_runner_ends_it(tmp_path, monkeypatch, path: 
     assert [one.code for one in report.findings] == found
 
 
+@pytest.mark.parametrize(("path", "count"), [("arm_system_tests/tester.py", 0), ("arm/contest.py", 1)])
+def test_a_trial_may_wait_until_its_runner_ends_it(tmp_path, monkeypatch, path: str, count: int):
+    monkeypatch.chdir(tmp_path)
+    waits = SPINS.replace("    future =", "    node.create_client(Trigger, 'ready').wait_for_service()\n    future =")
+    texts = {path: waits, "other/driver.py": "def main():\n    pass\n", "archlint.toml": 'select = ["TMO001"]\n'}
+    for name, text in texts.items():
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    assert len(check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings) == count
+
+
 SAID = """
 import rclpy
 from rclpy.node import Node

@@ -381,7 +381,12 @@ def test_a_spin_on_another_executor_strands_the_node(run: Run):
             ON_SEVERAL_THREADS,
             "wait for a threading.Event with a timeout",
         ),
-        (HANDLER, "def tick(self, request, response):", ON_ONE_THREAD, "make it an action"),
+        (
+            HANDLER,
+            "def tick(self, request, response):",
+            ON_ONE_THREAD,
+            "spin the node with a MultiThreadedExecutor, and wait for a threading.Event",
+        ),
         (SERVER, "def execute(self, goal_handle):", ON_SEVERAL_THREADS, "use time.sleep(…)"),
         (
             SERVER,

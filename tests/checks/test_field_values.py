@@ -99,6 +99,19 @@ def test_a_value_that_a_field_does_not_take(judge: Judge, line: str, says: str):
 
 
 @pytest.mark.parametrize(
+    ("line", "help"),
+    [
+        ("Int32(data=0.6)", "use a whole number, or another field: int() would cut the fraction off"),
+        ("Int32(data=6.0)", "convert it with int()"),
+        ("Int32().data = time.time()", "convert it with int()"),
+    ],
+)
+def test_what_to_do_about_a_float_for_an_int(judge: Judge, line: str, help: str):
+    [finding] = judge("MSG003", NODE.format(line=f"{line}  # here", of_joy="pass"))
+    assert (finding.help or "").startswith(help)
+
+
+@pytest.mark.parametrize(
     "line",
     [
         "String().data = '5'",

@@ -232,6 +232,26 @@ def test_the_name_to_write_in_the_namespace_that_the_launch_file_gives(findings,
 
 
 @pytest.mark.parametrize(
+    ("names", "namespace", "severity"),
+    [
+        (
+            ["/words", "said"],
+            {"namespace": "left"},
+            Severity.INFO,
+        ),  # the relative name is this node's, the other is not
+        (["/words", "said"], {}, Severity.WARNING),
+        (["/words"], {"namespace": "left"}, Severity.WARNING),
+    ],
+)
+def test_an_absolute_name_beside_relative_ones_in_a_namespace(findings, names, namespace, severity: Severity):
+    (found,) = findings("NME001", node(**namespace), **absolute(*names))
+    assert found.severity is severity
+    assert (found.help == "take the names from parameters, so that a launch file can choose them") is (
+        severity is Severity.INFO
+    )
+
+
+@pytest.mark.parametrize(
     ("launch", "severity"),
     [
         (node('<remap from="/words" to="said"/>'), Severity.INFO),

@@ -401,3 +401,41 @@ class Adapter(Node):
     spin = "rclpy.spin_once(self, timeout_sec=0.1)"
     assert judge("EXE003", text.replace("{spin}", spin)) == []
     judge("EXE003", text.replace("{spin}", "pass").replace("5.0):", "5.0):  # here"))
+
+
+OWN_TASK = """
+    import rclpy
+    from rclpy.executors import SingleThreadedExecutor
+    from rclpy.node import Node
+
+
+    class Analyst(Node):
+        def __init__(self):
+            super().__init__('analyst')
+
+        {kind} analyse(self):
+            {work}
+
+
+    def main():
+        rclpy.init()
+        analyst = Analyst()
+        executor = SingleThreadedExecutor()
+        executor.add_node(analyst)
+        task = executor.create_task(analyst.analyse)
+        executor.spin_until_future_complete(task)
+
+
+    if __name__ == '__main__':
+        main()
+"""
+
+
+@pytest.mark.parametrize(
+    ("kind", "work", "told"),
+    [("def", "return sum(range(10))", False), ("async def", "await self.answer", True)],
+)
+def test_a_limit_does_not_end_a_function_that_the_spin_itself_calls(judge: Judge, kind: str, work: str, told: bool):
+    """The executor asks for the time only after its task has returned, or has begun to wait."""
+    text = OWN_TASK.replace("{kind}", kind).replace("{work}", work)
+    judge("TMO003", text.replace("complete(task)", "complete(task)  # here") if told else text)

@@ -254,6 +254,9 @@ ROBOT = """
 """
 
 
+ATTACH = "from linkattacher_msgs.srv import AttachLink"
+AUTOWARE = "from autoware_system_msgs.msg import AutowareState"
+TRANSFORMS = "from tf2_msgs.msg import TFMessage"
 FLEET = "from rmf_fleet_msgs.msg import PathRequest"
 
 
@@ -348,6 +351,9 @@ class TestHardcodedNamesOfOneClass:
             ("self.create_client(Empty, '/reset_world')  # here",),
             ("self.create_subscription(String, '/utlidar/cloud', print, 10)  # here",),
             (f"{FLEET}; self.create_publisher(PathRequest, '/robot_path_requests', 10)  # here",),
+            (f"{ATTACH}; self.create_client(AttachLink, '/ATTACHLINK')  # here",),
+            (f"{AUTOWARE}; self.create_subscription(AutowareState, '/awapi/state', print, 10)  # here",),
+            ("self.create_subscription(String, '/clicked_point', print, 10)  # here",),
             ("self.create_subscription(String, '/scanner_sdk_node/words', print, 10)  # here",),
         ],
         ids=[
@@ -358,6 +364,9 @@ class TestHardcodedNamesOfOneClass:
             "a service of Gazebo's for all robots",
             "Unitree's",
             "Open-RMF's by its type",
+            "a Gazebo plugin's by its type",
+            "Autoware's by name and type",
+            "RViz's",
             "below the name of a node from elsewhere",
         ],
     )
@@ -365,6 +374,11 @@ class TestHardcodedNamesOfOneClass:
         [found] = judge("NME001", robot(*lines))
 
         assert found.severity is Severity.INFO
+
+    def test_a_copy_of_tf_is_a_topic_for_all_robots_too(self, judge: Judge):
+        judge("NME001", robot(f"{TRANSFORMS}; self.create_subscription(TFMessage, '/tf_static_old', print, 10)"))
+        judge("NME001", robot("self.create_subscription(String, '/tf_static_old', print, 10)  # here"))
+        judge("NME001", robot(f"{TRANSFORMS}; self.create_subscription(TFMessage, '/frames', print, 10)  # here"))
 
     def test_types_of_another_system_between_nodes_of_the_workspace(self, judge: Judge):
         talker = robot("self.create_publisher(PathRequest, '/plan', 10)  # here")

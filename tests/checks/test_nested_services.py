@@ -142,6 +142,17 @@ class TestExecutorsAndGroups:
         [found] = judge("SRV003", gripper(ignored, THREADS, client=", callback_group=self.apart"))
         assert found.help == "make the handler async, and await call_async(…): no thread is blocked then"
 
+    def test_a_loop_without_a_limit_is_told_to_have_one(self, judge: Judge):
+        ask = "future = self.motor.call_async(SetBool.Request())"
+        body = (ask, "while not future.done():  # here", "    time.sleep(0.1)", "return future.result()")
+        apart = ", callback_group=self.apart"
+        [found] = judge("SRV003", gripper(list(body), THREADS, client=apart))
+
+        assert "has no time limit: if the response never comes, the handler never returns" in found.message
+        assert found.help == "end the loop after a time limit, too, and respond that it failed then"
+        limited = (ask, "end = time.time() + 2.0", "while not future.done() and time.time() < end:", *body[2:])
+        judge("SRV003", gripper(list(limited), THREADS, client=apart))
+
     def test_several_threads_and_the_default_group_deadlock(self, judge: Judge):
         [found] = judge("SRV003", gripper(CALL, THREADS))
 
@@ -423,7 +434,10 @@ class TestOneFindingAHandler:
 
         assert found.severity is Severity.WARNING
         assert "waits for the service 'enable_motor', at 3 places, which works here" in found.message
-        assert found.message.endswith("meanwhile its own caller waits, and one thread is blocked")
+        assert found.message.endswith(
+            "but has no time limit: if the response never comes, the handler never returns; until then its own caller "
+            "waits, and one thread is blocked"
+        )
         waits = [one.place.line for one in found.related if one.message.startswith("it waits for")]
         assert waits == [found.place.line + 1, found.place.line + 2]
 

@@ -192,6 +192,19 @@ def test_an_entry_without_a_function_gets_the_one_that_is_there(findings, text, 
     assert found.help == help
 
 
+def test_entries_of_modules_without_any_function_are_one_finding(findings):
+    setup = SETUP.replace("'talker = robot.talker:main'", "'talker = robot.talker', 'left = robot.left'")
+    files = {"setup.py": setup, "robot/talker.py": "class Talker: pass\n"}
+    (found,) = findings("PKG002", **files, **{"robot/left.py": "class Left: pass\n"})
+    assert found.message == "2 executables cannot start: their modules define no function at all: talker, left"
+    assert found.help == "remove these entries"
+    other = findings("PKG002", **files, **{"robot/left.py": "def main(): pass\n"})
+    assert [one.help for one in other] == [
+        "remove the entry: 'robot.talker' defines no function",
+        "write 'left = robot.left:main'",
+    ]
+
+
 def test_entries_whose_modules_lack_one_function_are_one_finding(findings):
     entries = "'talker = robot.talker:main', 'left = robot.left:main', 'right = robot.right:main'"
     setup = SETUP.replace("'talker = robot.talker:main'", entries)

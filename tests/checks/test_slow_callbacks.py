@@ -73,6 +73,12 @@ def test_a_file_lock_is_information(run: Run, call: str, severity: str):
     [
         ("subprocess.run(['pactl', 'set-sink-volume', self.sink, '50%'], check=True)", "info"),
         ("subprocess.run(['systemctl', '--quiet', 'is-active', 'robot'])", "info"),
+        ("subprocess.check_output(['/sbin/iwconfig', 'wlan0'])", "info"),
+        ("subprocess.run('ip -4 addr show', shell=True)", "info"),
+        ("subprocess.run(['pkill', '-9', '-f', 'driver'], timeout=5)", "info"),
+        ("subprocess.run(['nmcli', '-t', 'device', 'show'])", "info"),
+        ("subprocess.run(['ip', 'monitor'])", "warning"),
+        ("subprocess.run(['nmcli', 'device', 'wifi', 'rescan'])", "warning"),
         ("subprocess.run(['systemctl', 'restart', 'pactl'])", "warning"),
         ("for _ in self.sink:\n        subprocess.run(['pactl', 'list'])", "warning"),
     ],
@@ -645,6 +651,21 @@ def test_what_the_same_condition_leads_to_adds_up(run: Run, grip: str, more: str
 def test_a_short_pause_that_is_known_is_no_reason_for_an_action(run: Run, seconds: str, expected: list[str]):
     method = f"def handle(self, request, response):\n    time.sleep({seconds})\n    return response\n"
     assert codes(run(source("self.create_service(Trigger, 'home', self.handle)\n", method))) == expected
+
+
+@pytest.mark.parametrize(
+    ("pause", "severity", "advice"),
+    [
+        ("time.sleep(2.0)\n    time.sleep(1.0)", Severity.INFO, "wait for what the pause is for"),
+        ("time.sleep(5.0)", Severity.WARNING, "make it an action"),
+        ("while self.moves():\n        time.sleep(0.5)", Severity.WARNING, "make it an action"),
+    ],
+)
+def test_short_pauses_are_information(run: Run, pause: str, severity: Severity, advice: str):
+    method = f"def handle(self, request, response):\n    {pause}\n    return response\n"
+    [found] = run(source("self.create_service(Trigger, 'home', self.handle)\n", method))
+    assert (found.code, found.severity) == ("SRV008", severity)
+    assert (found.help or "").startswith(advice)
 
 
 def test_the_request_may_say_how_long(run: Run):

@@ -281,3 +281,49 @@ def test_a_class_that_nothing_names(judge: Judge, tmp_path, uses: str, mark: str
 )
 def test_a_script_that_only_asks_may_wait_where_it_says_so(judge: Judge, more: str, inside: str, mark: str):
     judge("TMO004", script(more, f"while not {WAIT}:{mark}", f"    {inside}", "far.call_async(Trigger.Request())"))
+
+
+IN_A_THREAD = """
+    import threading
+
+    import rclpy
+    from rclpy.node import Node
+    from std_srvs.srv import Trigger
+
+
+    class Demo(Node):
+        def __init__(self):
+            super().__init__('demo')
+            self.client = self.create_client(Trigger, 'far')
+            self.create_timer(1.0, self.tick)
+            {start}
+
+        def tick(self):
+            pass
+
+        def run(self):
+            while not self.client.wait_for_service(timeout_sec=1.0):  # here
+                self.tick()
+
+
+    def main():
+        rclpy.init()
+        rclpy.spin(Demo())
+
+
+    if __name__ == '__main__':
+        main()
+"""
+
+
+@pytest.mark.parametrize(
+    ("start", "who"),
+    [
+        ("threading.Thread(target=self.run, daemon=True).start()", "this thread does nothing else"),
+        ("self.run()", "the node does nothing else"),
+    ],
+)
+def test_a_thread_that_waits_does_not_keep_the_node(judge: Judge, start: str, who: str):
+    text = IN_A_THREAD.replace("{start}", start).replace("self.tick()\n\n\n", "print('waiting')\n\n\n")
+    [found] = judge("TMO004", text)
+    assert found.message.endswith(who)

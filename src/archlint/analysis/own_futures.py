@@ -7,12 +7,14 @@ from typing import TYPE_CHECKING
 from archlint.analysis.kept import once
 from archlint.analysis.reach import argument, calls_of
 from archlint.analysis.source_code import source_code
+from archlint.finding import Place
 from archlint.model import Role
 from archlint.model.given import Object
-from archlint.syntax.walk import called_name, calls_in
+from archlint.syntax import facts
+from archlint.syntax.walk import called_name, calls_in, statements_of
 
 if TYPE_CHECKING:
-    from archlint.model import ApiCall
+    from archlint.model import ApiCall, Program
     from archlint.model.given import ObjectIdentity
     from archlint.systems.model import System
 
@@ -38,6 +40,31 @@ def spins_for_a_message(system: System, call: ApiCall) -> bool:
     return "result" in map(called_name, calls) and not names.isdisjoint(asked)
 
 
+def spins_for_own_task(system: System, program: Program, call: ApiCall) -> bool:
+    """Whether a spin is for a task of the program's own, ``executor.create_task(function)``, which awaits nothing: the
+    spin calls the function, and asks for the time only once it has returned."""
+    code = source_code(system)
+    given = next(iter(code.arguments(call)), None)
+    if given is None or given.keyword not in (None, "future"):
+        return False
+    expression = given.value
+    if expression.variable:
+        values = [
+            assigned.value
+            for assigned in statements_of(code.body(call), facts.Assign)
+            if expression.variable in [target.variable for target in assigned.targets]
+        ]
+        if len(values) != 1:
+            return False
+        expression = values[0]
+    if not isinstance(expression, facts.Call) or called_name(expression) != "create_task":
+        return False
+    place = Place.of(call.file, expression.span)
+    tasks = [task for task in program.callbacks if task.registered == place]
+    functions = [code.function(task) for task in tasks]
+    return bool(functions) and all(function is not None and not function.is_async for function in functions)
+
+
 @once
 def _completed_by(system: System) -> dict[ObjectIdentity, set[Role]]:
     """The roles of the code that completes the futures which the program makes itself."""
@@ -48,4 +75,4 @@ def _completed_by(system: System) -> dict[ObjectIdentity, set[Role]]:
     return roles
 
 
-__all__ = ["spins_for_a_message", "spins_for_own_future"]
+__all__ = ["spins_for_a_message", "spins_for_own_future", "spins_for_own_task"]

@@ -104,12 +104,26 @@ def ends_the_machine(code: SourceCode, call: ApiCall) -> bool:
 
 def is_soon_over(code: SourceCode, call: ApiCall) -> bool:
     """Whether a command only sets something, or asks the state of something, on this machine: milliseconds."""
-    match [word for word in _words(code, call) if not word.startswith("-")]:
-        case ["amixer" | "pactl" | "wpctl", *_]:
-            return True
+    words = [word.rpartition("/")[2] for word in _words(code, call) if not word.startswith("-")]
+    match words:
         case ["systemctl", "is-active" | "is-enabled" | "is-failed", *_]:
             return True
+        case ["ip", *rest]:
+            return _LASTING.isdisjoint(rest)
+        case ["nmcli", *rest]:
+            return bool({"show", "status"} & set(rest)) and _LASTING.isdisjoint(rest)
+        case [command, *_]:
+            return command in _SHORT
     return False
+
+
+_SHORT = frozenset(
+    {"amixer", "pactl", "wpctl", "hostname", "ifconfig", "iwconfig", "iwgetid", "uname", "vcgencmd"}
+    | {"kill", "killall", "pgrep", "pidof", "pkill"}
+)
+"""Commands that ask the kernel or a service of this machine for something, or set it, and end."""
+_LASTING = frozenset({"monitor", "exec", "rescan"})
+"""Words that make such a command last."""
 
 
 def _words(code: SourceCode, call: ApiCall) -> list[str]:

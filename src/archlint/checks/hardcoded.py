@@ -20,6 +20,7 @@ from archlint.checks.name_reasons import (
     DEMANDED,
     FIXED,
     NOT_INSTALLED,
+    OF_ANOTHER,
     PARAMETERS,
     PRIVATE,
     RELATIVE,
@@ -33,7 +34,7 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
 from archlint.model import NAMED
-from archlint.ros.well_known import ABSOLUTE
+from archlint.ros.well_known import ABSOLUTE, BY_CLICK
 from archlint.systems.nodes import key_of
 
 if TYPE_CHECKING:
@@ -66,9 +67,21 @@ _OF_A_JOINT = re.compile(r"/model/[^/]+/joint/[^/]+/")
 
 Source: gz-sim, ``src/systems``: ``/model/<model>/joint/<joint>/cmd_vel`` and the like.
 """
+_OF_AUTOWARE = (
+    "/api/",
+    "/awapi/",
+    "/control/",
+    "/localization/",
+    "/perception/",
+    "/planning/",
+    "/sensing/",
+    "/vehicle/",
+)
+"""How the names begin that Autoware's components have in its own launch files."""
 _TYPES_OF_OTHERS = {
     "carla_msgs/": "CARLA",
     "gazebo_msgs/srv/": "Gazebo",
+    "linkattacher_msgs/": "Gazebo",
     "rmf_": "Open-RMF",
     "ros_gz_interfaces/srv/": "Gazebo",
     "unitree_api/": "Unitree",
@@ -93,7 +106,7 @@ def hardcoded_name(system: System, options: Options) -> Iterator[Finding]:
     fixed: list[Endpoint] = []
     for endpoint in (end for node in system.nodes for end in node.endpoints):
         name = endpoint.written
-        if name is None or not _fixed_in_code(endpoint) or _conventional(name, allowed):
+        if name is None or not _fixed_in_code(endpoint) or _conventional(endpoint, name, allowed):
             continue
         if endpoint.creation.name.origin_kind == "format" and endpoint.place in varied:
             continue  # only one of the parts that this call puts together is written in the code
@@ -134,8 +147,11 @@ def _fixed_in_code(endpoint: Endpoint) -> bool:
     )
 
 
-def _conventional(name: str, allowed: tuple[str, ...]) -> bool:
-    return name in ABSOLUTE or any(fnmatchcase(name, pattern) for pattern in allowed)
+def _conventional(endpoint: Endpoint, name: str, allowed: tuple[str, ...]) -> bool:
+    """Whether a name is meant to be the same for all robots: the copies that a player of bags makes of ``/tf`` are as
+    the topic itself."""
+    is_copy = endpoint.type == "tf2_msgs/msg/TFMessage" and name.startswith(("/tf_", "/tf_static_"))
+    return name in ABSOLUTE or is_copy or any(fnmatchcase(name, pattern) for pattern in allowed)
 
 
 def _hardcoded(system: System, endpoint: Endpoint, reason: Reason) -> Finding:
@@ -167,6 +183,8 @@ def _reason(workspace: WorkspaceIndex | None, endpoint: Endpoint, users: int) ->
     owner = _owner(workspace, endpoint)
     if owner is not None:
         return of_others(owner)
+    if name in BY_CLICK:
+        return of_others("RViz")
     if is_of_a_model(workspace, name):
         return of_others("Gazebo")
     if must_be_absolute(workspace, endpoint):
@@ -189,6 +207,8 @@ def _owner(workspace: WorkspaceIndex | None, endpoint: Endpoint) -> str | None:
     workspace is at the other end, so that it is that system which is spoken with.  A name below a namespace such as
     ``/robot_1`` is the workspace's own choice."""
     name, type_ = endpoint.written or "", endpoint.type or ""
+    if name.startswith(_OF_AUTOWARE) and type_.startswith(("autoware_", "tier4_")):
+        return "Autoware"
     for prefix, owner in FIXED_BY_OTHERS.items():
         if name.startswith(prefix):
             return owner
@@ -240,7 +260,8 @@ def _by_namespace(workspace: WorkspaceIndex | None, node: Node) -> Reason:
         if namespace and any(name.startswith(f"{namespace}/") for name in written)
     ]
     if not repeated:
-        return FIXED
+        own = any(not name.startswith(("/", "~")) for name in written if name)
+        return OF_ANOTHER if own and given and "" not in given else FIXED
     if given != frozenset(repeated[:1]):
         return PARAMETERS
     start = repeated[0]

@@ -46,6 +46,7 @@ SOON = 5.0
 RETRYING = 10.0
 """Seconds of pauses between some attempts, of which the first is to work."""
 
+_WHAT_IT_IS_FOR = "wait for what the pause is for, such as a response that an async handler awaits, or a newer message"
 _AN_ACTION = "make it an action: clients then get feedback and a result, and can cancel"
 _THAT_ACTION = "let clients send a goal to {} of this node instead"
 _Sleep = tuple["ApiCall", Stay]
@@ -114,17 +115,19 @@ def _long_service(system: System, program: Program, sleeps: Sequence[_Sleep]) ->
     known = all(math.isfinite(in_loops(source_code(system), *sleep)) for sleep in sleeps)
     if (soon and known) or ((soon or asked) and action is not None):
         return None
+    pause = known and total < SOON and not asked
+    advice = _WHAT_IT_IS_FOR if pause else _AN_ACTION
     diagnostic = finding_in_callback(
         "SRV008",
         system,
         program,
         call,
         f"the handler of {endpoint_words(callback.creation)} {_how_long(source_code(system), sleeps, total, asked)}",
-        help=_AN_ACTION if action is None else _THAT_ACTION.format(endpoint_words(action)),
+        help=advice if action is None else _THAT_ACTION.format(endpoint_words(action)),
         further=further.values(),
         identity=(call.api,),
     )
-    return replace(diagnostic, severity=Severity.INFO) if asked or soon else diagnostic
+    return replace(diagnostic, severity=Severity.INFO) if asked or soon or pause else diagnostic
 
 
 def _action_beside(callback: Callback) -> Creation | None:

@@ -35,6 +35,13 @@ FIXED = Reason(
 )
 PARAMETERS = replace(FIXED, cure="take the names from parameters")
 """For a node that launch files start in one namespace and another, where a name begins with one of them."""
+OF_ANOTHER = Reason(
+    "of another",
+    "absolute and fixed in the code",
+    ", beside relative names of the same node, which launch files start in a namespace",
+    "take the names from parameters, so that a launch file can choose them",
+    Severity.INFO,
+)
 RELATIVE = Reason("fixed", "fixed in the code", "", "take the names from parameters")
 DEMANDED = Reason(
     "demanded",

@@ -21,7 +21,7 @@ from archlint.analysis.source_code import source_code
 from archlint.analysis.spins import is_spun_for_moments
 from archlint.analysis.stuck import nested_waits
 from archlint.analysis.unused_results import stands_alone
-from archlint.analysis.waits import BLOCKING_CALLS, Wait, waits
+from archlint.analysis.waits import BLOCKING_CALLS, DONE, Wait, waits
 from archlint.checks.nested_spins import OWN_EXECUTOR
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -49,6 +49,8 @@ _OWN_GROUP = "give {} its own callback group, so that the other callbacks keep r
 _MORE_THREADS = "spin the node with a MultiThreadedExecutor, and give {} its own callback group"
 _NOT_WITH_IT = "give {} a different callback group from the handlers that wait here"
 _LONGER = "make the timeout here longer than the total time that {} may wait"
+_LIMIT_EVENT = "set a limit, event.wait(timeout=…), and respond that it failed when the wait returns False"
+_LIMIT_LOOP = "end the loop after a time limit, too, and respond that it failed then"
 _KEEP = "keep the timeout, and give the callers of {} a longer one"
 _IF_IT_CAN = "if the caller does not need the outcome, return at once and publish it from the done callback"
 _BOUND = (
@@ -57,6 +59,9 @@ _BOUND = (
 )
 _SET_LIMIT = "set timeout_sec, and check future.done() afterwards"
 _GROUP = "give the client its own callback group (callback_group=MutuallyExclusiveCallbackGroup())"
+
+_WITHOUT_LIMIT = {"threading.Event.wait": _LIMIT_EVENT, DONE: _LIMIT_LOOP}
+"""What to do about a wait that can be given a limit in its own line."""
 
 _Row = tuple[Wait, Verdict, "list[Wait]"]
 """A wait, what becomes of it, and the waits of other handlers at the same place."""
@@ -229,6 +234,8 @@ def _help(
         return _advice_for_another_node(wait, verdict, service)
     if verdict.safe and wait.limited:
         return _IF_IT_CAN
+    if verdict.safe and not blocked and wait.call.api in _WITHOUT_LIMIT:
+        return _WITHOUT_LIMIT[wait.call.api]
     advice = _ONLY_AWAIT if resumes else _AWAIT
     return advice.format("send_goal_async(…)" if wait.client.kind == EntityKind.ACTION_CLIENT else "call_async(…)")
 
@@ -265,7 +272,10 @@ def _other_handlers(first: Callback, waits: list[Wait]) -> Iterator[Related]:
 
 def _outcome(wait: Wait, verdict: Verdict, blocked: Sequence[Callback], behind: Sequence[Edge]) -> str:
     if verdict.safe:
-        meanwhile = "" if wait.kind == AWAIT and not blocked else "meanwhile "
+        if not wait.bounded and wait.kind != AWAIT:
+            meanwhile = "has no time limit: if the response never comes, the handler never returns; until then "
+        else:
+            meanwhile = "" if wait.kind == AWAIT and not blocked else "meanwhile "
         return f"{_second_level(behind)}, which works here ({verdict.why}), but {meanwhile}{_cost(wait, blocked)}"
     if wait.kind == SPIN:
         return f", and {verdict.why}" + ("" if verdict.unknown else f": this {verdict.words}")

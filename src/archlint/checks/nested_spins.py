@@ -85,7 +85,7 @@ def _instead_of_spinning(program: Program, call: ApiCall, spun: Blueprint | None
     if call.looped and call.context.role == Role.EXECUTE:
         return _PAUSE if several else f"spin the node with a MultiThreadedExecutor, and {_PAUSE}"
     if call.looped and call.context.role == Role.SERVICE:
-        return _EVENT if several else "make it an action: its execute callback may take long on a MultiThreadedExecutor"
+        return _EVENT if several else f"spin the node with a MultiThreadedExecutor, and {_EVENT}"
     return "return instead: the executor runs the other callbacks once this one has returned"
 
 

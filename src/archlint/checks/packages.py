@@ -77,7 +77,9 @@ def _broken(workspace: WorkspaceIndex, executable: Executable) -> Iterator[Findi
             yield _entry_finding(executable, f"module '{module}' does not exist{hint}", help)
         case NoFunctionNamed(module, functions):
             help = _with_a_function(executable.name, module, functions)
-            yield _entry_finding(executable, f"'{module}' is a module, but the entry names no function in it", help)
+            group = () if functions is None or functions else (executable.place.file, "")
+            what = f"'{module}' is a module, but the entry names no function in it"
+            yield _entry_finding(executable, what, help, group)
         case NoFunction(module, function, names, runs_first):
             near = nearest(function, names)
             group = () if near is not None else (executable.place.file, function)
@@ -136,9 +138,11 @@ def _without_one_function(several: Sequence[Finding]) -> Finding:
         return first
     _, function = first.group
     names = [entry.identity[1] for entry in several]
+    what = f"their modules have no function '{function}'" if function else "their modules define no function at all"
     return replace(
         first,
-        message=f"{len(names)} executables cannot start: their modules have no function '{function}': {listed(names)}",
+        message=f"{len(names)} executables cannot start: {what}: {listed(names)}",
+        help=first.help if function else "remove these entries",
         related=tuple(Related(entry.place, f"the entry of '{entry.identity[1]}'") for entry in others),
         identity=(first.identity[0], *names),
     )

@@ -10,7 +10,7 @@ from archlint.analysis.asking_scripts import is_step_of_asking_script
 from archlint.analysis.left_over import is_dead, is_never_made
 from archlint.analysis.limit_sites import sites_of_spin, spins_for_a_result
 from archlint.analysis.loop_times import is_retried
-from archlint.analysis.own_futures import spins_for_a_message, spins_for_own_future
+from archlint.analysis.own_futures import spins_for_a_message, spins_for_own_future, spins_for_own_task
 from archlint.analysis.reach import (
     argument,
     calls_of,
@@ -54,6 +54,7 @@ def spin_without_timeout(system: System, options: Options) -> Iterator[Finding]:
         if waits_for_ever(source_code(system), call, "timeout_sec") and call.place not in reported
         if not is_dead(system.workspace, program, call) and not is_never_made(system.workspace, call)
         if not spins_for_own_future(call) or spins_for_a_message(system, call)
+        if not spins_for_own_task(system, program, call)
         if call.context.role != Role.METHOD or creations_of(argument(call, "future"))
         if not _is_refused(program, call) and not _may_be_meant_as_a_limit(source_code(system), call)
     )

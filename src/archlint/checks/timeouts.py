@@ -49,7 +49,7 @@ _LIMIT = {
 }
 
 
-@rule("TMO001", scope=Scope.CODE, in_use=True)
+@rule("TMO001", scope=Scope.CODE, taste=True)
 def wait_without_timeout(system: System, options: Options) -> Iterator[Finding]:
     """Waits for a service, an action server or a message that nothing limits."""
     calls = list(calls_of(system, _LIMIT))

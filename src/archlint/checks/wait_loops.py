@@ -28,6 +28,7 @@ from archlint.checks.wait_words import (
     server_words,
 )
 from archlint.finding import Finding, Place, Severity
+from archlint.model import Role
 
 if TYPE_CHECKING:
     from archlint.model import ApiCall
@@ -62,7 +63,9 @@ def _endless(system: System, calls: Sequence[ApiCall]) -> Finding:
     kind = kind_of(call)
     missing = server_words(system, call.creation, kind)
     ready = "server_is_ready" if kind == "action" else "service_is_ready"
-    stands = "the callback does not return and blocks its thread" if in_callback else "the node does nothing else"
+    stands = "the callback does not return and blocks its thread"
+    if not in_callback:
+        stands = "this thread does nothing else" if call.context.role == Role.THREAD else "the node does nothing else"
     diagnostic = finding(
         "TMO004",
         call.place,

@@ -137,11 +137,17 @@ def _of_float(value: Value, shape: _Shape) -> Misfit | None:
     return _wrong("a float", shape, ValueEffect.NONE if zero else ValueEffect.CHANGED, cure)
 
 
+_TO_INT = "convert it with int()"
+
+
 def _of_integer(name: str, value: Value, shape: _Shape) -> Misfit | None:
     if shape.what is _What.BOOL:
         return None
     if shape.what is not _What.INT:
-        return _wrong("an int", shape, ValueEffect.SENT, "convert it with int()")
+        number = value.constant
+        is_part = isinstance(number, float) and not number.is_integer()
+        cure = "use a whole number, or another field: int() would cut the fraction off" if is_part else _TO_INT
+        return _wrong("an int", shape, ValueEffect.SENT, cure)
     least, most = INTEGER_RANGES[name]
     number = value.constant
     if not isinstance(number, int) or value.via or least <= number <= most:
