@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from archlint.finding import Severity
 from checks.judging import Judge
 
 # ------------------------------------------------------------------------------------------ properties of a node
@@ -409,3 +410,46 @@ def test_methods_of_a_node_in_a_class_that_is_none(judge: Judge, use: str, help:
         """,
     )
     assert finding.help == help
+
+
+UNCALLED = """
+    import rclpy
+    from rclpy.node import Node
+    from std_msgs.msg import Int32
+
+
+    class Counter(Node):
+        def __init__(self):
+            super().__init__('counter')
+            self.publisher = self.create_publisher(Int32, 'count', 10)
+            {caller}
+
+        def tick(self):
+            message = Int32(data=self.total)
+            self.publisher.publish(message)
+            message.number = 1
+
+
+    def main():
+        rclpy.init()
+        rclpy.spin(Counter())
+
+
+    if __name__ == '__main__':
+        main()
+"""
+
+
+@pytest.mark.parametrize(
+    ("caller", "severity"),
+    [("self.create_timer(1.0, self.tick)", Severity.ERROR), ("self.ready = True", Severity.INFO)],
+)
+@pytest.mark.parametrize(
+    ("code", "line"), [("API002", "message = Int32(data=self.total)"), ("MSG001", "message.number = 1")]
+)
+def test_a_method_that_nothing_calls_fails_for_nobody(
+    judge: Judge, caller: str, severity: Severity, code: str, line: str
+):
+    (finding,) = judge(code, UNCALLED.replace("{caller}", caller).replace(line, f"{line}  # here"))
+    assert finding.severity is severity
+    assert (finding.help == "delete tick(), which nothing calls") is (severity is Severity.INFO)

@@ -777,6 +777,24 @@ def test_a_node_may_have_an_action_for_the_same_thing(run: Run, service: str, se
 
 
 @pytest.mark.parametrize(
+    ("service", "action", "same"),
+    [
+        ("arm/press_button", "arm/pick_motion_action_server", False),
+        ("arm/fixed_distance_move", "arm/pick", False),
+        ("arm/pick_up", "arm/pick_object", True),
+        ("arm/press_button", "arm/command", True),
+    ],
+)
+def test_an_action_whose_name_speaks_of_something_else(run: Run, service: str, action: str, same: bool):
+    create = f"self.create_service(Trigger, '{service}', self.put)\n"
+    create += f"self.server = ActionServer(self, Fibonacci, '{action}', self.execute)\n"
+    methods = "def put(self, request, response):\n    time.sleep(30.0)\n    return response\n"
+    methods += "\ndef execute(self, goal):\n    goal.succeed()\n    return Fibonacci.Result()\n"
+    [found] = run(source(create + "self.create_publisher(Empty, 'state', 10)\n", methods))
+    assert (f"send a goal to the action '{action}'" in (found.help or "")) is same
+
+
+@pytest.mark.parametrize(
     ("leaves", "expected"),
     [
         ("frame = self.camera.read()\n        if frame is not None:\n            return frame", []),

@@ -13,6 +13,7 @@ from archlint.analysis.unassigned_attributes import (
     unassigned_attributes,
 )
 from archlint.checks.registry import finding
+from archlint.checks.uncalled import mild_if_uncalled
 from archlint.finding import Finding, Related
 from archlint.suggestions import meant
 
@@ -37,7 +38,8 @@ def attribute_findings(system: System) -> Iterator[Finding]:
     }
     for read in unassigned_attributes(system.workspace):
         if (read.place.file, read.name) not in told:
-            yield _unassigned(read)
+            diagnostic = _unassigned(read)
+            yield diagnostic if read.is_slip or read.local else mild_if_uncalled(system, diagnostic)
 
 
 def _overwritten(assignment: Overwritten) -> Finding:

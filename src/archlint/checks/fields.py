@@ -11,8 +11,9 @@ from archlint.analysis.completeness import enclosing_class
 from archlint.checks.folding import folds
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
+from archlint.checks.uncalled import mild_if_uncalled
 from archlint.checks.wrong_keywords import outcome_of_keyword
-from archlint.finding import Related
+from archlint.finding import Related, Severity
 from archlint.model import NAMED
 from archlint.suggestions import listed, nearest
 
@@ -53,7 +54,7 @@ def unknown_field(system: System, options: Options) -> Iterator[Finding]:
             reported.update(hop.call for _, hop in wrong)
             continue
         if len(missing) == len(uses[place]):
-            yield _unknown_field(system, missing[0], keyword)
+            yield mild_if_uncalled(system, _unknown_field(system, missing[0], keyword))
             continue
         certain = [use for use in missing if use.delivered is not None and use.delivered.place not in reported]
         if certain:  # once for each that delivers: the first use ends the callback
@@ -183,10 +184,11 @@ def of_one_cause(findings: Sequence[Finding]) -> Finding:
     where = f"used at {len(findings)} places" + (f" of {owner}" if owner else " of this file")
     several = f"s {', '.join(shown[:-1])} and {shown[-1]}" if len(names) > 1 else f" {shown[0]}"
     accesses = [diagnostic.identity[3] for diagnostic in findings]
+    help = f"{_consequence(accesses, keyword, 'these lines raise {} when they run')}; the {what}s are {listed}"
     return replace(
         first,
         message=f"{of} has no {what}{several}, {where}{_did_you_mean(meant, inside)}",
-        help=f"{_consequence(accesses, keyword, 'these lines raise {} when they run')}; the {what}s are {listed}",
+        help=first.help if first.severity is Severity.INFO else help,  # nothing calls the method
         related=tuple(
             Related(diagnostic.place, f"'{diagnostic.identity[2]}' is used here") for diagnostic in findings[1:]
         ),

@@ -1,0 +1,26 @@
+"""What is said of mistakes in methods that nothing calls: they fail only once somebody does."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from archlint.analysis.uncalled_methods import uncalled_method
+from archlint.finding import Severity
+
+if TYPE_CHECKING:
+    from archlint.finding import Finding
+    from archlint.systems.model import System
+
+
+def mild_if_uncalled(system: System, diagnostic: Finding) -> Finding:
+    """The same finding; as information, with the advice to delete the method, where the file is a program and nothing
+    calls that method.  What a library offers is for others to call."""
+    is_program = any(program.executable and program.file == diagnostic.place.file for program in system.programs)
+    name = uncalled_method(system.workspace, diagnostic.place) if is_program else None
+    if name is None:
+        return diagnostic
+    return replace(diagnostic, severity=Severity.INFO, help=f"delete {name}(), which nothing calls")
+
+
+__all__ = ["mild_if_uncalled"]
