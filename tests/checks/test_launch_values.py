@@ -175,3 +175,89 @@ def test_conditions_of_one_kind_in_a_file_are_one_finding(findings):
     twice = text[:start] + nodes.format("a") + ", " + nodes.format("b") + ", " + text[start:]
     (one,) = findings("LCH008", **{"launch/it.launch.py": twice})
     assert [row.message for row in one.related] == ["here, too"] * 2
+
+
+GIVEN = """\
+from launch import LaunchDescription
+from launch.actions import (
+    DeclareLaunchArgument, ExecuteProcess, IncludeLaunchDescription, SetEnvironmentVariable, SetLaunchConfiguration,
+)
+from launch.substitutions import LaunchConfiguration
+from launch_ros.actions import Node, SetParameter
+from elsewhere import unknown
+
+def generate_launch_description():
+    return LaunchDescription([
+        {action},
+    ])
+"""
+
+
+@pytest.mark.parametrize(
+    ("action", "message", "help"),
+    [
+        (
+            "DeclareLaunchArgument('speed', default_value=0.5)",
+            "default_value= of this DeclareLaunchArgument is 0.5, which is no string: launch stops with a TypeError",
+            "write the string '0.5'",
+        ),
+        (
+            "DeclareLaunchArgument('speed', default_value=0 if unknown() else 1)",
+            "default_value= of this DeclareLaunchArgument is 0, which is no string: launch stops with a TypeError",
+            "write the string '0'",
+        ),
+        (
+            "IncludeLaunchDescription('a.launch.py', launch_arguments={'sim': True}.items())",
+            "the launch argument 'sim' is True, which is no string: launch stops with a TypeError",
+            "write the string 'true'",
+        ),
+        (
+            "IncludeLaunchDescription('a.launch.py', launch_arguments=[('sim', None)])",
+            "the launch argument 'sim' is None, which is no string: launch stops with a TypeError",
+            "write '', or leave the argument out",
+        ),
+        (
+            "IncludeLaunchDescription('a.launch.py', launch_arguments={'sim': 'true'})",
+            "launch_arguments= is a dict, of which launch sees the keys alone: it stops at this include",
+            "add .items(), or write a list of pairs, [('name', 'value')]",
+        ),
+        (
+            "Node(package='robot', executable='talker', arguments=['-x', 0])",
+            "arguments= of this Node contains 0, which is no string: launch stops with a TypeError",
+            "write the string '0'",
+        ),
+        (
+            "ExecuteProcess(cmd=['sleep', ['0.', 5]])",
+            "cmd= of this ExecuteProcess contains a list with 5, which is no string: launch stops with a TypeError",
+            "write strings and substitutions only",
+        ),
+        (
+            "SetEnvironmentVariable('ROS_DOMAIN_ID', 5)",
+            "value= of this SetEnvironmentVariable is 5, which is no string: launch stops with a TypeError",
+            "write the string '5'",
+        ),
+    ],
+)
+def test_what_is_no_text_to_launch(findings, action, message, help):
+    (one,) = findings("LCH008", **{"launch/it.launch.py": GIVEN.format(action=action)})
+    assert (one.message, one.help) == (message, help)
+    assert (one.place.file, one.place.line) == ("launch/it.launch.py", 11)
+
+
+@pytest.mark.parametrize(
+    "action",
+    [
+        "DeclareLaunchArgument('speed', default_value='0.5')",
+        "DeclareLaunchArgument('speed', default_value=None)",
+        "DeclareLaunchArgument('speed', default_value=['0.', LaunchConfiguration('digits', default=5)])",
+        "DeclareLaunchArgument('speed', default_value=unknown())",
+        "DeclareLaunchArgument('speed', default_value=0 if unknown() else '1')",
+        "IncludeLaunchDescription('a.launch.py', launch_arguments={})",
+        "IncludeLaunchDescription('a.launch.py', launch_arguments={'sim': str(True)}.items())",
+        "SetLaunchConfiguration('speed', f'{0.5}')",
+        "SetParameter('speed', 0.5)",
+        "Node(package='robot', executable='talker', arguments=[str(0)], parameters=[{'speed': 5}])",
+    ],
+)
+def test_what_launch_makes_a_text_of(findings, action):
+    assert findings("LCH008", **{"launch/it.launch.py": GIVEN.format(action=action)}) == []

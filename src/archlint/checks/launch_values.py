@@ -13,7 +13,7 @@ from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Severity
 
 if TYPE_CHECKING:
-    from archlint.launch.mistakes import WithoutContext
+    from archlint.launch.mistakes import RefusedValue, WithoutContext
     from archlint.systems.model import System
 
 
@@ -41,11 +41,40 @@ def launch_description(system: System, options: Options) -> Iterator[Finding]:
         )
     for failing in system.launched.without_context if system.launched is not None else ():
         yield _without_context(failing)
+    for refused in system.launched.refused if system.launched is not None else ():
+        yield _refused(refused)
     for file, wrong in wrong_descriptions(system):
         yield _of_description(file, wrong)
     if system.launched is None and system.workspace is not None:
         for file, wrong in misnamed_functions(system.workspace):
             yield _of_description(file, wrong)
+
+
+def _refused(value: RefusedValue) -> Finding:
+    if value.pairs:
+        message = "launch_arguments= is a dict, of which launch sees the keys alone: it stops at this include"
+        help = "add .items(), or write a list of pairs, [('name', 'value')]"
+    else:
+        holds = "contains" if value.in_list else "is"
+        of = "the launch argument" if value.argument else f"{value.parameter}= of this {value.action}"
+        named = f"{of} '{value.parameter}'" if value.argument else of
+        message = f"{named} {holds} {value.what}, which is no string: launch stops with a TypeError"
+        help = f"write {_as_string(value.what)}"
+    return finding(
+        "LCH008",
+        value.place,
+        message,
+        help=help,
+        identity=(value.action, value.parameter, value.what),
+        group=(value.place.file, value.action, "pairs" if value.pairs else "value"),
+    )
+
+
+def _as_string(what: str) -> str:
+    """What to write instead of a constant; launch files say 'true', not 'True'."""
+    if what == "None":
+        return "'', or leave the argument out"
+    return f"the string '{what.lower()}'" if " " not in what else "strings and substitutions only"
 
 
 def _of_description(file: str, wrong: WrongDescription) -> Finding:

@@ -11,6 +11,7 @@ from archlint.launch.mistakes import (
     LeakedArgument,
     NotACondition,
     NotAPath,
+    RefusedValue,
     UndeclaredUse,
     UnknownAttribute,
     WithoutContext,
@@ -28,8 +29,8 @@ LAUNCHES: Final = Language(
     (
         *(Launched, Started, Remap, Included, DeclaredArgument, Gap, Place, Text),
         *(ParameterSetting, ParameterFileUse, OpenParameters, FileReference, Rewriting, Replacing, Written),
-        NotKnown,
-        *(LeakedArgument, NotACondition, NotAPath, UndeclaredUse, UnknownAttribute, WithoutContext),
+        *(NotKnown, LeakedArgument, NotACondition, NotAPath, RefusedValue, UndeclaredUse),
+        *(UnknownAttribute, WithoutContext),
         *(branches.CodeBranch, branches.ChoiceOfCallee, branches.ChoiceOfArgument, branches.AttributeBranch),
         *(branches.ArgumentBranch, branches.UnfollowedCondition, branches.ChoiceOfValue, branches.ChoiceOfVisit),
     ),

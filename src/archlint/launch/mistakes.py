@@ -89,3 +89,20 @@ class NotAPath:
     substitution: str
     package: str | None
     place: Place
+
+
+@dataclass(frozen=True)
+class RefusedValue:
+    """A value that launch takes for no text: ``what`` says which, and ``parameter`` of which action it is for.
+
+    It is a word ``in_list``, the value of a launch ``argument`` that an include is given, or what stands for the
+    ``pairs`` of all of these.
+    """
+
+    action: str
+    parameter: str
+    what: str
+    place: Place
+    in_list: bool = False
+    argument: bool = False
+    pairs: bool = False

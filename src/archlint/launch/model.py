@@ -11,6 +11,7 @@ from archlint.launch.mistakes import (
     LeakedArgument,
     NotACondition,
     NotAPath,
+    RefusedValue,
     UndeclaredUse,
     UnknownAttribute,
     WithoutContext,
@@ -96,6 +97,7 @@ class Launched:
     references: list[FileReference] = field(default_factory=list)
     unknown_attributes: list[UnknownAttribute] = field(default_factory=list)
     mistakes: list[NotACondition] = field(default_factory=list)
+    refused: list[RefusedValue] = field(default_factory=list)
     without_context: list[WithoutContext] = field(default_factory=list)
     joined: list[NotAPath] = field(default_factory=list)
     undefined: dict[Place, str] = field(default_factory=dict)

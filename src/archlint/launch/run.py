@@ -25,7 +25,14 @@ from archlint.launch.context import Context
 from archlint.launch.domains import Domains
 from archlint.launch.given_arguments import GivenArguments
 from archlint.launch.kinds import FileKind, GapKind
-from archlint.launch.mistakes import NotACondition, NotAPath, UndeclaredUse, UnknownAttribute, WithoutContext
+from archlint.launch.mistakes import (
+    NotACondition,
+    NotAPath,
+    RefusedValue,
+    UndeclaredUse,
+    UnknownAttribute,
+    WithoutContext,
+)
 from archlint.launch.model import Gap, Launched
 from archlint.launch.named_files import FileReference, MadeFile
 from archlint.launch.objects import known_text
@@ -219,6 +226,9 @@ class LaunchRun(Run):
 
     def note_mistake(self, mistake: NotACondition) -> None:
         self._note(mistake, self.result.mistakes)
+
+    def note_refused_value(self, mistake: RefusedValue) -> None:
+        self._note(mistake, self.result.refused)
 
     def note_without_context(self, mistake: WithoutContext) -> None:
         self._note(mistake, self.result.without_context)

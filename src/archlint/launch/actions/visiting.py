@@ -18,6 +18,7 @@ from archlint.launch.actions.branches import (
     version,
     visit_items,
 )
+from archlint.launch.actions.refused_values import note_refused_values
 from archlint.launch.objects import MADE_BY_BASE, OWN, LaunchObject, class_name, kind_of, launch_object, place_of
 from archlint.launch.tables import LaunchClass
 from archlint.launch.verdict import ALWAYS
@@ -161,6 +162,8 @@ def _visit_one(run: LaunchRun, entity: Instance) -> None:
 def _act(run: LaunchRun, entity: Instance) -> None:
     match entity:
         case LaunchObject(kind=kind) if kind in ACTIONS:
+            if run.file.endswith(".py"):
+                note_refused_values(run, entity)
             ACTIONS[kind](run, entity)
         case _ if kind_of(entity) not in _IGNORED:
             run.gap(f"{entity.note or class_name(entity) or 'an object'} is not an action that is followed")
