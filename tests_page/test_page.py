@@ -211,6 +211,16 @@ def test_groups_close_and_open(at_robot: Reader):
     assert at_robot.browser.complaints() == []
 
 
+def test_what_only_closed_groups_talk_over_is_a_line_between_them(reader: Reader):
+    far = node("/base/driver", subscriber("/arm/state"))
+    reader.opens(PageSystem(system(node("/arm/driver", publisher("state")), far)))
+    reader.presses_button("collapse")
+    reader.browser.pdf()
+    words = reader.browser.run("[...document.querySelectorAll('#paper text')].map((text) => text.textContent)")
+    assert words == ["/arm", "1 node", "/base", "1 node"]
+    assert reader.browser.run("document.querySelectorAll('#paper path[transform]').length") == 1, "one arrow"
+
+
 @pytest.mark.parametrize("by", ["package", "none", "launched_by"])
 def test_other_groups(at_robot: Reader, by: str):
     before = at_robot.pixels()

@@ -70,6 +70,13 @@ def test_a_large_graph_has_its_groups_in_rows_and_leaves_the_lines_in_between_to
     assert 0.3 < width / height < 5
 
 
+def test_what_is_in_no_group_stands_in_rows_too():
+    shapes = [*groups_of(200), *(Shape(False, (f"/topic{number}",), "") for number in range(100))]
+    boxes = laid_out(shapes, []).boxes[200:]
+    assert len({box[1] for box in boxes}) < 20
+    assert len({box[0] for box in boxes}) > 5
+
+
 def test_the_same_graph_has_the_same_places():
     many = places.AS_A_WHOLE + 1
     lines = [Line(number, (number * 5 + 8) % many) for number in range(many)]

@@ -1,7 +1,8 @@
 """Where each shape of a picture stands and how each line runs, worked out by Graphviz when the page is written.
 
-A small graph is laid out as a whole.  Of a large one each group is laid out by itself and the groups are set in rows:
-``dot`` would need minutes and put them into one column.  Without Graphviz the page arranges itself when it is opened.
+A small graph is laid out as a whole.  Of a large one each group is laid out by itself, and the groups and what is in
+none are set in rows: ``dot`` would need minutes and put them into one column.  Without Graphviz the page arranges
+itself when it is opened.
 """
 
 from __future__ import annotations
@@ -85,41 +86,42 @@ def _whole(shapes: Sequence[Shape], lines: Sequence[Line]) -> Drawing:
 
 def _in_rows(shapes: Sequence[Shape], lines: Sequence[Line]) -> Drawing:
     """The lines inside of groups are laid out with them, and the page draws those in between."""
-    inner = [line if shapes[line.tail].group == shapes[line.head].group else None for line in lines]
+    inner = [line if shapes[line.tail].group == shapes[line.head].group != "" else None for line in lines]
     said = _laid_out(shapes, inner, hurry=True)
     boxes = [said.box(number, shape) for number, shape in enumerate(shapes)]
-    members: dict[str, list[int]] = {}
-    for number, shape in enumerate(shapes):
-        members.setdefault(shape.group, []).append(number)
-    moves: dict[str, tuple[float, float]] = {}
-    frames = {group: _around([boxes[number] for number in numbers]) for group, numbers in members.items()}
-    for group, (left, top) in _rows(frames):
-        moves[group] = (left - frames[group][0], top - frames[group][1])
+    blocks = [shape.group or number for number, shape in enumerate(shapes)]
+    members: dict[str | int, list[Box]] = {}
+    for block, box in zip(blocks, boxes, strict=True):
+        members.setdefault(block, []).append(box)
+    frames = {block: _around(inside, _FRAME if isinstance(block, str) else 0) for block, inside in members.items()}
+    moves = {block: (left - frames[block][0], top - frames[block][1]) for block, (left, top) in _rows(frames)}
+    paths = [None if line is None else said.path(number) for number, line in enumerate(inner)]
     return Drawing(
-        [_moved(box, moves[shape.group]) for box, shape in zip(boxes, shapes, strict=True)],
+        [_moved(box, moves[block]) for block, box in zip(blocks, boxes, strict=True)],
         [
-            None if line is None else _path_moved(said.path(number), moves[shapes[line.tail].group])
-            for number, line in enumerate(inner)
+            None if path is None else _path_moved(path, moves[blocks[line.tail]])
+            for line, path in zip(lines, paths, strict=True)
         ],
     )
 
 
-def _around(boxes: Sequence[Box]) -> Box:
-    left, top = min(box[0] for box in boxes) - _FRAME, min(box[1] for box in boxes) - _FRAME
-    right = max(box[0] + box[2] for box in boxes) + _FRAME
-    return (left, top, right - left, max(box[1] + box[3] for box in boxes) + _FRAME - top)
+def _around(boxes: Sequence[Box], room: float) -> Box:
+    left, top = min(box[0] for box in boxes) - room, min(box[1] for box in boxes) - room
+    right = max(box[0] + box[2] for box in boxes) + room
+    return (left, top, right - left, max(box[1] + box[3] for box in boxes) + room - top)
 
 
-def _rows(frames: dict[str, Box]) -> Iterator[tuple[str, tuple[float, float]]]:
-    """Left and top of each frame, in rows of about equal width that together are as wide as a screen: 16 to 10."""
+def _rows(frames: dict[str | int, Box]) -> Iterator[tuple[str | int, tuple[float, float]]]:
+    """Left and top of each frame, groups by their titles and then what is in none, in rows of about equal width that
+    together have the shape of a screen: 16 to 10."""
     area = sum((width + _BETWEEN) * (height + _BETWEEN) for _, _, width, height in frames.values())
     limit = max((area * 1.6) ** 0.5, *(width for _, _, width, _ in frames.values()))
     left = top = height_of_row = 0.0
-    for group in sorted(frames, key=lambda name: (name == "", name)):
-        _, _, width, height = frames[group]
+    for block in sorted(frames, key=lambda name: (isinstance(name, int), str(name), name)):
+        _, _, width, height = frames[block]
         if left and left + width > limit:
             left, top, height_of_row = 0.0, top + height_of_row + _BETWEEN, 0.0
-        yield group, (left, top)
+        yield block, (left, top)
         left += width + _BETWEEN
         height_of_row = max(height_of_row, height)
 
@@ -128,8 +130,8 @@ def _moved(box: Box, by: tuple[float, float]) -> Box:
     return (box[0] + by[0], box[1] + by[1], box[2], box[3])
 
 
-def _path_moved(path: Sequence[float] | None, by: tuple[float, float]) -> list[float] | None:
-    return None if path is None else [value + by[index % 2] for index, value in enumerate(path)]
+def _path_moved(path: Sequence[float], by: tuple[float, float]) -> list[float]:
+    return [value + by[index % 2] for index, value in enumerate(path)]
 
 
 @dataclass(frozen=True)

@@ -10,6 +10,9 @@ import { groupDetails, lineDetails, pathDetails, systemDetails, vertexDetails } 
 import { lineOf, marksOf, membersOf, statusWords, vertexOf } from "./marks.js";
 import { markEntry, showFilters, showList, showPathForm, walkList } from "./sidebar.js";
 
+/** The scale from which all texts can be read. */
+const READABLE = 0.6;
+
 const model = readModel(byId("data").textContent);
 const canvas = /** @type {HTMLCanvasElement} */ (byId("canvas"));
 const page = { model, state: newState(model), select, act };
@@ -93,7 +96,7 @@ function inView(item) {
 }
 
 function bringIntoView(item) {
-  const k = Math.max(view.k, 0.75);
+  const k = Math.max(view.k, READABLE);
   const x = canvas.clientWidth / 2 - k * (item.x + item.w / 2), y = canvas.clientHeight / 2 - k * (item.y + item.h / 2);
   zoom.transform(d3.select(canvas), d3.zoomIdentity.translate(x, y).scale(k));
 }
@@ -283,7 +286,7 @@ function start() {
   const number = model.systems.findIndex((system) => system.title === words.get("system"));
   showSystem(Math.max(number, 0));
   const vertex = page.state.system.vertices.findIndex((other) => nameOf(other) === words.get("show"));
-  if (vertex >= 0) select(`v${vertex}`, true);
+  if (vertex >= 0) select(`v${vertex}`, view.k < READABLE);
   performance.mark("drawn");
 }
 

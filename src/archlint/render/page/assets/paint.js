@@ -5,6 +5,9 @@ const LOOKS = ["node", "topic", "service", "action", "group", "wrong", "aside", 
 /** Scales below which there is no text, and only names. */
 const NO_TEXT = 0.34, NAMES_ONLY = 0.6;
 const FADED = 0.13;
+/** Lines from which they are pale where no text can be read: groups shall be seen through them. */
+const MANY_LINES = 800;
+const PALE = 0.3;
 
 /** The colours of the style sheet, which are other ones in the dark. */
 export function readColours() {
@@ -90,10 +93,11 @@ function strokeOf(line) {
 function paintLines(pen, scene) {
   const { context, colours, scale, marks, inView } = pen;
   const lit = marks.lit ? scene.lines.filter((line) => marks.lit.has(line.key)) : null;
+  const pale = scale < NO_TEXT && scene.lines.length > MANY_LINES;
   scene.batches ??= batchesOf(scene.lines);
   const batches = lit ? [...scene.batches.map((batch) => ({ ...batch, faded: true })), ...batchesOf(lit)] : scene.batches;
   for (const { path, look, stroke, wide, faded } of batches) {
-    context.globalAlpha = faded ? FADED : 1;
+    context.globalAlpha = faded ? FADED : pale && !lit ? PALE : 1;
     context.strokeStyle = colours[look].line;
     context.lineWidth = Math.max(wide ? 1.8 : 1.2, 0.55 / scale);
     context.setLineDash(DASHES[stroke]);

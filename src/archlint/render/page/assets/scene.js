@@ -1,6 +1,6 @@
 // The shapes and lines that are in the picture now, with their places.
 "use strict";
-import { groupsOf, isNode } from "./model.js";
+import { across, groupsOf, isNode } from "./model.js";
 import { arrange } from "./arrange.js";
 import { shownVertices } from "./state.js";
 
@@ -12,22 +12,24 @@ export function makeScene(state) {
   const { system } = state;
   const groups = groupsOf(system, state.grouping);
   const shown = shownVertices(state);
-  const byVertex = new Map(), byGroup = new Map(), items = [];
+  const byVertex = new Map(), byGroup = new Map(), allItems = [];
   for (const number of shown) {
     const title = groups[number];
     if (title && state.collapsed.has(title)) {
-      if (!byGroup.has(title)) items.push(byGroup.set(title, groupItem(title)).get(title));
+      if (!byGroup.has(title)) allItems.push(byGroup.set(title, groupItem(title)).get(title));
       const box = byGroup.get(title);
       box.vertices.push(number);
       byVertex.set(number, box);
     } else {
       const item = vertexItem(state, system.vertices[number], number, title);
-      items.push(item);
+      allItems.push(item);
       byVertex.set(number, item);
     }
   }
   for (const box of byGroup.values()) finishGroup(state, box);
-  const lines = makeLines(system, byVertex);
+  const direct = joinGroups(system, shown, byVertex);
+  const items = allItems.filter((item) => item.isGroup || byVertex.has(item.number));
+  const lines = makeLines(system, byVertex, direct);
   const drawn = system.drawing;
   const asDrawn = drawn && state.grouping === "drawn" && !byGroup.size && state.focus === null && !state.arranged;
   if (asDrawn) placeAsDrawn(drawn, items, lines);
@@ -76,16 +78,38 @@ function badgeOf(state, findings) {
   return { count: findings.length, severity: levels.reduce((a, b) => (RANK[b] > RANK[a] ? b : a)) };
 }
 
+/**
+ * What only closed groups talk over is not drawn: it becomes part of the lines from group to group.
+ * @returns {{tail: any, head: any, edges: number[]}[]} what runs over it
+ */
+function joinGroups(system, shown, byVertex) {
+  const direct = [];
+  for (const number of shown) {
+    if (isNode(system.vertices[number]) || byVertex.get(number).isGroup) continue;
+    const edges = system.at[number].filter((edge) => byVertex.has(across(system.edges[edge], number)));
+    const ends = edges.map((edge) => ({ edge, item: byVertex.get(across(system.edges[edge], number)) }));
+    if (!ends.every(({ item }) => item.isGroup)) continue;
+    byVertex.delete(number);
+    for (const from of ends.filter(({ edge }) => system.edges[edge].head === number)) {
+      for (const to of ends.filter(({ edge }) => system.edges[edge].tail === number)) {
+        direct.push({ tail: from.item, head: to.item, edges: [from.edge, to.edge] });
+      }
+    }
+  }
+  return direct;
+}
+
 /** One line for all edges from one item to another. */
-function makeLines(system, byVertex) {
+function makeLines(system, byVertex, direct) {
   const lines = new Map();
-  system.edges.forEach((edge, number) => {
-    const tail = byVertex.get(edge.tail), head = byVertex.get(edge.head);
+  const add = (tail, head, edges) => {
     if (!tail || !head || tail === head) return;
     const key = `${tail.key}>${head.key}`;
     if (!lines.has(key)) lines.set(key, { key, tail, head, edges: [] });
-    lines.get(key).edges.push(number);
-  });
+    lines.get(key).edges.push(...edges);
+  };
+  system.edges.forEach((edge, number) => add(byVertex.get(edge.tail), byVertex.get(edge.head), [number]));
+  for (const { tail, head, edges } of direct) add(tail, head, edges);
   for (const line of lines.values()) {
     const edges = line.edges.map((number) => system.edges[number]);
     const ends = edges.flatMap((edge) => edge.ends);
