@@ -12,7 +12,7 @@ from benchmarks.page.chromium import Chromium
 
 from archlint.finding import Finding, Related, Severity
 from archlint.render.page.document import page_text
-from archlint.render.page.model import PageContents, PageSystem
+from archlint.render.page.model import PageContents, PageSystem, SourceLink
 from archlint.ros.qos import Qos
 from archlint.systems.model import System
 from render.hostile import NAMES, hostile
@@ -48,8 +48,14 @@ class Reader:
         self.browser = browser
         self.file = file
 
-    def opens(self, *systems: PageSystem, findings: tuple[Finding, ...] = (), fragment: str = "") -> Reader:
-        self.file.write_text(page_text(PageContents(systems, findings)), encoding="utf-8")
+    def opens(
+        self,
+        *systems: PageSystem,
+        findings: tuple[Finding, ...] = (),
+        fragment: str = "",
+        link: SourceLink | None = None,
+    ) -> Reader:
+        self.file.write_text(page_text(PageContents(systems, findings, link)), encoding="utf-8")
         self.browser.open(self.file, fragment)
         return self
 
@@ -330,3 +336,24 @@ def test_related_places_are_listed(reader: Reader):
     related = Related(finding_about(shown, "/viewer").place, "it is subscribed here")
     reader.opens(PageSystem(shown), findings=(replace(found, related=(related,)),), fragment="#show=/viewer")
     assert "it is subscribed here" in reader.text("details")
+
+
+@pytest.mark.parametrize(
+    ("address", "leads_to"),
+    [
+        ("vscode://file{path}:{line}:{column}", "vscode://file/home/me/my%20ws/src/vision/vision/camera.py:6:1"),
+        ("file://{path}", "file:///home/me/my%20ws/src/vision/vision/camera.py"),
+        ("https://example.org/{file}#L{line}", "https://example.org/robot/src/vision/vision/camera.py#L6"),
+    ],
+)
+def test_places_lead_to_the_source(reader: Reader, address: str, leads_to: str):
+    link = SourceLink(address, "/home/me/my ws", "robot")
+    reader.opens(PageSystem(robot()), fragment="#show=/camera", link=link)
+    assert reader.browser.run("document.querySelector('#details a').getAttribute('href')") == leads_to
+
+
+def test_a_hub_is_called_one(reader: Reader):
+    spokes = [node(f"/spoke{number}", subscriber(f"/to{number}")) for number in range(8)]
+    hub = node("/hub", *(publisher(f"/to{number}") for number in range(8)))
+    reader.opens(PageSystem(system(hub, *spokes)), fragment="#show=/hub")
+    assert "hub: 0 in, 8 out" in reader.text("details")

@@ -27,6 +27,7 @@ from archlint.cli.options import (
 )
 from archlint.cli.parser import Parser
 from archlint.cli.progress import Progress
+from archlint.cli.source_links import add_source_links, source_link_of
 from archlint.cli.view_options import add_view, view_of
 from archlint.engine.answers import Answer
 from archlint.engine.drawn import Drawn
@@ -48,6 +49,7 @@ def parser() -> Parser:
         help=f"one of {', '.join(render.FORMATS)} (default: the suffix of -o, else text)",
     )
     output.add_argument("-o", metavar="FILE", dest="file", help="write to FILE; its suffix chooses the format")
+    add_source_links(output)
     add_view(parser)
     add_launch(parser)
     add_observed(parser)
@@ -61,6 +63,7 @@ def parser() -> Parser:
 
 def run(arguments: argparse.Namespace) -> int:
     format, view = _format(arguments.format, arguments.file), view_of(arguments)
+    source_link = source_link_of(arguments.source_links, format)
     keeper = _keeper(arguments, format)
     launch, launch_arguments = launch_of(arguments)
     linked = linked_of(arguments)
@@ -82,7 +85,7 @@ def run(arguments: argparse.Namespace) -> int:
     progress = Progress(sys.stderr, arguments.quiet, arguments.verbose)
     try:
         with pool_of(arguments) as pool, progress as monitor:
-            drawn = draw(replace(request, monitor=monitor, pool=pool), format, color, view)
+            drawn = draw(replace(request, monitor=monitor, pool=pool), format, color, view, source_link)
     except (NothingToDo, CannotDraw, NothingOfThatName) as error:
         raise UsageError(str(error)) from None
     if isinstance(drawn.output, str) and to_terminal:

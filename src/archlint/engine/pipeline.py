@@ -23,6 +23,7 @@ from archlint.syntax.secret import user_key
 
 if TYPE_CHECKING:
     from archlint.finding import Finding
+    from archlint.render.page.model import SourceLink
     from archlint.render.view import View
     from archlint.syntax.files import FactsOfFiles
     from archlint.systems.model import System
@@ -161,17 +162,17 @@ def _systems_of_parts(request: Request) -> list[tuple[Workspace, list[System]]]:
     return list(zip(parts, loaded, strict=True))
 
 
-def draw(request: Request, format: FormatName, color: bool, view: View) -> Drawn:
+def draw(request: Request, format: FormatName, color: bool, view: View, source_link: SourceLink | None = None) -> Drawn:
     """The system of all nodes in one of :data:`archlint.render.FORMATS`, with what is found in it where the format
-    shows that.
+    shows that, and with the systems of launch files where it has room for them.
 
     Raises :class:`NothingToDo`, :class:`archlint.render.errors.CannotDraw` and
     :class:`archlint.render.selection.NothingOfThatName`.
     """
-    return copy_context().run(_draw, request, format, color, view)
+    return copy_context().run(_draw, request, format, color, view, source_link)
 
 
-def _draw(request: Request, format: FormatName, color: bool, view: View) -> Drawn:
+def _draw(request: Request, format: FormatName, color: bool, view: View, source_link: SourceLink | None) -> Drawn:
     request.settings.activate_plugins()
     if request.keeper is not None:
         request.keeper.starts(request.paths, request.settings)
@@ -186,7 +187,12 @@ def _draw(request: Request, format: FormatName, color: bool, view: View) -> Draw
 
         facts = compiled(request, workspace, inputs.store)
         result = (kept.load_again(facts) or kept.load_alike(facts)) if lasts else None
-        if result is None:
+        if result is None and FORMATS[format].of == "all systems":
+            from archlint.engine.paging import page  # all the rules
+
+            refuse_nothing(request, workspace, facts)
+            result = page(inputs, facts, view, source_link)
+        elif result is None:
             system, findings = _marked(inputs, facts, format, view.everything)
             result = drawn(system, format, color, view, findings)
             if lasts and facts.lasting and not result.faults:

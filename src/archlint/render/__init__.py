@@ -18,8 +18,9 @@ if TYPE_CHECKING:
     from archlint.systems.model import System
 
 FormatName = Literal["text", "json", "dot", "svg", "png", "pdf", "mermaid", "markdown", "d2", "html"]
-Source = Literal["diagram", "marked system", "system"]
-"""What a format is made of; a ``marked system`` comes with the view and the findings."""
+Source = Literal["diagram", "marked system", "system", "all systems"]
+"""What a format is made of; a ``marked system`` comes with the view and the findings, and ``all systems`` are those of
+launch files, too, where they are known."""
 
 
 @dataclass(frozen=True)
@@ -54,7 +55,7 @@ FORMATS: Final[Mapping[FormatName, Format]] = {
     "mermaid": Format("mermaid", suffixes=("mmd", "mermaid")),
     "markdown": Format("mermaid", "markdown", ("md",)),
     "d2": Format("d2", suffixes=("d2",)),
-    "html": Format("html", suffixes=("html", "htm"), drawn=True, of="system"),
+    "html": Format("html", suffixes=("html", "htm"), drawn=True, of="all systems"),
 }
 """A new format is a new row."""
 
@@ -80,7 +81,7 @@ def render(
             drawn = function(diagram_of(system, view, findings))
         case "marked system":
             drawn = function(system, color=color, view=view, findings=findings)
-        case "system":
+        case "system" | "all systems":
             drawn = function(part_of(system, view) if view.selects else system)
     return drawn
 

@@ -5,10 +5,13 @@ Nodes and ends are described in the words of ``archlint graph --format json``; w
 
 from __future__ import annotations
 
+from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
 from archlint.render import look
 from archlint.render.definitions import interfaces, launch_arguments
+from archlint.render.diagram.marks import marked
+from archlint.render.diagram.parts import parts_of
 from archlint.render.json import endpoint_data, node_data, unresolved
 from archlint.render.page.found import FindingIndex, finding_data
 from archlint.render.page.places import Drawing, Line, Shape, place
@@ -19,10 +22,13 @@ from archlint.visible import visible
 if TYPE_CHECKING:
     import networkx
 
+    from archlint.render.diagram.model import Shape as DrawnShape
     from archlint.render.page.model import PageContents, PageSystem
     from archlint.systems.nodes import Node
 
 VERSION = 1
+_GROUPS = {"launch": "launched_by"}
+"""What groups are made of, as the JSON of the graph calls it."""
 _ENDS = ("publishers", "subscribers", "services", "clients", "action_servers", "action_clients")
 
 
@@ -31,7 +37,8 @@ def page_data(contents: PageContents) -> dict[str, Any]:
     systems = [_system(shown, FindingIndex(contents.findings, shown)) for shown in contents.systems]
     return {
         "version": VERSION,
-        "source_link": contents.source_link,
+        "source_link": None if contents.link is None else asdict(contents.link),
+        "group": None if contents.group is None else _GROUPS.get(contents.group, contents.group),
         "systems": systems,
         "findings": [finding_data(finding) for finding in contents.findings],
         "interfaces": _used_interfaces(contents, systems),
@@ -43,8 +50,9 @@ def _system(shown: PageSystem, index: FindingIndex) -> dict[str, Any]:
     graph = graph_of(system)
     numbers = {key: number for number, key in enumerate(graph.nodes)}
     titles = look.groups(graph)
+    marks = marked(parts_of(system, graph), system, graph, index.here).shapes
     vertices = [
-        {**_vertex(data, index), "group": titles.get(key, ""), "label": _label(data)}
+        {**_vertex(data, index), **_marks(marks[key]), "group": titles.get(key, ""), "label": _label(data, marks[key])}
         for key, data in graph.nodes(data=True)
     ]
     edges = _edges(graph, numbers, index)
@@ -98,8 +106,13 @@ def _look_of(data: dict[str, Any]) -> dict[str, Any]:
     return {"look": "aside"} if look.is_aside(data["node"]) or data["neighbour"] else {}
 
 
-def _label(data: dict[str, Any]) -> list[str]:
-    return look.vertex_label(data).split("\n")
+def _label(data: dict[str, Any], shape: DrawnShape) -> list[str]:
+    return [*look.vertex_label(data).split("\n"), *shape.remarks]
+
+
+def _marks(shape: DrawnShape) -> dict[str, Any]:
+    """What other pictures say of it, too: that it is a hub, and in which process it runs."""
+    return known_keys({"remarks": list(shape.remarks), "process": shape.groups.get("process", "")})
 
 
 def _edges(graph: networkx.MultiDiGraph, numbers: dict[Key, int], index: FindingIndex) -> list[dict[str, Any]]:

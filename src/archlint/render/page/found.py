@@ -19,6 +19,7 @@ class FindingIndex:
 
     def __init__(self, findings: Sequence[Finding], shown: PageSystem) -> None:
         self._here = [number for number, finding in enumerate(findings) if _holds(finding, shown)]
+        self.here = [findings[number] for number in self._here]
         self._of_node: dict[str, list[int]] = {}
         self._of_line: dict[tuple[str, int], list[int]] = {}
         self._shown: set[int] = set()

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from archlint.finding import Finding
+    from archlint.render.view import GroupBy
     from archlint.systems.model import System
 
 
@@ -26,13 +27,27 @@ class PageSystem:
 
 
 @dataclass(frozen=True)
+class SourceLink:
+    """Where the places of a page lead.
+
+    ``address`` has ``{line}``, ``{column}`` and ``{path}``, the absolute path of a file, or ``{file}``, its path in the
+    repository.  ``root`` is the folder that files are shown from, and ``folder`` the same in the repository.
+    """
+
+    address: str
+    root: str
+    folder: str
+
+
+@dataclass(frozen=True)
 class PageContents:
     """The systems of a page, the first of which it opens with, and what was found in them."""
 
     systems: Sequence[PageSystem]
     findings: Sequence[Finding] = ()
-    source_link: str | None = None
-    """The address of a place in the source, with ``{file}`` (as places have it), ``{line}`` and ``{column}``."""
+    link: SourceLink | None = None
+    group: GroupBy | None = None
+    """What groups are made of at first; None for what the places were worked out for."""
 
 
-__all__ = ["PageContents", "PageSystem"]
+__all__ = ["PageContents", "PageSystem", "SourceLink"]

@@ -33,6 +33,7 @@ function nodeDetails(page, node, number) {
   ];
   return [
     heading(nameOf(node), "node"),
+    ...(node.remarks ?? []).map((words) => element("p", { class: "warning" }, words)),
     node.error && element("p", { class: "error" }, node.error),
     node.documentation && element("p", {}, node.documentation),
     node.file && element("p", {}, place(page.model, node)),
@@ -102,6 +103,7 @@ function interfaceDetails(page, vertex, number) {
   return [
     heading(nameOf(vertex), vertex.kind),
     element("p", {}, vertex.kind, (vertex.types ?? []).length > 1 && element("span", { class: "error" }, ", with different types")),
+    ...(vertex.remarks ?? []).map((words) => element("p", { class: "warning" }, words)),
     vertex.error && element("p", { class: "error" }, vertex.error),
     vertex.resolution && element("p", { class: "quiet" }, `the name is known as far as this: ${vertex.resolution}`),
     actions(page, number),

@@ -163,7 +163,7 @@ function tracePath() {
 function showSystem(number) {
   Object.assign(page.state, stateOfSystem(model, number));
   byId("system").value = String(number);
-  byId("group").value = "drawn";
+  byId("group").value = page.state.grouping;
   showFilters(page);
   showPathForm(page);
   rebuild(true);
