@@ -33,6 +33,7 @@ from archlint.observed.words import comparison_notices, comparison_words
 from archlint.render.json import unresolved
 from archlint.report.model import Judged, recounted, summarise
 from archlint.syntax.interfaces import interface_problems
+from archlint.syntax.launch_xml import suppressions_of_xml
 from archlint.systems.model import WorkspaceIndex
 
 if TYPE_CHECKING:
@@ -41,6 +42,7 @@ if TYPE_CHECKING:
     from archlint.engine.memory import Memory
     from archlint.finding import Finding
     from archlint.launch.files import LaunchFiles
+    from archlint.syntax.facts import Suppression
     from archlint.syntax.files import FactsOfFiles
     from archlint.systems.model import System
     from archlint.workspace.model import SourceFile, Workspace
@@ -126,6 +128,7 @@ def _judged(
     by_file = {file.relative: read.suppressions for file in known if (read := facts.facts_of(file)) is not None}
     candidates.extend(unreadable(*problem) for problem in launch_files.problems())
     by_file.update(launch_files.suppressions())
+    by_file.update(_of_manifests(workspace, inputs.tree))
     candidates.extend(failure(fault) for fault in faults.by_place())
     skipped = {file.relative for file in python_files(workspace) if facts.is_ros1(file)}
     candidates = [candidate for candidate in candidates if candidate.place.file not in skipped]
@@ -254,6 +257,14 @@ def _without_left_alone(
     broken = (f for f in files if f.path not in named and (read := facts.facts_of(f)) is not None and read.problems)
     alone = {file.path for file in broken if is_left_alone(index, file.relative)}
     return [file for file in files if file.path not in alone]
+
+
+def _of_manifests(workspace: Workspace, tree: SourceTree) -> Iterator[tuple[str, list[Suppression]]]:
+    """What each ``package.xml`` suppresses in place."""
+    for package in workspace.packages:
+        file = package.manifest.relative
+        if not package.ros1 and (found := suppressions_of_xml(tree.text(file) or "")):
+            yield file, found
 
 
 def _of_interfaces(

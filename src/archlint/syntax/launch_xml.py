@@ -174,6 +174,18 @@ def is_ros1(root: Element) -> tuple[bool, bool]:
     return ros1 > ros2 or (ros1 == ros2 == 0 and habits > 0), ros1 + ros2 > 0
 
 
+def suppressions_of_xml(text: str) -> list[Suppression]:
+    """The suppressions of an XML file of any kind, such as a ``package.xml``; none where it is not well-formed."""
+    if "archlint:" not in text:
+        return []
+    reader = _Reader(text.encode("utf-8", "replace"))
+    try:
+        reader.parser.Parse(reader.data, True)
+    except (expat.ExpatError, _Entity, TooLarge, ValueError, LookupError):
+        return []
+    return [] if reader.root is None else _suppressions(text, reader.root)
+
+
 def _suppressions(text: str, root: Element) -> list[Suppression]:
     """``<!-- archlint: ignore[…] -->``: for the element on its line, else for the next one."""
     suppressions: list[Suppression] = []
