@@ -12,7 +12,7 @@ define APT
 	flock /tmp/archlint-apt.lock sh -c "$$sudo apt-get update -qq && $$sudo apt-get install -qq -y $(1)"
 endef
 
-.PHONY: demo test test-page test-ros test-ros-full adoption adoption-public docs check style types layers suite clean
+.PHONY: demo test test-page test-ros test-ros-full fuzz adoption adoption-public docs check style types layers suite clean
 
 # A Debian without python3-venv cannot make an environment with pip in it: install that package where we may.
 $(STAMP): pyproject.toml
@@ -61,6 +61,11 @@ test-ros-full:  ## the same, each program started in every way and recorded, too
 test-ros-%: $(STAMP)
 	@$(BIN)/python scripts/ros_environment $*
 	@test ! -d .venv-ros-$* || $(BIN)/python -m pytest tests_ros --distro $* -rs $(TESTS_ROS)
+
+MINUTES ?= 60
+
+fuzz: $(STAMP)  ## made-up workspaces for MINUTES=60; what fails becomes a case in tests/fuzz/cases
+	$(BIN)/python -m benchmarks.fuzz --minutes $(MINUTES)
 
 adoption: $(STAMP)  ## what a team does, with pre-commit and colcon from PyPI; WORKSPACES="…": not on the fixtures
 	$(BIN)/python -m benchmarks.adoption --install $(WORKSPACES)
