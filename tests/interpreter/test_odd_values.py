@@ -68,6 +68,7 @@ LINES = [
     "found = os\n        for _ in range(500): found = getattr(found, text)",
     "found = '{0}{0}{0}{0}{0}{0}{0}{0}{0}{0}'.format(text)",
     "found = text.join([text] * 4000)",
+    "found = [1]; found.insert(large * large, 2); found.insert(-large * large, 0)",
 ]
 
 

@@ -93,7 +93,8 @@ def _insert(machine: Machine, target: ListValue, site: CallSite) -> Value | None
         return None
     items, at = target.items(machine), site.args[0].whole_number
     values = list(items.values)
-    values.insert(len(values) if at is None else at, site.args[1])
+    last = len(values)
+    values.insert(last if at is None else min(max(at, -last), last), site.args[1])  # a huge one is refused by Python
     return _put(machine, target, tuple(values), items.open or at is None)
 
 
