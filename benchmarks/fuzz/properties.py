@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
@@ -45,10 +46,10 @@ def keeps_its_contract(files: Files) -> None:
 
 def _proper(ran: Ran) -> None:
     assert ran.status in (0, 1, 2), f"exit status {ran.status}"
-    for sign in ("Traceback (most recent", "internal error", "LNT003"):
-        text = ran.out if sign == "LNT003" else ran.err
-        line = next((line for line in text.splitlines() if sign in line), None)
-        assert line is None, _short(line)
+    crash = re.search(r"Traceback \(most recent|internal error", ran.err)
+    assert crash is None, _short(ran.err[crash.start() :] if crash else "")
+    failed = re.search(r'"LNT003".*?"message": "(.*?)",\n', ran.out, re.DOTALL) or re.search(r"LNT003.*", ran.out)
+    assert failed is None, f"LNT003: {_short(failed[failed.lastindex or 0] if failed else '')}"
     if ran.status == 2:
         assert "archlint: error: " in ran.err and not ran.out, f"exit status 2: {_short(ran.err)}"
 
