@@ -205,7 +205,7 @@ def _added_line(before: str, after: str) -> int:
     return next((number for number, (left, right) in enumerate(zip(old, new, strict=False), 1) if left != right), 0)
 
 
-_MOST = 6
+_MOST = 4
 """Findings of a workspace that are tried: each is two runs."""
 _Kinds = Counter[tuple[str, str, str, int]]
 

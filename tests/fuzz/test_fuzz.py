@@ -12,8 +12,8 @@ from benchmarks.fuzz.runs import counted_calls
 from benchmarks.fuzz.workspaces import states_for
 from hypothesis import HealthCheck, Phase, given, settings
 
-CALLS = 3_000_000
-"""Calls of Python functions in the runs over one workspace.  Plain ones need a tenth of that."""
+CALLS = 20_000_000
+"""Calls of Python functions in all runs over one workspace, up to ten.  A plain run needs a hundredth of that."""
 EXAMPLES = {
     "keeps_its_contract": 8,
     "says_the_same_again": 4,
