@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import tempfile
 import time
 from collections.abc import Callable, Iterator, Mapping
+from pathlib import Path
 
+from archlint.config.settings import load
+from archlint.engine.pipeline import Request, check
 from archlint.syntax.entry_point_tables import entries_of_setup_cfg
 from archlint.syntax.interfaces import parse_interface
 from archlint.syntax.launch_xml import read_launch_xml
@@ -64,11 +68,39 @@ READERS: Mapping[str, tuple[Callable[[str], object], Callable[[int], str]]] = {
 }
 
 
+def _judge(text: str) -> None:
+    """Check a node by itself, as a system that is closed."""
+    with tempfile.TemporaryDirectory() as temporary:
+        folder = Path(temporary)
+        folder.joinpath("node.py").write_text(text, encoding="utf-8")
+        folder.joinpath("archlint.toml").write_text("closed-world = true\n", encoding="utf-8")
+        check(Request((temporary,), load(folder), cached=False, jobs=1))
+
+
+def _nodes(many: int, line: str) -> str:
+    """So many nodes, of two kinds in turn."""
+    head = "import rclpy\nfrom rclpy.qos import *\nfrom std_msgs.msg import String\nrclpy.init()\n"
+    return head + "".join(f"a = rclpy.create_node('n{n}')\n{line.format(n=n)}\n" for n in range(many))
+
+
+_OFFER = "a.create_publisher(String, 'x', qos_profile_sensor_data)"
+_SYSTEMS: Mapping[str, Callable[[int], str]] = {
+    "system: names with one side only": lambda many: _nodes(
+        many, "a.create_publisher(String, 'said_{n}', 1); a.create_subscription(String, 'heard_{n}', print, 1)"
+    ),
+    "system: ends of one topic that do not fit": lambda many: _nodes(
+        many, _OFFER + "; a.create_subscription(String, 'x', print, 10)"
+    ),
+}
+"""Systems whose ends are all to be held against each other."""
+
+
 def stalling(many: int) -> Iterator[tuple[str, float, float]]:
-    """Of each text with so many parts: what it is, seconds of CPU until it is accepted or refused, and how much of that
-    one with half of the parts takes."""
+    """Of each text with so many parts, and of systems with a node for 500: what it is, seconds of CPU until it is
+    accepted or refused, and how much of that one with half of the parts takes."""
     of_python = {name: (inspect, text) for name, text in TEXTS.items()}
-    for name, (read, text) in {**of_python, **READERS}.items():
+    of_systems = {name: (_judge, lambda parts, text=text: text(parts // 500)) for name, text in _SYSTEMS.items()}
+    for name, (read, text) in {**of_python, **READERS, **of_systems}.items():
         half, whole = _seconds(read, text(many // 2)), _seconds(read, text(many))
         yield name, whole, half / whole
 

@@ -23,6 +23,9 @@ if TYPE_CHECKING:
     from archlint.systems.model import System
     from archlint.systems.nodes import Connection, Endpoint, Node
 
+MOST_ENDS = 100
+"""How many ends of one name are held against each other, the first in the source: with all of them the work, and what
+is said, would grow with the square of their number."""
 _NEVER_REACHED = frozenset({Role.METHOD})
 """Roles of code that nothing in the workspace is seen to run."""
 _PLACEHOLDERS = frozenset({"placeholder", "unset", "undefined", "none", "null", "todo", "tbd", "changeme", "fixme"})
@@ -67,9 +70,14 @@ def in_source_order(endpoints: Iterable[Endpoint]) -> list[Endpoint]:
     return ends
 
 
+def first_in_source(endpoints: Iterable[Endpoint]) -> list[Endpoint]:
+    """The first :data:`MOST_ENDS` in the order of the source."""
+    return in_source_order(endpoints)[:MOST_ENDS]
+
+
 def coexisting_pairs(system: System, endpoints: Iterable[Endpoint]) -> Iterator[tuple[Endpoint, Endpoint]]:
     """Pairs of certain endpoints that run together; in each, the second comes later in the source."""
-    for end, other in combinations(in_source_order(e for e in endpoints if certain(e)), 2):
+    for end, other in combinations(first_in_source(e for e in endpoints if certain(e)), 2):
         if coexist(system, end, other) and _under_one_name(system, end, other):
             yield end, other
 
@@ -82,7 +90,7 @@ def conflicting_pairs(
     One of them exists for sure.  The other may depend on a branch, unless its node has another endpoint of that
     name which would agree: then the branches choose the one that fits.
     """
-    ends = in_source_order(end for end in endpoints if possible(end))
+    ends = first_in_source(end for end in endpoints if possible(end))
     sure = {id(end) for end in ends if certain(end)}
     of_node: dict[tuple[int, str], list[Endpoint]] = {}
     for end in ends:

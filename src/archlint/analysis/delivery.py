@@ -6,7 +6,14 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from archlint.analysis.coexistence import are_alternatives, certain, coexist, in_source_order, launched_separately
+from archlint.analysis.coexistence import (
+    are_alternatives,
+    certain,
+    coexist,
+    first_in_source,
+    in_source_order,
+    launched_separately,
+)
 from archlint.model import EntityKind
 from archlint.ros.qos import Verdict, compatible
 
@@ -74,9 +81,10 @@ def undelivered(system: System) -> Iterator[Undelivered]:
 
 
 def undelivered_on(system: System, topic: Connection) -> Iterator[Undelivered]:
-    """The pairs of one topic that exist at the same time and whose profiles are known."""
-    offers = in_source_order(end for end in topic.providers if _judged(end))
-    for request in in_source_order(end for end in topic.users if _judged(end)):
+    """The pairs of one topic that exist at the same time and whose profiles are known, of the first
+    :data:`~archlint.analysis.coexistence.MOST_ENDS` on each side."""
+    offers = first_in_source(end for end in topic.providers if _judged(end))
+    for request in first_in_source(end for end in topic.users if _judged(end)):
         for offer in offers:
             errors = tuple(_errors(offer, request))
             if errors and _meet(system, offer, request):
@@ -94,7 +102,7 @@ def fitting(system: System, request: Endpoint) -> list[Endpoint]:
     return [
         offer
         for offer in in_source_order(end for end in (topic.providers if topic is not None else ()) if _judged(end))
-        if coexist(system, offer, request) and not _errors(offer, request)
+        if not _errors(offer, request) and coexist(system, offer, request)
     ]
 
 

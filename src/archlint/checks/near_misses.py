@@ -11,7 +11,7 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
 from archlint.suggestions import OPPOSITES, distance
-from archlint.systems.externals import may_use
+from archlint.systems.externals import UsedNames
 
 if TYPE_CHECKING:
     from archlint.finding import Place
@@ -30,7 +30,7 @@ _POSITIONS = frozenset({"to", "from", "in", "of", "by", "for", "with", "and", "o
 """Words that give the order of the others a meaning: ``map_to_odom`` and ``odom_to_map``."""
 
 
-_MOST_PAIRS = 200_000
+MOST_PAIRS = 100_000
 """How many pairs of names are compared: a system with more ends that nobody uses is a text made to stall."""
 
 
@@ -45,13 +45,13 @@ def missed(
     system: System, options: Options, connections: Mapping[str, Connection]
 ) -> Iterator[tuple[Endpoint, list[Endpoint]]]:
     """Users of names that nobody provides, each with those who provide almost the same name to nobody."""
-    unread = [node for node in system.nodes if node.external]
+    unread = UsedNames(node for node in system.nodes if node.external)
     alone = [
         connection
         for connection in connections.values()
         if not (connection.users and connection.providers)
         and not options.is_external(connection.name)
-        and not any(may_use(node, connection.name) for node in unread)
+        and not unread.holds(connection.name)
     ]
     provided = _by_type(connection for connection in alone if not connection.users)
     said: set[tuple[Place, ...]] = set()
@@ -61,7 +61,7 @@ def missed(
             continue
         for user in in_source_order(_judged(connection)):
             pairs += len(provided.get(user.type or "", []))
-            if pairs > _MOST_PAIRS:
+            if pairs > MOST_PAIRS:
                 return
             candidates = [end for end in provided.get(user.type or "", []) if _misses(system, end, user)]
             lines = user.place, *(end.place for end in candidates)

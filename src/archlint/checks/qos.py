@@ -40,8 +40,12 @@ def qos_deadline_mismatch(system: System, options: Options) -> Iterator[Finding]
 def _mismatches(code: str, system: System, policies: set[DurationPolicy | StrengthPolicy]) -> Iterator[Finding]:
     """One finding for each subscription (one create call) and policy, with all publishers that do not fit."""
     against: dict[tuple[int, str], list[tuple[Undelivered, Verdict]]] = {}
+    served: dict[int, bool] = {}
     for pair in undelivered(system):
-        if _is_of_loose_scripts(system, pair) and fits_any(system, pair.request):
+        request = pair.request
+        if id(request) not in served:
+            served[id(request)] = fits_any(system, request)
+        if served[id(request)] and _is_of_loose_scripts(system, pair):
             continue  # each is run by hand, beside the program that it was made for
         if _is_put_aside(system, pair):
             continue

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.coexistence import certain, in_source_order, named_by_library
 from archlint.analysis.completeness import in_sight as followed
 from archlint.analysis.own_types import has_no_server_here
-from archlint.checks.near_misses import missed, nearly_equal
+from archlint.checks.near_misses import MOST_PAIRS, missed, nearly_equal
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
@@ -38,11 +38,12 @@ _PARTNER = {
 @rule("TOP002", scope=Scope.SYSTEM)
 def topic_without_subscriber(system: System, options: Options) -> Iterator[Finding]:
     """Topics of a closed system that are published and that nobody subscribes to."""
+    partners = _Partners(system)
     for end in _lonely(system, options, system.topics, EntityKind.PUBLISHER):
         if end.name not in FOR_TOOLS and end.type not in TYPES_OF_MANY_PUBLISHERS:
             yield _finding(
                 "TOP002",
-                system,
+                partners,
                 end,
                 f"{end.node.name} publishes '{end.name}', and no node subscribes to it",
                 "subscribe to it, remove the publisher, or list the name under `external`",
@@ -52,10 +53,11 @@ def topic_without_subscriber(system: System, options: Options) -> Iterator[Findi
 @rule("TOP003", scope=Scope.SYSTEM)
 def topic_without_publisher(system: System, options: Options) -> Iterator[Finding]:
     """Subscriptions of a closed system to topics that nobody publishes."""
+    partners = _Partners(system)
     for end in _lonely(system, options, system.topics, EntityKind.SUBSCRIBER):
         yield _finding(
             "TOP003",
-            system,
+            partners,
             end,
             f"{end.node.name} subscribes to '{end.name}', and no node publishes it: the callback never runs",
             "publish it, or list the name under `external`",
@@ -65,10 +67,11 @@ def topic_without_publisher(system: System, options: Options) -> Iterator[Findin
 @rule("SRV001", scope=Scope.SYSTEM)
 def client_without_server(system: System, options: Options) -> Iterator[Finding]:
     """Clients whose service nobody offers: of a closed system, or where a server has almost the same name."""
+    partners = _Partners(system)
     for end, besides in _without_server(system, options, system.services, EntityKind.CLIENT):
         yield _finding(
             "SRV001",
-            system,
+            partners,
             end,
             f"{end.node.name} calls the service '{end.name}', and no node offers it{besides}: the request never gets a "
             "response",
@@ -79,10 +82,11 @@ def client_without_server(system: System, options: Options) -> Iterator[Finding]
 @rule("ACT001", scope=Scope.SYSTEM)
 def action_client_without_server(system: System, options: Options) -> Iterator[Finding]:
     """Action clients whose action nobody offers: of a closed system, or where a server has almost the same name."""
+    partners = _Partners(system)
     for end, besides in _without_server(system, options, system.actions, EntityKind.ACTION_CLIENT):
         yield _finding(
             "ACT001",
-            system,
+            partners,
             end,
             f"{end.node.name} sends goals to the action '{end.name}', and no node offers it{besides}: the goals are "
             "never accepted or rejected",
@@ -98,11 +102,12 @@ def _without_server(
         yield from ((end, "") for end in _lonely(system, options, connections, kind))
         return
     slips = [user for user, _ in missed(system, options, connections)]
+    told = {id(user) for user in slips}
     yield from ((user, "") for user in slips)
     for connection in connections.values():
         if connection.providers or options.is_external(connection.name):
             continue
-        sure = [end for end in in_source_order(connection.users) if certain(end) and end not in slips]
+        sure = [end for end in in_source_order(connection.users) if certain(end) and id(end) not in told]
         if sure and has_no_server_here(system, sure[0]):
             yield sure[0], f", nor any other of {sure[0].type}, which this workspace defines"
 
@@ -114,7 +119,8 @@ def _lonely(
     if not is_complete(system):
         return
     implicit = implicit_names(system)
-    unknown = [end for end in system.endpoints if end.kind == _PARTNER[kind] and not end.resolved]
+    unknown = {(end.name, end.type) for end in system.endpoints if end.kind == _PARTNER[kind] and not end.resolved}
+    left = MOST_PAIRS
     for connection in connections.values():
         ends = [end for end in connection.providers + connection.users if end.kind == kind]
         if len(ends) < len(connection.providers + connection.users):
@@ -122,7 +128,10 @@ def _lonely(
         if connection.name in implicit or options.is_external(connection.name):
             continue
         sure = [end for end in ends if certain(end) and not named_by_library(end)]
-        if sure and not any(_may_match(end, other) for end in sure for other in unknown):
+        left -= len(sure) * len(unknown)
+        if left < 0:
+            return  # some of them may be the partners of those that are left
+        if sure and not any(_may_match(end, *other) for end in sure for other in unknown):
             yield in_source_order(sure)[0]
 
 
@@ -163,14 +172,15 @@ def _seen(node: Node) -> bool:
     return all(blueprint.just_rclpy for blueprint in node.blueprints)
 
 
-def _may_match(end: Endpoint, other: Endpoint) -> bool:
-    if end.type is not None and other.type is not None and end.type != other.type:
+def _may_match(end: Endpoint, name: str | None, type: str | None) -> bool:
+    """Whether an end may have a partner of a type that is not wholly known by its name."""
+    if end.type is not None and type is not None and end.type != type:
         return False
-    return other.name is None or fnmatchcase(end.name or "", other.name)
+    return name is None or fnmatchcase(end.name or "", name)
 
 
-def _finding(code: str, system: System, end: Endpoint, message: str, help: str) -> Finding:
-    other = _nearest(system, end)
+def _finding(code: str, partners: _Partners, end: Endpoint, message: str, help: str) -> Finding:
+    other = partners.nearest(end)
     return finding(
         code,
         end.place,
@@ -182,12 +192,25 @@ def _finding(code: str, system: System, end: Endpoint, message: str, help: str) 
     )
 
 
-def _nearest(system: System, end: Endpoint) -> Endpoint | None:
-    """A possible partner whose name differs by a slip of the pen."""
-    partners = [
-        other
-        for other in system.endpoints
-        if other.kind == _PARTNER[end.kind] and other.resolved and other.type in (end.type, None)
-    ]
-    near = [other for other in partners if nearly_equal(other.name or "", end.name or "")]
-    return min(near, key=lambda other: (other.name or "", other.place), default=None)
+class _Partners:
+    """The ends whose names are known, by what they could be the partner of.
+
+    :data:`~archlint.checks.near_misses.MOST_PAIRS` names are compared for one rule; nothing is suggested after that.
+    """
+
+    def __init__(self, system: System) -> None:
+        self._left = MOST_PAIRS
+        self._named: dict[tuple[EntityKind, str | None], list[Endpoint]] = {}
+        for end in system.endpoints:
+            if end.resolved:
+                self._named.setdefault((end.kind, end.type), []).append(end)
+
+    def nearest(self, end: Endpoint) -> Endpoint | None:
+        """A possible partner whose name differs by a slip of the pen."""
+        kind = _PARTNER[end.kind]
+        partners = [other for type in {end.type: 0, None: 0} for other in self._named.get((kind, type), ())]
+        self._left -= len(partners)
+        if self._left < 0:
+            return None
+        near = [other for other in partners if nearly_equal(other.name or "", end.name or "")]
+        return min(near, key=lambda other: (other.name or "", other.place), default=None)

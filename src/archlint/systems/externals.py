@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
 from archlint.ros import names
@@ -49,14 +49,24 @@ def connections_of_externals(system: System) -> list[tuple[Node, str]]:
 _BETWEEN = re.compile(r"[^\w/~]+|:=")
 
 
-def may_use(node: Node, name: str) -> bool:
-    """Whether an external node is given a name: by a remapping, as (the end of) a text among its parameters, or on its
-    command line, where the bridges to simulators have it (``/scan@sensor_msgs/msg/LaserScan``)."""
-    if any(full == name for _, full in remapped_names(node)):
-        return True
-    words = [] if node.started is None else [word for word in node.started.arguments if word is not None]
-    texts = {*_texts_of(node), *(part for word in words for part in _BETWEEN.split(word))}
-    return any(text and f"/{name}".endswith(f"/{text}") for text in (ending.lstrip("/~") for ending in texts))
+class UsedNames:
+    """The names that external nodes may use, looked up once for all of them: a system can have very many of both."""
+
+    def __init__(self, nodes: Iterable[Node]) -> None:
+        self._full: set[str] = set()
+        self._endings: set[str] = set()
+        for node in nodes:
+            self._full.update(full for _, full in remapped_names(node))
+            words = [] if node.started is None else [word for word in node.started.arguments if word is not None]
+            texts = {*_texts_of(node), *(part for word in words for part in _BETWEEN.split(word))}
+            self._endings.update(text.lstrip("/~") for text in texts)
+        self._endings.discard("")
+
+    def holds(self, name: str) -> bool:
+        """Whether a node is given a name: by a remapping, as (the end of) a text among its parameters, or on its
+        command line, where the bridges to simulators have it (``/scan@sensor_msgs/msg/LaserScan``)."""
+        starts = (at for at, letter in enumerate(f"/{name}", 1) if letter == "/")
+        return name in self._full or any(f"/{name}"[start:] in self._endings for start in starts)
 
 
 def _texts_of(node: Node) -> Iterator[str]:

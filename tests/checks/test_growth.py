@@ -1,0 +1,119 @@
+"""How the work of rules grows with a system: counted in comparisons, so that it is the same on every machine."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from unittest.mock import patch
+
+import pytest
+
+from archlint.analysis import coexistence, delivery
+from archlint.checks import near_misses, unmatched
+from archlint.config.options import options_for
+from archlint.config.settings import Settings
+from archlint.engine.judging import judge
+from archlint.finding import Finding
+from archlint.ros.qos import Qos
+from archlint.systems.model import System
+from systems.builders import node, partial, publisher, subscriber, system
+
+REAL = near_misses.MOST_PAIRS, coexistence.MOST_ENDS
+BEST_EFFORT = Qos(reliability="best_effort")
+
+
+def counted(module: object, name: str, code: str, judged: System) -> tuple[int, list[Finding]]:
+    """How often a rule calls a function of a module, and what it finds."""
+    calls = 0
+    function: Callable[..., object] = getattr(module, name)
+
+    def counting(*given: object) -> object:
+        nonlocal calls
+        calls += 1
+        return function(*given)
+
+    with patch.object(module, name, counting):
+        found = list(judge(judged, options_for(Settings(), (code,))))
+    return calls, found
+
+
+@pytest.fixture(autouse=True)
+def small_limits(monkeypatch: pytest.MonkeyPatch) -> None:
+    for module in (near_misses, unmatched):
+        monkeypatch.setattr(module, "MOST_PAIRS", 900)
+    monkeypatch.setattr(coexistence, "MOST_ENDS", 12)
+
+
+def test_the_limits_leave_room_for_large_robots():
+    assert REAL == (100_000, 100)
+
+
+def lonely(many: int) -> System:
+    """So many topics that are published, and as many that are heard, no two of one name."""
+    published = [publisher(f"said_by_{number}x") for number in range(many)]
+    heard = [subscriber(f"heard_as_{number}x") for number in range(many)]
+    return system(node("/a", *published), node("/b", *heard), closed=True)
+
+
+@pytest.mark.parametrize(
+    ("module", "code"), [(near_misses, "TOP004"), (unmatched, "TOP002"), (unmatched, "TOP003")], ids=["4", "2", "3"]
+)
+def test_names_are_compared_up_to_a_limit(module: object, code: str):
+    few, found = counted(module, "nearly_equal", code, lonely(10))
+    assert few == 10 * 10
+    assert len(found) == (0 if code == "TOP004" else 10)
+    many, found = counted(module, "nearly_equal", code, lonely(50))
+    assert many == 900
+    assert len(found) == (0 if code == "TOP004" else 50)  # only the suggestions end
+
+
+def test_a_slip_within_the_limit_is_told_and_one_behind_it_is_not():
+    def told(before: int) -> list[Finding]:
+        unlike = [subscriber(f"heard_as_{number}x") for number in range(before)]
+        heard = node("/b", *unlike, subscriber("zz_batery"))
+        published = node("/a", *(publisher(f"said_by_{number}x") for number in range(before)), publisher("zz_battery"))
+        return list(judge(system(published, heard), options_for(Settings(), ("TOP004",))))
+
+    assert [one.identity for one in told(10)] == [("/zz_batery", "/zz_battery")]
+    assert told(50) == []
+
+
+def test_names_that_are_known_in_part_are_compared_up_to_a_limit():
+    def closed(many: int) -> System:
+        said = [publisher(f"said_{number}") for number in range(many)]
+        heard = [subscriber(partial(f"part_{number}_*")) for number in range(many)]
+        return system(node("/a", *said), node("/b", *heard), closed=True)
+
+    few, found = counted(unmatched, "_may_match", "TOP002", closed(10))
+    assert (few, len(found)) == (10 * 10, 10)
+    many, found = counted(unmatched, "_may_match", "TOP002", closed(50))
+    assert (many, len(found)) == (900, 900 // 50)  # of the others somebody may be the partner
+
+
+def crowd(many: int) -> System:
+    """So many nodes that publish one topic, and as many that want more than they offer."""
+    nodes = [node(f"/a{number}", publisher("x", qos=BEST_EFFORT)) for number in range(many)]
+    return system(*nodes, *(node(f"/b{number}", subscriber("x")) for number in range(many)), closed=True)
+
+
+def test_ends_of_one_topic_are_held_against_each_other_up_to_a_limit():
+    few, found = counted(delivery, "coexist", "QOS001", crowd(6))
+    assert few == 6 * 6
+    assert [len(one.related) for one in found] == [6] * 6
+    many, _ = counted(delivery, "coexist", "QOS001", crowd(40))
+    assert many == 12 * 12
+
+
+def test_what_fits_is_looked_for_once_for_each_subscription():
+    half, _ = counted(delivery, "_errors", "QOS001", crowd(40))
+    many, _ = counted(delivery, "_errors", "QOS001", crowd(80))
+    assert many < 2.1 * half
+
+
+def test_types_and_owners_of_one_topic_are_held_against_each_other_up_to_a_limit():
+    def typed(many: int) -> System:
+        types = ("std_msgs/msg/Bool", "std_msgs/msg/String")
+        return system(*(node(f"/a{number}", publisher("x", types[number % 2])) for number in range(many)), closed=True)
+
+    for code, pairs in (("TOP001", 12 * 12 / 4), ("OWN001", 12 * 11 / 2)):
+        many, _ = counted(coexistence, "coexist", code, typed(60))
+        assert many == pairs
