@@ -30,6 +30,7 @@ OF_ANOTHER_FOLDER = {
     "action": "scripts/action",
     "adoption": "benchmarks/adoption",
     "fixtures": "fixtures",
+    "fuzz": "benchmarks/fuzz",
     "histories": "benchmarks/histories",
     "mutations": "benchmarks/mutations",
     "oracle": "benchmarks/accuracy/oracle",
