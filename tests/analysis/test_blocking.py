@@ -85,3 +85,49 @@ def test_outcomes_in_words():
     assert outcome_words({"humble": blocking.Outcome.HANGS, "jazzy": blocking.Outcome.HANGS}) == "deadlocks"
     mixed = {"humble": blocking.Outcome.HANGS, "jazzy": blocking.Outcome.RAISES_NESTED}
     assert outcome_words(mixed) == "deadlocks in humble and raises 'Executor is already spinning' in jazzy"
+
+
+def test_the_reason_is_the_one_that_is_given_or_that_humble_lacks_the_argument():
+    assert look_up(CALL, ONE, SAME, "one thread", ["humble"]).why == "one thread"
+    assert look_up(TIMED_CALL, ONE, SAME, "one thread", ["humble"]).why == "humble does not have this argument"
+    assert look_up(TIMED_CALL, ONE, SAME, "one thread", ["humble", "jazzy"]).why == "one thread"
+
+
+@pytest.mark.parametrize(
+    ("distros", "before"),
+    [
+        (["humble"], ""),
+        (["lyrical"], ""),
+        (["jazzy"], " (deadlocks before rclpy 7.1.9)"),
+        (["humble", "kilted"], " (deadlocks in kilted before rclpy 9.1.5)"),
+        (["jazzy", "kilted"], " (deadlocks in jazzy before rclpy 7.1.9 and kilted before rclpy 9.1.5)"),
+    ],
+)
+def test_what_earlier_releases_do_with_a_nested_spin(distros: list[str], before: str):
+    verdict = look_up(SPIN, ONE, SAME, "", distros)
+    assert verdict.words == outcome_words(verdict.outcomes) + before
+
+
+def test_an_action_client_may_raise_where_several_threads_spin():
+    verdict = look_up(SPIN, SEVERAL, OTHER, "", ["humble", "jazzy"]).with_an_action_client()
+    raised = "raises 'Executor is already spinning'"
+    either = "sometimes deadlocks or raises RCLError"
+    assert verdict.words == f"{either} in humble and {raised} in jazzy ({either} in jazzy before rclpy 7.1.9)"
+    limited = look_up(LIMITED_SPIN, SEVERAL, OTHER, "why", ["humble"]).with_an_action_client()
+    assert (limited.words, limited.why) == ("sometimes times out or raises RCLError", "why")
+    hanging = look_up(SPIN, ONE, SAME, "", ["jazzy"])
+    assert hanging.with_an_action_client() == hanging
+
+
+def test_a_call_that_loses_its_node_in_one_distribution():
+    verdict = look_up(CALL, ONE, SAME, "why", ["humble", "jazzy"]).stranding_in("humble")
+    assert verdict.outcomes == {"humble": blocking.Outcome.STRANDS, "jazzy": blocking.Outcome.HANGS}
+    assert verdict.why == "why"
+
+
+def test_three_outcomes_and_the_last_two_distributions_in_words():
+    outcome = blocking.Outcome
+    mixed = {"humble": outcome.HANGS, "jazzy": outcome.FINE, "kilted": outcome.TIMES_OUT}
+    assert outcome_words(mixed) == "deadlocks in humble, works in jazzy and always times out in kilted"
+    assert in_distros(DISTROS[-2:]) == f"from {DISTROS[-2]} on"
+    assert in_distros(DISTROS[:3]) == f"up to {DISTROS[2]}"

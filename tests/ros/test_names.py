@@ -200,6 +200,8 @@ def test_expansion_that_fails(name: str, node: str, namespace: str, expected: st
         ("{ns}/*", "/ns", "/ns/*"),
         ("~*", "/", "/node*"),
         ("{*}", "/", "/{*}"),
+        ("*/{node}", "/ns", "/*/node"),
+        ("a" * 246 + "*", "/", "/" + "a" * 246 + "*"),  # 247 characters are allowed, and the hole may be none
     ],
 )
 def test_patterns_keep_their_holes(pattern: str, namespace: str, expected: str) -> None:
@@ -231,6 +233,39 @@ def test_patterns_that_no_filling_can_save(pattern: str, expected: str | None) -
 
 
 @pytest.mark.parametrize(
+    ("pattern", "at", "words"),
+    [
+        ("1*", 0, "must not start with a number"),
+        ("*a/", 2, "must not end with a forward slash"),
+        ("a~*", 1, "must not have tilde '~' unless it is the first character"),
+        ("*x y", 2, "must not contain characters other than alphanumerics"),
+        ("*X", None, ""),
+    ],
+)
+def test_where_a_pattern_is_wrong_and_why(pattern: str, at: int | None, words: str) -> None:
+    wrong = names.validate_pattern(pattern)
+    assert (wrong and wrong.index) == at
+    assert wrong is None or words in wrong.message
+
+
+@pytest.mark.parametrize(
+    ("name", "node", "namespace"),
+    [
+        ("a", False, True),
+        ("~/a", True, True),
+        ("/a", False, False),
+        ("*/a", False, False),
+        ("/{node}/a", True, False),
+        ("/{ns}/a", False, True),
+        ("/{namespace}/a", False, True),
+        ("/{NODE}/a", False, False),
+    ],
+)
+def test_what_the_meaning_of_a_name_depends_on(name: str, node: bool, namespace: bool) -> None:
+    assert (names.uses_node_name(name), names.uses_namespace(name)) == (node, namespace)
+
+
+@pytest.mark.parametrize(
     ("pattern", "name", "matches"),
     [
         ("/*/scan", "/front/scan", True),
@@ -239,6 +274,12 @@ def test_patterns_that_no_filling_can_save(pattern: str, expected: str | None) -
         ("/arm/*/scan", "/arm/scan", False),
         ("/a.b*", "/axb", False),
         ("/a", "/a", True),
+        ("/a/*b*b/*c", "/a/b/c", False),  # each part has a place of its own
+        ("/a/*b*b/*c", "/a/bb/c", True),
+        ("/a*bc*c", "/abc", False),
+        ("/a*b*c*c", "/abcc", True),
+        ("/a*x*b", "/acb", False),
+        ("/a*b*b*c", "/abxbc", True),
     ],
 )
 def test_what_a_pattern_may_become(pattern: str, name: str, matches: bool) -> None:

@@ -165,3 +165,27 @@ def test_asking_for_less_never_makes_an_error(offered: Qos, requested: Qos, rela
 @given(any_profile, any_profile)
 def test_errors_and_warnings_never_mix(offered: Qos, requested: Qos) -> None:
     assert len(set(levels(offered, requested).values())) <= 1
+
+
+@pytest.mark.parametrize(
+    ("profile", "policy", "values", "verdict"),
+    [
+        (qos.DEFAULT, "reliability", ("reliable",), True),
+        (qos.DEFAULT, "reliability", ("best_effort",), False),
+        (replace(qos.DEFAULT, reliability="system_default"), "reliability", ("reliable",), None),
+        (replace(qos.DEFAULT, reliability="best_available"), "reliability", ("reliable",), None),
+        (replace(qos.DEFAULT, reliability=None), "reliability", ("reliable",), None),
+        (qos.DEFAULT, "depth", (10,), True),
+        (qos.DEFAULT, "depth", (1, 5), False),
+        (replace(qos.DEFAULT, history="keep_all"), "depth", (10,), None),
+        (replace(qos.DEFAULT, deadline=0.5), "deadline", (0.5,), True),
+        (replace(qos.DEFAULT, deadline=0.5), "deadline", (0,), False),
+        (replace(qos.DEFAULT, deadline=None), "deadline", (0,), True),
+        (replace(qos.DEFAULT, deadline=None), "deadline", (1,), False),
+        (replace(qos.DEFAULT, deadline=0.5, unknown_durations=frozenset({"deadline"})), "deadline", (0.5,), None),
+    ],
+)
+def test_whether_a_policy_has_one_of_some_values(
+    profile: Qos, policy: qos.FieldName, values: tuple[str | float, ...], verdict: bool | None
+) -> None:
+    assert qos.allowed(profile, policy, values) is verdict

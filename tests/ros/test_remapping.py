@@ -58,6 +58,9 @@ def test_rules(text: str, node: str | None, kinds: set[str], match: str, replace
         ("__node:=a/b", "is not a remap rule"),
         ("__ns:=relative", "is not a remap rule"),
         ("__node:rostopic://a:=b", "is not a remap rule"),
+        ("__name:=a b", "is not a remap rule$"),
+        ("__ns:=", "is not a remap rule$"),
+        ("__node:=", "is not a remap rule$"),
     ],
 )
 def test_rules_that_rcl_refuses(text: str, why: str) -> None:
@@ -120,6 +123,19 @@ def test_rules_of_a_command_line() -> None:
     line = ["-r", "no:=no", "--ros-args", "-r", "a:=b", "--remap", "c:=d", "-p", "x:=1"]
     line += ["-r", "bad/:=e", "--", "-r", "f:=g", "--ros-args", "-r", "h:=i"]
     assert [rule.text for rule in rules_of_arguments(line)] == ["a:=b", "c:=d", "h:=i"]
+
+
+def test_only_the_word_behind_the_option_is_a_rule() -> None:
+    assert rules_of_arguments(["a:=b", "--remap", "c:=d"]) == []
+    assert rules_of_arguments(["--ros-args", "a:=b"]) == []
+    assert [rule.text for rule in rules_of_arguments(["--ros-args", "-r", "a:=b", "c:=d"])] == ["a:=b"]
+
+
+def test_humble_takes_no_rule_for_an_action() -> None:
+    [rule] = rules("dock:=park")
+    assert rule.in_distro("humble").kinds == {"topic", "service"}
+    assert rule.in_distro("humble").text == rule.text
+    assert rule.in_distro("jazzy") == rule.in_distro(None) == rule
 
 
 tokens = st.sampled_from(["a", "b", "c"])
