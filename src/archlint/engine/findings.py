@@ -127,8 +127,7 @@ def _judged(
     candidates.extend(_of_interfaces(workspace, systems, inputs.tree, faults))
     by_file = {file.relative: read.suppressions for file in known if (read := facts.facts_of(file)) is not None}
     candidates.extend(unreadable(*problem) for problem in launch_files.problems())
-    by_file.update(launch_files.suppressions())
-    by_file.update(_of_manifests(workspace, inputs.tree))
+    by_file.update([*launch_files.suppressions().items(), *_of_manifests(workspace, inputs.tree)])
     candidates.extend(failure(fault) for fault in faults.by_place())
     skipped = {file.relative for file in python_files(workspace) if facts.is_ros1(file)}
     candidates = [candidate for candidate in candidates if candidate.place.file not in skipped]
@@ -263,8 +262,8 @@ def _of_manifests(workspace: Workspace, tree: SourceTree) -> Iterator[tuple[str,
     """What each ``package.xml`` suppresses in place."""
     for package in workspace.packages:
         file = package.manifest.relative
-        if not package.ros1 and (found := suppressions_of_xml(tree.text(file) or "")):
-            yield file, found
+        if not package.ros1 and (comments := suppressions_of_xml(tree.text(file) or "")):
+            yield file, comments
 
 
 def _of_interfaces(
