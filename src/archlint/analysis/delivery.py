@@ -60,11 +60,12 @@ _DONE = {True: ("published", "subscribed"), False: ("served", "called")}
 
 
 def mistyped_on(system: System, connection: Connection) -> Iterator[Mistyped]:
-    """The pairs of one topic, service or action that exist at the same time and whose types are known and differ."""
+    """The pairs of one topic, service or action that exist at the same time and whose types are known and differ, of as
+    many as in :func:`undelivered_on`."""
     if len(connection.types) < 2:
         return
-    offers = in_source_order(end for end in connection.providers if certain(end) and end.type is not None)
-    for request in in_source_order(end for end in connection.users if certain(end) and end.type is not None):
+    offers = first_in_source(end for end in connection.providers if certain(end) and end.type is not None)
+    for request in first_in_source(end for end in connection.users if certain(end) and end.type is not None):
         for offer in offers:
             if offer.type != request.type and _meet(system, offer, request):
                 yield Mistyped(offer, request)
