@@ -233,6 +233,75 @@ def test_patterns_that_no_filling_can_save(pattern: str, expected: str | None) -
 
 
 @pytest.mark.parametrize(
+    ("name", "at", "message"),
+    [
+        ("", 0, "topic name must not be empty string"),
+        ("1a", 0, "topic name token must not start with a number"),
+        ("a/", 1, "topic name must not end with a forward slash"),
+        ("{1}", 1, "substitution name must not start with a number"),
+        ("a~", 1, "topic name must not have tilde '~' unless it is the first character"),
+        ("a}", 1, "topic name must not have unmatched (unbalanced) curly braces '{}'"),
+        ("a{b", 1, "topic name must not have unmatched (unbalanced) curly braces '{}'"),
+        ("{a/}", 2, "substitution name must not contain characters other than alphanumerics or '_'"),
+        ("a b", 1, "topic name must not contain characters other than alphanumerics, '_', '~', '{', or '}'"),
+        ("~ab", 1, "topic name must not have a tilde '~' that is not followed by a forward slash '/'"),
+        ("a/1", 2, "topic name token must not start with a number"),
+    ],
+)
+def test_what_rcl_says_of_a_name_and_where(name: str, at: int, message: str) -> None:
+    wrong = names.validate_topic_name(name)
+    assert wrong is not None
+    assert (wrong.index, wrong.message) == (at, message)
+
+
+@pytest.mark.parametrize(
+    ("name", "at", "message"),
+    [
+        ("", 0, "topic name must not be empty"),
+        ("a", 0, "topic name must be absolute, it must lead with a '/'"),
+        ("/a/", 2, "topic name must not end with a '/'"),
+        ("/a~", 2, "topic name must not contain characters other than alphanumerics, '_', or '/'"),
+        ("/a//b", 3, "topic name must not contain repeated '/'"),
+        ("/a/1", 3, "topic name must not have a token that starts with a number"),
+        ("/" + "a" * 247, 246, "topic length should not exceed '247'"),
+    ],
+)
+def test_what_rmw_says_of_a_full_name_and_where(name: str, at: int, message: str) -> None:
+    wrong = names.validate_full_name(name)
+    assert wrong is not None
+    assert (wrong.index, wrong.message) == (at, message)
+
+
+@pytest.mark.parametrize(
+    ("name", "at", "message"),
+    [
+        ("", 0, "node name must not be empty"),
+        ("a/b", 1, "node name must not contain characters other than alphanumerics or '_'"),
+        ("1a", 0, "node name must not start with a number"),
+        ("a" * 256, 254, "node name length should not exceed '255'"),
+    ],
+)
+def test_what_rmw_says_of_a_node_name_and_where(name: str, at: int, message: str) -> None:
+    wrong = names.validate_node_name(name)
+    assert wrong is not None
+    assert (wrong.index, wrong.message) == (at, message)
+
+
+@pytest.mark.parametrize(
+    ("name", "at", "message"),
+    [
+        ("a", 0, "namespace must be absolute, it must lead with a '/'"),
+        ("/a/", 2, "namespace must not end with a '/', unless only a '/'"),
+        ("/" + "a" * 245, 244, "namespace should not exceed '245'"),
+    ],
+)
+def test_what_rmw_says_of_a_namespace_and_where(name: str, at: int, message: str) -> None:
+    wrong = names.validate_namespace(name)
+    assert wrong is not None
+    assert (wrong.index, wrong.message) == (at, message)
+
+
+@pytest.mark.parametrize(
     ("pattern", "at", "words"),
     [
         ("1*", 0, "must not start with a number"),

@@ -189,3 +189,16 @@ def test_whether_a_policy_has_one_of_some_values(
     profile: Qos, policy: qos.FieldName, values: tuple[str | float, ...], verdict: bool | None
 ) -> None:
     assert qos.allowed(profile, policy, values) is verdict
+
+
+def test_a_verdict_says_what_both_sides_have() -> None:
+    late = replace(qos.DEFAULT, deadline=2.0)
+    assert compatible(late, replace(qos.DEFAULT, deadline=1.0)) == [Verdict("deadline", "error", 2.0, 1.0)]
+    undecided = replace(qos.DEFAULT, reliability="system_default")
+    wants = replace(qos.DEFAULT, reliability="reliable")
+    assert compatible(undecided, wants) == [Verdict("reliability", "warning", "system_default", "reliable")]
+
+
+def test_one_side_that_is_not_known_is_not_judged() -> None:
+    known, unknown = (replace(qos.DEFAULT, reliability=value) for value in ("system_default", None))
+    assert levels(unknown, known) == levels(known, unknown) == {}

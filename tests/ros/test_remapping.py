@@ -125,6 +125,11 @@ def test_rules_of_a_command_line() -> None:
     assert [rule.text for rule in rules_of_arguments(line)] == ["a:=b", "c:=d", "h:=i"]
 
 
+@pytest.mark.parametrize("text", ["__node:=a", "__ns:=/a", "n:__name:=b", "x:=y"])
+def test_a_rule_keeps_its_text(text: str) -> None:
+    assert RemapRule.parse(text).text == text
+
+
 def test_only_the_word_behind_the_option_is_a_rule() -> None:
     assert rules_of_arguments(["a:=b", "--remap", "c:=d"]) == []
     assert rules_of_arguments(["--ros-args", "a:=b"]) == []
