@@ -69,6 +69,11 @@ class UsedNames:
         return name in self._full or any(f"/{name}"[start:] in self._endings for start in starts)
 
 
+def may_use(node: Node, name: str) -> bool:
+    """The same of one node and one name."""
+    return UsedNames([node]).holds(name)
+
+
 def _texts_of(node: Node) -> Iterator[str]:
     """The texts among the values that a launch file sets on an external node."""
     for setting in node.settings:
