@@ -154,9 +154,9 @@ class TestManySources:
         counts = []
         real = workers.run_in_workers
 
-        def counted(job, sources, count, deadline, told):
+        def counted(job, sources, count, *rest):
             counts.append(count)
-            return real(job, sources, count, deadline, told)
+            return real(job, sources, count, *rest)
 
         monkeypatch.setattr(workers, "run_in_workers", counted)
         compile_sources(SOURCES, jobs=4)

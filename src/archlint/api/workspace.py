@@ -100,7 +100,7 @@ def load(
     ``config``, or none (``isolated``).  ``launch`` is a launch file, from the working directory: the only system then,
     started with these ``arguments``.  ``plugins`` says whether the plugins that the configuration names run (True) or
     are left out (False); with None, one that is code of the repository is an error.  ``jobs`` is the most processes,
-    None for as many as there are processors.
+    None for as many as there are processors and memory for.
     Raises :class:`ArchlintError`.
     """
     if config is not None and isolated:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
@@ -22,6 +21,7 @@ from archlint.programs.linker import Linker
 from archlint.programs.scripts import forget_names
 from archlint.ros.interfaces import InterfaceTable
 from archlint.syntax.interface_declarations import FILE_NAME
+from archlint.syntax.memory import default_processes
 from archlint.syntax.workspace_files import WorkspaceFiles
 from archlint.systems.code import WorkspaceCode
 from archlint.systems.instances import assemble
@@ -151,7 +151,7 @@ def _linker(
         parts = {name: sorted(interfaces) for name, interfaces in generated.items()}
         return cache.open(index, import_now, words, parts, without)
 
-    jobs = request.jobs or os.cpu_count() or 1
+    jobs = request.jobs or default_processes()
     keeps = jobs > 1 or request.pool is not None or inputs.store.lasts
     kept = keep if keeps else None
     linker = Linker(files, interfaces, faults, kept, jobs, request.monitor, _elsewhere(inputs, facts))

@@ -24,7 +24,7 @@ class NothingToDo(Exception):
 @dataclass(frozen=True)
 class Request:
     """What is to be analysed and how.  ``paths`` exist; ``jobs`` is the most processes, None for as many as
-    there are processors."""
+    there are processors and memory for."""
 
     paths: tuple[str, ...]
     settings: Settings

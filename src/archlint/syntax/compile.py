@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -10,6 +9,7 @@ from msgspec import structs
 
 from archlint.syntax import workers
 from archlint.syntax.facts import FACTS_VERSION, Facts, FileProblem, encode
+from archlint.syntax.memory import MOST_BYTES, default_processes
 from archlint.syntax.pools import OneProcess, Processes, paused_collection
 from archlint.syntax.python import gate
 from archlint.syntax.python.deep_stack import DEEP_LIMIT, STOCK_LIMIT, call_with_deep_stack, recursion_limit
@@ -62,7 +62,7 @@ def compile_sources(
     import archlint.syntax.python.lowering  # noqa: F401  libcst once, before the processes part
 
     if pool is None or sum(map(len, sources)) < PARALLEL_BYTES:  # nobody elsewhere starts as fast as this takes
-        pool = Processes(_worker_count(sources, jobs)) if workers.can_fork() else OneProcess()
+        pool = Processes(_worker_count(sources, jobs), MOST_BYTES) if workers.can_fork() else OneProcess()
     try:
         answers = pool.map(encoded, sources, deadline, on_done)
     except OSError:  # no process to be had: this one does it all
@@ -83,7 +83,7 @@ def _with(rows: Sequence[Compiled], numbers: Sequence[int], all_rows: list[Compi
 def _worker_count(sources: Sequence[bytes], jobs: int | None) -> int:
     if sum(map(len, sources)) < PARALLEL_BYTES:
         return 1
-    return max(1, min(jobs or os.cpu_count() or 1, len(sources)))
+    return max(1, min(jobs or default_processes(), len(sources)))
 
 
 def _compiled(answer: Answer, deadline: float) -> Compiled:

@@ -40,12 +40,13 @@ class OneProcess:
 
 @dataclass(frozen=True)
 class Processes:
-    """Up to ``count`` forked processes."""
+    """Up to ``count`` forked processes, each of which may take so many bytes beside what it begins with."""
 
     count: int
+    most_bytes: int | None = None
 
     def map(self, job: Job, sources: Sequence[bytes], deadline: float, on_done: OnDone) -> list[Answer]:
-        return workers.run_in_workers(job, sources, self.count, deadline, on_done)
+        return workers.run_in_workers(job, sources, self.count, deadline, on_done, self.most_bytes)
 
 
 @contextmanager

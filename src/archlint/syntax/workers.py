@@ -19,6 +19,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import NoReturn
 
+from archlint.syntax.memory import own_bytes
 from archlint.syntax.python.deep_stack import call_with_deep_stack
 
 Job = Callable[[bytes], bytes]
@@ -64,15 +65,21 @@ def can_fork(waiting: int = 0) -> bool:
 
 
 def run_in_workers(
-    job: Job, sources: Sequence[bytes], count: int, deadline: float, on_done: OnDone = ignore_done
+    job: Job,
+    sources: Sequence[bytes],
+    count: int,
+    deadline: float,
+    on_done: OnDone = ignore_done,
+    most_bytes: int | None = None,
 ) -> list[Answer]:
     """One answer for each source, in their order, from up to ``count`` forked processes.
 
     ``job`` is called in a thread with a deep stack.  ``deadline`` is the processor time in seconds that one source
     may take: on a machine that has much else to do no file takes longer.  ``on_done`` is called here as answers come
-    in.  Raises ``OSError`` where the system has no process to give.
+    in.  ``most_bytes`` is how much address space a process may take beside what it begins with.  Raises ``OSError``
+    where the system has no process to give.
     """
-    pool = _Pool(job, sources, count, deadline, on_done)
+    pool = _Pool(job, sources, count, deadline, on_done, most_bytes)
     try:
         while pool.step():
             pass
@@ -108,7 +115,16 @@ class _Worker:
 
 
 class _Pool:
-    def __init__(self, job: Job, sources: Sequence[bytes], count: int, deadline: float, on_done: OnDone) -> None:
+    def __init__(
+        self,
+        job: Job,
+        sources: Sequence[bytes],
+        count: int,
+        deadline: float,
+        on_done: OnDone,
+        most_bytes: int | None,
+    ) -> None:
+        self._most_bytes = most_bytes
         self.answers: dict[int, Answer] = {}
         self._job = job
         self._sources = sources
@@ -171,6 +187,7 @@ class _Pool:
             for end in (requests, answers, *others):
                 os.close(end)
             _end_with(parent)
+            _limit_memory(self._most_bytes)
             _serve(self._job, self._sources, request_reader, answer_writer, self._deadline)
         return pid
 
@@ -229,6 +246,18 @@ def _end_with(parent: int) -> None:
         return
     if os.getppid() != parent:  # it was gone before
         os._exit(1)
+
+
+def _limit_memory(most_bytes: int | None) -> None:
+    """Let this process take no more address space than that beside what it has."""
+    begins_with = own_bytes()
+    if most_bytes is None or begins_with is None:
+        return
+    import resource
+
+    most, hard = begins_with + most_bytes, resource.getrlimit(resource.RLIMIT_AS)[1]
+    if hard == resource.RLIM_INFINITY or most < hard:
+        resource.setrlimit(resource.RLIMIT_AS, (most, hard))
 
 
 def _serve(job: Job, sources: Sequence[bytes], requests: int, answers: int, deadline: float) -> NoReturn:
