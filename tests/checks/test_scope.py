@@ -24,7 +24,7 @@ from archlint.testing.pages import load_examples
 from registering import only
 
 SCOPES = {
-    Scope.WORKSPACE: "PKG001 PKG002 PKG003 PKG004 PKG006 PKG007",
+    Scope.WORKSPACE: "PKG001 PKG002 PKG003 PKG004 PKG006 PKG007 PKG008",
     Scope.CODE: """
         ACT003 API001 API002 API003 API004 ARC004 CBG001 CBG002 EXE001 EXE002 EXE003 EXE004 EXE005 EXE006 EXE007 EXE008
         EXE009 EXE010 EXE011 EXE014 GRF002 MSG001 MSG002 MSG003 MSG004 NME001 NME003 PRM003 PRM006 PRM008 PRM010 SRV003
@@ -102,7 +102,7 @@ def test_what_is_asked_once_finds_nothing_more_in_a_launched_system(examples: li
 def test_what_is_of_the_workspace_needs_no_nodes_and_what_is_of_code_does(examples: list[Judged]):
     found = [row for row in examples if row.open]
     alike = {row.code for row in found if row.open == row.without_nodes}
-    assert alike == {"API002", "PKG001", "PKG002", "PKG003", "PKG004", "PKG006", "PKG007", "LCH008"}
+    assert alike == {"API002", "PKG001", "PKG002", "PKG003", "PKG004", "PKG006", "PKG007", "PKG008", "LCH008"}
     # A launch file in which launch finds nothing makes no system: LCH008 asks the open one for it.  API002 judges the
     # imports of each file, too, beside the calls of its programs.
     assert {registered()[code].scope for code in alike - {"API002", "LCH008"}} == {Scope.WORKSPACE}

@@ -510,3 +510,92 @@ def test_the_table_of_known_packages():
     assert {"rclpy", "navigation2", "imu_tools", "desktop", "turtlesim"} <= known.names
     assert "numpy" not in known.names
     assert all(set(needs) <= known.names and name not in needs for name, needs in known.brings.items())
+
+
+# --------------------------------------------------------------------------------------- what a build asks for
+
+
+def built(find: str, *tags: str) -> dict[str, str]:
+    """A package that CMake builds, with a command among those of its CMakeLists.txt."""
+    by_cmake = manifest("robot", *depends("ament_cmake", tag="buildtool_depend"), *tags).replace("_python", "_cmake")
+    head = "cmake_minimum_required(VERSION 3.8)\nproject(robot)\nfind_package(ament_cmake REQUIRED)\n"
+    return {"package.xml": by_cmake, "CMakeLists.txt": f"{head}{find}\nament_package()\n"}
+
+
+@pytest.mark.parametrize(
+    ("find", "message", "tag"),
+    [
+        ("find_package(rclcpp REQUIRED)", "builds with 'rclcpp'", "depend"),
+        ("find_package(rosidl_default_generators REQUIRED)", "builds with 'rosidl_default", "buildtool_depend"),
+        ("if(BUILD_TESTING)\nfind_package(ament_lint_auto REQUIRED)\nendif()", "builds its tests with", "test_depend"),
+        ("foreach(name std_srvs)\nfind_package(${name} REQUIRED)\nendforeach()", "builds with 'std_srvs'", "depend"),
+    ],
+)
+def test_what_cmake_asks_for(lint: Lint, find: str, message: str, tag: str):
+    (one,) = lint(built(find))
+    assert f"package 'robot' {message}" in one.message
+    assert f"add <{tag}>" in (one.help or "")
+
+
+@pytest.mark.parametrize(
+    ("find", "tags"),
+    [
+        ("find_package(rclcpp REQUIRED)", depends("rclcpp", tag="build_depend")),
+        ("find_package(rclcpp REQUIRED)", depends("rclcpp", tag="test_depend")),
+        ("find_package(rcl REQUIRED)", depends("rclcpp")),  # brought along
+        ("find_package(rclcpp)", []),
+        ("find_package(ament_cmake_python REQUIRED)", []),  # ament_cmake brings it
+        ("find_package(Eigen3 REQUIRED)", []),  # no package of ROS
+        ("find_package(urdfdom REQUIRED)", depends("liburdfdom-dev")),
+        ("if(WITH_NODE)\nfind_package(rclcpp REQUIRED)\nendif()", []),
+        ("if(BUILD_TESTING)\nelse()\nfind_package(rclcpp REQUIRED)\nendif()", []),
+        ("if(BUILD_TESTING)\nif(WITH_NODE)\nfind_package(rclcpp REQUIRED)\nendif()\nendif()", []),
+        ("if(WIN32)\nreturn()\nendif()\nfind_package(rclcpp REQUIRED)", []),
+        ("# find_package(rclcpp REQUIRED)", []),
+    ],
+)
+def test_what_cmake_does_not_need_declared(lint: Lint, find: str, tags: list[str]):
+    assert lint(built(find, *tags)) == []
+
+
+DESCRIBED = """\
+from launch import LaunchDescription
+from launch.actions import IncludeLaunchDescription
+from launch.substitutions import Command, FindExecutable, PathJoinSubstitution
+from launch_ros.actions import Node
+from launch_ros.substitutions import FindPackageShare
+
+def generate_launch_description():
+    return LaunchDescription([{}])
+"""
+
+
+@pytest.mark.parametrize(
+    ("action", "needed"),
+    [
+        ("Node(package='robot', executable='a', parameters=[{'d': Command(['xacro ', 'a.xacro'])}])", ["xacro"]),
+        ("Node(package='robot', executable='a', parameters=[{'d': Command('cat a.urdf')}])", []),
+        ("Node(package='robot', executable='a', arguments=[FindExecutable(name='xacro')])", ["xacro"]),
+        ("IncludeLaunchDescription([FindPackageShare('nav2_bringup'), '/launch/a.launch.py'])", ["nav2_bringup"]),
+        ("IncludeLaunchDescription([FindPackageShare('robot'), '/launch/a.launch.py'])", []),
+    ],
+)
+def test_what_launch_files_need_besides_nodes(lint: Lint, action: str, needed: list[str]):
+    files = {"package.xml": manifest("robot", *depends("rclpy")), "launch/robot.launch.py": DESCRIBED.format(action)}
+    assert missing(lint(files)) == needed
+
+
+@pytest.mark.parametrize(
+    ("tags", "needed"),
+    [
+        ([], ["launch_testing"]),
+        (depends("launch_testing", tag="test_depend"), []),
+        (depends("launch_testing_ament_cmake", tag="test_depend"), []),
+    ],
+)
+def test_what_tests_import(lint: Lint, tags: list[str], needed: list[str]):
+    files = {
+        "package.xml": manifest("robot", *depends("rclpy"), *tags),
+        "test/test_robot.py": "import launch_testing\nimport nav_msgs.msg\nimport rclpy\n",
+    }
+    assert missing(lint(files)) == needed

@@ -58,6 +58,7 @@ MODULES: tuple[str, ...] = (
     "spin_timeouts",
     "type_mismatches",
     "unanswerable",
+    "unknown_dependencies",
     "unchecked_results",
     "undeclared",
     "wait_loops",

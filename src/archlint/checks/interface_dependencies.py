@@ -6,10 +6,10 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from archlint.analysis.interface_dependencies import NotHanded, not_handed, without_group
+from archlint.checks.dependency_uses import brought_by
 from archlint.checks.packages import workspace_of
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
-from archlint.checks.undeclared import brought_by
 from archlint.finding import Finding, Place, Related
 
 if TYPE_CHECKING:

@@ -12,7 +12,7 @@ from archlint.programs.cmake_targets import TargetNames
 from archlint.syntax.entry_point_tables import ScriptEntry, entries_of_setup_cfg
 from archlint.workspace.cmake import Argument, Command
 from archlint.workspace.cmake_run import CMakeRun, Step, without_source
-from archlint.workspace.installed import Executable, InstalledFiles, Installs, NeededSource
+from archlint.workspace.installed import Executable, FoundPackage, InstalledFiles, Installs, NeededSource
 
 
 class CMakeTree(Protocol):
@@ -82,6 +82,7 @@ def read_cmake(installs: Installs, path: str, tree: CMakeTree) -> None:
     makes_sources = not _MAKERS.isdisjoint(installs.words)
     for step in run.steps:
         _read_step(installs, step, tree, targets)
+        installs.required += [] if "return" in installs.words else _found(step)
         installs.needed += [] if step.conditional or makes_sources else _needed(step)
     installs.generates_nothing = not run.open and not installs.mentioned and _GENERATES not in installs.words
 
@@ -153,6 +154,15 @@ def _needed(step: Step) -> Iterator[NeededSource]:
     for argument, folder in rows:
         if not re.search(r"[$<>:]", argument.text) and not posixpath.isabs(without_source(argument.text)):
             yield NeededSource(step.path(argument.text), step.command.name, _place(argument, step.file), folder)
+
+
+def _found(step: Step) -> Iterator[FoundPackage]:
+    """The package that the build stops without at a command."""
+    required = step.command.name == "find_package" and "REQUIRED" in step.command.texts[1:]
+    if required and (step.of_tests or not step.conditional):
+        [name, *_] = step.command.arguments
+        if not name.open:
+            yield FoundPackage(name.text, _place(name, step.file), step.of_tests)
 
 
 def _console_scripts(installs: Installs, step: Step, tree: CMakeTree) -> None:

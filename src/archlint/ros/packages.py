@@ -20,6 +20,7 @@ _BY_MODULE = {
     "image_geometry": "image_geometry",
     "laser_geometry": "laser_geometry",
     "launch": "launch",
+    "launch_pytest": "launch_pytest",
     "launch_ros": "launch_ros",
     "launch_testing": "launch_testing",
     "launch_testing_ros": "launch_testing_ros",
@@ -51,6 +52,7 @@ _BY_MODULE = {
     "tf2_ros": "tf2_ros",
     "tf2_sensor_msgs": "tf2_sensor_msgs",
     "tf_transformations": "tf_transformations",
+    "xacro": "xacro",
 }
 """Modules of ROS that are no interfaces."""
 

@@ -52,6 +52,8 @@ class Step:
     folder: str
     conditional: bool = False
     """Whether it is inside an ``if``."""
+    of_tests: bool = False
+    """Whether all that are around it are ``if(BUILD_TESTING)``, which holds unless somebody asks for no tests."""
 
     def path(self, text: str) -> str:
         """The shown path that an argument means."""
@@ -92,8 +94,8 @@ class CMakeRun:
         self._list_files = list_files
         self._functions: dict[str, tuple[list[str], list[Command], str, bool]] = {}
         self._left = STEPS
-        self._conditions = 0
-        """How many ``if`` blocks are around the command that runs."""
+        self._conditions: list[str] = []
+        """The conditions of the ``if`` blocks around the command that runs; empty for what is behind an ``else``."""
         self.steps: list[Step] = []
         self.files: list[str] = []
         """The files that were read."""
@@ -124,12 +126,21 @@ class CMakeRun:
         self._block(commands, path, scope, depth)
         return True
 
+    def _enter(self, command: Command) -> None:
+        """Keep book of the ``if`` blocks."""
+        if command.name == "if":
+            self._conditions.append(" ".join(command.texts))
+        elif command.name in ("else", "elseif") and self._conditions:
+            self._conditions[-1] = ""
+        elif command.name == "endif" and self._conditions:
+            self._conditions.pop()
+
     def _block(self, commands: Sequence[Command], file: str, scope: _Scope, depth: int) -> None:
         at = 0
         while at < len(commands):
             command = commands[at]
             end = _end(commands, at)
-            self._conditions += {"if": 1, "endif": -1}.get(command.name, 0)
+            self._enter(command)
             self._left -= 1
             if self._left < 0 or depth > _DEPTH:
                 self.open = True
@@ -180,7 +191,7 @@ class CMakeRun:
         arguments = _expanded(command, scope)
         texts = [argument.text for argument in arguments]
         ran = Command(command.name, tuple(arguments), command.line, command.column)
-        step = Step(ran, file, scope.folder, self._conditions > 0)
+        step = Step(ran, file, scope.folder, bool(self._conditions), set(self._conditions) == {"BUILD_TESTING"})
         if command.name in self._functions:
             self._call(command, arguments, scope, depth)
         elif command.name == "add_subdirectory" and texts:
@@ -224,7 +235,7 @@ class CMakeRun:
             scope.variables["PROJECT_SOURCE_DIR"] = [SOURCE + scope.folder]
             scope.variables.setdefault("CMAKE_PROJECT_NAME", [texts[0]])
         elif name == "set" and texts:
-            _set_command(texts, scope, self._conditions > 0)
+            _set_command(texts, scope, bool(self._conditions))
         elif name == "list" and len(texts) > 1 and (mode := list_mode(texts[0])) is not None:
             scope.variables[texts[1]] = changed_list(mode, scope.variables.get(texts[1], []), texts[2:])
         elif name in _OUTPUT:

@@ -65,6 +65,16 @@ class AbsentFolder:
 
 
 @dataclass(frozen=True)
+class FoundPackage:
+    """A package without which the build stops at a ``find_package(… REQUIRED)``: one that always runs, or that runs
+    unless the tests are left out (``of_tests``)."""
+
+    name: str
+    place: Place
+    of_tests: bool = False
+
+
+@dataclass(frozen=True)
 class PythonCode:
     """The modules that a ``setup.py`` installs: all that lie in some ``folders`` themselves, and single ``modules``,
     by their shown paths.  ``place`` is that of ``packages=``; ``searched`` is true where ``find_packages()`` finds the
@@ -112,6 +122,8 @@ class Installs:
 
     needed: list[NeededSource] = field(default_factory=list)
     """What the CMake files install or generate from, in any case."""
+    required: list[FoundPackage] = field(default_factory=list)
+    """The packages that the CMake files ask for."""
     generates_nothing: bool = False
     """True where no command of the build can generate interfaces."""
 

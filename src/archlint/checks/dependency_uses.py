@@ -1,0 +1,258 @@
+"""What the files of a package need of other packages, as far as its package.xml does not declare it."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Literal
+
+from archlint.analysis.aside import is_not_installed
+from archlint.analysis.build_dependencies import packages_to_declare
+from archlint.analysis.imports import imports_at_start
+from archlint.analysis.interface_dependencies import not_handed, types_of_others
+from archlint.analysis.kept import kept
+from archlint.analysis.launch_dependencies import packages_of_includes, runs_of_xacro
+from archlint.analysis.manifests import package_around
+from archlint.checks.registry import Options
+from archlint.finding import Place
+from archlint.launch.kinds import StartedKind
+from archlint.ros import packages
+from archlint.workspace.closure import closure
+from archlint.workspace.manifest import condition_holds
+
+if TYPE_CHECKING:
+    from archlint.launch.started import Started
+    from archlint.systems.model import WorkspaceIndex
+    from archlint.workspace.model import DependencyKind, Package
+
+
+How = Literal[
+    "imports",
+    "starts a node of",
+    "uses types of",
+    "includes a launch file of",
+    "runs the program",
+    "builds with",
+    "builds its tests with",
+    "tests with",
+]
+BUILDS: frozenset[How] = frozenset({"builds with", "builds its tests with"})
+
+
+@dataclass(frozen=True, order=True)
+class Use:
+    """A place that needs another package, and how: it ``imports``, ``starts a node of`` or ``uses types of`` it ….
+    ``also`` are files on the way to it: it is enough if the package of one of them declares what is needed."""
+
+    place: Place
+    needed: str
+    how: How
+    also: tuple[str, ...] = ()
+
+
+def uses_by_package(workspace: WorkspaceIndex, options: Options) -> dict[str, list[Use]]:
+    """What each package (by its folder) uses and does not declare, in the order of the files."""
+    key = (uses_by_package, options.external, options.ignored_in)
+    return kept(workspace, key, lambda: _uses_by_package(workspace, options))
+
+
+def _uses_by_package(workspace: WorkspaceIndex, options: Options) -> dict[str, list[Use]]:
+    by_package: dict[str, list[Use]] = {}
+    known = _Known(workspace, options)
+    at_run_time = {*_imported(workspace), *_launched(workspace), *_in_interfaces(workspace), *_of_launch(workspace)}
+    for use in sorted({*at_run_time, *_in_tests(workspace)}):
+        package = known.home(use.place.file)
+        if package is None or package.build_type == "catkin" or options.is_ignored_in(use.place.file):
+            continue
+        if _installs_nothing(workspace, package) or _is_beside_cpp(workspace, package, use.place.file):
+            continue
+        if any(known.declares(file, use.needed) for file in (use.place.file, *use.also)):
+            continue
+        if use.how == "tests with" and known.declares_for_tests(use.place.file, use.needed):
+            continue
+        uses = by_package.setdefault(package.relative, [])
+        here = replace(use, also=())
+        if here not in uses:
+            uses.append(here)
+    for package, asked in packages_to_declare(workspace, lambda name: brought_by(name, workspace)):
+        if asked.name not in options.external and not options.is_ignored_in(asked.place.file):
+            how: How = "builds its tests with" if asked.of_tests else "builds with"
+            by_package.setdefault(package.relative, []).append(Use(asked.place, asked.name, how))
+    return by_package
+
+
+def _installs_nothing(workspace: WorkspaceIndex, package: Package) -> bool:
+    """Whether a package is a folder of loose scripts, as far as its CMakeLists.txt goes: nothing of it is built, so
+    that nothing of it can be started with ROS."""
+    installs = workspace.installs.get(package.name)
+    if installs is None or installs.folder != package.relative or not installs.build_files:
+        return False
+    some = installs.executables or installs.files or installs.open_executables or installs.open_files
+    some = some or installs.generated_at is not None
+    if package.build_type != "ament_cmake" or some or installs.mentioned:
+        return False
+    return not any("install" in word or word == "ament_auto_package" for word in installs.words)
+
+
+def _is_beside_cpp(workspace: WorkspaceIndex, package: Package, file: str) -> bool:
+    """Whether a file is a loose script of a package of C++ programs: no Python program of it is installed."""
+    installs = workspace.installs.get(package.name)
+    if package.build_type != "ament_cmake" or installs is None or not is_not_installed(workspace, file):
+        return False
+    return not any(executable.module or executable.script for executable in installs.executables.values())
+
+
+class _Known:
+    """What the packages around files declare, worked out once for each."""
+
+    def __init__(self, workspace: WorkspaceIndex, options: Options) -> None:
+        self._workspace = workspace
+        self._external = options.external
+        self._there: dict[str, frozenset[str]] = {}
+        self._homes: dict[str, Package | None] = {}
+
+    def home(self, file: str) -> Package | None:
+        folder = posixpath.dirname(file) or "."
+        if folder not in self._homes:
+            self._homes[folder] = package_around(self._workspace, folder)
+        return self._homes[folder]
+
+    def declares(self, file: str, needed: str) -> bool:
+        """Whether a package is there wherever that around a file is installed."""
+        package = self.home(file)
+        if package is None:
+            return False
+        if package.relative not in self._there:
+            self._there[package.relative] = _there(self._workspace, package)
+        there = self._there[package.relative]
+        return bool({needed, _ALSO.get(needed)} & there) or needed in self._external or self._of_family(needed, there)
+
+    def declares_for_tests(self, file: str, needed: str) -> bool:
+        """Whether a package is there where the tests of that around a file run."""
+        package = self.home(file)
+        declared = [] if package is None else [d.name for d in package.dependencies if d.kind != "doc"]
+        return needed in closure(declared, lambda name: brought_by(name, self._workspace))
+
+    def _of_family(self, needed: str, there: frozenset[str]) -> bool:
+        """Whether a package of which nobody knows what it brings has the name that those of its repository begin with:
+        ``arm`` is the metapackage of ``arm_msgs``, or depends on it."""
+        first = (needed[:at] for at, letter in enumerate(needed) if letter == "_")
+        unread = (prefix for prefix in first if prefix not in self._workspace.packages)
+        return any(prefix in there and prefix not in packages.table().brings for prefix in unread)
+
+
+# ------------------------------------------------------------------------------------------- what is declared
+
+_AT_RUN_TIME: frozenset[DependencyKind] = frozenset({"depend", "exec", "run", "build_export", "buildtool_export"})
+FOR_OTHERS: frozenset[DependencyKind] = frozenset({"test", "doc"})
+"""What these declare is not installed where nodes run."""
+
+_ALSO = {"tf2_ros": "tf2_ros_py", "tf2_ros_py": "tf2_ros", "launch": "launch_ros"}
+"""The same thing as far as a manifest is concerned: the tutorials declare either one."""
+
+
+def _there(workspace: WorkspaceIndex, package: Package) -> frozenset[str]:
+    """The package itself, what it declares, what these need when they run, what that needs …: all installed."""
+    declared = [d for d in package.dependencies if d.kind not in FOR_OTHERS and condition_holds(d.condition)]
+    return closure([package.name, *(d.name for d in declared)], lambda name: brought_by(name, workspace))
+
+
+def brought_by(name: str, workspace: WorkspaceIndex) -> set[str]:
+    """What a package needs when it runs, and what is installed with it therefore."""
+    package = workspace.packages.get(name)
+    if package is None:
+        return set(packages.table().brings.get(name, ()))
+    return {d.name for d in package.dependencies if d.kind in _AT_RUN_TIME and condition_holds(d.condition)}
+
+
+# ----------------------------------------------------------------------------------------------- what is used
+
+_OF_ROS2_LAUNCH = frozenset({"launch", "launch_ros", "launch_xml", "launch_yaml", "ament_index_python"})
+"""What is there wherever a launch file is launched."""
+
+
+def _imported(workspace: WorkspaceIndex) -> Iterator[Use]:
+    def has_module(package: str) -> bool:
+        return package in workspace.packages and any(
+            module == package or module.startswith(f"{package}.") for module in workspace.code.modules_of(package)
+        )
+
+    for statement in imports_at_start(workspace):
+        file = statement.file
+        if file.package is None or file.kind == "setup_py" or _beside_the_code(file.relative):
+            continue
+        of_launch = file.kind == "launch_python" or "/launch/" in f"/{file.relative}"
+        needed = packages.package_of_module(statement.module, statement.names, has_module)
+        if needed is None or (of_launch and needed in _OF_ROS2_LAUNCH):
+            continue
+        if not workspace.code.is_local(file, statement.module):
+            yield Use(statement.place, needed, "imports")
+
+
+_BESIDE = frozenset({"test", "tests", "doc", "docs", "example", "examples"})
+
+
+def _beside_the_code(path: str) -> bool:
+    """Test code, documentation and examples need not be installed with what they use."""
+    return any(part in _BESIDE for part in path.split("/")) or posixpath.basename(path).startswith(
+        ("test_", "conftest")
+    )
+
+
+def _launched(workspace: WorkspaceIndex) -> Iterator[Use]:
+    for launched in workspace.launched:
+        for started in launched.started:
+            place = _named_at(started)
+            exact = started.package.resolution == "exact" and not started.dormant
+            judged = started.kind in (StartedKind.NODE, StartedKind.CONTAINER) and not _beside_the_code(place.file)
+            if exact and judged and started.package.text:
+                yield Use(place, started.package.text, "starts a node of", _on_the_way(started, place))
+
+
+def _of_launch(workspace: WorkspaceIndex) -> Iterator[Use]:
+    """What launch files need besides their nodes."""
+    for place, needed in packages_of_includes(workspace):
+        if not _beside_the_code(place.file):
+            yield Use(place, needed, "includes a launch file of")
+    for place, needed in runs_of_xacro(workspace):
+        if not _beside_the_code(place.file):
+            yield Use(place, needed, "runs the program")
+
+
+_OF_TESTS = frozenset({"launch_testing", "launch_testing_ros", "launch_pytest"})
+
+
+def _in_tests(workspace: WorkspaceIndex) -> Iterator[Use]:
+    """The packages that are there for tests only."""
+    for statement in imports_at_start(workspace):
+        needed = packages.package_of_module(statement.module, statement.names, lambda package: False)
+        if needed in _OF_TESTS and statement.file.package is not None and _beside_the_code(statement.file.relative):
+            yield Use(statement.place, needed or "", "tests with")
+
+
+def _in_interfaces(workspace: WorkspaceIndex) -> Iterator[Use]:
+    """The types of other packages in interface files, but for those that CMake does not know of, either: PKG007."""
+    lacking = {
+        (row.package.name, row.needed) for row in not_handed(workspace, lambda name: brought_by(name, workspace))
+    }
+    for use in types_of_others(workspace):
+        if (use.package.name, use.needed) not in lacking:
+            yield Use(use.place, use.needed, "uses types of")
+
+
+def _named_at(started: Started) -> Place:
+    """Where the package of a node is named: with the launch file that calls a function that starts nodes, not in that
+    function."""
+    place, origin = started.places.get("package", started.place), started.package.origin
+    return place if origin is None or origin.file != started.file else origin
+
+
+def _on_the_way(started: Started, place: Place) -> tuple[str, ...]:
+    """The other files that the name of a package passes through."""
+    origin = started.package.origin
+    files = {started.file, started.place.file, *(() if origin is None else (origin.file,))}
+    return tuple(sorted(files - {place.file}))
+
+
+__all__ = ["BUILDS", "FOR_OTHERS", "How", "Use", "brought_by", "uses_by_package"]

@@ -1,0 +1,88 @@
+"""PKG008: dependencies in a package.xml that are neither packages nor keys of rosdep, where one is that was meant."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
+
+from archlint.analysis.aside import is_aside
+from archlint.checks.folding import folds, with_others
+from archlint.checks.packages import workspace_of
+from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
+from archlint.finding import Finding, Place
+from archlint.ros import packages, rosdep
+from archlint.workspace.manifest import condition_holds
+
+if TYPE_CHECKING:
+    from archlint.systems.model import System, WorkspaceIndex
+    from archlint.workspace.model import Dependency, Package
+
+_BUILD_TYPE = "ament_python"
+"""A build type that many declare like a package."""
+
+
+@rule("PKG008", scope=Scope.WORKSPACE)
+def unknown_dependency(system: System, options: Options) -> Iterator[Finding]:
+    """Names that rosdep cannot find, each with the one that was meant."""
+    workspace = workspace_of(system)
+    if workspace is None:
+        return
+    there = packages.table().names | workspace.packages.keys()
+    known = there.union(rosdep.keys(), options.external)
+    for folder in sorted(workspace.manifests):
+        package = workspace.manifests[folder]
+        if package.ros1 or package.build_type == "catkin" or is_aside(workspace, package.manifest.relative):
+            continue
+        first = {d.name: d for d in reversed(package.dependencies) if condition_holds(d.condition)}
+        for dependency in sorted(first.values(), key=lambda d: d.line):
+            if dependency.name not in known:
+                yield from _unknown(workspace, package, dependency, there)
+
+
+def _unknown(
+    workspace: WorkspaceIndex, package: Package, dependency: Dependency, there: frozenset[str]
+) -> Iterator[Finding]:
+    name = dependency.name
+    if name == _BUILD_TYPE:
+        yield _finding(package, dependency, "", _instead_of_build_type(package))
+        return
+    meant = rosdep.meant_by(name, there, is_python=_is_of_python(workspace, package, name))
+    if meant is not None:
+        yield _finding(package, dependency, meant, f"write '{meant}' instead")
+
+
+def _instead_of_build_type(package: Package) -> str:
+    if package.build_type == _BUILD_TYPE:
+        return "remove the line: the build type in <export> is enough"
+    return "write 'ament_cmake_python' instead, the package with ament_python_install_package()"
+
+
+def _is_of_python(workspace: WorkspaceIndex, package: Package, name: str) -> bool:
+    """Whether Python code of a package has a name in it, and its CMake files do not."""
+    installs = workspace.installs.get(package.name)
+    if installs is not None and name in installs.words:
+        return False
+    return name.startswith("python") or any(
+        workspace.code.mentions(path, name) for path in workspace.code.files_of(package.name)
+    )
+
+
+def _finding(package: Package, dependency: Dependency, meant: str, help: str) -> Finding:
+    file, line = package.manifest.relative, dependency.line
+    hint = f": '{meant}' was probably meant" if meant else ": it is a build type"
+    return finding(
+        "PKG008",
+        Place(file, line, 1, line, 1),
+        f"'{dependency.name}' is neither a ROS package nor a key of rosdep, which stops here{hint}",
+        help=help,
+        identity=(package.name, dependency.name),
+        group=(file,),
+        meant=meant,
+    )
+
+
+@folds("PKG008")
+def _of_one_manifest(findings: Sequence[Finding]) -> Finding:
+    """One finding for all unknown names of a package.xml."""
+    return with_others(findings, "another dependency of the file is", "more dependencies of the file are", "unknown")

@@ -1,0 +1,55 @@
+"""The names that rosdep knows for packages of the system, and the one that a name nearly is."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Iterator
+from functools import cache
+from pathlib import Path
+
+import msgspec
+
+from archlint.suggestions import distance, nearest
+
+FILE = Path(__file__).with_name("rosdep_keys.json")
+_SHORTEST = 6
+"""How long a name is at least of which one with another letter can be what was meant."""
+
+
+@cache
+def keys() -> frozenset[str]:
+    """The keys that ``scripts/generate_rosdep_keys`` writes, of rosdistro's ``rosdep/*.yaml``; read once."""
+    return msgspec.json.decode(FILE.read_bytes(), type=frozenset[str])
+
+
+def meant_by(name: str, packages: Collection[str], *, is_python: bool) -> str | None:
+    """The key, or the one of ``packages``, that was meant by a name that is neither; None where nothing is near.
+
+    ``is_python`` says whether a module of Python may be meant: otherwise ``serial`` may well be somebody's package."""
+    spellings = [*_names_of_system(name), *(_names_of_python(name) if is_python else ())]
+    written = next((other for other in spellings if other in keys()), None)
+    if written is None and name.replace("_lint_", "_", 1) in packages:
+        written = name.replace("_lint_", "_", 1)
+    if written is not None or len(name) < _SHORTEST:
+        return written
+    near = nearest(name, packages)
+    return near if near is not None and distance(name, near, 1) <= 1 else None
+
+
+def _names_of_system(name: str) -> Iterator[str]:
+    """How rosdep may call what a name of CMake or of Debian means, best first."""
+    plain = name.lower().replace("_", "-")
+    yield plain
+    if name != name.lower():  # as a module of CMake; what is lower case may be the name of somebody's package
+        yield from (re.sub(r"\d+$", "", plain), f"lib{plain}-dev", f"{plain}-dev")
+
+
+def _names_of_python(name: str) -> Iterator[str]:
+    """How rosdep may call what a name of pip means, best first."""
+    plain = name.lower().replace("_", "-")
+    bare = re.sub(r"^python3?-", "", plain)
+    for other in dict.fromkeys((bare, bare.removeprefix("py"))):
+        yield from (f"python3-{other}", f"python3-{other}-pip", f"{other}-pip")
+
+
+__all__ = ["keys", "meant_by"]

@@ -1,0 +1,92 @@
+"""PKG008: names in a package.xml that rosdep cannot find."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from archlint.config.settings import load
+from archlint.engine.pipeline import Request, check
+from archlint.finding import Finding
+
+Judge = Callable[..., list[Finding]]
+
+
+@pytest.fixture
+def judge(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Judge:
+    """What PKG008 says of a package with some dependencies and files."""
+    monkeypatch.chdir(tmp_path)
+
+    def run(*tags: str, build: str = "ament_python", config: str = "", **files: str) -> list[Finding]:
+        lines = "".join(f"  {tag}\n" for tag in tags)
+        kind = f"<export><build_type>{build}</build_type></export>"
+        manifest = f'<package format="3">\n  <name>robot</name>\n{lines}  {kind}\n</package>\n'
+        own = {"package.xml": manifest, "archlint.toml": f'select = ["PKG008"]\n{config}'}
+        for name, text in {"robot/node.py": "import rclpy\n", **own, **files}.items():
+            (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+            (tmp_path / name).write_text(text, encoding="utf-8")
+        return check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+
+    return run
+
+
+@pytest.mark.parametrize(
+    ("tag", "meant"),
+    [
+        ("<depend>Eigen3</depend>", "eigen"),
+        ("<depend>yaml_cpp</depend>", "yaml-cpp"),
+        ("<test_depend>ament_cmake_lint_copyright</test_depend>", "ament_cmake_copyright"),
+        ("<exec_depend>nav_msg</exec_depend>", "nav_msgs"),
+    ],
+)
+def test_what_was_meant(judge: Judge, tag: str, meant: str):
+    (one,) = judge(tag)
+    assert one.message.endswith(f"'{meant}' was probably meant")
+    assert (one.place.file, one.place.line) == ("package.xml", 3)
+
+
+@pytest.mark.parametrize(
+    "tag",
+    [
+        "<depend>rclpy</depend>",
+        "<depend>eigen</depend>",
+        "<exec_depend>python3-numpy</exec_depend>",
+        "<depend>our_messages</depend>",  # perhaps of another repository
+        "<depend>robot</depend>",
+        '<depend condition="$ROS_VERSION == 1">nav_msg</depend>',
+        "<!-- <depend>nav_msg</depend> -->",
+    ],
+)
+def test_what_is_known_or_may_be(judge: Judge, tag: str):
+    assert judge(tag) == []
+
+
+def test_a_module_of_python_by_its_own_name(judge: Judge):
+    (one,) = judge("<exec_depend>serial</exec_depend>", **{"robot/node.py": "import rclpy\nimport serial\n"})
+    assert one.help == "write 'python3-serial' instead"
+
+
+def test_what_may_be_a_package_with_the_name_of_a_module(judge: Judge):
+    assert judge("<depend>serial</depend>") == []  # no code of the package has the name
+    cmake = "cmake_minimum_required(VERSION 3.8)\nproject(robot)\nfind_package(serial REQUIRED)\nament_package()\n"
+    files = {"CMakeLists.txt": cmake, "robot/node.py": "import rclpy\n# as the package serial does\n"}
+    assert judge("<depend>serial</depend>", build="ament_cmake", **files) == []
+
+
+def test_a_package_that_the_configuration_names(judge: Judge):
+    assert judge("<depend>nav_msg</depend>", config='external = ["nav_msg"]') == []
+
+
+def test_a_build_type_is_no_package(judge: Judge):
+    line = "<buildtool_depend>ament_python</buildtool_depend>"
+    (by_setup,) = judge(line)
+    (by_cmake,) = judge(line, build="ament_cmake")
+    assert by_setup.help == "remove the line: the build type in <export> is enough"
+    assert "'ament_cmake_python'" in (by_cmake.help or "")
+
+
+def test_one_finding_for_a_package(judge: Judge):
+    (one,) = judge("<depend>Eigen3</depend>", "<depend>nav_msg</depend>")
+    assert [related.place.line for related in one.related] == [4]
