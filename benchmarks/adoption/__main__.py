@@ -61,15 +61,15 @@ def main() -> int:
         home = Path(temporary, "home").resolve()
         programs = _programs(arguments.install, folder / "programs", home)
         failed = False
-        for workspace in arguments.workspaces:
+        for number, workspace in enumerate(arguments.workspaces, 1):  # two may have the same name
             print(f"\n{workspace}", flush=True)
             try:
-                source = _source(str(workspace), Path(temporary, "checkouts"), programs)
+                source = _source(str(workspace), Path(temporary, "checkouts", str(number)), programs)
             except OSError as error:
                 print(f"  failed   {error}", flush=True)
                 failed = True
                 continue
-            for outcome in told(source, folder / source.resolve().name, programs):
+            for outcome in told(source, folder / f"{number}-{source.resolve().name}", programs):
                 print(outcome.line(), flush=True)
                 failed |= outcome.how == "failed"
     return int(failed)
