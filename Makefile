@@ -12,7 +12,7 @@ define APT
 	flock /tmp/archlint-apt.lock sh -c "$$sudo apt-get update -qq && $$sudo apt-get install -qq -y $(1)"
 endef
 
-.PHONY: demo test test-page test-ros test-ros-full fuzz adoption adoption-public docs check style types layers suite clean
+.PHONY: demo test test-page test-ros test-ros-full fuzz adoption adoption-public editors docs check style types layers suite clean
 
 # A Debian without python3-venv cannot make an environment with pip in it: install that package where we may.
 $(STAMP): pyproject.toml
@@ -75,6 +75,9 @@ PUBLIC := https://github.com/BYUMarsRover/Autonomy-ROS2@bb1e719266d86001d7f1c4a0
 
 adoption-public:  ## the same on two public repositories, which git brings
 	@$(MAKE) --no-print-directory adoption WORKSPACES="$(PUBLIC)"
+
+editors: $(STAMP)  ## the snippets of editors/README.md in the editors that are here; the VS Code extension, once it is built
+	$(BIN)/python -m benchmarks.editors
 
 # The documentation site: the sources in build/docs, what a browser opens in build/docs/site.  Broken links fail.
 DOCS_STAMP := .venv-docs/.installed-$(shell cksum < pyproject.toml | tr -d ' ')
