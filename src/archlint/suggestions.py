@@ -126,6 +126,17 @@ def did_you_mean(word: str, known: Iterable[str], quote: str = "'") -> str:
     return "" if near is None else meant(f"{quote}{near}{quote}")
 
 
+def name_meant(name: str, known: Iterable[str]) -> str:
+    """As :func:`did_you_mean`; where no name is near, the first few that ``name`` is a part of."""
+    names = sorted(set(known))  # where there are '/robot' and 'robot', the first is enough
+    part = name.strip("/").lower()
+    holding = {
+        other.strip("/"): f"'{other}'" for other in reversed(names) if part in other.lower()
+    }  # '/a', not 'a' too
+    near = [*reversed(holding.values())] if len(part) > _SHORT else []
+    return did_you_mean(name, names) or meant(listed(near, "", shown=3))
+
+
 def meant(words: str) -> str:
     """``; did you mean …?`` to put after a message, of the words for what is perhaps meant; nothing where there are
     none."""

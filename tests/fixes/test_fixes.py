@@ -570,6 +570,16 @@ def test_a_suppression_that_is_no_longer_there_is_left_alone(text: str):
     assert shortened(idle, Source("a.py", "x = 1  # archlint: ignore[TMO001]\n")) is not None
 
 
+def test_a_diff_without_a_line_says_why(workbench: Workbench, capsys: pytest.CaptureFixture[str]):
+    asked = ["check", "--diff", "--select", "TMO001", "--no-cache"]
+    workbench.file.write_text(HEAD + f"        {CLIENT}.wait_for_service()\n" + TAIL, encoding="utf-8")
+    assert main(asked) == 0
+    assert capsys.readouterr() == ("", "No safe fixes; 1 fixable with `--fix --unsafe-fixes`.\n")
+    workbench.file.write_text(HEAD + "        pass\n" + TAIL, encoding="utf-8")
+    assert main(asked) == 0
+    assert capsys.readouterr() == ("", "No fixes.\n")
+
+
 def test_a_diff_changes_nothing(workbench: Workbench, capsys: pytest.CaptureFixture[str]):
     before = HEAD + f"        {CLIENT}.wait_for_service()\n" + TAIL
     workbench.file.write_text(before, encoding="utf-8")

@@ -29,6 +29,7 @@ from archlint.engine.answers import Answer
 from archlint.engine.keeper import Keeper
 from archlint.engine.pipeline import NothingToDo, Request, check
 from archlint.finding import Severity
+from archlint.report.fix_marks import fix_line
 from archlint.report.model import Report
 from archlint.report.paths import folder_in_repository
 from archlint.visible import visible_text
@@ -152,7 +153,10 @@ def _difference(report: Report, arguments: argparse.Namespace) -> Answer:
     if to_file:
         console.write(text, arguments.file)
     status = exits.FINDINGS if text and not arguments.exit_zero else exits.CLEAN
-    return Answer("" if to_file else visible_text(text), "", "", status)
+    unsafe = [finding for finding in report.findings if finding.fix is not None and finding.fix.safety == "unsafe"]
+    left = "" if arguments.unsafe_fixes else fix_line(unsafe)
+    notes = "" if text or arguments.quiet else f"{left or 'No fixes.'}\n"
+    return Answer("" if to_file else visible_text(text), "", notes, status)
 
 
 def exit_status(report: Report, failing: Severity, exit_zero: bool) -> int:

@@ -18,6 +18,7 @@ COMMANDS = {
     "rule": "explain CODE",
     "why": "explain CODE",
     "settings": "config",
+    "baseline": "check --baseline archlint-baseline.txt --write-baseline",
     "version": "--version",
     "completions": "completion",
     "generate-shell-completion": "completion",

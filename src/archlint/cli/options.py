@@ -30,8 +30,8 @@ def _group(parser: argparse.ArgumentParser, title: str) -> argparse._ArgumentGro
 
 def add_paths(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
-        "paths", metavar="PATH", nargs="*", help="a workspace, a package, a folder or files (default: .)"
-    )
+        "paths", metavar="PATH", nargs="*", default=[], help="a workspace, a package, a folder or files (default: .)"
+    )  # with a default, argparse does not call it required where another word is missing
 
 
 def add_configuration(parser: argparse.ArgumentParser, with_plugins: bool = False) -> None:

@@ -22,7 +22,7 @@ from archlint.cli.options import (
 from archlint.cli.parser import Parser
 from archlint.cli.progress import Progress
 from archlint.disk import read_regular
-from archlint.suggestions import did_you_mean
+from archlint.suggestions import name_meant
 from archlint.workspace.tree import TEXT_LIMIT
 
 if TYPE_CHECKING:
@@ -73,7 +73,7 @@ def run(arguments: argparse.Namespace) -> int:
     answers = [answer for index in indexes for answer in summaries(index, arguments.name)]
     if not answers:
         known = sorted({name for index in indexes for name in known_names(index)})
-        near = did_you_mean(arguments.name, known)
+        near = name_meant(arguments.name, known)
         raise UsageError(f"no node, topic, service, action or parameter is called `{arguments.name}`{near}")
     color = arguments.file in (None, "-") and console.wants_color(arguments.color, sys.stdout)
     is_json = arguments.format == "json"

@@ -21,7 +21,7 @@ from archlint.cli.options import (
     settings_of,
 )
 from archlint.cli.progress import Progress
-from archlint.suggestions import did_you_mean
+from archlint.suggestions import name_meant
 
 if TYPE_CHECKING:
     from archlint.systems.model import System
@@ -91,7 +91,7 @@ def systems_of(arguments: argparse.Namespace) -> tuple[list[System], Progress]:
 
 def not_found(name: str, what: str, known: Iterable[str]) -> UsageError:
     """The error for a name that nothing has."""
-    return UsageError(f"no {what} is called `{name}`{did_you_mean(name, sorted(set(known)))}")
+    return UsageError(f"no {what} is called `{name}`{name_meant(name, known)}")
 
 
 def format_of(arguments: argparse.Namespace) -> str:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING
 
-from archlint.suggestions import did_you_mean
+from archlint.suggestions import name_meant
 from archlint.systems.graph import ACTION, NODE, SERVICE, Key
 
 if TYPE_CHECKING:
@@ -71,7 +71,7 @@ def _found(network: Network, names: Iterable[str]) -> frozenset[Key]:
         matching = _matching(network, [name])
         if not matching:
             known = [key[1] for key in network.ties]
-            raise NothingOfThatName(f"nothing here is called {name}{did_you_mean(name, known)}")
+            raise NothingOfThatName(f"nothing here is called {name}{name_meant(name, known)}")
         keys |= matching
     return frozenset(keys)
 
