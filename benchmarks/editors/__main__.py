@@ -1,7 +1,7 @@
 """Try the editors that are here: ``python -m benchmarks.editors``.
 
-An editor is ``ok``, ``failed``, or ``skipped`` with what is missing.  The exit status is 1 where one failed.  ``NVIM``,
-``EMACS`` and ``NODE`` name other programs than those on the ``PATH``, ``VSIX`` the package of the extension.
+An editor is ``ok``, ``failed``, or ``skipped`` with what is missing.  The exit status is 1 where one failed.
+``NEOVIM``, ``EMACS`` and ``NODE`` name other programs than those on the ``PATH``, ``VSIX`` the extension's package.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ class Skipped(Exception):
 
 
 def neovim(folder: Path) -> list[str]:
-    program = _program("NVIM", "nvim")
+    program = _program("NEOVIM", "nvim")
     said = subprocess.run([program, "--version"], check=False, capture_output=True, text=True).stdout
     version = re.match(r"NVIM v(\d+)\.(\d+)", said)
     if version is None or (number := (int(version[1]), int(version[2]))) < (0, 10):
