@@ -12,7 +12,7 @@ define APT
 	flock /tmp/archlint-apt.lock sh -c "$$sudo apt-get update -qq && $$sudo apt-get install -qq -y $(1)"
 endef
 
-.PHONY: demo test test-page test-ros test-ros-full fuzz adoption adoption-public editors docs check style types layers suite clean
+.PHONY: demo test test-page test-ros test-ros-full fuzz mutants adoption adoption-public editors docs check style types layers suite clean
 
 # A Debian without python3-venv cannot make an environment with pip in it: install that package where we may.
 $(STAMP): pyproject.toml
@@ -67,6 +67,9 @@ MINUTES ?= 60
 fuzz: $(STAMP)  ## made-up workspaces for MINUTES=60; what fails becomes a case in tests/fuzz/cases
 	$(BIN)/python -m benchmarks.fuzz --minutes $(MINUTES)
 
+mutants: $(STAMP)  ## an hour: do the tests of the modules that say "wrong" notice each change of them?
+	scripts/mutants $(BIN)/python
+
 adoption: $(STAMP)  ## what a team does, with pre-commit and colcon from PyPI; WORKSPACES="…": not on the fixtures
 	$(BIN)/python -m benchmarks.adoption --install $(WORKSPACES)
 
@@ -97,4 +100,4 @@ docs: $(DOCS_STAMP)
 check: test
 
 clean:
-	rm -rf $(VENV) .venv-docs .venv-ros-* .venv-adoption demo-output dist build .pytest_cache .mypy_cache .ruff_cache .hypothesis .import_linter_cache
+	rm -rf $(VENV) .venv-docs .venv-ros-* .venv-adoption .venv-mutants demo-output dist build .pytest_cache .mypy_cache .ruff_cache .hypothesis .import_linter_cache

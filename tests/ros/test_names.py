@@ -309,6 +309,11 @@ def test_what_rmw_says_of_a_namespace_and_where(name: str, at: int, message: str
         ("a~*", 1, "must not have tilde '~' unless it is the first character"),
         ("*x y", 2, "must not contain characters other than alphanumerics"),
         ("*X", None, ""),
+        ("~ab*", 1, "must not have a tilde '~' that is not followed by a forward slash '/'"),
+        ("~a/b*", 1, "must not have a tilde '~' that is not followed by a forward slash '/'"),
+        ("~a*", None, ""),  # rcl never looks at the last character, and the hole may be none
+        ("~/ab*", None, ""),
+        ("*/1a", 2, "must not start with a number"),
     ],
 )
 def test_where_a_pattern_is_wrong_and_why(pattern: str, at: int | None, words: str) -> None:
@@ -349,6 +354,7 @@ def test_what_the_meaning_of_a_name_depends_on(name: str, node: bool, namespace:
         ("/a*b*c*c", "/abcc", True),
         ("/a*x*b", "/acb", False),
         ("/a*b*b*c", "/abxbc", True),
+        ("/*/a*b", "/axb", True),  # the first hole is nothing, and takes the slash with it
     ],
 )
 def test_what_a_pattern_may_become(pattern: str, name: str, matches: bool) -> None:
