@@ -7,6 +7,7 @@ import re
 from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING
 
+from archlint.workspace.folders import folders_above
 from archlint.workspace.submodules import paths_of_submodules
 from archlint.workspace.words import WORD
 
@@ -44,19 +45,14 @@ def has_template(workspace: WorkspaceIndex, package: str, path: str) -> bool:
 
 def is_ignored(workspace: WorkspaceIndex, path: str) -> bool:
     """Whether a pattern of some ``.gitignore`` above a file may be for it: it is made on each machine then."""
-    folders = [path]
-    while folders[-1]:
-        folders.append(posixpath.dirname(folders[-1]))
-    texts = (workspace.tree.text(posixpath.join(folder, ".gitignore")) for folder in folders[1:])
+    texts = (workspace.tree.text(posixpath.join(folder, ".gitignore")) for folder in (*folders_above(path), ""))
     patterns = {line.strip("/ ").rpartition("/")[2] for text in texts for line in (text or "").splitlines()}
     return any(fnmatchcase(part, pattern) for part in path.split("/") for pattern in patterns if pattern)
 
 
 def is_in_submodule(workspace: WorkspaceIndex, path: str) -> bool:
     """Whether a path is, or lies in, a submodule of git, which may not be checked out."""
-    folder = path
-    while folder:
-        folder = posixpath.dirname(folder)
+    for folder in (*folders_above(path), ""):
         text = workspace.tree.text(posixpath.join(folder, ".gitmodules")) or ""
         modules = (posixpath.join(folder, module) for module in paths_of_submodules(text))
         if any(path == module or path.startswith(f"{module}/") for module in modules):

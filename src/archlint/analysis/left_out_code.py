@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 from archlint.place import Place
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in
+from archlint.workspace.folders import folders_above
 
 if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
@@ -91,11 +92,11 @@ def _installs_of(workspace: WorkspaceIndex, file: str) -> Installs | None:
 
 def _is_of_another_distribution(workspace: WorkspaceIndex, outer: str, file: str) -> bool:
     """Whether a folder inside of that of a setup.py has another, with which whoever needs the file installs it."""
-    folder = posixpath.dirname(file)
-    while folder and folder != outer:
+    for folder in folders_above(file):
+        if folder == outer:
+            return False
         if any(workspace.tree.is_file(posixpath.join(folder, name)) for name in ("setup.py", "pyproject.toml")):
             return True
-        folder = posixpath.dirname(folder)
     return False
 
 

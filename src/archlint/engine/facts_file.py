@@ -14,6 +14,7 @@ from typing import Annotated
 import msgspec
 
 from archlint.syntax import facts
+from archlint.workspace.folders import folders_above
 from archlint.workspace.model import PYTHON_KINDS, SourceKind
 from archlint.workspace.snapshot import Entry
 
@@ -103,7 +104,7 @@ def _check(shard: Shard) -> None:
     links = (link for file in shard.files for link in file.links)
     problems = (problem.path for problem in shard.problems)
     _check_paths((*shard.entries, *shard.folders, *shard.complete, *shard.cpp, *linked, *links, *problems))
-    folders = {folder for path in shard.entries for folder in _above(path)}
+    folders = {folder for path in shard.entries for folder in folders_above(path)}
     if not folders.isdisjoint(shard.entries):
         raise OddShard(f"{min(folders & shard.entries.keys())} is both a file and a folder")
     kinds = {file.path: file.kind for file in shard.files}
@@ -131,11 +132,6 @@ def _check_paths(paths: Iterable[str]) -> None:
         leads_out = path == ".." or path.startswith(("/", "../"))
         if not path or "\0" in path or leads_out or posixpath.normpath(path) != path:
             raise OddShard(f"{path!r} is not a path inside the workspace")
-
-
-def _above(path: str) -> Iterable[str]:
-    while path := posixpath.dirname(path):
-        yield path
 
 
 __all__ = ["FORMAT_VERSION", "FileRow", "OddShard", "ProblemRow", "PythonRow", "Shard", "packed", "unpacked"]

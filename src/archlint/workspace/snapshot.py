@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 import msgspec
 
+from archlint.workspace.folders import folders_above
 from archlint.workspace.tree import ENTRIES, SourceTree
 
 if TYPE_CHECKING:
@@ -114,8 +115,7 @@ class Snapshot(SourceTree):
 
 def _above(path: str) -> Iterable[str]:
     """The folders around a path, ``.`` last."""
-    while path := posixpath.dirname(path):
-        yield path
+    yield from folders_above(path)
     yield "."
 
 
