@@ -108,6 +108,12 @@ def test_what_earlier_releases_do_with_a_nested_spin(distros: list[str], before:
     assert verdict.words == outcome_words(verdict.outcomes) + before
 
 
+@pytest.mark.parametrize("relation", [SAME, OTHER, REENTRANT, UNCLEAR])
+def test_a_nested_spin_of_the_only_thread_of_a_pool_never_ends_well(relation: blocking.Relation):
+    assert look_up(SPIN, blocking.POOL_OF_ONE, relation, "", ["humble"]).words == "deadlocks"
+    assert look_up(LIMITED_SPIN, blocking.POOL_OF_ONE, relation, "", ["humble"]).words == "always times out"
+
+
 def test_an_action_client_may_raise_where_several_threads_spin():
     verdict = look_up(SPIN, SEVERAL, OTHER, "", ["humble", "jazzy"]).with_an_action_client()
     raised = "raises 'Executor is already spinning'"

@@ -34,6 +34,8 @@ def test_names_that_rcl_accepts_before_expansion(name: str) -> None:
         ("", "EMPTY", 0),
         ("123abc", "TOKEN_STARTS_WITH_NUMBER", 0),
         ("123", "TOKEN_STARTS_WITH_NUMBER", 0),
+        ("0a", "TOKEN_STARTS_WITH_NUMBER", 0),
+        ("9a", "TOKEN_STARTS_WITH_NUMBER", 0),
         ("1/", "TOKEN_STARTS_WITH_NUMBER", 0),
         ("foo/123bar", "TOKEN_STARTS_WITH_NUMBER", 4),
         ("x/1y", "TOKEN_STARTS_WITH_NUMBER", 2),
@@ -185,6 +187,11 @@ def test_expansion(name: str, node: str, namespace: str, expected: str) -> None:
 )
 def test_expansion_that_fails(name: str, node: str, namespace: str, expected: str) -> None:
     assert code(names.expand(name, node, namespace)) == expected
+
+
+def test_an_unknown_substitution_is_named_where_it_stands_first() -> None:
+    wrong = names.expand("x{odd}/{odd}", "node", "/")
+    assert wrong == InvalidName("UNKNOWN_SUBSTITUTION", "unknown substitution: {odd}", 1)
 
 
 @pytest.mark.parametrize(
