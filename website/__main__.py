@@ -19,7 +19,7 @@ def main(folder: Path) -> int:
         page.parent.mkdir(parents=True, exist_ok=True)
         page.write_text(text, "utf-8")
     (pages / "pictures").mkdir()
-    for picture in sorted((ROOT / "docs").glob("*.svg")):
+    for picture in sorted(path for path in (ROOT / "docs").iterdir() if path.suffix in (".svg", ".png")):
         shutil.copy(picture, pages / "pictures")
     shutil.copytree(ROOT / "website" / "theme", pages / "theme")
     (folder / "mkdocs.yml").write_text(site.configuration(site.navigation(made)), "utf-8")

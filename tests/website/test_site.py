@@ -63,7 +63,9 @@ def test_every_public_name_is_in_the_reference(pages: dict[str, str]):
 
 
 def test_every_link_leads_to_a_page_and_a_heading(pages: dict[str, str]):
-    pictures = {f"pictures/{picture.name}" for picture in (ROOT / "docs").glob("*.svg")}
+    pictures = {
+        f"pictures/{picture.name}" for ending in ("svg", "png") for picture in (ROOT / "docs").glob(f"*.{ending}")
+    }
     anchors = {page: anchors_of(text) for page, text in pages.items()}
     lost = []
     for page, text in pages.items():

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING
 
+from archlint.ros.well_known import OF_RCLPY
 from archlint.suggestions import name_meant
 from archlint.systems.graph import ACTION, NODE, SERVICE, Key
 
@@ -14,8 +15,7 @@ if TYPE_CHECKING:
     from archlint.render.view import View
 
 BY_DEFAULT = (
-    "/rosout",
-    "/parameter_events",
+    *OF_RCLPY,
     "*/describe_parameters",
     "*/get_parameter_types",
     "*/get_parameters",

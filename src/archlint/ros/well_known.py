@@ -23,6 +23,8 @@ class WellKnownTopic:
     """Whether it is made to be published by many."""
     of_every_node: bool = False
     """Whether any node may have it without a word of it in its own code."""
+    of_rclpy: bool = False
+    """Whether every node publishes it, as rclpy makes it so."""
     by_click: bool = False
     """Whether somebody clicks it into RViz: each message is an event, whoever else may send one."""
     of_transforms: bool = False
@@ -36,8 +38,10 @@ TOPICS = (
     WellKnownTopic(
         "/tf_static", absolute=True, many_publishers=True, of_every_node=True, of_transforms=True, for_tools=True
     ),
-    WellKnownTopic("/rosout", absolute=True, many_publishers=True, of_every_node=True, for_tools=True),
-    WellKnownTopic("/parameter_events", absolute=True, many_publishers=True, of_every_node=True, for_tools=True),
+    WellKnownTopic("/rosout", absolute=True, many_publishers=True, of_every_node=True, of_rclpy=True, for_tools=True),
+    WellKnownTopic(
+        "/parameter_events", absolute=True, many_publishers=True, of_every_node=True, of_rclpy=True, for_tools=True
+    ),
     WellKnownTopic("/clock", absolute=True, of_every_node=True),
     WellKnownTopic("/diagnostics", absolute=True, many_publishers=True, for_tools=True),
     WellKnownTopic("/initialpose", by_click=True),
@@ -50,6 +54,7 @@ ABSOLUTE = frozenset(topic.name for topic in TOPICS if topic.absolute)
 OF_MANY_PUBLISHERS = frozenset(topic.name for topic in TOPICS if topic.many_publishers)
 BY_CLICK = frozenset(topic.name for topic in TOPICS if topic.by_click)
 OF_EVERY_NODE = frozenset(topic.name for topic in TOPICS if topic.of_every_node)
+OF_RCLPY = tuple(topic.name for topic in TOPICS if topic.of_rclpy)
 OF_TRANSFORMS = frozenset(topic.name for topic in TOPICS if topic.of_transforms)
 FOR_TOOLS = frozenset(topic.name for topic in TOPICS if topic.for_tools)
 
