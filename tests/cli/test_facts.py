@@ -390,7 +390,7 @@ def test_an_odd_shard_is_refused(facts: Path, say: Say, change: dict[str, dict[s
     assert error in refused(say, facts)
 
 
-@pytest.mark.parametrize("data", [b"", b"\0", b"x\x9c", packed(Shard([], {}, {}, [], [], [], []))[:-1]])
+@pytest.mark.parametrize("data", [b"", b"\0", b"x\x9c", packed(Shard([], {}, {}, [], [], []))[:-1]])
 def test_a_shard_that_is_cut_off_is_refused(facts: Path, say: Say, data: bytes) -> None:
     replace_shard(facts, data)
     refused(say, facts)

@@ -145,7 +145,10 @@ def test_a_package_is_found_by_its_name_and_not_what_is_called_alike(workspace: 
     ("files", "told"),
     [
         ([], "no launch file; there is no file at all\n"),
-        (["src/drv/main.cpp", "src/drv/main.hpp"], "there are 2 C++ files; C++ is not read\n"),
+        (
+            ["src/drv/main.cpp", "src/drv/main.hpp"],
+            "and nothing that uses rclpy or rclcpp in 2 files of Python or C++\n",
+        ),
         (["src/a.txt", "README", ".hidden"], "there are 1 .txt, 1 other files\n"),
         (
             ["robot.repos"],

@@ -73,7 +73,6 @@ def test_json_is_the_contract():
             "suppressed": 1,
             "unresolved": 2,
             "elapsed_s": 0.412,
-            "cpp_packages": 0,
             "baselined": 0,
             "older": 0,
         },

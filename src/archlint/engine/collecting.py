@@ -14,7 +14,7 @@ from archlint.disk import read_regular
 from archlint.engine.facts_file import FileRow, ProblemRow, PythonRow, Shard
 from archlint.engine.facts_folder import FactsError
 from archlint.workspace.around import is_below
-from archlint.workspace.model import PYTHON_KINDS
+from archlint.workspace.model import COMPILED_KINDS
 from archlint.workspace.pruning import is_pruned_by_content, is_pruned_by_name
 from archlint.workspace.snapshot import TOO_LARGE, Entry
 from archlint.workspace.tree import TEXT_LIMIT, decoded
@@ -56,7 +56,7 @@ def shards_of(
     def shard(path: str) -> Shard:
         owner = owners.of(path)
         about = naming.of(os.path.join(base, owner)) if owner else naming.of(str(base))
-        return shards.setdefault(about if owner else "", Shard([], {}, {}, [], [], [], []))
+        return shards.setdefault(about if owner else "", Shard([], {}, {}, [], [], []))
 
     for file in files:
         links = sorted({naming.of(link.path) for link in file.links if link.path != file.path})
@@ -70,9 +70,6 @@ def shards_of(
         shard(os.path.join(path, "")).folders.append(naming.of(path))
     for folder in asked_folders:
         shard(os.path.join(folder, "")).complete.append(naming.of(folder))
-    for package in workspace.packages:
-        if package.name in workspace.cpp_packages:
-            shard(os.path.join(package.root, "")).cpp.append(naming.of(package.root))
     read = {file.relative for file in workspace.files}
     for problem in workspace.problems:
         if problem.file not in read:  # those of manifests are found again
@@ -83,8 +80,8 @@ def shards_of(
 
 
 def _encoded(files: Iterable[SourceFile], facts: FactsOfFiles) -> dict[str, PythonRow]:
-    python = [file for file in files if file.kind in PYTHON_KINDS]
-    rows = zip(python, facts.encoded(python), strict=True)
+    compiled = [file for file in files if file.kind in COMPILED_KINDS]
+    rows = zip(compiled, facts.encoded(compiled), strict=True)
     return {file.path: PythonRow(screened, payload) for file, (screened, payload) in rows}
 
 

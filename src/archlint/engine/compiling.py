@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from archlint.engine.inputs import python_files
+from archlint.engine.inputs import compiled_files
 from archlint.syntax.files import FactsOfFiles
 
 if TYPE_CHECKING:
@@ -14,13 +14,13 @@ if TYPE_CHECKING:
 
 
 def compiled(request: Request, workspace: Workspace, store: Store | NullStore) -> FactsOfFiles:
-    """The facts of the Python files."""
+    """The facts of the files of Python and C++."""
     linked = request.linked
     if linked is None:
         facts = FactsOfFiles(store, _screen_words, request.jobs, request.monitor, pool=request.pool)
     else:
         facts = FactsOfFiles(linked.cache, _screen_words, request.jobs, request.monitor, linked.read, request.pool)
-    facts.prepare(python_files(workspace), {package.name for package in workspace.packages if package.catkin_code})
+    facts.prepare(compiled_files(workspace), {package.name for package in workspace.packages if package.catkin_code})
     return facts
 
 

@@ -18,7 +18,7 @@ from archlint.workspace.folders import folders_above
 from archlint.workspace.model import PYTHON_KINDS, SourceKind
 from archlint.workspace.snapshot import Entry
 
-FORMAT_VERSION = 1
+FORMAT_VERSION = 2
 """Of shards and of their index: raised whenever the form or its meaning changes."""
 MAX_BYTES = 1_000_000_000
 """A shard that is larger than this, once unpacked, is not read."""
@@ -72,8 +72,6 @@ class Shard(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """The folders in which there are no entries."""
     complete: list[str]
     """The folders of which all files are here."""
-    cpp: list[str]
-    """The folders with C++ sources."""
     problems: list[ProblemRow]
 
 
@@ -103,7 +101,7 @@ def _check(shard: Shard) -> None:
     linked = (entry.link.removesuffix("/") for entry in shard.entries.values() if entry.link)
     links = (link for file in shard.files for link in file.links)
     problems = (problem.path for problem in shard.problems)
-    _check_paths((*shard.entries, *shard.folders, *shard.complete, *shard.cpp, *linked, *links, *problems))
+    _check_paths((*shard.entries, *shard.folders, *shard.complete, *linked, *links, *problems))
     folders = {folder for path in shard.entries for folder in folders_above(path)}
     if not folders.isdisjoint(shard.entries):
         raise OddShard(f"{min(folders & shard.entries.keys())} is both a file and a folder")

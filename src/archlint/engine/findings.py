@@ -21,6 +21,7 @@ from archlint.engine.half_ported import as_information, half_ported, with_reason
 from archlint.engine.inputs import Inputs, is_input, is_of_package, known_files, parts_of, python_files
 from archlint.engine.judging import judge_alternatives
 from archlint.engine.known import Sieve
+from archlint.engine.languages import for_their_languages
 from archlint.engine.launched_code import launched_files
 from archlint.engine.loading import as_asked_for, systems_of
 from archlint.engine.looked_at import followed_in_part, for_ros1, started_elsewhere, without_start
@@ -123,11 +124,12 @@ def _judged(
     index = systems[0].workspace or WorkspaceIndex()
     faults, launch_files = index.faults, index.launch_files
     to_report = _without_left_alone([*known, *_imported(workspace, known, facts)], request, index, facts)
-    candidates = [*_problems(workspace, to_report, facts), *merged(_rules(request, systems, inputs.memory))]
+    judged_by_rules = for_their_languages(_rules(request, systems, inputs.memory))
+    candidates = [*_problems(workspace, to_report, facts), *merged(judged_by_rules)]
     candidates.extend(_of_interfaces(workspace, systems, inputs.tree, faults))
-    by_file = {file.relative: read.suppressions for file in known if (read := facts.facts_of(file)) is not None}
     candidates.extend(unreadable(*problem) for problem in launch_files.problems())
-    by_file.update([*launch_files.suppressions().items(), *_of_manifests(workspace, inputs.tree)])
+    by_file = _of_code(workspace, known, facts) | launch_files.suppressions()
+    by_file.update(_of_manifests(workspace, inputs.tree))
     candidates.extend(failure(fault) for fault in faults.by_place())
     skipped = {file.relative for file in python_files(workspace) if facts.is_ros1(file)}
     candidates = [candidate for candidate in candidates if candidate.place.file not in skipped]
@@ -165,6 +167,14 @@ def _judged(
     judged = Judged(findings, summary, [*refused, *notices, *_idle(request.settings, systems)], remarks)
     judged = replace(judged, launched=launched_files(systems, findings))
     return judged, shown, systems
+
+
+def _of_code(
+    workspace: Workspace, known: Sequence[SourceFile], facts: FactsOfFiles
+) -> dict[str, Sequence[Suppression]]:
+    """The suppressions in the code of a workspace, by the files that they are in."""
+    files = [*known, *(file for file in workspace.of_kind("cpp") if facts.relevant(file))]
+    return {file.relative: read.suppressions for file in files if (read := facts.facts_of(file)) is not None}
 
 
 def _imported(workspace: Workspace, known: Sequence[SourceFile], facts: FactsOfFiles) -> Iterator[SourceFile]:

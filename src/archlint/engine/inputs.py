@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from archlint.engine.request import NothingToDo, Request
 from archlint.workspace.discovery import find
-from archlint.workspace.model import CODE_KINDS, LAUNCH_TEXT_KINDS, PYTHON_KINDS, SourceKind
+from archlint.workspace.model import CODE_KINDS, COMPILED_KINDS, LAUNCH_TEXT_KINDS, PYTHON_KINDS, SourceKind
 from archlint.workspace.parts import parts
 from archlint.workspace.tree import SourceTree
 
@@ -35,7 +35,7 @@ class Inputs:
     """What such runs have followed."""
 
 
-_INPUTS: tuple[SourceKind, ...] = (*CODE_KINDS, *LAUNCH_TEXT_KINDS)
+_INPUTS: tuple[SourceKind, ...] = (*CODE_KINDS, *LAUNCH_TEXT_KINDS, "cpp")
 _OF_PACKAGES: tuple[SourceKind, ...] = ("package_xml", "interface")
 _FOR_ROS: tuple[SourceKind, ...] = (*_OF_PACKAGES, "launch_python", *LAUNCH_TEXT_KINDS)
 
@@ -54,7 +54,9 @@ def find_files(request: Request) -> Workspace:
 
 def _nothing_found(request: Request) -> str:
     if request.linked is not None:
-        return f"nothing to check: no package.xml, no Python file and no launch file in {', '.join(request.paths)}"
+        return (
+            f"nothing to check: no package.xml, no Python or C++ file and no launch file in {', '.join(request.paths)}"
+        )
     from archlint.engine.nothing import nothing_found  # looks at the disk once more, to say what is there
 
     return nothing_found(request.paths, request.settings.file if _is_excluded(request) else None)
@@ -95,6 +97,11 @@ def python_files(workspace: Workspace) -> list[SourceFile]:
     return [file for file in workspace.files if file.kind in PYTHON_KINDS]
 
 
+def compiled_files(workspace: Workspace) -> list[SourceFile]:
+    """The files that are lowered to facts: of Python and of C++."""
+    return [file for file in workspace.files if file.kind in COMPILED_KINDS]
+
+
 def is_subset(request: Request, workspace: Workspace) -> bool:
     """Whether less is known than the folder that the configuration is for holds."""
     if request.settings.file is None:
@@ -116,13 +123,13 @@ def known_files(request: Request, workspace: Workspace, facts: FactsOfFiles) -> 
 
 def refuse_nothing(request: Request, workspace: Workspace, facts: FactsOfFiles) -> None:
     """Raises :class:`NothingToDo` where nothing is for ROS 2: a run that finds nothing there would say nothing."""
-    if known_files(request, workspace, facts):
+    if known_files(request, workspace, facts) or any(map(facts.relevant, workspace.of_kind("cpp"))):
         return
     if not _is_for_ros(workspace):
-        files = len(python_files(workspace))
+        files = len(compiled_files(workspace))
         raise NothingToDo(
             f"nothing to check in {', '.join(request.paths)}: no package.xml, no launch file, "
-            f"and nothing that uses rclpy in {files} Python file{'s' if files > 1 else ''}"
+            f"and nothing that uses rclpy or rclcpp in {files} file{'s' if files > 1 else ''} of Python or C++"
         )
 
 

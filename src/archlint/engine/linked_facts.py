@@ -13,6 +13,7 @@ from msgspec import structs
 
 from archlint.engine.facts_file import FileRow, ProblemRow, PythonRow, Shard
 from archlint.engine.facts_folder import FactsError, read
+from archlint.engine.languages import is_cpp
 from archlint.syntax.cache import NullStore, Stamp, digest_of
 from archlint.syntax.files import source_digest
 from archlint.syntax.python.gate import Refusal
@@ -62,7 +63,6 @@ class LinkedFacts:
             [self._source_file(number, row) for number, row in enumerate(rows, 1)],
             problems,
             (self._path(folder) for shard in self._shards for folder in shard.complete),
-            (self._path(folder) for shard in self._shards for folder in shard.cpp),
             self._read,
         )
         return replace(workspace, idle_exclusions=tuple(excluder.idle))
@@ -84,7 +84,7 @@ class LinkedFacts:
     def _digest(self, path: str, row: PythonRow) -> str:
         """That of the source, which is the same wherever it is compiled."""
         data = self._entries[path].data
-        return digest_of(row.screened + b"\0" + row.facts) if data is None else source_digest(data)
+        return digest_of(row.screened + b"\0" + row.facts) if data is None else source_digest(data, is_cpp(path))
 
     def _path(self, path: str) -> str:
         return os.path.normpath(self._base / path)

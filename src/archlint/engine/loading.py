@@ -15,6 +15,7 @@ from archlint.engine.request import NothingToDo, Request
 from archlint.faults import Faults
 from archlint.interpreter.modules import ModuleIndex
 from archlint.launch.launches import Launches
+from archlint.programs.cpp_programs import cpp_entry_points
 from archlint.programs.entry_points import entry_points, read_installs
 from archlint.programs.kept_launches import keep_launches
 from archlint.programs.linker import Linker
@@ -33,6 +34,7 @@ if TYPE_CHECKING:
     from archlint.launch.files import LaunchFiles
     from archlint.observed.model import Observed
     from archlint.programs.kept import KeptPrograms
+    from archlint.programs.linker import EntryPoint
     from archlint.syntax.files import FactsOfFiles
     from archlint.workspace.installed import Installs
     from archlint.workspace.model import Workspace
@@ -45,7 +47,7 @@ def systems_of(inputs: Inputs, facts: FactsOfFiles) -> list[System]:
     files = WorkspaceFiles(workspace.files, facts.facts_of, facts.relevant, tree)
     installs = _installs(inputs, files, faults)
     linker, cache = _linker(inputs, facts, files, installs, faults)
-    entries = entry_points(installs, workspace.files)
+    entries = _entries(installs, workspace, facts)
     followed = linker.run_all(entries)
     programs = forget_names(followed, linker.started.values(), installs, linker.own)
     [opened] = assemble(programs, workspace, request.settings)
@@ -127,7 +129,13 @@ def follow_part(inputs: Inputs, facts: FactsOfFiles, modules: Sequence[str], cod
     files = WorkspaceFiles(workspace.files, facts.facts_of, facts.relevant, inputs.tree)
     installs = read_installs(workspace.packages, files, faults)
     linker, _ = _linker(inputs, facts, files, installs, faults, code)
-    return linker.follow_part(entry_points(installs, workspace.files), modules)
+    return linker.follow_part(_entries(installs, workspace, facts), modules)
+
+
+def _entries(installs: dict[str, Installs], workspace: Workspace, facts: FactsOfFiles) -> list[EntryPoint]:
+    """What starts nodes, of Python and of C++."""
+    entries = entry_points(installs, workspace.files)
+    return entries + cpp_entry_points(installs, workspace.files, facts.facts_of, facts.relevant)
 
 
 def _linker(

@@ -24,12 +24,10 @@ _SOMETIMES_THERE = frozenset(
 
 
 def without_node(summary: Summary) -> Iterator[str]:
-    """A sentence where no node was found, on what else there was."""
+    """A sentence where no node was found."""
     if summary.nodes:
         return
-    cpp = summary.cpp_packages
-    beside = f"; archlint reads Python, and not the C++ of {cpp} package{'s' if cpp > 1 else ''}" if cpp else ""
-    yield f"no node was found in {summary.files} file{'s' if summary.files != 1 else ''}{beside}"
+    yield f"no node was found in {summary.files} file{'s' if summary.files != 1 else ''}"
 
 
 def around(paths: Sequence[str], workspace: Workspace) -> Iterator[str]:

@@ -41,7 +41,9 @@ def nothing_found(paths: Sequence[str], excluding: str | None = None) -> str:
         return f"nothing to check in {where}: `exclude` in {file} leaves out all of it, such as {example}"
     if example:
         return f"nothing to check in {where}: all of it is left out, such as {example}{_why_left_out(example)}"
-    text = f"nothing to check in {where}: no package.xml, no Python file and no launch file; there {_there(paths)}"
+    text = (
+        f"nothing to check in {where}: no package.xml, no Python or C++ file and no launch file; there {_there(paths)}"
+    )
     advice = next((advice for path in paths if (advice := _to_be_fetched(path))), "")
     return f"{text}\n{advice}" if advice else text
 
@@ -53,7 +55,7 @@ def _there(paths: Sequence[str]) -> str:
     count = Counter(_kind(name) for name in files)
     kinds = [f"{number} {kind}" for kind, number in sorted(count.items(), key=lambda row: (-row[1], row[0]))]
     verb, noun = ("is", "file") if len(files) == 1 else ("are", "files")
-    return f"{verb} {listed(kinds, shown=4)} {noun}{'; C++ is not read' if count['C++'] else ''}"
+    return f"{verb} {listed(kinds, shown=4)} {noun}"
 
 
 def _kind(name: str) -> str:

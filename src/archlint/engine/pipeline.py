@@ -64,7 +64,7 @@ def _check(request: Request, shown: list[System] | None) -> Report:
     _tell_keeper(inputs, kept)
     inputs.store.close()
     elapsed = time.perf_counter() - started
-    summary = replace(judged.summary, elapsed_s=elapsed, cpp_packages=len(workspace.cpp_packages))
+    summary = replace(judged.summary, elapsed_s=elapsed)
     notices = [*judged.notices, *_not_looked_at(request, workspace, summary)]
     return Report(
         judged.findings,

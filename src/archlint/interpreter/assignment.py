@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from archlint.interpreter import containers
-from archlint.interpreter.attributes import set_attribute
+from archlint.interpreter.attributes import has_member, set_attribute
 from archlint.interpreter.items import set_item
 from archlint.interpreter.values import Unknown, Value, alternatives, one_of
 from archlint.syntax import facts
@@ -19,6 +19,14 @@ def assign(machine: Machine, target: facts.Expr, value: Value) -> None:
     match target:
         case facts.Name():
             machine.assign_name(target.id, value)
+        case facts.Implicit():
+            itself = machine.lookup("self")
+            if itself is None or (
+                machine.lookup(target.name) is not None and not has_member(machine, itself, target.name)
+            ):
+                machine.assign_name(target.name, value)
+            else:
+                set_attribute(machine, itself, target.name, value)
         case facts.Attribute():
             set_attribute(machine, machine.evaluate(target.value), target.attr, value, target)
         case facts.Subscript():

@@ -66,6 +66,14 @@ def get_attribute(machine: Machine, value: Value, name: str, expression: facts.A
     return _of_builtin_type(machine, value, name)
 
 
+def has_member(machine: Machine, value: Value, name: str) -> bool:
+    """Whether an object has an attribute of its own, or one that a class of the workspace gives it."""
+    if value.heap_key and machine.store.get(value.heap_key, name) is not None:
+        return True
+    cls = value.own_class
+    return cls is not None and cls.lookup(machine, name)[0] is not None
+
+
 def method_of(machine: Machine, value: Value, name: str) -> BoundMethod | None:
     """A method that an object has from a class of the workspace; None of other values."""
     method = None if value.own_class is None else get_attribute(machine, value, name)
@@ -271,4 +279,4 @@ def _setter(machine: Machine, cls: ClassValue, name: str) -> FunctionValue | Non
     return next((setter for setter in setters if setter is not None), None)
 
 
-__all__ = ["bind", "get_attribute", "method_of", "set_attribute"]
+__all__ = ["bind", "get_attribute", "has_member", "method_of", "set_attribute"]

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from archlint.interpreter import definitions
 from archlint.interpreter.assignment import assign
-from archlint.interpreter.attributes import get_attribute
+from archlint.interpreter.attributes import get_attribute, has_member
 from archlint.interpreter.builtins import BUILTINS
 from archlint.interpreter.call_expressions import awaited, evaluate_call
 from archlint.interpreter.comprehensions import comprehension
@@ -64,6 +64,23 @@ def _name(machine: Machine, e: facts.Name) -> Value:
     if foreign is not None:
         return foreign
     return Unknown(f"'{e.id}' is not defined in this file", name=e.id)
+
+
+def _implicit(machine: Machine, e: facts.Implicit) -> Value:
+    """A member of the object, or a name of the file."""
+    itself = machine.lookup("self")
+    if itself is not None and has_member(machine, itself, e.name):
+        return get_attribute(machine, itself, e.name)
+    value = machine.lookup(e.name)
+    if value is not None:
+        return value
+    cls = None if itself is None else itself.own_class
+    if itself is None or cls is None:
+        return Unknown(f"'{e.name}' is not defined in this file", name=e.name)
+    inherited = (
+        base for base in cls.mro if base.dotted.rpartition(".")[2] == e.name
+    )  # the name of a base is known, too
+    return next(inherited, None) or get_attribute(machine, itself, e.name)
 
 
 def _attribute(machine: Machine, e: facts.Attribute) -> Value:
@@ -236,6 +253,7 @@ def _is_set(value: Value) -> bool:
 EXPRESSIONS: dict[type, Callable[[Machine, Any], Value]] = {
     facts.Literal: _literal,
     facts.Name: _name,
+    facts.Implicit: _implicit,
     facts.Attribute: _attribute,
     facts.Call: evaluate_call,
     facts.Subscript: _subscript,

@@ -21,6 +21,7 @@ from archlint.interpreter.activation import Activation
 from archlint.interpreter.call_site import NOTHING_GIVEN, CallSite
 from archlint.interpreter.caught import Raised
 from archlint.interpreter.heap import Layer, Slot, Store
+from archlint.interpreter.implementations import implementations
 from archlint.interpreter.library import Library
 from archlint.interpreter.limits import COMPREHENDED, NESTED_CALLS, PROGRAM_STEPS, RUNS, STEPS, WORK_OF_A_STEP
 from archlint.interpreter.modules import Module, ModuleIndex, Scope, ScopeKind
@@ -238,6 +239,8 @@ class Machine(ABC):
                     self.steps, self.allowed_steps = bounds
                 module.state = "done"
             self.library.module_done(module)
+            for source in implementations(self.index, module):
+                self.import_module(source)
         return ModuleValue(module)
 
     def _run_top_level(self, module: Module) -> None:

@@ -7,17 +7,18 @@ the folder it lies in.  Both are looked up by the dotted names that the find flo
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Literal
 
+from archlint.interpreter.imported_names import imported_names
+from archlint.interpreter.includes import Includes
 from archlint.interpreter.reads import Reads
 from archlint.place import Place
-from archlint.syntax.facts import Class, Facts, Function, Import, ImportFrom, Span, Stmt
-from archlint.syntax.parts import once_for
-from archlint.syntax.walk import statements_of
+from archlint.syntax.facts import Facts, Span
 from archlint.workspace.closure import closure
+from archlint.workspace.model import COMPILED_KINDS
 from archlint.workspace.test_code import FileRoles
 
 if TYPE_CHECKING:
@@ -122,11 +123,15 @@ class ModuleIndex:
         """Imports a module that a program imported whose result was kept."""
         self.import_all_earlier: Callable[[], None] | None = None
         """Imports all of these."""
+        self.includes = Includes()
         for file in files:
-            if file.kind not in ("python", "launch_python", "setup_py"):
+            if file.kind not in COMPILED_KINDS:
                 continue
             path = file.path.replace("\\", "/")
             self._by_path[path] = file
+            if file.kind == "cpp":
+                self.includes.add(file)
+                continue
             for named in _names_of(file):
                 self._by_path.setdefault(named.path.replace("\\", "/"), file)
                 alike = self._by_name.setdefault(named.module, []) if named.module else [file]
@@ -174,6 +179,8 @@ class ModuleIndex:
     def file_of(self, importer: SourceFile, name: str, level: int = 0) -> SourceFile | None:
         """The file that an import in another means; None for what is not here."""
         key = importer.path, name, level
+        if key not in self._meant and importer.kind == "cpp":
+            self._meant[key] = self.includes.find(importer, name)
         if key not in self._meant:  # every attribute of what a package gives is looked up, for it may be a module
             self._meant[key] = self._relative(importer, name, level) if level else self._absolute(importer, name)
         return self._meant[key]
@@ -299,7 +306,7 @@ class ModuleIndex:
         return modules
 
     def _imports_of(self, module: Module) -> Iterator[Module]:
-        for name, level in _imported_names(module.facts):
+        for name, level in imported_names(module.facts):
             imported = self.find(module, name, level)
             if imported is not None:
                 yield imported
@@ -359,30 +366,6 @@ class ModuleIndex:
 def _names_of(file: SourceFile) -> tuple[SourceFile | Link, ...]:
     """The file and the symbolic links that lead to it: each gives it a path, and perhaps a name to import it by."""
     return (file, *file.links)
-
-
-@once_for
-def _imported_names(module: Facts) -> list[tuple[str, int]]:
-    """The names that the imports of a module may mean, each with the dots before it."""
-    rows: list[tuple[str, int]] = []
-    for part in _imports(module.body):
-        if isinstance(part, Import):
-            names = [".".join(part.module.split(".")[:end]) for end in range(1, part.module.count(".") + 2)]
-            level = 0
-        else:
-            names = [part.module, *(f"{part.module}.{name}".lstrip(".") for name, _ in part.names)]
-            level = part.level
-        rows += [(name, level) for name in names if name or level]
-    return rows
-
-
-def _imports(body: Sequence[Stmt]) -> Iterator[Import | ImportFrom]:
-    """The imports of a module, those inside functions and classes included."""
-    for statement in statements_of(body):
-        if isinstance(statement, (Import, ImportFrom)):
-            yield statement
-        elif isinstance(statement, (Function, Class)):
-            yield from _imports(statement.body)
 
 
 def _nearest(importer: SourceFile, files: list[SourceFile]) -> SourceFile:

@@ -94,7 +94,8 @@ def _read_step(installs: Installs, step: Step, tree: CMakeTree, targets: TargetN
     elif command.name in ("install", "catkin_install_python"):
         _install(installs, step, tree)
     elif "add_executable" in command.name and arguments:
-        _target(installs, arguments[0], step.file, targets)
+        sources = _sources(step, tree, auto=command.name == "ament_auto_add_executable")
+        _target(installs, arguments[0], step.file, targets, sources)
     elif command.name == "ament_auto_package":
         at = texts.index("INSTALL_TO_SHARE") if "INSTALL_TO_SHARE" in texts else len(texts)
         for name in texts[at + 1 :]:
@@ -109,7 +110,8 @@ def _read_step(installs: Installs, step: Step, tree: CMakeTree, targets: TargetN
     elif command.name not in _NAMES_NO_EXECUTABLE and not command.name.startswith(_PREFIXES):
         installs.mentioned |= frozenset(texts)
     if "EXECUTABLE" in texts[:-1]:
-        _target(installs, arguments[texts.index("EXECUTABLE") + 1], step.file, targets)
+        plugin = texts[texts.index("PLUGIN") + 1] if "PLUGIN" in texts[:-1] else ""
+        _target(installs, arguments[texts.index("EXECUTABLE") + 1], step.file, targets, plugin=plugin)
 
 
 _RUN_SOMETHING = frozenset({"execute_process", "exec_program", "add_custom_command", "add_custom_target"})
@@ -189,13 +191,31 @@ def console_script(entry: ScriptEntry, package: str, path: str) -> Executable:
     return Executable(entry.name, package, place, entry.module, entry.function, wrong=entry.wrong)
 
 
-def _target(installs: Installs, argument: Argument, path: str, targets: TargetNames) -> None:
+def _sources(step: Step, tree: CMakeTree, auto: bool) -> tuple[str, ...]:
+    """The C++ sources that an executable is built of, as shown paths."""
+    texts = [text for text in step.command.texts[1:] if "$" not in text]
+    paths = [step.path(text) for text in texts if text.endswith((".cpp", ".cc", ".cxx"))]
+    if auto and "DIRECTORY" in texts[:-1]:
+        folder = step.path(texts[texts.index("DIRECTORY") + 1])
+        paths += [path for path in tree.files_below(folder) if posixpath.dirname(path) == folder]
+    return tuple(dict.fromkeys(paths))
+
+
+def _target(
+    installs: Installs,
+    argument: Argument,
+    path: str,
+    targets: TargetNames,
+    sources: tuple[str, ...] = (),
+    plugin: str = "",
+) -> None:
     names = None if argument.open else targets.of(argument)
     if names is None:
         installs.open_executables = True
         return
     for name in names:
-        installs.add(Executable(name.text, installs.package, _place(argument, path)))
+        place = _place(argument, path)
+        installs.add(Executable(name.text, installs.package, place, sources=sources, plugin=plugin))
 
 
 def _place(argument: Argument, path: str) -> Place:

@@ -209,7 +209,7 @@ class Linker:
         return called is not None and functions.issuperset(called)
 
     def _relevant_module(self, file: SourceFile) -> Module | None:
-        if file.kind not in ("python", "launch_python") or not self.relevant(file):
+        if file.kind not in ("python", "launch_python", "cpp") or not self.relevant(file):
             return None
         return self.index.module(file)
 

@@ -182,7 +182,8 @@ def _run_methods(run: Run) -> None:
             if not interesting(ir) and not _passes_node_on(run, instance, ir):
                 continue
             bound = bind_quietly(function, instance, owner)
-            callback = describe(run, bound, model.Role.LIFECYCLE if ir.name in LIFECYCLE else model.Role.METHOD)
+            is_transition = ir.name.rpartition("::")[2] in LIFECYCLE
+            callback = describe(run, bound, model.Role.LIFECYCLE if is_transition else model.Role.METHOD)
             callback.node = run.nodes.by_object.get(instance.key)
             run.program.callbacks.append(callback)
             arguments = _uncalled_arguments(ir, callback.bound_arguments)
@@ -252,10 +253,13 @@ def _methods(run: Run, cls: ClassValue) -> list[tuple[FunctionValue, ClassValue]
     methods: dict[str, tuple[FunctionValue, ClassValue]] = {}
     for base in cls.mro:
         if isinstance(base, ClassValue):
-            for statement in definitions.methods_of(base):
-                value = run.store.get(base.key, statement.name)
+            names = [statement.name for statement in definitions.methods_of(base)]
+            if base.scope.module.file.kind == "cpp":  # whose methods are mostly defined outside of the class
+                names = [name for name, _ in run.store.variables(base.key)]
+            for name in names:
+                value = run.store.get(base.key, name)
                 if isinstance(value, FunctionValue):
-                    methods.setdefault(statement.name, (value, cls))
+                    methods.setdefault(name, (value, cls))
     return list(methods.values())
 
 

@@ -18,8 +18,8 @@ SourceLine = Callable[[str, int], "str | None"]
 
 @dataclass(frozen=True)
 class Summary:
-    """The figures of a run; ``unresolved`` counts endpoints whose name is not known, ``cpp_packages`` those whose C++
-    sources are not read, times are in seconds."""
+    """The figures of a run; ``unresolved`` counts endpoints whose name is not known, times are in
+    seconds."""
 
     files: int
     nodes: int
@@ -29,7 +29,6 @@ class Summary:
     suppressed: int
     unresolved: int
     elapsed_s: float
-    cpp_packages: int = 0
     baselined: int = 0
     """Findings that the baseline holds back."""
     older: int = 0
@@ -130,7 +129,6 @@ def summary_line(summary: Summary) -> str:
         f"{summary.baselined} held by the baseline" if summary.baselined else "",
         f"{summary.older} not new" if summary.older else "",
         f"{summary.unresolved} unresolved" if summary.unresolved else "",
-        f"C++ of {_count(summary.cpp_packages, 'package')} not read" if summary.cpp_packages else "",
     ]
     tail = "".join(f"; {note}" for note in notes if note)
     if not summary.findings:

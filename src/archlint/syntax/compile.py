@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Literal, NamedTuple
 
 from msgspec import structs
 
@@ -16,7 +16,9 @@ from archlint.syntax.python.deep_stack import DEEP_LIMIT, STOCK_LIMIT, call_with
 
 if TYPE_CHECKING:
     from archlint.syntax.pools import Pool
-    from archlint.syntax.workers import Answer, OnDone
+    from archlint.syntax.workers import Answer, Job, OnDone
+
+Language = Literal["python", "cpp"]
 
 CRASHED = "crashes the parser"
 """The message for a file that kills the process that parses it."""
@@ -50,6 +52,7 @@ def compile_sources(
     deadline: float = DEADLINE,
     on_done: OnDone = workers.ignore_done,
     pool: Pool | None = None,
+    language: Language = "python",
 ) -> list[Compiled]:
     """The facts of many files, in their order, the same for any number of ``jobs``.
 
@@ -59,19 +62,30 @@ def compile_sources(
     """
     if not sources:
         return []
-    import archlint.syntax.python.lowering  # noqa: F401  libcst once, before the processes part
+    job = _prepared(language)
 
     if pool is None or sum(map(len, sources)) < PARALLEL_BYTES:  # nobody elsewhere starts as fast as this takes
         pool = Processes(_worker_count(sources, jobs), MOST_BYTES) if workers.can_fork() else OneProcess()
     try:
-        answers = pool.map(encoded, sources, deadline, on_done)
+        answers = pool.map(job, sources, deadline, on_done)
     except OSError:  # no process to be had: this one does it all
-        answers = OneProcess().map(encoded, sources, deadline, on_done)
+        answers = OneProcess().map(job, sources, deadline, on_done)
     lost = [number for number, answer in enumerate(answers) if isinstance(answer, workers.Lost)]
     if lost:  # whoever had them is gone
-        here = compile_sources([sources[number] for number in lost], jobs, deadline)
+        here = compile_sources([sources[number] for number in lost], jobs, deadline, language=language)
         return _with(here, lost, [_compiled(answer, deadline) for answer in answers])
     return [_compiled(answer, deadline) for answer in answers]
+
+
+def _prepared(language: Language) -> Job:
+    """What compiles a file of a language; its parser is imported once, before the processes part."""
+    if language == "cpp":
+        import archlint.syntax.cpp.lowering
+
+        return encoded_cpp
+    import archlint.syntax.python.lowering  # noqa: F401
+
+    return encoded
 
 
 def _with(rows: Sequence[Compiled], numbers: Sequence[int], all_rows: list[Compiled]) -> list[Compiled]:
@@ -107,6 +121,19 @@ def encoded(data: bytes) -> bytes:
         return mark + encode(facts)
     except (ValueError, RecursionError) as error:
         return _PASSING + encode(_broken(f"facts that cannot be stored: {error}"))
+
+
+def encoded_cpp(data: bytes) -> bytes:
+    """As :func:`encoded`, of a file of C++."""
+    from archlint.syntax.cpp.lowering import lower
+
+    try:
+        with recursion_limit(DEEP_LIMIT):
+            return _LASTING + encode(lower(data))
+    except (RecursionError, MemoryError):
+        return _LASTING + encode(_failed("nested too deeply to analyse"))
+    except Exception as error:
+        return _PASSING + encode(_broken(f"{type(error).__name__}: {error}"))
 
 
 def _compile_text(text: str) -> Facts:

@@ -153,6 +153,21 @@ class Name(Base, frozen=True, tag="name"):
         return self.id
 
 
+class Implicit(Base, frozen=True, tag="implicit"):
+    """A name that C++ looks up in the object first, and then in the file."""
+
+    name: str
+    span: Span
+
+    @property
+    def dotted(self) -> str:
+        return f"self.{self.name}"
+
+    @property
+    def attribute(self) -> str:
+        return self.name
+
+
 class Attribute(Base, frozen=True, tag="attr"):
     """``value.attr``; names inside classes are already mangled (``self.__x`` in ``C`` is ``_C__x``)."""
 
@@ -364,29 +379,9 @@ class Opaque(Base, frozen=True, tag="opaque"):
     span: Span
 
 
-Expr = Union[
-    Literal,
-    Name,
-    Attribute,
-    Call,
-    Subscript,
-    Slice,
-    Binary,
-    Unary,
-    Boolean,
-    Compare,
-    Conditional,
-    FormatString,
-    Sequence,
-    Mapping,
-    Starred,
-    Comprehension,
-    Lambda,
-    Assigned,
-    Await,
-    Yield,
-    Opaque,
-]
+_Operand = Union[Literal, Name, Implicit, Attribute, Call, Subscript, Slice, Binary, Unary, Boolean, Compare]
+_Whole = Union[Conditional, FormatString, Sequence, Mapping, Starred, Comprehension, Lambda, Assigned, Await, Yield]
+Expr = Union[_Operand, _Whole, Opaque]
 
 
 class Param(Base, frozen=True):

@@ -35,6 +35,7 @@ from archlint.syntax.expressions import (
     Field,
     FormatString,
     Generator,
+    Implicit,
     Lambda,
     Literal,
     Mapping,
@@ -78,7 +79,7 @@ from archlint.syntax.statements import (
     WithItem,
 )
 
-FACTS_VERSION = 12
+FACTS_VERSION = 13
 """Raised whenever the shape or the meaning of the facts changes: old cache entries are then misses."""
 
 
@@ -193,6 +194,7 @@ __all__ = [
     "Global",
     "Handler",
     "If",
+    "Implicit",
     "Import",
     "ImportFrom",
     "Jump",

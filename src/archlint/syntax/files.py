@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Collection, Iterable, Sequence
-from itertools import chain
 from typing import TYPE_CHECKING, Protocol
 
 from archlint.monitor import Monitor
 from archlint.syntax import facts as model
 from archlint.syntax.cache import Stamp, digest_of
-from archlint.syntax.compile import Compiled, compile_sources
+from archlint.syntax.compile import Compiled, Language, compile_sources
 from archlint.syntax.facts import FACTS_VERSION, Facts, FileProblem, Span, Stmt, decode, encode
+from archlint.syntax.imported_names import imported, included
 from archlint.syntax.python import gate
 from archlint.syntax.walk import statements_of
 
@@ -19,20 +18,13 @@ if TYPE_CHECKING:
     from archlint.syntax.pools import Pool
     from archlint.workspace.model import SourceFile
 
+_CPP_WORD = b"rclcpp"
+"""A C++ file without it is read only where another includes it."""
 _IRRELEVANT = b"-"
 """How the entry of a file begins that the screen left out; the modules that it imports follow, a line each."""
 
 _ROS1 = b"-1"
 """The same of a file for ROS 1."""
-
-_IMPORT = re.compile(
-    rb"^[ \t]*(?:from[ \t]+([\w.]*)[ \t]+import[ \t]*(\([^)]*\)|[^\n#]*)|import[ \t]+([^\n#]+))", re.MULTILINE
-)
-_IMPORT_OF_ONE_LINE = re.compile(
-    rb"^[ \t]*(?:from[ \t]+([\w.]*)[ \t]+import[ \t]*([^\n#]*)|import[ \t]+([^\n#]+))", re.MULTILINE
-)
-"""The same behind the last closing bracket: whoever looks for one there goes through the rest of the file."""
-_IMPORTED_NAME = re.compile(rb"(\w[\w.]*)(?:[ \t]+as[ \t]+\w+)?")
 
 
 class Cache(Protocol):
@@ -137,6 +129,8 @@ class FactsOfFiles:
     def _targets(self, file: SourceFile, names: Iterable[bytes]) -> set[str]:
         """The dotted names, and the paths, that imported names may mean in a file."""
         folder = file.path.replace("\\", "/").split("/")[:-1]
+        if file.kind == "cpp":
+            return {_include_name(name.decode("utf-8", "replace")) for name in names}
         targets = set()
         for written in names:
             name = written.decode("utf-8", "replace")
@@ -210,7 +204,7 @@ class FactsOfFiles:
         self._seen.update(paths)
 
     def facts_of(self, file: SourceFile) -> Facts | None:
-        """The facts of a file; one that the screen left out is compiled now.  None for what is no Python."""
+        """The facts of a file; one that the screen left out is compiled now.  None for what is no code."""
         if file.path in self._facts:
             return self._facts[file.path]
         payload = self._payload_of(file)
@@ -247,7 +241,27 @@ class FactsOfFiles:
             self._monitor.compiled(files[number].relative, seconds)
 
         self._monitor.compiling(len(files))
-        return compile_sources(sources, self._jobs, on_done=on_done, pool=self._pool)
+        of_cpp = [number for number, file in enumerate(files) if file.kind == "cpp"]
+        if not of_cpp:
+            return compile_sources(sources, self._jobs, on_done=on_done, pool=self._pool)
+        others = [number for number, file in enumerate(files) if file.kind != "cpp"]
+        results: dict[int, Compiled] = {}
+        languages: tuple[tuple[Language, list[int]], ...] = (("python", others), ("cpp", of_cpp))
+        for language, numbers in languages:
+            results.update(zip(numbers, self._compile_part(files, sources, language, numbers), strict=True))
+        return [results[number] for number in range(len(files))]
+
+    def _compile_part(
+        self, files: Sequence[SourceFile], sources: Sequence[bytes], language: Language, numbers: Sequence[int]
+    ) -> list[Compiled]:
+        """The facts of those of some files that are of one language."""
+
+        def on_done(number: int, seconds: float) -> None:
+            self._monitor.compiled(files[numbers[number]].relative, seconds)
+
+        chosen = [sources[number] for number in numbers]
+        pool = self._pool if language == "python" else None
+        return compile_sources(chosen, self._jobs, on_done=on_done, pool=pool, language=language)
 
     # --------------------------------------------------------------------------------------------- inside
 
@@ -268,14 +282,19 @@ class FactsOfFiles:
             else:
                 self._refuse(file, data)
             return None
-        digest = source_digest(data)
+        digest = source_digest(data, file.kind == "cpp")
         payload = self._cache.get(digest)
         if payload is not None:
             self._keep(file, digest, payload)
             return None
-        old = gate.is_ros1(data)
-        if old or not (b"\0" in data or any(word in data for word in self._words())):
-            payload = b"\n".join((_ROS1 if old else _IRRELEVANT, *_imported(data)))
+        if file.kind == "cpp" and _CPP_WORD not in data:
+            payload = b"\n".join((_IRRELEVANT, *included(data)))
+            self._cache.put(digest, payload)
+            self._keep(file, digest, payload)
+            return None
+        old = file.kind != "cpp" and gate.is_ros1(data)
+        if old or not (file.kind == "cpp" or b"\0" in data or any(word in data for word in self._words())):
+            payload = b"\n".join((_ROS1 if old else _IRRELEVANT, *imported(data)))
             self._cache.put(digest, payload)
             self._keep(file, digest, payload)
             return None
@@ -301,7 +320,7 @@ class FactsOfFiles:
                 self._cache.put(digest, result.payload)
         for file, digest, data in waiting:
             self._keep(file, digest, results[digest].payload)
-            self._fresh_imports |= self._targets(file, _imported(data))
+            self._fresh_imports |= self._targets(file, included(data) if file.kind == "cpp" else imported(data))
 
     def _on_demand(self, files: Iterable[SourceFile]) -> dict[str, bytes]:
         """Compile files that the screen left out, because imports lead to them; payloads by path."""
@@ -332,9 +351,14 @@ class FactsOfFiles:
         return decode(payload)
 
 
-def source_digest(data: bytes) -> str:
+def source_digest(data: bytes, is_cpp: bool = False) -> str:
     """What the facts of a source are kept under."""
-    return digest_of(data, f"python {FACTS_VERSION}")
+    return digest_of(data, f"{'cpp' if is_cpp else 'python'} {FACTS_VERSION}")
+
+
+def _include_name(path: str) -> str:
+    """What stands for a header among the names that files import: its last part."""
+    return "#include " + path.rpartition("/")[2]
 
 
 def _modules_of(statement: Stmt) -> list[bytes]:
@@ -349,30 +373,14 @@ def _modules_of(statement: Stmt) -> list[bytes]:
     return []
 
 
-def _imported(data: bytes) -> list[bytes]:
-    """The modules that a source imports, and what it imports from them, which may be modules too."""
-    imported: dict[bytes, None] = {}
-    behind = data.rfind(b")") + 1
-    line_end = data.find(b"\n", behind) if behind else 0
-    behind = len(data) if line_end < 0 else line_end
-    for match in chain(_IMPORT.finditer(data, 0, behind), _IMPORT_OF_ONE_LINE.finditer(data, behind)):
-        origin, names, plain = match.groups()
-        if plain is not None:
-            for name in _IMPORTED_NAME.findall(plain):
-                imported.setdefault(name)
-            continue
-        imported.setdefault(origin)
-        dot = b"" if origin.endswith(b".") else b"."
-        for name in _IMPORTED_NAME.findall(names):
-            imported.setdefault(origin + dot + name)
-    return list(imported)
-
-
 def _names_of(files: Iterable[SourceFile]) -> set[str]:
     """Under which names files can be imported: dotted, and by path without the suffix."""
     names = set()
     for file in files:
         path = file.path.replace("\\", "/")
+        if file.kind == "cpp":
+            names.add(_include_name(path))
+            continue
         names.add(path.removesuffix(".py").removesuffix("/__init__"))
         names.update(name for name in (file.module, *(link.module for link in file.links)) if name)
     return names

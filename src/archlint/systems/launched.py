@@ -28,6 +28,9 @@ if TYPE_CHECKING:
     from archlint.syntax.parameter_files import ParameterFacts
     from archlint.systems.resolution import FinalName
 
+_OF_PROGRAMS = (StartedKind.NODE, StartedKind.PROCESS, StartedKind.COMPONENT)
+"""What may be a program of the workspace; a component is the class that its plugin names."""
+
 RERUNS = 600
 """How many programs one session may run again with parameters from outside."""
 
@@ -151,7 +154,7 @@ class LaunchSystems:
         """The program of an executable, run with parameters and the words of a command line from outside; None
         for one that is not here."""
         package, executable = started.package.text, started.executable.text
-        if package is None or executable is None or started.kind not in (StartedKind.NODE, StartedKind.PROCESS):
+        if package is None or executable is None or started.kind not in _OF_PROGRAMS:
             return None
         entry = self.entries.get((package, executable))
         if entry is None:

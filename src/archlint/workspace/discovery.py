@@ -64,7 +64,7 @@ def find(
     complete_folders = [*folders, *packages, *_add_workspaces(walk, asked, read)]
     # What is read as context lies in the root, too, or no launch file of a neighbour could be read.
     root = _root(asked_folders + complete_folders)
-    workspace = place(root, walk.files.values(), walk.problems.values(), complete_folders, walk.cpp_folders, read)
+    workspace = place(root, walk.files.values(), walk.problems.values(), complete_folders, read)
     return replace(
         workspace, idle_exclusions=tuple(excluder.idle), looked_at=tuple(walk.looked_at), inside=tuple(walk.inside)
     )

@@ -17,7 +17,8 @@ class Executable:
     """One executable of a package.
 
     A console script has ``module`` and ``function``; an installed script has ``script`` (a shown path); a
-    target of CMake has neither: its source is not Python.  One that is ``wrong`` is not installed, for the reason that
+    target of CMake has the ``sources`` that it is built of, as shown paths, or is made for a ``plugin``: the class of a
+    component.  One that is ``wrong`` is not installed, for the reason that
     is said there, but was meant to be.
     """
 
@@ -28,6 +29,8 @@ class Executable:
     function: str | None = None
     script: str | None = None
     wrong: str = ""
+    sources: tuple[str, ...] = ()
+    plugin: str = ""
 
 
 @dataclass(frozen=True)

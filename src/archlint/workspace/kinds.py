@@ -17,6 +17,10 @@ _BY_NAME: dict[str, SourceKind] = {
 }
 _INTERFACES = frozenset({"msg", "srv", "action"})
 
+CPP_SOURCES = frozenset({"cpp", "cc", "cxx"})
+"""Of files that are compiled on their own."""
+CPP_SUFFIXES = CPP_SOURCES | {"hpp", "hh", "hxx", "h"}
+
 _SCRIPT_FOLDERS = frozenset({"scripts", "script", "bin", "nodes"})
 """Where scripts lie that lost their permission to run, say on a file system that knows none."""
 
@@ -36,6 +40,8 @@ def kind_of(name: str, folder: str, folder_is_module: bool = False) -> SourceKin
     if name in _BY_NAME:
         return _BY_NAME[name]
     in_launch_folder = folder == "launch" and not folder_is_module
+    if suffix in CPP_SUFFIXES:
+        return "cpp"
     if suffix == "py":
         return "launch_python" if in_launch_folder or name.endswith("launch.py") else "python"
     if suffix == "launch" or (suffix == "xml" and (in_launch_folder or name.endswith("launch.xml"))):

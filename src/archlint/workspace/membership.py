@@ -26,12 +26,11 @@ def place(
     files: Iterable[SourceFile],
     problems: Iterable[Problem],
     complete_folders: Iterable[str] = (),
-    cpp_folders: Iterable[str] = (),
     read: Read | None = None,
 ) -> Workspace:
     """The workspace that files make up: reads the manifests, gives each file its package and its module.
 
-    ``complete_folders`` are the folders of which all files are there, ``cpp_folders`` those with C++ sources.  ``read``
+    ``complete_folders`` are the folders of which all files are there.  ``read``
     gives the bytes of files that are not on the disk.
     """
     read = read or read_file
@@ -62,14 +61,12 @@ def place(
         links.extend(_other_name(file, module, beside.get(homes[folder])))
         placed.append(_member(file, owner.package, module, tuple(links)))
     known = [package for package in packages.values() if package is not None]
-    with_cpp = {_innermost(packages, folder) for folder in cpp_folders}
     return Workspace(
         root,
         tuple(placed),
         tuple(sorted(known, key=lambda package: (package.name, package.relative))),
         tuple(sorted(problems, key=lambda problem: (problem.file, problem.line, problem.column))),
         tuple(sorted(set(complete_folders))),
-        tuple(sorted(package.name for package in known if package.root in with_cpp)),
     )
 
 

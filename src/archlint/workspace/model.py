@@ -18,11 +18,14 @@ SourceKind = Literal[
     "setup_cfg",
     "pyproject",
     "cmake",
+    "cpp",
 ]
 """What a file is taken for."""
 PYTHON_KINDS: tuple[SourceKind, ...] = ("python", "launch_python", "setup_py")
 CODE_KINDS: tuple[SourceKind, ...] = ("python", "launch_python")
 """Python that nodes and launches run."""
+COMPILED_KINDS: tuple[SourceKind, ...] = (*PYTHON_KINDS, "cpp")
+"""What is lowered to facts."""
 LAUNCH_TEXT_KINDS: tuple[SourceKind, ...] = ("launch_xml", "launch_yaml")
 
 DependencyKind = Literal[
@@ -137,8 +140,6 @@ class Workspace:
     problems: tuple[Problem, ...] = field(default=())
     complete_folders: tuple[str, ...] = ()
     """The folders of which all files were looked for, as absolute paths."""
-    cpp_packages: tuple[str, ...] = ()
-    """Names of the packages asked for that have C++ sources, which are not read."""
     idle_exclusions: tuple[str, ...] = ()
     """Patterns to leave out files by that left out none."""
 

@@ -15,8 +15,6 @@ from archlint.workspace.model import PYTHON_KINDS, Link, Problem, SourceFile, So
 from archlint.workspace.pruning import is_pruned_by_content, is_pruned_by_name
 from archlint.workspace.submodules import submodule_of
 
-CPP_SUFFIXES = (".cpp", ".cc", ".cxx")
-
 CLONES_DEPTH = 2
 """How many folders below an ignored ``src`` clones are looked for: ``src/<organisation>/<repository>``."""
 
@@ -59,8 +57,6 @@ class Walk:
         self.files: dict[str, SourceFile] = {}
         """What was found, by real path."""
         self.problems: dict[str, Problem] = {}
-        self.cpp_folders: set[str] = set()
-        """Folders with C++ sources, which nothing reads, below what was asked for."""
         self.looked_at: list[str] = []
         """What beside the files decides what is found, see :attr:`Workspace.looked_at`."""
         self.inside: list[str] = []
@@ -149,8 +145,6 @@ class Walk:
         """Keep a file if it is of use and not left out."""
         name = entry.name
         if name.startswith(".") or (kind is None and "." in name):
-            if not folder.context and name.endswith(CPP_SUFFIXES) and not folder.ignores.ignored(entry.path):
-                self.cpp_folders.add(folder.path)
             return
         shown = folder.shown_below(name)
         if self._is_excluded(shown) or folder.ignores.ignored(entry.path):

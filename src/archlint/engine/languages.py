@@ -1,0 +1,33 @@
+"""Which rules may report something in a file of C++.
+
+The graph of a C++ node is read as that of a Python one, and so is what depends on it: names, types, QoS, parameters,
+owners.  What a rule says of how rclpy waits, spins or checks its arguments is no fact of rclcpp.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING
+
+from archlint.workspace.kinds import CPP_SUFFIXES
+
+if TYPE_CHECKING:
+    from archlint.finding import Finding
+
+_FAMILIES = ("OWN", "QOS", "LCH", "PRM", "NME", "GRF", "ARC", "LNT")
+_CODES = frozenset({"TOP001", "TOP002", "TOP003", "TOP004", "SRV001", "SRV002", "ACT001"})
+
+
+def for_their_languages(findings: Iterable[Finding]) -> Iterator[Finding]:
+    """The findings without those whose rule knows nothing of the language that they are in."""
+    for finding in findings:
+        if not is_cpp(finding.place.file) or finding.code.startswith(_FAMILIES) or finding.code in _CODES:
+            yield finding
+
+
+def is_cpp(path: str) -> bool:
+    """Whether a file is C++, by its name."""
+    return path.rpartition(".")[2] in CPP_SUFFIXES
+
+
+__all__ = ["for_their_languages", "is_cpp"]

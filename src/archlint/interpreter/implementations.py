@@ -1,0 +1,32 @@
+"""Which C++ sources belong to a header."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from archlint.syntax.facts import Facts, ImportFrom
+from archlint.syntax.parts import once_for
+
+if TYPE_CHECKING:
+    from archlint.interpreter.modules import Module, ModuleIndex
+
+
+def implementations(index: ModuleIndex, header: Module) -> list[Module]:
+    """The C++ sources that define what a header declares: those of its package that include it."""
+    if not index.includes.is_header(header.file):
+        return []
+    sources = []
+    for file in index.includes.sources_beside(header.file):
+        module = index.module(file)
+        if module is not None and any(index.find(module, name) is header for name in _included_by(module.facts)):
+            sources.append(module)
+    return sources
+
+
+@once_for
+def _included_by(facts: Facts) -> tuple[str, ...]:
+    """The files that a C++ file includes at its top level, as it writes them."""
+    return tuple(row.module for row in facts.body if isinstance(row, ImportFrom) and row.names == [("*", "*")])
+
+
+__all__ = ["implementations"]

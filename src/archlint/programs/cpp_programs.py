@@ -1,0 +1,76 @@
+"""What starts nodes of C++: the executables that CMake builds, and components by the names of their classes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING
+
+from archlint.programs.linker import EntryPoint
+from archlint.syntax import facts
+from archlint.syntax.walk import main_guard
+
+if TYPE_CHECKING:
+    from archlint.workspace.installed import Executable, Installs
+    from archlint.workspace.model import SourceFile
+
+REGISTERS = "RCLCPP_COMPONENTS_REGISTER_NODE"
+
+
+def cpp_entry_points(
+    installs: Mapping[str, Installs],
+    files: Sequence[SourceFile],
+    facts_of: Callable[[SourceFile], facts.Facts | None],
+    relevant: Callable[[SourceFile], bool],
+) -> list[EntryPoint]:
+    """Every executable and component of the workspace whose source is C++, as the linker wants it.
+
+    A component goes by the name of its class (``demo::Talker``), by which launch files and containers load it.
+    """
+    sources = {file.relative: file for file in files if file.kind == "cpp" and relevant(file)}
+    components = dict(_components(sources.values(), facts_of))
+    entries = [
+        EntryPoint(plugin, package, "", _class_of(plugin), file) for (package, plugin), file in components.items()
+    ]
+    for package in sorted(installs):
+        for executable in installs[package].executables.values():
+            file = components.get((package, executable.plugin))
+            if file is not None:
+                entries.append(EntryPoint(executable.name, package, "", _class_of(executable.plugin), file))
+                continue
+            main = _main_of(executable, sources, facts_of)
+            if main is not None:
+                entries.append(EntryPoint(executable.name, package, "", None, main))
+    return entries
+
+
+def _main_of(
+    executable: Executable,
+    sources: Mapping[str, SourceFile],
+    facts_of: Callable[[SourceFile], facts.Facts | None],
+) -> SourceFile | None:
+    """The source of an executable that has ``main``."""
+    for path in executable.sources:
+        code = facts_of(sources[path]) if path in sources else None
+        if code is not None and main_guard(code) is not None:
+            return sources[path]
+    return None
+
+
+def _components(
+    files: Iterable[SourceFile], facts_of: Callable[[SourceFile], facts.Facts | None]
+) -> Iterator[tuple[tuple[str | None, str], SourceFile]]:
+    """The classes that are registered as components, by package and name, with the files that register them."""
+    for file in sorted(files, key=lambda file: file.relative):
+        code = facts_of(file)
+        for statement in [] if code is None else code.body:
+            match statement:
+                case facts.Expression(facts.Call(facts.Name(name), [facts.Argument(facts.Literal(str(plugin)))])):
+                    if name == REGISTERS:
+                        yield (file.package, plugin), file
+
+
+def _class_of(plugin: str) -> str:
+    return plugin.rpartition("::")[2]
+
+
+__all__ = ["REGISTERS", "cpp_entry_points"]

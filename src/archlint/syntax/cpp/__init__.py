@@ -1,0 +1,1 @@
+"""C++: a file lowered to the same facts as one of Python."""

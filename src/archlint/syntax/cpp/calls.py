@@ -1,0 +1,144 @@
+"""Calls of ROS's C++ libraries, in the words of rclpy.
+
+What differs is the order of the parameters, that types are template arguments, and that C++ hands out the value of a
+parameter where Python hands out the parameter.  Source: ``rclcpp/node.hpp``, ``rclcpp/create_*.hpp``,
+``rclcpp_action/create_server.hpp`` and ``create_client.hpp``, ``message_filters/subscriber.h``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from archlint.syntax import facts
+from archlint.syntax.facts import Argument
+
+if TYPE_CHECKING:
+    from archlint.syntax.facts import Expr, Span
+
+METHODS = {
+    "create_publisher": ("create_publisher", ("msg_type",), ("topic", "qos_profile")),
+    "create_subscription": ("create_subscription", ("msg_type",), ("topic", "qos_profile", "callback")),
+    "create_service": ("create_service", ("srv_type",), ("srv_name", "callback", "qos_profile", "callback_group")),
+    "create_client": ("create_client", ("srv_type",), ("srv_name", "qos_profile", "callback_group")),
+    "create_wall_timer": ("create_timer", (), ("timer_period_sec", "callback", "callback_group")),
+    "create_timer": ("create_timer", (), ("timer_period_sec", "callback", "callback_group")),
+}
+"""Methods of a node: rclpy's name, what the template arguments are, what the arguments are."""
+
+WITH_TYPE = frozenset({"create_publisher", "create_subscription", "create_service", "create_client"})
+
+FREE = {
+    "rclcpp.create_publisher": "create_publisher",
+    "rclcpp.create_subscription": "create_subscription",
+    "rclcpp.create_service": "create_service",
+    "rclcpp.create_client": "create_client",
+}
+"""Functions that take the node first, and then what its method takes."""
+
+NODE_INTERFACES = (
+    *("get_node_base_interface", "get_node_topics_interface", "get_node_parameters_interface"),
+    *("get_node_services_interface", "get_node_timers_interface", "get_node_clock_interface"),
+    *("get_node_logging_interface", "get_node_waitables_interface", "get_node_graph_interface"),
+    *("get_node_time_source_interface", "get_node_options", "shared_from_this"),
+)
+"""Methods of a node that stand for the node itself, to those who create something on it."""
+
+
+def method(node: Expr, name: str, types: Sequence[Expr], arguments: Sequence[Expr], span: Span) -> facts.Call | None:
+    """A create call on a node, with rclpy's keywords; None for what is no such call."""
+    row = METHODS.get(name)
+    if row is None or (name in WITH_TYPE) != bool(types):
+        return None
+    renamed, of_types, of_arguments = row
+    given = [Argument(value, keyword) for keyword, value in zip(of_types, types, strict=False)]
+    given += [Argument(value, keyword) for keyword, value in zip(of_arguments, arguments, strict=False)]
+    return facts.Call(facts.Attribute(node, renamed, span), given, span)
+
+
+def action(function: Expr, is_server: bool, types: Sequence[Expr], arguments: Sequence[Expr], span: Span) -> Expr:
+    """``rclcpp_action::create_server<T>(node, "name", …)``, also with the interfaces of the node one by one."""
+    names = [at for at, value in enumerate(arguments) if not _is_of_node(value)]
+    at = 4 if is_server and len(arguments) >= 8 else 4 if not is_server and len(arguments) >= 5 and 4 in names else 1
+    if not types or len(arguments) <= at:
+        return facts.Opaque("an action without a type", span)
+    given = [Argument(arguments[0], "node"), Argument(types[0], "action_type"), Argument(arguments[at], "action_name")]
+    if is_server:
+        given.append(Argument(facts.Opaque("what a server of C++ does", span), "execute_callback"))
+        words = ("goal_callback", "cancel_callback", "handle_accepted_callback")
+        given += [Argument(value, word) for word, value in zip(words, arguments[at + 1 :], strict=False)]
+    return facts.Call(function, given, span)
+
+
+def _is_of_node(value: Expr) -> bool:
+    return isinstance(value, facts.Name) and value.id == "self"
+
+
+def node_arguments(arguments: Sequence[Expr], words: str) -> list[Argument]:
+    """The arguments of ``rclcpp::Node(name, [namespace], [options])``; ``words`` is the text of the file, which says
+    what options set."""
+    given = [Argument(value, keyword) for keyword, value in zip(("node_name",), arguments, strict=False)]
+    rest = list(arguments[1:3])
+    if len(rest) == 2 or (rest and not _are_options(rest[0])):
+        given.append(Argument(rest[0], "namespace"))
+    for option, keyword in _OPTIONS:
+        if f"{option}(true)" in words:
+            given.append(Argument(facts.Literal(True, _span_of(arguments)), keyword))
+    return given
+
+
+_OPTIONS = (
+    ("allow_undeclared_parameters", "allow_undeclared_parameters"),
+    ("automatically_declare_parameters_from_overrides", "automatically_declare_parameters_from_overrides"),
+)
+
+
+def _span_of(arguments: Sequence[Expr]) -> Span:
+    for value in arguments:
+        span: Span | None = getattr(value, "span", None)
+        if span is not None:
+            return span
+    return (1, 1, 1, 1)
+
+
+def _are_options(value: Expr) -> bool:
+    words = [part.last_name.lower() for part in _chain(value)]
+    return any("option" in word for word in words) or isinstance(value, facts.Opaque)
+
+
+def _chain(value: facts.Base) -> list[facts.Base]:
+    chain: list[facts.Base] = [value]
+    while isinstance(chain[-1], (facts.Call, facts.Attribute)):
+        last = chain[-1]
+        chain.append(last.func if isinstance(last, facts.Call) else last.value)
+    return chain
+
+
+def parameter(values: Sequence[Expr]) -> list[Argument]:
+    """``rclcpp::Parameter(name, value)``, of two values or of the arguments of ``get_parameter_or``."""
+    arguments = [Argument(value, word) for word, value in zip(("name",), values, strict=False)]
+    return [*arguments, Argument(values[-1], "value")] if len(values) > 1 else arguments
+
+
+def free_timer(path: str, values: Sequence[Expr], span: Span) -> Expr:
+    """``rclcpp::create_timer(node, clock, period, callback)``, and the same without a clock."""
+    if path == "rclcpp.create_timer" and len(values) >= 4:
+        created = method(values[0], "create_timer", (), values[-2:] if len(values) == 4 else values[2:4], span)
+    elif path == "rclcpp.create_wall_timer" and len(values) >= 4:
+        created = method(values[3], "create_timer", (), values[:3], span)
+    else:
+        created = None
+    return created or facts.Opaque(path, span)
+
+
+__all__ = [
+    "FREE",
+    "METHODS",
+    "NODE_INTERFACES",
+    "WITH_TYPE",
+    "action",
+    "free_timer",
+    "method",
+    "node_arguments",
+    "parameter",
+]

@@ -1,0 +1,102 @@
+"""Names of ROS's C++ libraries, in the words of their Python ones.
+
+A node of C++ is lowered to what the same node is with rclpy: what creates an endpoint, what spins and what an executor
+is called differ in the name alone.  What rclpy lacks, the builders of a QoS say, keeps its own name.
+Source: ``rclcpp/rclcpp.hpp``, ``rclcpp_action/rclcpp_action.hpp``, ``rclcpp_lifecycle/lifecycle_node.hpp``.
+"""
+
+from __future__ import annotations
+
+LIBRARIES = frozenset(
+    {
+        *("rclcpp", "rclcpp_action", "rclcpp_lifecycle", "rclcpp_components", "std", "message_filters", "boost"),
+        *("image_transport", "tf2_ros", "tf2", "fmt", "nav2_util", "nav2_ros_common", "Eigen", "cv", "pcl", "YAML"),
+        *("diagnostic_updater", "controller_interface", "hardware_interface", "point_cloud_transport", "rcutils"),
+        *("nav2_costmap_2d", "nav2_core", "moveit", "rviz_common", "rqt_gui_cpp", "lifecycle_msgs", "ament_index_cpp"),
+        *("autoware_utils", "autoware", "BT", "rosbag2_cpp", "rosbag2_transport", "pluginlib", "urdf", "KDL", "Ogre"),
+    }
+)
+"""Namespaces that are not the workspace's own, unless it says otherwise."""
+
+IN_PYTHON = {
+    "rclcpp.Node": "rclpy.node.Node",
+    "rclcpp_lifecycle.LifecycleNode": "rclpy.lifecycle.node.LifecycleNode",
+    "rclcpp.init": "rclpy.init",
+    "rclcpp.shutdown": "rclpy.shutdown",
+    "rclcpp.ok": "rclpy.ok",
+    "rclcpp.spin": "rclpy.spin",
+    "rclcpp.spin_some": "rclpy.spin_once",
+    "rclcpp.spin_until_future_complete": "rclpy.spin_until_future_complete",
+    "rclcpp.executors.SingleThreadedExecutor": "rclpy.executors.SingleThreadedExecutor",
+    "rclcpp.executors.StaticSingleThreadedExecutor": "rclpy.executors.SingleThreadedExecutor",
+    "rclcpp.executors.MultiThreadedExecutor": "rclpy.executors.MultiThreadedExecutor",
+    "rclcpp.experimental.executors.EventsExecutor": "rclpy.executors.SingleThreadedExecutor",
+    "rclcpp.Parameter": "rclpy.parameter.Parameter",
+    "rclcpp_action.create_server": "rclpy.action.server.ActionServer",
+    "rclcpp_action.create_client": "rclpy.action.client.ActionClient",
+    "message_filters.Subscriber": "message_filters.Subscriber",
+    "tf2_ros.Buffer": "tf2_ros.buffer.Buffer",
+    "tf2_ros.TransformBroadcaster": "tf2_ros.transform_broadcaster.TransformBroadcaster",
+    "tf2_ros.StaticTransformBroadcaster": "tf2_ros.static_transform_broadcaster.StaticTransformBroadcaster",
+    "tf2_ros.TransformListener": "tf2_ros.transform_listener.TransformListener",
+    "std.string": "str",
+    "std.to_string": "str",
+}
+
+RMW_PROFILES = {
+    "rmw_qos_profile_sensor_data": "rclpy.qos.qos_profile_sensor_data",
+    "rmw_qos_profile_services_default": "rclpy.qos.qos_profile_services_default",
+    "rmw_qos_profile_parameters": "rclpy.qos.qos_profile_parameters",
+    "rmw_qos_profile_parameter_events": "rclpy.qos.qos_profile_parameter_events",
+    "rmw_qos_profile_system_default": "rclpy.qos.qos_profile_system_default",
+}
+
+POINTERS = frozenset(
+    {
+        *("SharedPtr", "ConstSharedPtr", "UniquePtr", "ConstUniquePtr", "WeakPtr", "ConstWeakPtr", "Ptr", "ConstPtr"),
+        *("SharedConstPtr",),
+    }
+)
+"""What is said of a class for a pointer to it."""
+
+INTERFACE_KINDS = frozenset({"msg", "srv", "action"})
+
+SAME = frozenset(
+    {
+        *("std.move", "std.forward", "std.ref", "std.cref", "std.static_pointer_cast", "std.dynamic_pointer_cast"),
+        *("std.const_pointer_cast", "std.as_const", "std.make_optional", "std.chrono.duration_cast", "std.string_view"),
+        *("std.reference_pointer_cast", "static_cast", "dynamic_cast", "const_cast", "reinterpret_cast"),
+    }
+)
+"""Functions that give what they are given, as far as names are concerned."""
+
+MAKERS = frozenset({"std.make_shared", "std.make_unique", "std.allocate_shared", "boost.make_shared"})
+"""Functions that make an object of their template argument."""
+
+DURATIONS = {
+    "std.chrono.hours": 3600.0,
+    "std.chrono.minutes": 60.0,
+    "std.chrono.seconds": 1.0,
+    "std.chrono.milliseconds": 1e-3,
+    "std.chrono.microseconds": 1e-6,
+    "std.chrono.nanoseconds": 1e-9,
+}
+"""In seconds."""
+
+SEQUENCES = frozenset({"vector", "list", "deque", "set", "unordered_set", "array", "initializer_list"})
+MAPS = frozenset({"map", "unordered_map", "multimap"})
+STREAMS = frozenset({"stringstream", "ostringstream"})
+
+__all__ = [
+    "DURATIONS",
+    "INTERFACE_KINDS",
+    "IN_PYTHON",
+    "LIBRARIES",
+    "MAKERS",
+    "MAPS",
+    "POINTERS",
+    "RMW_PROFILES",
+    "SAME",
+    "SEQUENCES",
+    "STREAMS",
+]

@@ -1,0 +1,275 @@
+"""Calls, new objects and lambdas of C++ lowered to :mod:`archlint.syntax.facts`."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from archlint.syntax import facts
+from archlint.syntax.cpp import calls
+from archlint.syntax.cpp.known_names import DURATIONS, MAKERS, SAME
+from archlint.syntax.cpp.lower_expressions import given
+from archlint.syntax.cpp.lower_objects import ObjectLowering
+from archlint.syntax.cpp.names import FunctionScope, Names, Part
+
+if TYPE_CHECKING:
+    from tree_sitter import Node
+
+    from archlint.syntax.cpp.source import SourceText
+    from archlint.syntax.facts import Expr, Param, Span, Stmt
+
+_ITSELF = frozenset({"c_str", "str", "get", "data", "value", "lock", "get_rmw_qos_profile", "view", "release"})
+"""Methods without arguments that give what they are called on, as far as names are concerned."""
+_LIST_METHODS = {"push_back": "append", "emplace_back": "append"}
+_POLICIES = frozenset({"history", "reliability", "durability", "liveliness", "deadline", "lifespan"})
+"""Setters of ``rclcpp::QoS`` that have the names of what they set."""
+_PARAMETER_VALUES = frozenset(
+    {
+        *("as_string", "as_bool", "as_int", "as_double", "as_string_array", "as_bool_array", "as_integer_array"),
+        *("as_double_array", "as_byte_array", "get_value", "get_parameter_value"),
+    }
+)
+"""Methods of ``rclcpp::Parameter`` that give its value."""
+
+
+class CallLowering(ObjectLowering):
+    """Lowers calls, too."""
+
+    def __init__(self, source: SourceText, names: Names) -> None:
+        super().__init__(source, names)
+        self._kinds |= {
+            "call_expression": self._call,
+            "lambda_expression": self._lambda,
+        }
+
+    # --------------------------------------------------------------------------------------------- calls
+
+    def _call(self, node: Node, span: Span) -> Expr:
+        function, arguments = node.child_by_field_name("function"), node.child_by_field_name("arguments")
+        if function is None or arguments is None:
+            return facts.Opaque("a call", span)
+        if function.type == "field_expression":
+            return self._method_call(function, arguments, span)
+        if function.type == "primitive_type":  # int(x)
+            values = self.lower_all(arguments.named_children)
+            return values[0] if len(values) == 1 else facts.Opaque("a value", span)
+        if function.type in ("identifier", "template_function", "qualified_identifier", "dependent_name"):
+            return self._function_call(self.names.parts(function), function, arguments, span)
+        return facts.Call(self.lower(function), given(self.lower_all(arguments.named_children)), span)
+
+    def _method_call(self, function: Node, arguments: Node, span: Span) -> Expr:
+        owner, field = function.child_by_field_name("argument"), function.child_by_field_name("field")
+        if owner is None or field is None:
+            return facts.Opaque("a call", span)
+        value = self.lower(owner)
+        part = self.names.parts(field)[-1]
+        return self._on(value, part, arguments, span, self.source.span(function))
+
+    def _on(self, value: Expr, part: Part, arguments: Node, span: Span, function_span: Span) -> Expr:
+        """A method of a value."""
+        values, name = self.lower_all(arguments.named_children), part.name
+        if name in calls.NODE_INTERFACES:
+            return value
+        types = [self.lower(argument) for argument in part.arguments]
+        created = calls.method(value, name, types, values, span)
+        if created is not None:
+            return created
+        if not values:
+            plain = self._without_arguments(value, name, span)
+            if plain is not None:
+                return plain
+        of_parameter = self._parameter_call(value, name, part, values, span)
+        if of_parameter is not None:
+            return of_parameter
+        renamed = f"with_{name}" if name in _POLICIES and len(values) == 1 else _LIST_METHODS.get(name, name)
+        method = facts.Attribute(value, renamed, function_span)
+        if name == "at" and len(values) == 1:
+            return facts.Subscript(value, values[0], span)
+        return facts.Call(method, given(values), span)
+
+    def _without_arguments(self, value: Expr, name: str, span: Span) -> Expr | None:
+        if name in _PARAMETER_VALUES:
+            return facts.Attribute(value, "value", span)
+        if name == "get" and isinstance(value, facts.Attribute) and value.attr == "value":
+            return value  # the value of a parameter has been taken already
+        if name in _ITSELF:
+            return value
+        if name == "size" or name == "length":
+            return facts.Call(facts.Name("len", span), given([value]), span)
+        if name == "empty":
+            return facts.Unary("not", value, span)
+        return None
+
+    def _parameter_call(self, value: Expr, name: str, part: Part, values: Sequence[Expr], span: Span) -> Expr | None:
+        """Declaring and reading parameters: C++ hands out values, or writes them into variables."""
+        if name == "declare_parameter" and values:
+            default = self._default(part, values[1:2], span)
+            declared = facts.Call(facts.Attribute(value, name, span), given([values[0], *default]), span)
+            return facts.Attribute(declared, "value", span)
+        if name == "get_parameter" and len(values) == 2:
+            read = facts.Call(facts.Attribute(value, name, span), given(values[:1]), span)
+            self._write(values[1], facts.Attribute(read, "value", span), span)
+            return facts.Opaque("whether there is such a parameter", span)
+        if name in ("get_parameter_or", "param") and len(values) == 3:
+            other = facts.Call(self.names.library("rclcpp.Parameter", span), calls.parameter(values), span)
+            read = facts.Call(facts.Attribute(value, "get_parameter_or", span), given([values[0], other]), span)
+            self._write(values[1], facts.Attribute(read, "value", span), span)
+            return facts.Opaque("whether there is such a parameter", span)
+        return None
+
+    def _default(self, part: Part, values: Sequence[Expr], span: Span) -> list[Expr]:
+        """The default of a parameter, as its type takes it, or where there is none the type.
+
+        Source: ``rclcpp/node_impl.hpp``, ``declare_parameter<ParameterT>``.
+        """
+        of_type = self.source.text(part.arguments[0]).removeprefix("std::") if part.arguments else ""
+        if not values:
+            word = _PARAMETER_TYPES.get(of_type)
+            kind = self.names.library("rclcpp.Parameter", span)
+            return [] if word is None else [facts.Attribute(facts.Attribute(kind, "Type", span), word, span)]
+        number = values[0].number
+        if number is not None and of_type in ("float", "double"):
+            return [facts.Literal(float(number), span)]
+        if number is not None and _PARAMETER_TYPES.get(of_type) == "INTEGER":
+            return [facts.Literal(int(number), span)]
+        return [values[0]]
+
+    def _write(self, target: Expr, value: Expr, span: Span) -> None:
+        """A call writes into its argument."""
+        self.note_assigned(target)
+        self.before.append(facts.Assign([target], value, span))
+
+    def _function_call(self, parts: list[Part], function: Node, arguments: Node, span: Span) -> Expr:
+        parts = self.names.written(parts)
+        path, last = self.names.path(parts), parts[-1]
+        if path:
+            return self._library_call(path, last, arguments, span)
+        if last.name in ("make_shared", "make_unique") and len(parts) > 1:
+            return self.construct_parts(parts[:-1], arguments, span)
+        if len(parts) == 1 and not self.names.is_variable(last.name):
+            if self.names.is_in_method and (last.name in calls.METHODS or last.name in _OF_NODE):
+                return self._on(facts.Name("self", span), last, arguments, span, self.source.span(function))
+            if last.name in calls.NODE_INTERFACES:
+                return facts.Name("self", span)
+        if last.name == "RCLCPP_COMPONENTS_REGISTER_NODE" and arguments.named_child_count:
+            plugin = facts.Literal("".join(self.source.text(arguments.named_children[0]).split()), span)
+            return facts.Call(facts.Name(last.name, span), given([plugin]), span)
+        types = [self.lower(argument) for argument in last.arguments]
+        values = self.lower_all(arguments.named_children)
+        called = self.names.resolve(parts, self.source.span(function))
+        if isinstance(called, facts.Attribute) and len(parts) > 1:  # Base::method(…), on this very object
+            if last.name in calls.METHODS or last.name in _OF_NODE:
+                return self._on(facts.Name("self", span), last, arguments, span, self.source.span(function))
+            values = [self._itself(span), *values]
+        return facts.Call(called, given([*types, *values]), span)
+
+    def _itself(self, span: Span) -> Expr:
+        return facts.Name("self", span) if self.names.is_in_method else facts.Opaque("no object", span)
+
+    def _library_call(self, path: str, last: Part, arguments: Node, span: Span) -> Expr:
+        if path in MAKERS:
+            return self.construct(last.arguments[0], arguments, span) if last.arguments else facts.Opaque(path, span)
+        if path.endswith((".make_shared", ".make_unique")):
+            return self.constructed(path.rpartition(".")[0], last, arguments, span)
+        if path == "std.bind":
+            return self._bound(arguments, span)
+        owner = path.rpartition(".")[0]
+        if owner in ("rclcpp.Node", "rclcpp_lifecycle.LifecycleNode") and self.names.is_in_method:
+            return self._on(facts.Name("self", span), last, arguments, span, span)
+        values = self.lower_all(arguments.named_children)
+        if path in SAME:
+            return values[0] if values else facts.Opaque(path, span)
+        if path in DURATIONS or path == "std.chrono.duration":
+            return _seconds(values, DURATIONS.get(path, 1.0), span)
+        types = [self.lower(argument) for argument in last.arguments]
+        if path in calls.FREE and values:
+            created = calls.method(values[0], calls.FREE[path], types, values[1:], span)
+            return created or facts.Opaque(path, span)
+        if path in ("rclcpp.init", "rclcpp.shutdown"):
+            return facts.Call(self.names.library(path, span), [], span)
+        if path in ("rclcpp.create_timer", "rclcpp.create_wall_timer"):
+            return calls.free_timer(path, values, span)
+        if path in ("rclcpp_action.create_server", "rclcpp_action.create_client"):
+            return calls.action(self.names.library(path, span), path.endswith("server"), types, values, span)
+        if path in ("fmt.format", "std.format") and values:
+            return facts.Call(facts.Attribute(values[0], "format", span), given(values[1:]), span)
+        return self.constructed(path, last, arguments, span, values)
+
+    # ------------------------------------------------------------------------------- functions as values
+
+    def _bound(self, arguments: Node, span: Span) -> Expr:
+        """``std::bind(&Talker::on_timer, this, _1)``: the method of that object."""
+        nodes = [argument for argument in arguments.named_children if argument.type != "comment"]
+        if not nodes:
+            return facts.Opaque("std::bind", span)
+        pointed = nodes[0].child_by_field_name("argument") if nodes[0].type == "pointer_expression" else None
+        function, rest = self.lower(nodes[0]), self.lower_all(nodes[1:])
+        if pointed is not None and pointed.type == "qualified_identifier" and rest:
+            name = self.names.parts(pointed)[-1].name
+            function, rest = facts.Attribute(rest[0], name, self.source.span(nodes[0])), rest[1:]
+        extra = [value for value in rest if not _is_placeholder(value)]
+        if not extra:
+            return function
+        partial = self.names.library("functools.partial", span)
+        return facts.Call(partial, given([function, *extra]), span)
+
+    # ------------------------------------------------------------------------------------------- lambdas
+
+    def _lambda(self, node: Node, span: Span) -> Expr:
+        """A function of its own in front of the statement, and its name."""
+        declarator, body = node.child_by_field_name("declarator"), node.child_by_field_name("body")
+        name = f"lambda_{span[0]}_{span[1]}"
+        owner = self.names.scopes[0].owner if self.names.scopes else None
+        outer, self.before = self.before, []
+        with self.names.function(FunctionScope(owner, is_lambda=True)) as scope:
+            params = [] if declarator is None else self.parameters(declarator)
+            block = [] if body is None else self.body(body)
+        self.before = outer
+        shared = sorted(scope.assigned - scope.variables)
+        for name_of_outer in shared:
+            self.note_assigned(facts.Name(name_of_outer, span))
+        statements: list[Stmt] = [facts.Global("nonlocal", shared)] if shared else []
+        self.before.append(facts.Function(name, params, [*statements, *block], [], None, False, False, span, span))
+        self.names.declare(name)
+        return facts.Name(name, span)
+
+    def parameters(self, declarator: Node) -> list[Param]:
+        """The parameters of a function."""
+        raise NotImplementedError
+
+    def body(self, node: Node) -> list[Stmt]:
+        """The statements of a function."""
+        raise NotImplementedError
+
+
+_OF_NODE = frozenset({"declare_parameter", "get_parameter", "get_parameter_or", "has_parameter", "set_parameter"})
+"""Other methods of a node whose arguments are changed here."""
+
+
+_PARAMETER_TYPES = {
+    **{"string": "STRING", "bool": "BOOL", "float": "DOUBLE", "double": "DOUBLE"},
+    **dict.fromkeys(("int", "int64_t", "int32_t", "long", "uint16_t", "uint32_t", "size_t"), "INTEGER"),
+    "vector<std::string>": "STRING_ARRAY",
+    "vector<double>": "DOUBLE_ARRAY",
+    "vector<int64_t>": "INTEGER_ARRAY",
+    "vector<bool>": "BOOL_ARRAY",
+}
+"""The types of parameters by those of C++, without ``std::`` in front."""
+
+
+def _is_placeholder(value: Expr) -> bool:
+    name = value.last_name or getattr(value, "name", "")
+    return name.startswith("_") and name[1:].isdigit()
+
+
+def _seconds(values: Sequence[Expr], unit: float, span: Span) -> Expr:
+    """A duration as a number of seconds."""
+    if len(values) != 1:
+        return facts.Opaque("a duration", span)
+    number = values[0].number
+    if number is not None:
+        return facts.Literal(number * unit, span)
+    return values[0] if unit == 1.0 else facts.Binary("*", values[0], facts.Literal(unit, span), span)
+
+
+__all__ = ["CallLowering"]

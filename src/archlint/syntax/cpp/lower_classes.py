@@ -1,0 +1,143 @@
+"""Classes and enums of C++ lowered to :mod:`archlint.syntax.facts`."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from archlint.syntax import facts
+from archlint.syntax.cpp.declared import declared
+from archlint.syntax.cpp.lower_expressions import given
+from archlint.syntax.cpp.lower_functions import BASES, FIELDS, FunctionLowering, function_declarator
+from archlint.syntax.cpp.names import FunctionScope, Names
+
+if TYPE_CHECKING:
+    from tree_sitter import Node
+
+    from archlint.syntax.cpp.source import SourceText
+    from archlint.syntax.facts import Expr, Span, Stmt
+
+
+class ClassLowering(FunctionLowering):
+    """Lowers classes, too."""
+
+    def __init__(self, source: SourceText, names: Names) -> None:
+        super().__init__(source, names)
+        self._statements |= {
+            "class_specifier": self._class,
+            "struct_specifier": self._class,
+            "enum_specifier": self._enum,
+        }
+
+    def _class(self, node: Node, body: list[Stmt]) -> None:
+        name, block = node.child_by_field_name("name"), node.child_by_field_name("body")
+        if name is None or block is None:
+            return
+        own, span = self.names.parts(name)[-1].name, self.source.span(node)
+        outer, self._template_parameters = self._template_parameters, []
+        bases = [child for child in node.named_children if child.type == "base_class_clause"]
+        written = [self.lower(base) for clause in bases for base in clause.named_children if base.type in _TYPES]
+        inner, fields, has_constructor = self._members(block, own)
+        inner.append(self._method(FIELDS, [], fields, span))
+        inner.append(self._method(BASES, [], self._plain_bases(written, span), span))
+        if not has_constructor:
+            inner.append(self._default_constructor(own, span))
+        self._template_parameters = outer
+        body.append(facts.Class(own, given(written), inner, [], span, self.source.span(name)))
+
+    def _members(self, block: Node, own: str) -> tuple[list[Stmt], list[Stmt], bool]:
+        """The statements of a class body, those that set its fields, and whether it declares a constructor."""
+        inner: list[Stmt] = []
+        fields: list[Stmt] = []
+        has_constructor = False
+        for member in _members_of(block):
+            match member.type:
+                case "field_declaration" | "declaration":
+                    has_constructor |= self._is_constructor(member, own)
+                    self._field_declaration(member, own, inner, fields)
+                case "function_definition":
+                    has_constructor |= self._is_constructor(member, own)
+                    self._function_of(member, own, inner)
+                case "template_declaration":
+                    for child in member.named_children:
+                        if child.type == "function_definition":
+                            has_constructor |= self._is_constructor(child, own)
+                            self._function_of(child, own, inner)
+                case _:
+                    self.statement(member, inner)
+        return inner, fields, has_constructor
+
+    def _is_constructor(self, node: Node, own: str) -> bool:
+        declarator = function_declarator(node)
+        name = None if declarator is None else declarator.child_by_field_name("declarator")
+        return name is not None and self.source.text(name) == own
+
+    def _field_declaration(self, node: Node, own: str, inner: list[Stmt], fields: list[Stmt]) -> None:
+        kind = node.child_by_field_name("type")
+        if kind is not None and kind.type in ("class_specifier", "struct_specifier", "enum_specifier"):
+            self.statement(kind, inner)
+        is_static = any(child.type == "storage_class_specifier" and child.text == b"static" for child in node.children)
+        with self.names.function(FunctionScope(own)):
+            for variable in declared(node, self.names, self.source):
+                if variable.is_function or not variable.name:
+                    continue
+                outer, self.before = self.before, []
+                value = self._initial(variable, kind)
+                span = self.source.span(node)
+                if is_static and variable.value is None:
+                    self.before = outer
+                    continue  # its definition stands elsewhere
+                target = facts.Name(variable.name, variable.span)
+                if is_static:
+                    inner.extend((*self.before, facts.Assign([target], value, span)))
+                else:
+                    of_self = facts.Attribute(facts.Name("self", span), variable.name, variable.span)
+                    fields.extend((*self.before, facts.Assign([of_self], value, span)))
+                self.before = outer
+
+    def _default_constructor(self, own: str, span: Span) -> Stmt:
+        """What C++ makes for a class without a constructor."""
+        return self._method("__init__", [], [self._calls(own, FIELDS, span), self._calls(own, BASES, span)], span)
+
+    def _plain_bases(self, bases: list[Expr], span: Span) -> list[Stmt]:
+        return [
+            facts.Expression(
+                facts.Call(facts.Attribute(base, "__init__", span), given([facts.Name("self", span)]), span), span
+            )
+            for base in bases
+            if not isinstance(base, facts.Opaque)
+        ]
+
+    def _enum(self, node: Node, body: list[Stmt]) -> None:
+        """Numbers by name; those of an enum without ``class`` stand beside it, too."""
+        name, block = node.child_by_field_name("name"), node.child_by_field_name("body")
+        if block is None:
+            return
+        span, number = self.source.span(node), 0
+        members: list[Stmt] = []
+        for child in block.named_children:
+            member = child.child_by_field_name("name") if child.type == "enumerator" else None
+            if member is None:
+                continue
+            value = child.child_by_field_name("value")
+            lowered = facts.Literal(number, span) if value is None else self.lower(value)
+            number = int(lowered.number) + 1 if lowered.number is not None else number + 1
+            at = self.source.span(child)
+            members.append(facts.Assign([facts.Name(self.source.text(member), at)], lowered, at))
+        if name is not None:
+            own = self.source.text(name)
+            body.append(facts.Class(own, [], members, [], span, self.source.span(name)))
+        if not any(child.type in ("class", "struct") for child in node.children):
+            body.extend(members)
+
+
+def _members_of(block: Node) -> list[Node]:
+    """The members of a class, those behind conditions of the preprocessor, too."""
+    members: list[Node] = []
+    for node in block.named_children:
+        members.extend(_members_of(node) if node.type in ("preproc_if", "preproc_ifdef", "preproc_else") else [node])
+    return members
+
+
+_TYPES = frozenset({"type_identifier", "qualified_identifier", "template_type"})
+
+__all__ = ["ClassLowering"]

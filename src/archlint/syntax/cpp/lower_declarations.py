@@ -1,0 +1,165 @@
+"""Declarations of variables and names of types, lowered to :mod:`archlint.syntax.facts`."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from archlint.syntax import facts
+from archlint.syntax.cpp.declared import Declared, declared, is_pointer
+from archlint.syntax.cpp.known_names import MAPS, RMW_PROFILES, SEQUENCES, STREAMS
+from archlint.syntax.cpp.lower_calls import CallLowering
+from archlint.syntax.cpp.names import Part
+
+if TYPE_CHECKING:
+    from tree_sitter import Node
+
+    from archlint.syntax.facts import Expr, Span, Stmt
+
+
+class DeclarationLowering(CallLowering):
+    """Lowers declarations, too."""
+
+    def declaration(self, node: Node, body: list[Stmt]) -> None:
+        kind = node.child_by_field_name("type")
+        for variable in declared(node, self.names, self.source):
+            if not variable.name and not variable.bound:
+                continue
+            if variable.is_function and not (self.names.scopes and kind is not None and self._are_values(variable)):
+                continue
+            value = self._initial(variable, kind)
+            if variable.bound:
+                for name in variable.bound:
+                    self.names.declare(name)
+                target: Expr = facts.Sequence(
+                    "tuple", [facts.Name(n, variable.span) for n in variable.bound], variable.span
+                )
+            elif variable.owner:
+                target = facts.Attribute(facts.Name(variable.owner, variable.span), variable.name, variable.span)
+            else:
+                self.names.declare(variable.name)
+                target = facts.Name(variable.name, variable.span)
+            if not (variable.is_extern and variable.value is None):
+                body.append(facts.Assign([target], value, self.source.span(node)))
+
+    def _are_values(self, variable: Declared) -> bool:
+        """Whether what reads like the parameters of a function are arguments: ``rclcpp::Rate rate(hz);``."""
+        nodes = [] if variable.parameters is None else variable.parameters.named_children
+        if not nodes or any(node.type != "parameter_declaration" or node.named_child_count != 1 for node in nodes):
+            return False
+        variable.value = variable.parameters
+        return True
+
+    def _initial(self, variable: Declared, kind: Node | None) -> Expr:
+        """What a variable holds at first."""
+        parts = [] if kind is None else self.names.written(self.names.parts(kind))
+        last = parts[-1] if parts else Part("")
+        value, span = variable.value, variable.span
+        if last.name in STREAMS and self.names.scopes:
+            self.names.scopes[-1].streams.add(variable.name)
+            return facts.Literal("", span)
+        if value is None:
+            return self.default_of(parts, variable, span)
+        if value.type in ("argument_list", "initializer_list", "parameter_list"):
+            return self._braced(variable, parts, kind, value, span)
+        lowered = self.lower(value)
+        if isinstance(lowered, facts.Name) and lowered.id in RMW_PROFILES:  # a copy, which may be changed
+            return facts.Call(self.names.library("copy.copy", span), [facts.Argument(lowered)], span)
+        return lowered
+
+    def _braced(self, variable: Declared, parts: list[Part], kind: Node | None, value: Node, span: Span) -> Expr:
+        """``T name(…)`` and ``T name{…}``."""
+        last = parts[-1] if parts else Part("")
+        inner = [child for child in value.named_children if child.type != "comment"]
+        if last.name in MAPS:
+            return self.mapping(value, span)
+        if last.name in SEQUENCES or variable.is_array:
+            return self.lower(value) if value.type == "initializer_list" else facts.Opaque("a list", span)
+        smart = last.name in ("shared_ptr", "unique_ptr", "optional", "atomic") or last.name.endswith("Ptr")
+        plain = kind is None or kind.type in ("primitive_type", "sized_type_specifier", "placeholder_type_specifier")
+        if smart or plain or is_pointer(parts):
+            return (
+                self.lower(inner[0])
+                if len(inner) == 1
+                else facts.Literal(None, span)
+                if smart
+                else facts.Opaque("a value", span)
+            )
+        assert kind is not None
+        return self.construct(kind, value, span)
+
+    def default_of(self, parts: list[Part], variable: Declared, span: Span) -> Expr:
+        """What a variable or field holds that nothing is assigned to."""
+        last = parts[-1].name if parts else ""
+        if variable.is_pointer or last in ("shared_ptr", "unique_ptr", "weak_ptr", "optional") or is_pointer(parts):
+            return facts.Literal(None, span)
+        if last in SEQUENCES and not variable.is_array:
+            return facts.Sequence("list", [], span)
+        if last in MAPS:
+            return facts.Mapping([], [], span)
+        if last in _DEFAULT_MADE or self.names.path(parts) in _DEFAULT_MADE:
+            return self.construct_parts(parts, None, span)
+        path = self.names.path(parts)
+        is_made = bool(parts) and not path and len(parts[-1].name) > 1 and self._is_own_class(parts)
+        return self.construct_parts(parts, None, span) if is_made else facts.Opaque("a variable without a value", span)
+
+    def _is_own_class(self, parts: list[Part]) -> bool:
+        """Whether a type is a class of this file, or a message: those are made without arguments."""
+        return parts[-1].name in self.names.classes or any(part.name == "msg" for part in parts[:-1])
+
+    def mapping(self, node: Node, span: Span) -> Expr:
+        """``{{"a", 1}, {"b", 2}}`` of a map."""
+        pairs = [child.named_children for child in node.named_children if child.type == "initializer_list"]
+        if any(len(pair) != 2 for pair in pairs) or len(pairs) != len(
+            [c for c in node.named_children if c.type != "comment"]
+        ):
+            return facts.Opaque("a map", span)
+        return facts.Mapping([self.lower(key) for key, _ in pairs], [self.lower(value) for _, value in pairs], span)
+
+    def alias(self, node: Node, body: list[Stmt]) -> None:
+        name, kind = node.child_by_field_name("name"), node.child_by_field_name("type")
+        if name is not None and kind is not None:
+            self._name_type(self.source.text(name), kind, self.source.span(node), body)
+
+    def typedef(self, node: Node, body: list[Stmt]) -> None:
+        name, kind = node.child_by_field_name("declarator"), node.child_by_field_name("type")
+        if name is not None and kind is not None and name.type == "type_identifier":
+            self._name_type(self.source.text(name), kind, self.source.span(node), body)
+
+    def _name_type(self, name: str, kind: Node, span: Span, body: list[Stmt]) -> None:
+        """A name for a type: inside the file it stands for it, outside it is a variable that holds it."""
+        parts = self.names.written(self.names.parts(kind))
+        if not parts or any(part.arguments for part in parts):
+            self.names.declare(name)
+            body.append(facts.Assign([facts.Name(name, span)], facts.Opaque("a type", span), span))
+            return
+        value = self.names.resolve(parts, span)
+        self.names.aliases[name] = [part.name for part in parts]
+        body.append(facts.Assign([facts.Name(name, span)], value, span))
+
+    def using(self, node: Node, body: list[Stmt]) -> None:
+        names = [part.name for child in node.named_children for part in self.names.parts(child)]
+        if any(child.type == "namespace" for child in node.children):
+            self.names.opened.append(names)
+        elif len(names) > 1:
+            self.names.aliases[names[-1]] = names
+            span = self.source.span(node)
+            parts = [Part(name) for name in names]
+            value = self.names.resolve(parts, span)
+            if not self.names.scopes and not (isinstance(value, facts.Name) and value.id == names[-1]):
+                body.append(facts.Assign([facts.Name(names[-1], span)], value, span))
+
+    def namespace_alias(self, node: Node, body: list[Stmt]) -> None:
+        name, *rest = [part for child in node.named_children for part in self.names.parts(child)]
+        if rest:
+            self.names.aliases[name.name] = [part.name for part in rest]
+
+
+_DEFAULT_MADE = frozenset(
+    {
+        *("rclcpp.executors.SingleThreadedExecutor", "rclcpp.executors.MultiThreadedExecutor"),
+        *("rclcpp.executors.StaticSingleThreadedExecutor", "rclcpp.SensorDataQoS", "rclcpp.SystemDefaultsQoS"),
+        *("rclcpp.ServicesQoS", "rclcpp.NodeOptions"),
+    }
+)
+
+__all__ = ["DeclarationLowering"]

@@ -1,0 +1,231 @@
+"""Expressions of C++ lowered to :mod:`archlint.syntax.facts`."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
+
+from archlint.syntax import facts
+from archlint.syntax.cpp.literals import SECONDS, character_of, number_of, text_of
+from archlint.syntax.cpp.names import Names
+from archlint.syntax.expressions import BooleanOperator
+from archlint.syntax.facts import Argument
+
+if TYPE_CHECKING:
+    from tree_sitter import Node
+
+    from archlint.syntax.cpp.source import SourceText
+    from archlint.syntax.facts import Expr, Span, Stmt
+
+MAX_DEPTH = 150
+"""Deepest nesting of expressions that is kept."""
+
+_BINARY: dict[str, facts.BinaryOperator] = {
+    **{"+": "+", "-": "-", "*": "*", "/": "/", "%": "%"},
+    **{"<<": "<<", ">>": ">>", "&": "&", "|": "|", "^": "^"},
+}
+_COMPARE: dict[str, facts.CompareOperator] = {"==": "==", "!=": "!=", "<": "<", "<=": "<=", ">": ">", ">=": ">="}
+
+
+class ExpressionLowering:
+    """Lowers the expressions of one file."""
+
+    def __init__(self, source: SourceText, names: Names) -> None:
+        self.source = source
+        self.names = names
+        self.before: list[Stmt] = []
+        """What has to stand in front of the statement that is being lowered: the functions that lambdas are, and what
+        calls write into their arguments."""
+        self._depth = 0
+        self._kinds: dict[str, Callable[[Node, Span], Expr]] = {
+            "string_literal": self._string,
+            "raw_string_literal": self._string,
+            "concatenated_string": self._concatenated,
+            "number_literal": self._number,
+            "char_literal": self._character,
+            "user_defined_literal": self._with_suffix,
+            "true": lambda node, span: facts.Literal(True, span),
+            "false": lambda node, span: facts.Literal(False, span),
+            "null": lambda node, span: facts.Literal(None, span),
+            "nullptr": lambda node, span: facts.Literal(None, span),
+            "this": lambda node, span: facts.Name("self", span),
+            "identifier": self._identifier,
+            "field_identifier": self._identifier,
+            "type_identifier": self._identifier,
+            "qualified_identifier": self._qualified,
+            "template_function": self._qualified,
+            "template_type": self._qualified,
+            "type_descriptor": self._qualified,
+            "dependent_name": self._qualified,
+            "field_expression": self._field,
+            "subscript_expression": self._subscript,
+            "binary_expression": self._binary,
+            "unary_expression": self._unary,
+            "pointer_expression": self._pointer,
+            "parenthesized_expression": self._inner,
+            "condition_clause": self._condition,
+            "conditional_expression": self._conditional,
+            "assignment_expression": self._assignment,
+            "cast_expression": self._cast,
+            "initializer_list": self._list,
+            "comma_expression": self._comma,
+            "parameter_declaration": self._inner,
+        }
+
+    def lower(self, node: Node) -> Expr:
+        """The value of an expression; what is not understood is opaque."""
+        lowering = self._kinds.get(node.type)
+        span = self.source.span(node)
+        if lowering is None or self._depth >= MAX_DEPTH:
+            return facts.Opaque(node.type.replace("_", " "), span)
+        self._depth += 1
+        try:
+            return lowering(node, span)
+        finally:
+            self._depth -= 1
+
+    def lower_all(self, nodes: Sequence[Node]) -> list[Expr]:
+        return [self.lower(node) for node in nodes if node.type != "comment"]
+
+    def lower_field(self, node: Node, name: str) -> Expr:
+        """A part of a node, by the name that the grammar has for it."""
+        part = node.child_by_field_name(name)
+        return facts.Opaque(node.type.replace("_", " "), self.source.span(node)) if part is None else self.lower(part)
+
+    # ------------------------------------------------------------------------------------------- literals
+
+    def _string(self, node: Node, span: Span) -> Expr:
+        text = text_of(self.source.text(node))
+        return facts.Opaque("a text", span) if text is None else facts.Literal(text, span)
+
+    def _concatenated(self, node: Node, span: Span) -> Expr:
+        parts = [self.lower(child) for child in node.named_children if child.type != "comment"]
+        texts = [part.text for part in parts]
+        if None not in texts:
+            return facts.Literal("".join(text or "" for text in texts), span)
+        fields: list[str | facts.Field] = [part.text or facts.Field(part) for part in parts]
+        return facts.FormatString(fields, span)
+
+    def _number(self, node: Node, span: Span) -> Expr:
+        number = number_of(self.source.text(node))
+        return facts.Opaque("a number", span) if number is None else facts.Literal(number, span)
+
+    def _character(self, node: Node, span: Span) -> Expr:
+        character = character_of(self.source.text(node))
+        return facts.Opaque("a character", span) if character is None else facts.Literal(character, span)
+
+    def _with_suffix(self, node: Node, span: Span) -> Expr:
+        """``500ms`` is a number of seconds, ``"text"s`` a text."""
+        value, suffix = node.named_children[0], self.source.text(node.named_children[-1])
+        if value.type in ("string_literal", "raw_string_literal"):
+            return self.lower(value) if suffix in ("s", "sv") else facts.Opaque("a literal", span)
+        number = number_of(self.source.text(value))
+        if number is None or suffix not in SECONDS:
+            return facts.Opaque("a literal", span)
+        return facts.Literal(number * SECONDS[suffix], span)
+
+    # --------------------------------------------------------------------------------------------- names
+
+    def _identifier(self, node: Node, span: Span) -> Expr:
+        return self.names.plain(self.source.text(node), span)
+
+    def _qualified(self, node: Node, span: Span) -> Expr:
+        return self.names.resolve(self.names.parts(node), span)
+
+    def _field(self, node: Node, span: Span) -> Expr:
+        field = node.child_by_field_name("field")
+        value = self.lower_field(node, "argument")
+        if field is None:
+            return value
+        return facts.Attribute(value, self.names.parts(field)[-1].name, span)
+
+    # ------------------------------------------------------------------------------------------ operators
+
+    def _subscript(self, node: Node, span: Span) -> Expr:
+        value, indices = self.lower_field(node, "argument"), node.child_by_field_name("indices")
+        values = [] if indices is None else self.lower_all(indices.named_children)
+        return facts.Subscript(value, values[0], span) if len(values) == 1 else facts.Opaque("an item", span)
+
+    def _binary(self, node: Node, span: Span) -> Expr:
+        operator = node.child_by_field_name("operator")
+        word = "" if operator is None else self.source.text(operator)
+        left, right = self.lower_field(node, "left"), self.lower_field(node, "right")
+        if word in _COMPARE:
+            return facts.Compare(left, [_COMPARE[word]], [right], span)
+        if word in ("&&", "||", "and", "or"):
+            joined: BooleanOperator = "and" if word in ("&&", "and") else "or"
+            flat = left.values if isinstance(left, facts.Boolean) and left.op == joined else [left]
+            return facts.Boolean(joined, [*flat, right], span)
+        if word in _BINARY:
+            return facts.Binary(_BINARY[word], left, right, span)
+        return facts.Opaque(f"the operator {word}", span)
+
+    def _unary(self, node: Node, span: Span) -> Expr:
+        operator = node.child_by_field_name("operator")
+        value = self.lower_field(node, "argument")
+        match "" if operator is None else self.source.text(operator):
+            case "!" | "not":
+                return facts.Unary("not", value, span)
+            case "-":
+                return facts.Unary("-", value, span)
+            case "+":
+                return value
+            case "~":
+                return facts.Unary("~", value, span)
+        return facts.Opaque("an operator", span)
+
+    def _pointer(self, node: Node, span: Span) -> Expr:
+        """``*x`` and ``&x`` are what they point to, to those who ask for names."""
+        return self.lower_field(node, "argument")
+
+    def _inner(self, node: Node, span: Span) -> Expr:
+        inner = [child for child in node.named_children if child.type != "comment"]
+        return self.lower(inner[0]) if len(inner) == 1 else facts.Opaque("an expression", span)
+
+    def _condition(self, node: Node, span: Span) -> Expr:
+        value = node.child_by_field_name("value")
+        if value is None or value.type == "declaration":
+            return facts.Opaque("a condition", span)
+        return self.lower(value)
+
+    def _conditional(self, node: Node, span: Span) -> Expr:
+        test = self.lower_field(node, "condition")
+        return facts.Conditional(
+            test, self.lower_field(node, "consequence"), self.lower_field(node, "alternative"), span
+        )
+
+    def _assignment(self, node: Node, span: Span) -> Expr:
+        """An assignment inside an expression."""
+        target, value = self.lower_field(node, "left"), self.lower_field(node, "right")
+        operator = node.child_by_field_name("operator")
+        self.note_assigned(target)
+        if operator is not None and self.source.text(operator) != "=":
+            return facts.Opaque("an assignment", span)
+        return facts.Assigned(target, value, span) if is_target(target) else value
+
+    def note_assigned(self, target: Expr) -> None:
+        """A variable is assigned by the function that is being lowered."""
+        if isinstance(target, facts.Name) and self.names.scopes:
+            self.names.scopes[-1].assigned.add(target.id)
+
+    def _cast(self, node: Node, span: Span) -> Expr:
+        return self.lower_field(node, "value")
+
+    def _list(self, node: Node, span: Span) -> Expr:
+        return facts.Sequence("list", self.lower_all(node.named_children), span)
+
+    def _comma(self, node: Node, span: Span) -> Expr:
+        return self.lower_field(node, "right")
+
+
+def is_target(value: Expr) -> bool:
+    """Whether something can be assigned to."""
+    return isinstance(value, (facts.Name, facts.Implicit, facts.Attribute, facts.Subscript))
+
+
+def given(values: Sequence[Expr]) -> list[Argument]:
+    """Arguments without keywords."""
+    return [Argument(value) for value in values]
+
+
+__all__ = ["ExpressionLowering", "given", "is_target"]

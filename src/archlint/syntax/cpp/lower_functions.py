@@ -1,0 +1,185 @@
+"""Functions, methods and constructors of C++ lowered to :mod:`archlint.syntax.facts`."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from archlint.syntax import facts
+from archlint.syntax.cpp import calls
+from archlint.syntax.cpp.declared import declared
+from archlint.syntax.cpp.known_names import IN_PYTHON
+from archlint.syntax.cpp.lower_expressions import given
+from archlint.syntax.cpp.lower_statements import StatementLowering
+from archlint.syntax.cpp.names import FunctionScope, Names, Part
+
+if TYPE_CHECKING:
+    from tree_sitter import Node
+
+    from archlint.syntax.cpp.source import SourceText
+    from archlint.syntax.facts import Expr, Param, Span, Stmt
+
+FIELDS = "__fields__"
+"""The method that gives the fields of a class their first values."""
+BASES = "__bases__"
+"""The method that makes the bases of a class where its constructor says nothing of them."""
+
+
+class FunctionLowering(StatementLowering):
+    """Lowers functions, too."""
+
+    def __init__(self, source: SourceText, names: Names) -> None:
+        super().__init__(source, names)
+        self._statements |= {"function_definition": self._function}
+        self._template_parameters: list[str] = []
+
+    def _function(self, node: Node, body: list[Stmt]) -> None:
+        """A function, or a method that is defined outside of its class."""
+        declarator = function_declarator(node)
+        name = None if declarator is None else declarator.child_by_field_name("declarator")
+        if name is None:
+            return
+        parts = self.names.parts(name)
+        owner = parts[-2].name if len(parts) > 1 else ""
+        if owner and (owner in self.names.classes or owner not in self.names.namespaces):
+            function = self._defined(node, owner, parts[-1], f"{owner}::{parts[-1].name}")
+            if function is None:
+                return
+            attribute = "__init__" if parts[-1].name == owner else parts[-1].name
+            span = function.span
+            target = facts.Attribute(facts.Name(owner, span), attribute, span)
+            body.extend((function, facts.Assign([target], facts.Name(function.name, span), span)))
+        else:
+            function = self._defined(node, None, parts[-1], parts[-1].name)
+            if function is not None:
+                body.append(function)
+
+    def _function_of(self, node: Node, own: str, inner: list[Stmt]) -> None:
+        """A method that is defined inside its class."""
+        declarator = function_declarator(node)
+        name = None if declarator is None else declarator.child_by_field_name("declarator")
+        if name is None:
+            return
+        part = self.names.parts(name)[-1]
+        function = self._defined(node, own, part, "__init__" if part.name == own else part.name)
+        if function is not None:
+            inner.append(function)
+
+    def _defined(self, node: Node, owner: str | None, part: Part, name: str) -> facts.Function | None:
+        """A function with its body; None for one that is deleted, and for destructors and operators."""
+        declarator, block = function_declarator(node), node.child_by_field_name("body")
+        is_default = any(child.type == "default_method_clause" for child in node.named_children)
+        if declarator is None or part.name.startswith(("~", "operator")) or (block is None and not is_default):
+            return None
+        if block is not None and block.type == "try_statement":
+            block = block.child_by_field_name("body")
+        span = self.source.span(node)
+        name_node = declarator.child_by_field_name("declarator") or node
+        with self.names.function(FunctionScope(owner)) as scope:
+            scope.variables.update(self._template_parameters)
+            params = self.parameters(declarator)
+            body = self._initialised(node, owner, span) if owner is not None and part.name == owner else []
+            body += [] if block is None else self.block(block.named_children)
+        first = [facts.Param("self", "normal")] if owner is not None else []
+        types = [facts.Param(type_name, "normal") for type_name in self._template_parameters]
+        return facts.Function(
+            name, [*first, *types, *params], body, [], None, False, False, span, self.source.span(name_node)
+        )
+
+    def parameters(self, declarator: Node) -> list[Param]:
+        listed = declarator.child_by_field_name("parameters")
+        params: list[Param] = []
+        named = declarator.child_by_field_name("declarator")
+        is_main = named is not None and self.source.text(named) == "main"
+        for node in [] if listed is None else listed.named_children:
+            if node.type not in ("parameter_declaration", "optional_parameter_declaration"):
+                continue
+            variables = declared(node, self.names, self.source)
+            kind = node.child_by_field_name("type")
+            if not variables and kind is not None and self.source.text(kind) == "void":
+                continue
+            name = variables[0].name if variables and variables[0].name else f"_unnamed{len(params)}"
+            value = node.child_by_field_name("default_value")
+            default = None if value is None else self.lower(value)
+            if is_main:
+                default = facts.Opaque("the command line", self.source.span(node))
+            self.names.declare(name)
+            annotation = None if kind is None else self.names.resolve(self.names.parts(kind), self.source.span(kind))
+            params.append(facts.Param(name, "normal", default, annotation if _is_type(annotation) else None))
+        return params
+
+    def _initialised(self, node: Node, owner: str | None, span: Span) -> list[Stmt]:
+        """What a constructor does before its body: the fields, the bases, the members of its list."""
+        assert owner is not None
+        body: list[Stmt] = []
+        clauses = [child for child in node.named_children if child.type == "field_initializer_list"]
+        names_bases = False
+        for row in [row for clause in clauses for row in clause.named_children if row.type == "field_initializer"]:
+            named = [child for child in row.named_children if child.type != "comment"]
+            if not named:
+                continue
+            outer, self.before = self.before, []
+            statement = self._initialiser(named[0], named[1] if len(named) > 1 else None, owner)
+            body.extend((*self.before, statement))
+            self.before = outer
+            if isinstance(statement, facts.Expression):
+                names_bases = True
+                if _calls_own(statement, owner):
+                    return body  # another constructor of the class does all of it
+        bases = [] if names_bases else [self._calls(owner, BASES, span)]
+        return [self._calls(owner, FIELDS, span), *bases, *body]
+
+    def _initialiser(self, name: Node, arguments: Node | None, owner: str) -> Stmt:
+        parts, span = self.names.written(self.names.parts(name)), self.source.span(name.parent or name)
+        last = parts[-1]
+        is_field = (
+            name.type == "field_identifier" and not last.name[:1].isupper() and last.name not in self.names.classes
+        )
+        itself = facts.Name("self", span)
+        if not is_field or len(parts) > 1 or last.name in self.names.aliases:
+            values = [] if arguments is None else self.lower_all(arguments.named_children)
+            path = self.names.path(parts)
+            base = self.names.resolve(parts, span)
+            is_node = IN_PYTHON.get(path, "").endswith("Node") or (not path and last.name in ("Node", "LifecycleNode"))
+            listed = calls.node_arguments(values, self.words) if is_node else given(values)
+            called = facts.Attribute(base, "__init__", span)
+            return facts.Expression(facts.Call(called, [facts.Argument(itself), *listed], span), span)
+        target = facts.Attribute(itself, last.name, span)
+        return facts.Assign([target], self._member_value(arguments, span), span)
+
+    def _member_value(self, arguments: Node | None, span: Span) -> Expr:
+        """What ``member(…)`` of a constructor's list sets; the type of the member is not known here."""
+        nodes = [] if arguments is None else [child for child in arguments.named_children if child.type != "comment"]
+        if len(nodes) == 1:
+            return self.lower(nodes[0])
+        return facts.Call(facts.Name("__member__", span), given(self.lower_all(nodes)), span)
+
+    def _method(self, name: str, params: list[Param], body: list[Stmt], span: Span) -> facts.Function:
+        of_self = facts.Param("self", "normal")
+        return facts.Function(name, [of_self, *params], body, [], None, False, False, span, span)
+
+    def _calls(self, own: str, method: str, span: Span) -> Stmt:
+        """A call of what a class does for each of its objects."""
+        call = facts.Call(facts.Attribute(facts.Name(own, span), method, span), given([facts.Name("self", span)]), span)
+        return facts.Expression(call, span)
+
+
+def function_declarator(node: Node) -> Node | None:
+    """The part of a definition that has the name and the parameters of a function."""
+    inner = node.child_by_field_name("declarator")
+    while inner is not None and inner.type in ("pointer_declarator", "reference_declarator"):
+        inner = inner.child_by_field_name("declarator") or next(
+            (child for child in inner.named_children if child.type.endswith("declarator")), None
+        )
+    return inner if inner is not None and inner.type == "function_declarator" else None
+
+
+def _calls_own(statement: facts.Expression, owner: str) -> bool:
+    call = statement.value
+    return isinstance(call, facts.Call) and call.func.dotted == f"{owner}.__init__"
+
+
+def _is_type(annotation: Expr | None) -> bool:
+    return isinstance(annotation, (facts.Name, facts.Attribute))
+
+
+__all__ = ["BASES", "FIELDS", "FunctionLowering", "function_declarator"]

@@ -1,0 +1,103 @@
+"""New objects of C++ lowered to :mod:`archlint.syntax.facts`."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from archlint.syntax import facts
+from archlint.syntax.cpp import calls
+from archlint.syntax.cpp.known_names import IN_PYTHON
+from archlint.syntax.cpp.lower_expressions import ExpressionLowering, given
+from archlint.syntax.cpp.names import Names, Part
+from archlint.syntax.facts import Argument
+
+if TYPE_CHECKING:
+    from tree_sitter import Node
+
+    from archlint.syntax.cpp.source import SourceText
+    from archlint.syntax.facts import Expr, Span
+
+
+class ObjectLowering(ExpressionLowering):
+    """Lowers what makes objects, too."""
+
+    def __init__(self, source: SourceText, names: Names) -> None:
+        super().__init__(source, names)
+        self._kinds |= {"new_expression": self._new, "compound_literal_expression": self._compound}
+
+    def _new(self, node: Node, span: Span) -> Expr:
+        kind, arguments = node.child_by_field_name("type"), node.child_by_field_name("arguments")
+        return facts.Opaque("a new object", span) if kind is None else self.construct(kind, arguments, span)
+
+    def _compound(self, node: Node, span: Span) -> Expr:
+        """``Point{1, 2}``."""
+        kind = node.child_by_field_name("type")
+        return (
+            facts.Opaque("a value", span)
+            if kind is None
+            else self.construct(kind, node.child_by_field_name("value"), span)
+        )
+
+    def construct(self, kind: Node, arguments: Node | None, span: Span) -> Expr:
+        """An object of a type; ``arguments`` is a list in brackets or braces, None where there is none."""
+        return self.construct_parts(self.names.parts(kind), arguments, span)
+
+    def construct_parts(self, parts: list[Part], arguments: Node | None, span: Span) -> Expr:
+        """As :meth:`construct`, of a name in parts."""
+        parts = self.names.written(parts)
+        path = self.names.path(parts)
+        if path:
+            return self.constructed(path, parts[-1], arguments, span)
+        cls = self.names.resolve(parts, span)
+        values = [] if arguments is None else self.lower_all(arguments.named_children)
+        if isinstance(cls, facts.Name) and "::msg::" in cls.id:
+            values = []  # how a message is filled matters to nobody here
+        return facts.Call(cls, given(values), span)
+
+    def constructed(
+        self, path: str, last: Part, arguments: Node | None, span: Span, values: list[Expr] | None = None
+    ) -> Expr:
+        """An object of a library's class, or what its function gives."""
+        if values is None:
+            values = [] if arguments is None else self.lower_all(arguments.named_children)
+        mapped = IN_PYTHON.get(path, "")
+        function = self.names.library(path, span)
+        if mapped in ("rclpy.node.Node", "rclpy.lifecycle.node.LifecycleNode"):
+            return facts.Call(function, calls.node_arguments(values, self.words), span)
+        if mapped == "message_filters.Subscriber":
+            return self.filtered(last, values, span)
+        if mapped == "str":
+            if len(values) > 1:
+                return facts.Opaque("a text", span)
+            return values[0] if values and path == "std.string" else facts.Call(function, given(values), span)
+        if (
+            mapped.startswith("tf2_ros.")
+            and mapped.endswith("Listener")
+            and (len(values) < 2 or isinstance(values[1], facts.Literal))
+        ):
+            return facts.Opaque("a listener with a node of its own", span)
+        if mapped.endswith("Executor") and not mapped.endswith("MultiThreadedExecutor"):
+            values = []
+        if path == "rclcpp.Parameter":
+            return facts.Call(function, calls.parameter(values), span)
+        return facts.Call(function, given(values), span)
+
+    @property
+    def words(self) -> str:
+        """The text of the whole file."""
+        return self.source.data.decode("utf-8", "replace")
+
+    def filtered(self, last: Part, values: Sequence[Expr], span: Span) -> Expr:
+        """``message_filters::Subscriber<T>(node, "topic", qos)``."""
+        if not last.arguments or len(values) < 2:
+            return facts.Opaque("a subscriber without a topic", span)
+        kind = self.lower(last.arguments[0])
+        words = ("node", "topic", "qos_profile")
+        arguments = [Argument(value, word) for word, value in zip(words, values, strict=False)]
+        return facts.Call(
+            self.names.library("message_filters.Subscriber", span), [*arguments, Argument(kind, "msg_type")], span
+        )
+
+
+__all__ = ["ObjectLowering"]

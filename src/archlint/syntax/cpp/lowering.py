@@ -1,0 +1,152 @@
+"""A C++ file lowered to facts.
+
+What a class is in C++ it is in Python's words: a constructor is ``__init__``, which calls the ``__fields__`` of its own
+class first; a method that is defined outside of its class is set on it; what stands in a namespace stands in the file.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from archlint.syntax import facts
+from archlint.syntax.cpp.comments import find_suppressions
+from archlint.syntax.cpp.literals import number_of, text_of
+from archlint.syntax.cpp.lower_classes import ClassLowering
+from archlint.syntax.cpp.names import Names
+from archlint.syntax.cpp.source import SourceText, parse
+from archlint.syntax.facts import FACTS_VERSION, Facts
+from archlint.syntax.parts import names_in
+
+if TYPE_CHECKING:
+    from tree_sitter import Node
+
+    from archlint.syntax.facts import Expr, Span, Stmt
+
+
+def lower(data: bytes) -> Facts:
+    """The facts of a C++ file, as far as the grammar understands it."""
+    source = SourceText(data)
+    lowering = Lowering(source, Names(source))
+    tree = parse(data)
+    lowering.note_classes(tree.root_node)
+    body = lowering.block(tree.root_node.named_children)
+    every: list[Stmt] = [*lowering.imports(), *body, *_started(body)]
+    return Facts(
+        FACTS_VERSION,
+        body=every,
+        suppressions=find_suppressions(source, tree.root_node),
+        names=sorted(names_in(every)),
+    )
+
+
+def _started(body: list[Stmt]) -> list[Stmt]:
+    """What calls ``main``, in Python's words."""
+    span = next((row.name_span for row in body if isinstance(row, facts.Function) and row.name == "main"), None)
+    if span is None:
+        return []
+    test = facts.Compare(facts.Name("__name__", span), ["=="], [facts.Literal("__main__", span)], span)
+    call = facts.Expression(facts.Call(facts.Name("main", span), [], span), span)
+    return [facts.If(test, [call], [], span)]
+
+
+class Lowering(ClassLowering):
+    """Lowers definitions, too."""
+
+    def __init__(self, source: SourceText, names: Names) -> None:
+        super().__init__(source, names)
+        self._statements |= {
+            "preproc_include": self._include,
+            "preproc_def": self._define,
+            "namespace_definition": self._namespace,
+            "linkage_specification": self._linkage,
+            "template_declaration": self._template,
+        }
+
+    def imports(self) -> list[Stmt]:
+        """The imports of what the file names of interfaces and libraries."""
+        span = (1, 1, 1, 1)
+        return [
+            facts.ImportFrom(module, 0, [(name, bound)], span) if name else facts.Import(module, None, span)
+            for bound, (module, name) in sorted(self.names.imports.items())
+        ]
+
+    def note_classes(self, root: Node) -> None:
+        """Take note of the namespaces and classes of the file, wherever they are."""
+        waiting = [root]
+        while waiting:
+            node = waiting.pop()
+            name = node.child_by_field_name("name")
+            if name is not None and node.type in ("class_specifier", "struct_specifier", "enum_specifier"):
+                self.names.classes.add(self.source.text(name).partition("<")[0])
+            elif name is not None and node.type == "namespace_definition":
+                self.names.namespaces.update(self.source.text(name).split("::"))
+            if node.type in _HOLDERS:
+                waiting.extend(node.named_children)
+
+    # -------------------------------------------------------------------------------- preprocessor, spaces
+
+    def _include(self, node: Node, body: list[Stmt]) -> None:
+        path = node.child_by_field_name("path")
+        name = "" if path is None else self.source.text(path)[1:-1]
+        if "/" in name or name.endswith((".h", ".hpp", ".hxx", ".hh")):
+            body.append(facts.ImportFrom(name, 0, [("*", "*")], self.source.span(node)))
+
+    def _define(self, node: Node, body: list[Stmt]) -> None:
+        """``#define TOPIC "name"``."""
+        name, value = node.child_by_field_name("name"), node.child_by_field_name("value")
+        if name is None or value is None:
+            return
+        written = self.source.text(value).strip()
+        span = self.source.span(node)
+        literal = _literal(written, span)
+        if literal is not None:
+            body.append(facts.Assign([facts.Name(self.source.text(name), span)], literal, span))
+
+    def _namespace(self, node: Node, body: list[Stmt]) -> None:
+        block = node.child_by_field_name("body")
+        body.extend([] if block is None else self.block(block.named_children))
+
+    def _linkage(self, node: Node, body: list[Stmt]) -> None:
+        block = node.child_by_field_name("body")
+        if block is not None:
+            body.extend(self.block(block.named_children if block.type == "declaration_list" else [block]))
+
+    def _template(self, node: Node, body: list[Stmt]) -> None:
+        parameters = node.child_by_field_name("parameters")
+        outer = self._template_parameters
+        self._template_parameters = [] if parameters is None else self._type_parameters(parameters)
+        body.extend(self.block(child for child in node.named_children if child != parameters))
+        self._template_parameters = outer
+
+    def _type_parameters(self, node: Node) -> list[str]:
+        names: list[str] = []
+        for child in node.named_children:
+            words = [part for part in child.named_children if part.type in ("type_identifier", "identifier")]
+            names.append(self.source.text(words[-1]) if words else f"_{len(names)}")
+        return names
+
+
+def _literal(written: str, span: Span) -> Expr | None:
+    if written.startswith(('"', 'R"')):
+        text = text_of(written)
+        return None if text is None else facts.Literal(text, span)
+    number = number_of(written)
+    return None if number is None else facts.Literal(number, span)
+
+
+_HOLDERS = frozenset(
+    {
+        *(
+            "translation_unit",
+            "namespace_definition",
+            "declaration_list",
+            "preproc_ifdef",
+            "preproc_if",
+            "preproc_else",
+        ),
+        *("template_declaration", "linkage_specification", "class_specifier", "struct_specifier"),
+        *("field_declaration_list", "field_declaration"),
+    }
+)
+
+__all__ = ["lower"]

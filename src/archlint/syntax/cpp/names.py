@@ -1,0 +1,199 @@
+"""What the names of a C++ file mean: interfaces, libraries, classes, members, variables."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, NamedTuple
+
+from archlint.syntax import facts
+from archlint.syntax.cpp.known_names import IN_PYTHON, INTERFACE_KINDS, LIBRARIES, POINTERS, RMW_PROFILES
+
+if TYPE_CHECKING:
+    from tree_sitter import Node
+
+    from archlint.syntax.cpp.source import SourceText
+    from archlint.syntax.facts import Expr, Span
+
+
+class Part(NamedTuple):
+    """One part of a qualified name: ``create_client<T>`` of ``rclcpp_action::create_client<T>``."""
+
+    name: str
+    arguments: tuple[Node, ...] = ()
+    """Its template arguments, each a type or an expression."""
+
+
+@dataclass
+class FunctionScope:
+    """The function that is being lowered."""
+
+    owner: str | None
+    """The class that it is a method of; None for a free function."""
+    variables: set[str] = field(default_factory=set)
+    """Its parameters and variables."""
+    assigned: set[str] = field(default_factory=set)
+    """What it assigns, other than by declaring it."""
+    streams: set[str] = field(default_factory=set)
+    """Variables that texts are written into with ``<<``."""
+    is_lambda: bool = False
+
+
+class Names:
+    """The names of one file."""
+
+    def __init__(self, source: SourceText) -> None:
+        self._source = source
+        self.imports: dict[str, tuple[str, str]] = {}
+        """What is imported: module and name, by what it is bound as; a name of ``""`` is the module itself."""
+        self.namespaces: set[str] = set()
+        self.aliases: dict[str, list[str]] = {}
+        """What a name of a namespace, or one with ``using a::b``, stands for."""
+        self.opened: list[list[str]] = []
+        """The namespaces of ``using namespace``."""
+        self.classes: set[str] = set()
+        self.scopes: list[FunctionScope] = []
+
+    # ------------------------------------------------------------------------------------------ functions
+
+    @contextmanager
+    def function(self, scope: FunctionScope) -> Iterator[FunctionScope]:
+        """While the body of a function is lowered."""
+        self.scopes.append(scope)
+        try:
+            yield scope
+        finally:
+            self.scopes.pop()
+
+    def declare(self, name: str) -> None:
+        """A variable is declared here."""
+        if self.scopes:
+            self.scopes[-1].variables.add(name)
+
+    def is_variable(self, name: str) -> bool:
+        """Whether a name is a variable or parameter of a function around."""
+        return any(name in scope.variables for scope in self.scopes)
+
+    @property
+    def is_in_method(self) -> bool:
+        return bool(self.scopes) and self.scopes[0].owner is not None
+
+    def plain(self, name: str, span: Span) -> Expr:
+        """What a name without a namespace stands for."""
+        if self.is_variable(name):
+            return facts.Name(name, span)
+        alias = self.aliases.get(name)
+        if alias is not None and alias != [name]:
+            return self.resolve([Part(part) for part in alias], span)
+        if name.startswith("RMW_QOS_POLICY_"):
+            return self._imported(f"rclcpp.{name}", name, span)
+        if name in RMW_PROFILES:
+            return self._imported(RMW_PROFILES[name], name, span)
+        if self.is_in_method and name not in self.classes:
+            return facts.Implicit(name, span)
+        return facts.Name(name, span)
+
+    # ------------------------------------------------------------------------------------ qualified names
+
+    def parts(self, node: Node) -> list[Part]:
+        """The parts of a name, such as ``a::b<T>::c``."""
+        match node.type:
+            case "qualified_identifier":
+                scope, name = node.child_by_field_name("scope"), node.child_by_field_name("name")
+                before = [] if scope is None else self.parts(scope)
+                return before if name is None else [*before, *self.parts(name)]
+            case "template_type" | "template_function" | "template_method":
+                name, arguments = node.child_by_field_name("name"), node.child_by_field_name("arguments")
+                given = () if arguments is None else tuple(a for a in arguments.named_children if a.type != "comment")
+                *before, last = self.parts(name) if name is not None else [Part("")]
+                return [*before, Part(last.name, given)]
+            case "dependent_name" | "dependent_type" | "nested_namespace_specifier":
+                return [part for child in node.named_children for part in self.parts(child)]
+            case "type_descriptor":
+                inner = node.child_by_field_name("type")
+                return [] if inner is None else self.parts(inner)
+        return [Part(self._source.text(node))]
+
+    def written(self, parts: list[Part]) -> list[Part]:
+        """The parts of a name with the aliases of the file put in their places."""
+        head = self.aliases.get(parts[0].name) if parts and len(parts) > 1 else None
+        if head is not None and not self.is_variable(parts[0].name):
+            return [*(Part(name) for name in head), *parts[1:]]
+        return parts
+
+    def path(self, parts: list[Part]) -> str:
+        """A name of a library as ``rclcpp.executors.MultiThreadedExecutor``; empty for one that is of none."""
+        parts = self.written(parts)
+        if len(parts) > 1 and parts[0].name in LIBRARIES and parts[0].name not in self.namespaces:
+            return ".".join(part.name for part in parts)
+        if len(parts) == 1 and not self.is_variable(parts[0].name):
+            alias = self.aliases.get(parts[0].name)
+            if alias is not None and alias[0] in LIBRARIES and len(alias) > 1:
+                return ".".join(alias)
+            if parts[0].name in ("static_cast", "dynamic_cast", "const_cast", "reinterpret_cast"):
+                return parts[0].name
+        return ""
+
+    def resolve(self, parts: list[Part], span: Span) -> Expr:
+        """What a qualified name stands for."""
+        parts = [part for part in self.written(parts) if part.name]
+        while len(parts) > 1 and parts[-1].name in POINTERS:
+            parts = parts[:-1]
+        if not parts:
+            return facts.Opaque("a name", span)
+        interface = self._interface(parts, span)
+        if interface is not None:
+            return interface
+        if len(parts) == 1:
+            return self.plain(parts[0].name, span)
+        path = self.path(parts)
+        if path:
+            return self.library(path, span)
+        *before, owner, last = parts
+        if owner.name in self.classes or (owner.name not in self.namespaces and owner.name[:1].isupper()):
+            return facts.Attribute(self.resolve([*before, owner], span), last.name, span)
+        return facts.Name(last.name, span)
+
+    def library(self, path: str, span: Span) -> Expr:
+        """A name of a library, in the words of its Python twin where it has one."""
+        mapped = IN_PYTHON.get(path)
+        if mapped is not None and "." not in mapped:
+            return facts.Name(mapped, span)
+        if mapped is not None:
+            return self._imported(mapped, path.replace(".", "::"), span)
+        module, *names = path.split(".")
+        self.imports.setdefault(module, (module, ""))
+        value: Expr = facts.Name(module, span)
+        for name in names:
+            value = facts.Attribute(value, name, span)
+        return value
+
+    def _imported(self, path: str, bound: str, span: Span) -> Expr:
+        module, _, name = path.rpartition(".")
+        self.imports.setdefault(bound, (module, name))
+        return facts.Name(bound, span)
+
+    def _interface(self, parts: list[Part], span: Span) -> Expr | None:
+        """``std_msgs::msg::String`` and what is inside of it."""
+        for at, part in enumerate(parts[:-1]):
+            if part.name in INTERFACE_KINDS:
+                package = parts[at - 1].name if at else self._opened_package(part.name)
+                if not package:
+                    return None
+                value = self._imported(
+                    f"{package}.{part.name}.{parts[at + 1].name}", f"{package}::{part.name}::{parts[at + 1].name}", span
+                )
+                for inner in parts[at + 2 :]:
+                    if inner.name not in POINTERS:
+                        value = facts.Attribute(value, inner.name, span)
+                return value
+        return None
+
+    def _opened_package(self, kind: str) -> str:
+        """The one package that ``using namespace`` opens, where ``msg::String`` stands without one."""
+        packages = {opened[-1] for opened in self.opened if len(opened) == 1 and opened[0] not in LIBRARIES}
+        return packages.pop() if len(packages) == 1 else ""
+
+
+__all__ = ["FunctionScope", "Names", "Part"]

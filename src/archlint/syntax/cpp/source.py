@@ -1,0 +1,73 @@
+"""The bytes of a C++ file as the parser gets them, and where its nodes are in the text."""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+from typing import TYPE_CHECKING
+
+import tree_sitter
+import tree_sitter_cpp
+
+if TYPE_CHECKING:
+    from tree_sitter import Node, Parser, Tree
+
+    from archlint.syntax.facts import Span
+
+_EXPORT_MACRO = re.compile(
+    rb"\b(?!RMW_)[A-Z][A-Z0-9_]*_(?:PUBLIC|PUBLIC_TYPE|EXPORT|EXPORTS|LOCAL|API|HIDDEN|VISIBILITY)(?=\s+[A-Za-z_~])"
+)
+"""``DEMO_NODES_CPP_PUBLIC``: the grammar knows no macro in front of a class or a function."""
+_MACRO_OF_CLASS = re.compile(rb"\b(?:class|struct)\s+([A-Z][A-Z0-9_]{3,})\s+(?=[A-Za-z_]\w*\s*(?:final\s*)?[:{])")
+_MODULE_MACRO = re.compile(
+    rb"^[ \t]*RCLCPP_(?:SMART_PTR\w*|SHARED_PTR\w*|UNIQUE_PTR\w*|WEAK_PTR\w*|DISABLE_COPY)\([^()\n]*\)", re.M
+)
+
+
+@cache
+def _parser() -> Parser:
+    return tree_sitter.Parser(tree_sitter.Language(tree_sitter_cpp.language()))
+
+
+def parse(data: bytes) -> Tree:
+    """The tree of a file.  Damaged code has nodes of the type ``ERROR`` where it is not understood."""
+    for pattern, group in ((_EXPORT_MACRO, 0), (_MACRO_OF_CLASS, 1), (_MODULE_MACRO, 0)):
+        data = pattern.sub(lambda match, group=group: _blanked(match, group), data)  # type: ignore[misc]
+    return _parser().parse(data)
+
+
+def _blanked(match: re.Match[bytes], group: int) -> bytes:
+    """The match with white space in place of a group, so that all places stay the same."""
+    start, end = match.start(group) - match.start(), match.end(group) - match.start()
+    return match[0][:start] + b" " * (end - start) + match[0][end:]
+
+
+class SourceText:
+    """A file's bytes, and its spans: lines and columns from 1, columns in characters."""
+
+    def __init__(self, data: bytes) -> None:
+        self.data = data
+        self._lines = None if data.isascii() else data.split(b"\n")
+
+    def text(self, node: Node) -> str:
+        """What a node says, as it is written."""
+        return self.data[node.start_byte : node.end_byte].decode("utf-8", "replace")
+
+    def span(self, node: Node) -> Span:
+        """Where a node is."""
+        return self.between(node, node)
+
+    def between(self, first: Node, last: Node) -> Span:
+        """From the start of one node to the end of another."""
+        row, column = first.start_point
+        end_row, end_column = last.end_point
+        if self._lines is not None:
+            column, end_column = self._characters(row, column), self._characters(end_row, end_column)
+        return row + 1, column + 1, end_row + 1, end_column + 1
+
+    def _characters(self, row: int, column: int) -> int:
+        assert self._lines is not None
+        return len(self._lines[row][:column].decode("utf-8", "replace"))
+
+
+__all__ = ["SourceText", "parse"]

@@ -1,0 +1,39 @@
+"""Which file an ``#include`` means."""
+
+from __future__ import annotations
+
+import pytest
+
+from archlint.interpreter.includes import Includes
+from archlint.workspace.model import SourceFile
+
+FILES = (
+    "arm/include/arm/joint.hpp",
+    "arm/src/joint.hpp",
+    "arm/src/joint.cpp",
+    "leg/include/leg/joint.hpp",
+    "leg/src/leg.cpp",
+)
+
+
+def of(path: str) -> SourceFile:
+    return SourceFile(f"/ws/{path}", path, "cpp", path.partition("/")[0], None)
+
+
+@pytest.mark.parametrize(
+    ("importer", "written", "meant"),
+    [
+        ("arm/src/joint.cpp", "arm/joint.hpp", "arm/include/arm/joint.hpp"),
+        ("arm/src/joint.cpp", "joint.hpp", "arm/src/joint.hpp"),  # beside the includer
+        ("leg/src/leg.cpp", "joint.hpp", "leg/include/leg/joint.hpp"),  # of the own package
+        ("leg/src/leg.cpp", "arm/joint.hpp", "arm/include/arm/joint.hpp"),
+        ("leg/src/leg.cpp", "hand/joint.hpp", None),
+        ("leg/src/leg.cpp", "rclcpp/rclcpp.hpp", None),
+    ],
+)
+def test_an_include_is_found_by_the_end_of_its_path(importer: str, written: str, meant: str | None) -> None:
+    includes = Includes()
+    for path in FILES:
+        includes.add(of(path))
+    file = includes.find(of(importer), written)
+    assert (None if file is None else file.relative) == meant

@@ -1,0 +1,90 @@
+"""Executables and components of C++: what starts them, and what launch files make of them."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from tests.cpp_nodes import graph
+
+TALKER = """
+#ifndef ROBOT__TALKER_HPP_
+#define ROBOT__TALKER_HPP_
+#include "rclcpp/rclcpp.hpp"
+namespace robot {
+class Talker : public rclcpp::Node {
+public:
+  explicit Talker(const rclcpp::NodeOptions & options);
+private:
+  void on_timer();
+  rclcpp::TimerBase::SharedPtr timer_;
+};
+}
+#endif
+"""
+SOURCE = """
+#include "robot/talker.hpp"
+#include "std_msgs/msg/string.hpp"
+#include "rclcpp_components/register_node_macro.hpp"
+namespace robot {
+Talker::Talker(const rclcpp::NodeOptions & options) : Node("talker", options) {
+  create_publisher<std_msgs::msg::String>(declare_parameter<std::string>("topic", "chatter"), 10);
+  timer_ = create_wall_timer(500ms, std::bind(&Talker::on_timer, this));
+}
+void Talker::on_timer() { create_client<std_srvs::srv::Trigger>("late"); }
+}
+RCLCPP_COMPONENTS_REGISTER_NODE(robot::Talker)
+"""
+MAIN = """
+#include "robot/talker.hpp"
+int main(int argc, char ** argv) {
+  rclcpp::init(argc, argv);
+  rclcpp::spin(std::make_shared<robot::Talker>(rclcpp::NodeOptions()));
+}
+"""
+CMAKE = """
+project(robot)
+add_library(talker_component SHARED src/talker.cpp)
+{more}
+install(TARGETS talker_component)
+install(DIRECTORY launch DESTINATION share/${{PROJECT_NAME}})
+"""
+LAUNCH = """
+from launch import LaunchDescription
+from launch_ros.actions import ComposableNodeContainer
+from launch_ros.descriptions import ComposableNode
+
+def generate_launch_description():
+    return LaunchDescription([ComposableNodeContainer(
+        name='container', namespace='', package='rclcpp_components', executable='component_container',
+        composable_node_descriptions=[ComposableNode(
+            package='robot', plugin='robot::Talker', name='speaker', namespace='left',
+            parameters=[{'topic': 'news'}], remappings=[('late', '/early')])])])
+"""
+FILES = {"include/robot/talker.hpp": TALKER, "src/talker.cpp": SOURCE, "launch/robot.launch.py": LAUNCH}
+
+
+def ends(node: dict[str, Any]) -> list[str]:
+    return [end["name"] for kind in ("publishers", "clients") for end in node[kind]]
+
+
+def test_an_executable_is_linked_with_what_its_headers_declare() -> None:
+    cmake = CMAKE.format(more="add_executable(talk src/main.cpp)\ntarget_link_libraries(talk talker_component)")
+    nodes = graph({**FILES, "src/main.cpp": MAIN, "CMakeLists.txt": cmake})["nodes"]
+    [node] = [node for node in nodes if "talk" in node["executables"]]
+    assert (node["name"], ends(node), node["timers"][0]["period_s"]) == ("/talker", ["/chatter", "/late"], 0.5)
+    assert node["publishers"][0]["file"] == "robot/src/talker.cpp"
+
+
+def test_an_executable_that_a_component_is_given() -> None:
+    register = 'rclcpp_components_register_node(talker_component PLUGIN "robot::Talker" EXECUTABLE talk)'
+    nodes = graph({**FILES, "CMakeLists.txt": CMAKE.format(more=register)})["nodes"]
+    assert [(node["class"], "talk" in node["executables"], ends(node)) for node in nodes] == [
+        ("Talker", True, ["/chatter", "/late"])
+    ]
+
+
+def test_a_component_runs_under_the_name_and_with_the_parameters_of_the_launch_file() -> None:
+    files = {**FILES, "CMakeLists.txt": CMAKE.format(more="")}
+    nodes = graph(files, "--launch", "robot/launch/robot.launch.py")["nodes"]
+    [node] = [node for node in nodes if node["class"] == "Talker"]
+    assert (node["name"], ends(node)) == ("/left/speaker", ["/left/news", "/early"])

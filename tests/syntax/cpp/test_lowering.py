@@ -1,0 +1,256 @@
+"""A C++ source is lowered to what the same node is with rclpy."""
+
+from __future__ import annotations
+
+from textwrap import dedent
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from tests.syntax.cpp.in_python import in_python
+
+from archlint.syntax import facts
+from archlint.syntax.cpp.lowering import lower
+
+
+def in_a_method(statement: str) -> str:
+    """What a statement inside a method of a node is lowered to."""
+    lines = in_python(f"void Talker::start() {{ {statement} }}").splitlines()
+    assert lines[0] == "def Talker::start(self):"
+    assert lines[-1] == "Talker.start = Talker::start"
+    return "\n".join(line.removeprefix("    ") for line in lines[1:-1])
+
+
+@pytest.mark.parametrize(
+    ("written", "expected"),
+    [
+        (
+            'create_publisher<std_msgs::msg::String>("chatter", 10);',
+            "self.create_publisher(msg_type=std_msgs::msg::String, topic='chatter', qos_profile=10)",
+        ),
+        (
+            'sub_ = this->create_subscription<std_msgs::msg::Bool>("a" "b", qos, std::bind(&Talker::on, this, _1));',
+            "?sub_ = self.create_subscription(msg_type=std_msgs::msg::Bool, topic='ab', qos_profile=?qos, "
+            "callback=self.on)",
+        ),
+        (
+            'node_->create_service<std_srvs::srv::Trigger>("~/go", std::bind(&Talker::go, this, _1, _2));',
+            "?node_.create_service(srv_type=std_srvs::srv::Trigger, srv_name='~/go', callback=self.go)",
+        ),
+        (
+            "timer_ = create_wall_timer(std::chrono::milliseconds(500), std::bind(&Talker::tick, this));",
+            "?timer_ = self.create_timer(timer_period_sec=0.5, callback=self.tick)",
+        ),
+        ("rclcpp::create_timer(this, get_clock(), 100ms, f);", "self.create_timer(timer_period_sec=0.1, callback=?f)"),
+        (
+            'rclcpp_action::create_client<nav2_msgs::action::Spin>(shared_from_this(), "spin");',
+            "rclcpp_action::create_client(node=self, action_type=nav2_msgs::action::Spin, action_name='spin')",
+        ),
+        (
+            "s_ = std::make_shared<message_filters::Subscriber<sensor_msgs::msg::Imu>>(this, t);",
+            "?s_ = message_filters::Subscriber(node=self, topic=?t, msg_type=sensor_msgs::msg::Imu)",
+        ),
+    ],
+)
+def test_what_creates_an_endpoint_has_the_arguments_of_rclpy(written: str, expected: str) -> None:
+    assert in_a_method(written) == expected
+
+
+@pytest.mark.parametrize(
+    ("written", "expected"),
+    [
+        ('auto t = declare_parameter<std::string>("t", "x");', "t = self.declare_parameter('t', 'x').value"),
+        ('declare_parameter<double>("rate", 10);', "self.declare_parameter('rate', 10.0).value"),
+        ('declare_parameter<int>("n");', "self.declare_parameter('n', rclcpp::Parameter.Type.INTEGER).value"),
+        ('auto t = get_parameter("t").as_string();', "t = self.get_parameter('t').value"),
+        ('auto t = get_parameter("t").get_value<std::string>();', "t = self.get_parameter('t').value"),
+        ('this->get_parameter("t", topic_);', "?topic_ = self.get_parameter('t').value"),
+        (
+            'get_parameter_or("t", topic_, std::string("x"));',
+            "?topic_ = self.get_parameter_or('t', rclcpp::Parameter(name='t', value='x')).value",
+        ),
+    ],
+)
+def test_parameters_are_declared_and_read_by_value(written: str, expected: str) -> None:
+    assert in_a_method(written) == expected
+
+
+@pytest.mark.parametrize(
+    ("written", "expected"),
+    [
+        ('std::string name = "a"; name += "/b";', "name = 'a'\nname += '/b'"),
+        ('auto s = prefix_ + "/" + std::to_string(3);', "s = ?prefix_ + '/' + str(3)"),
+        ('auto s = fmt::format("{}/x", ns_);', "s = '{}/x'.format(?ns_)"),
+        ('std::stringstream ss; ss << "a" << n_; auto s = ss.str();', "ss = ''\nss += a{?n_}\ns = ss"),
+        ("for (int i = 0; i < 3; ++i) { go(i); }", "for i in range(0, 3):\n    ?go(i)"),
+        ('for (const auto & n : {"a", "b"}) { go(n); }', "for n in ['a', 'b']:\n    ?go(n)"),
+        ('names_.push_back("a");', "?names_.append('a')"),
+        ("if (auto p = find()) { p->go(); }", "p = ?find()\nif p:\n    p.go()"),
+        ("switch (m) { case 1: a(); break; default: b(); }", "if ?m == 1:\n    ?a()\nelse:\n    ?b()"),
+        ("auto p = std::make_unique<Arm>(2); p->move();", "p = ?Arm(2)\np.move()"),
+        ("rclcpp::Rate rate(hz_);", "rate = rclcpp.Rate(?hz_)"),
+        ('std::map<std::string, int> m{{"a", 1}};', "m = {'a': 1}"),
+        ('RCLCPP_INFO(get_logger(), "%s", x());', ""),
+    ],
+)
+def test_ordinary_code(written: str, expected: str) -> None:
+    assert in_a_method(written) == expected
+
+
+def test_a_class_with_its_fields_and_constructor() -> None:
+    source = """
+        namespace demo {
+        class Talker : public rclcpp::Node {
+        public:
+          explicit Talker(const rclcpp::NodeOptions & options) : Node("talker", options), count_(0) {}
+        private:
+          std::string prefix_{"robot"};
+          rclcpp::TimerBase::SharedPtr timer_;
+          std::vector<std::string> names_;
+          size_t count_;
+        };
+        }
+    """
+    assert in_python(source) == dedent("""\
+        class Talker(rclcpp::Node):
+            def __init__(self, options):
+                Talker.__fields__(self)
+                ?Node.__init__(self, node_name='talker')
+                self.count_ = 0
+            def __fields__(self):
+                self.prefix_ = 'robot'
+                self.timer_ = None
+                self.names_ = []
+                self.count_ = <a variable without a value>
+            def __bases__(self):
+                rclcpp::Node.__init__(self)""")
+
+
+def test_a_constructor_outside_of_its_class_makes_the_bases_that_it_does_not_name() -> None:
+    assert in_python('Arm::Arm() : name_("arm") {}') == dedent("""\
+        def Arm::Arm(self):
+            Arm.__fields__(self)
+            Arm.__bases__(self)
+            self.name_ = 'arm'
+        Arm.__init__ = Arm::Arm""")
+
+
+def test_a_lambda_is_a_function_in_front_of_the_statement() -> None:
+    written = "int n = 0; timer_ = create_wall_timer(1s, [this, &n]() { n = 1; go(); });"
+    assert in_a_method(written) == dedent("""\
+        n = 0
+        def lambda_1_66():
+            nonlocal n
+            n = 1
+            ?go()
+        ?timer_ = self.create_timer(timer_period_sec=1.0, callback=lambda_1_66)""")
+
+
+def test_main_is_what_a_main_guard_calls() -> None:
+    source = "int main(int argc, char ** argv) { rclcpp::init(argc, argv); rclcpp::spin(std::make_shared<Talker>()); }"
+    assert in_python(source) == dedent("""\
+        def main(argc=<the command line>, argv=<the command line>):
+            rclcpp::init()
+            rclcpp::spin(Talker())
+        if __name__ == '__main__':
+            main()""")
+
+
+@pytest.mark.parametrize(
+    "names",
+    [
+        "using std_msgs::msg::String;",
+        "using String = std_msgs::msg::String;",
+        "typedef std_msgs::msg::String String;",
+        "namespace m = std_msgs::msg; using String = m::String;",
+    ],
+)
+def test_names_of_types_lead_to_the_interface(names: str) -> None:
+    body = lower(f'{names} void f(rclcpp::Node * n) {{ n->create_publisher<String>("a", 1); }}'.encode()).body
+    assert facts.ImportFrom("std_msgs.msg", 0, [("String", "std_msgs::msg::String")], (1, 1, 1, 1)) in body
+    assert "n.create_publisher(msg_type=std_msgs::msg::String" in in_python(
+        f'{names} void f(rclcpp::Node * n) {{ n->create_publisher<String>("a", 1); }}'
+    )
+
+
+def test_a_guard_is_no_condition_and_another_one_is() -> None:
+    source = '#ifndef A_HPP_\n#define A_HPP_\nconst char * a = "a";\n#ifdef B\nconst char * b = "b";\n#endif\n#endif\n'
+    assert in_python(source) == "a = 'a'\nif <a condition of the preprocessor>:\n    b = 'b'"
+
+
+def test_macros_of_a_library_hide_nothing() -> None:
+    source = "class DEMO_PUBLIC Talker : public rclcpp::Node {\n  RCLCPP_SMART_PTR_DEFINITIONS(Talker)\n};"
+    assert in_python(source).startswith("class Talker(rclcpp::Node):")
+
+
+def test_spans_count_characters() -> None:
+    [statement] = lower('const char * a = "ä"; '.encode() + b'const char * b = "b";').body[1:]
+    assert statement.span == (1, 23, 1, 44)  # type: ignore[union-attr]
+
+
+def test_a_suppression_covers_its_statement() -> None:
+    source = """
+        void f() {
+          // archlint: ignore[NME001] a fixed name
+          g(
+            1);
+          h();  // archlint: ignore[TOP001]
+        }
+    """
+    rows = lower(dedent(source).lstrip().encode()).suppressions
+    assert [(row.codes, row.applies_to, row.reason) for row in rows] == [
+        (["NME001"], (3, 4), True),
+        (["TOP001"], (5, 5), False),
+    ]
+
+
+PIECES = st.sampled_from(
+    [
+        *(
+            "class A : public rclcpp::Node {",
+            "};",
+            "}",
+            "{",
+            "(",
+            ")",
+            ";",
+            '"x',
+            '"',
+            "[this]",
+            "<",
+            ">",
+            "::",
+            "if",
+            "for",
+        ),
+        *(
+            "create_publisher<",
+            "std_msgs::msg::String>(",
+            "template<typename T>",
+            "#if X\n",
+            "#endif\n",
+            "switch (a) {",
+        ),
+        *(
+            "case 1:",
+            "auto [a, b] = c;",
+            "A::A() : B(1), c{2} {",
+            "using a = ",
+            "enum E { A, B = ",
+            "\xff",
+            "\x00",
+            "//",
+        ),
+    ]
+)
+
+
+@settings(max_examples=150, deadline=None)
+@given(st.lists(PIECES, max_size=30))
+def test_whatever_is_written_it_is_lowered(pieces: list[str]) -> None:
+    lower(" ".join(pieces).encode("latin-1"))
+
+
+def test_deep_nesting_ends() -> None:
+    assert lower(b"int f() { return " + b"(" * 3_000 + b"1" + b")" * 3_000 + b"; }").version
+    assert lower(b"void f() {" + b"{" * 3_000 + b"}" * 3_000 + b"}").version
