@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from archlint.engine.memory import Memory
     from archlint.syntax.cache import NullStore, Store
     from archlint.syntax.files import FactsOfFiles
+    from archlint.workspace.importable import Importable
     from archlint.workspace.model import SourceFile, Workspace
 
 
@@ -33,6 +34,8 @@ class Inputs:
     """What an earlier run has left, and what is kept of this one, where another will follow in the same process."""
     results: ResultsInMemory | None = None
     """What such runs have followed."""
+    importable: Importable | None = None
+    """The files of the workspace as they can be imported, where such a run has sorted them."""
 
 
 _INPUTS: tuple[SourceKind, ...] = (*CODE_KINDS, *LAUNCH_TEXT_KINDS, "cpp")

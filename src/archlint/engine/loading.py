@@ -44,7 +44,7 @@ def systems_of(inputs: Inputs, facts: FactsOfFiles) -> list[System]:
     """Link and load."""
     request, workspace, tree = inputs.request, inputs.workspace, inputs.tree
     faults = Faults()
-    files = WorkspaceFiles(workspace.files, facts.facts_of, facts.relevant, tree)
+    files = WorkspaceFiles(workspace.files, facts.facts_of, facts.relevant, tree, inputs.importable)
     installs = _installs(inputs, files, faults)
     linker, cache = _linker(inputs, facts, files, installs, faults)
     entries = _entries(installs, workspace, facts)
@@ -107,7 +107,7 @@ def _installs(inputs: Inputs, files: WorkspaceFiles, faults: Faults) -> dict[str
     known = None if memory is None else memory.installs()
     if known is not None:
         return known
-    index = ModuleIndex(files.files, files.facts_of)
+    index = ModuleIndex(files.importable, files.facts_of)
     installs = read_installs(inputs.workspace.packages, files, faults, index)
     if memory is not None and not faults.count:
         memory.note_installs(installs, index.asked_for())

@@ -13,10 +13,10 @@ if TYPE_CHECKING:
 
 def implementations(index: ModuleIndex, header: Module) -> list[Module]:
     """The C++ sources that define what a header declares: those of its package that include it."""
-    if not index.includes.is_header(header.file):
+    if not index.importable.includes.is_header(header.file):
         return []
     sources = []
-    for file in index.includes.sources_beside(header.file):
+    for file in index.importable.includes.sources_beside(header.file):
         module = index.module(file)
         if module is not None and any(index.find(module, name) is header for name in _included_by(module.facts)):
             sources.append(module)

@@ -13,29 +13,19 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Literal
 
 from archlint.interpreter.imported_names import imported_names
-from archlint.interpreter.includes import Includes
 from archlint.interpreter.reads import Reads
 from archlint.place import Place
 from archlint.syntax.facts import Facts, Span
 from archlint.workspace.closure import closure
-from archlint.workspace.model import COMPILED_KINDS
-from archlint.workspace.test_code import FileRoles
+from archlint.workspace.importable import Importable
 
 if TYPE_CHECKING:
-    from archlint.workspace.model import Link, SourceFile
+    from archlint.workspace.model import SourceFile
     from archlint.workspace.tree import Question
 
 
 ScopeKind = Literal["module", "class", "function", "comprehension"]
 ModuleState = Literal["new", "running", "done"]
-
-_OF_ROS = frozenset(
-    {
-        *("ament_index_python", "launch", "launch_ros", "launch_testing", "launch_xml", "launch_yaml"),
-        *("message_filters", "rclpy", "rosidl_runtime_py", "tf2_ros"),
-    }
-)
-"""ROS's own Python packages.  A folder of such a name with an ``__init__.py`` in it, often ``launch``, is no such."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -95,16 +85,14 @@ class Module:
 class ModuleIndex:
     """Finds modules by name, compiling on demand what the screen left out."""
 
-    def __init__(self, files: Iterable[SourceFile], facts_of: Callable[[SourceFile], Facts | None]) -> None:
-        files = list(files)
-        self.roles = FileRoles.of(file.relative for file in files)
+    def __init__(
+        self, files: Importable | Iterable[SourceFile], facts_of: Callable[[SourceFile], Facts | None]
+    ) -> None:
+        self.importable = files if isinstance(files, Importable) else Importable(files)
+        """Which file an import means."""
+        self.roles = self.importable.roles
         self._facts_of = facts_of
         self._modules: dict[str, Module | None] = {}
-        self._by_name: dict[str, list[SourceFile]] = {}
-        self._by_path: dict[str, SourceFile] = {}
-        self._by_tail: dict[str, list[SourceFile]] = {}
-        self._meant: dict[tuple[str, str, int], SourceFile | None] = {}
-        """What the code of a module imports, by its path: the names and their dots."""
         self._imported: dict[str, tuple[frozenset[Module], Reads]] = {}
         self._readers: list[Reads] = []
         """Who reads: a program, or a module whose import it has led to."""
@@ -123,22 +111,6 @@ class ModuleIndex:
         """Imports a module that a program imported whose result was kept."""
         self.import_all_earlier: Callable[[], None] | None = None
         """Imports all of these."""
-        self.includes = Includes()
-        for file in files:
-            if file.kind not in COMPILED_KINDS:
-                continue
-            path = file.path.replace("\\", "/")
-            self._by_path[path] = file
-            if file.kind == "cpp":
-                self.includes.add(file)
-                continue
-            for named in _names_of(file):
-                self._by_path.setdefault(named.path.replace("\\", "/"), file)
-                alike = self._by_name.setdefault(named.module, []) if named.module else [file]
-                if not alike or alike[-1] is not file:  # a link may give it the same name again
-                    alike.append(file)
-            stem = path.removesuffix("/__init__.py").removesuffix(".py")
-            self._by_tail.setdefault(stem.rpartition("/")[2], []).append(file)
 
     def asked_for(self) -> list[str]:
         """The shown paths of the modules that anybody has asked for."""
@@ -158,7 +130,7 @@ class ModuleIndex:
         """The modules that some program has imported, in the order of their paths."""
         if self._readers:
             self._readers[-1].everything = True
-        modules = (self.module(self._by_path[path]) for path in self.imported)
+        modules = (self.module(file) for path in self.imported if (file := self.importable.at(path)) is not None)
         return sorted((module for module in modules if module is not None), key=lambda module: module.path)
 
     def in_process(self, start: Module) -> list[Module]:
@@ -166,32 +138,16 @@ class ModuleIndex:
         that it was seen to import, and those that its imports lead to."""
         by_imports = {module.file.path for module in self._modules_imported_by(start)}
         reads = self._readers[-1].with_imports(self.reads_of) if self._readers else Reads()
-        modules = (self.module(self._by_path[path]) for path in by_imports | reads.used)
+        paths = by_imports | reads.used
+        modules = (self.module(file) for path in paths if (file := self.importable.at(path)) is not None)
         return sorted((module for module in modules if module is not None), key=lambda module: module.path)
 
     def find(self, importer: Module, name: str, level: int = 0) -> Module | None:
         """The module called ``name`` for an import in ``importer``; None for foreign ones."""
-        file = self.file_of(importer.file, name, level)
+        file = self.importable.meant(importer.file, name, level)
         if self._readers:
             self._readers[-1].lookups[importer.file.path, name, level] = None if file is None else file.path
         return None if file is None else self.module(file)
-
-    def file_of(self, importer: SourceFile, name: str, level: int = 0) -> SourceFile | None:
-        """The file that an import in another means; None for what is not here."""
-        key = importer.path, name, level
-        if key not in self._meant and importer.kind == "cpp":
-            self._meant[key] = self.includes.find(importer, name)
-        if key not in self._meant:  # every attribute of what a package gives is looked up, for it may be a module
-            self._meant[key] = self._relative(importer, name, level) if level else self._absolute(importer, name)
-        return self._meant[key]
-
-    def at(self, path: str) -> SourceFile | None:
-        """The file with a path."""
-        return self._by_path.get(path)
-
-    def files(self) -> list[SourceFile]:
-        """All files that can be imported, by their paths."""
-        return [file for path, file in sorted(self._by_path.items()) if path == file.path.replace("\\", "/")]
 
     def import_all(self) -> None:
         """Have all modules here that some program has imported."""
@@ -318,65 +274,3 @@ class ModuleIndex:
         base = importer.package_name.split(".") if importer.package_name else []
         base = base[: len(base) - (level - 1)] if level > 1 else base
         return ".".join((*base, *([name] if name else [])))
-
-    def _relative(self, importer: SourceFile, name: str, level: int) -> SourceFile | None:
-        for named in _names_of(importer):
-            folder = named.path.replace("\\", "/").rpartition("/")[0]
-            for _ in range(level - 1):
-                folder = folder.rpartition("/")[0]
-            file = self._at("/".join((folder, *name.split("."))) if name else folder)
-            if file is not None:
-                return file
-        return None
-
-    def _at(self, stem: str) -> SourceFile | None:
-        return self._by_path.get(stem + ".py") or self._by_path.get(stem + "/__init__.py")
-
-    def _absolute(self, importer: SourceFile, name: str) -> SourceFile | None:
-        candidates = self._by_name.get(name, [])
-        top = name.partition(".")[0]
-        if top in _OF_ROS:
-            candidates = [file for file in candidates if file.package == top]
-            return _nearest(importer, candidates) if candidates else None
-        same = [file for file in candidates if file.package == importer.package]
-        if same:
-            return _nearest(importer, same)
-        folder = importer.path.replace("\\", "/").rpartition("/")[0]
-        beside = self._at("/".join((folder, *name.split("."))))
-        if beside is not None and beside.path != importer.path:
-            return beside
-        if candidates:
-            return _nearest(importer, candidates)
-        return self._by_suffix(importer, name)
-
-    def _by_suffix(self, importer: SourceFile, name: str) -> SourceFile | None:
-        """A dotted name below some folder of the same package that is put on the path by other means."""
-        if "." not in name:
-            return None
-        tail = "/" + name.replace(".", "/")
-        candidates = [
-            file
-            for file in self._by_tail.get(name.rpartition(".")[2], [])
-            if file.package == importer.package
-            and file.path.replace("\\", "/").removesuffix("/__init__.py").removesuffix(".py").endswith(tail)
-        ]
-        return _nearest(importer, candidates) if candidates else None
-
-
-def _names_of(file: SourceFile) -> tuple[SourceFile | Link, ...]:
-    """The file and the symbolic links that lead to it: each gives it a path, and perhaps a name to import it by."""
-    return (file, *file.links)
-
-
-def _nearest(importer: SourceFile, files: list[SourceFile]) -> SourceFile:
-    """The file that shares most of its path with the importer."""
-
-    def shared(file: SourceFile) -> int:
-        count = 0
-        for first, second in zip(file.path.split("/"), importer.path.split("/"), strict=False):
-            if first != second:
-                break
-            count += 1
-        return count
-
-    return min(files, key=lambda file: (-shared(file), file.path))

@@ -37,7 +37,7 @@ class Launches:
         distro: str | None = None,
     ) -> None:
         self.installs = installs
-        self.index = ModuleIndex(files.files, files.facts_of)
+        self.index = ModuleIndex(files.importable, files.facts_of)
         self.faults = faults or Faults()
         self.owners = FileOwners(files.files, installs)
         paths = LaunchPaths(installs, files.tree, self.owners)

@@ -29,6 +29,7 @@ from archlint.syntax.secret import user_key
 from archlint.syntax.signed import CACHE_FOLDER
 from archlint.workspace.around import is_below
 from archlint.workspace.discovery import find
+from archlint.workspace.importable import Importable
 from archlint.workspace.membership import read_file
 from archlint.workspace.model import LAUNCH_TEXT_KINDS, PYTHON_KINDS, SourceFile, SourceKind, Workspace
 
@@ -89,7 +90,7 @@ class LiveWorkspace:
         self._cache_folder: str | None = None
         self._store = LiveStore(NullStore())
         self._readable = LastReadable(self._store)
-        self._found: tuple[Asked, Workspace] | None = None
+        self._found: tuple[Asked, Workspace, Importable] | None = None
         self._disk = DiskMemory()
         self._decoded: Decoded = {}
         self._results: ResultsInMemory = {}
@@ -199,7 +200,7 @@ class LiveWorkspace:
         own = self._own(buffers)
         readable = self._readable.of(own)
         self._store.hold(readable.held)
-        workspace = self._files(asked, readable)
+        workspace, importable = self._files(asked, readable)
         tree = LiveTree(Path(self.root), Path(workspace.root), readable.held, self._disk)
         request = Request(
             asked.paths,
@@ -211,7 +212,7 @@ class LiveWorkspace:
             baseline=asked.baseline,
             monitor=monitor,
         )
-        inputs = Inputs(request, workspace, tree, self._store, memory, self._results)
+        inputs = Inputs(request, workspace, tree, self._store, memory, self._results, importable)
         facts = LiveFacts(self._store, readable.held, self._decoded, monitor)
         systems: list[list[System]] = []
         findings: Sequence[Finding] = ()
@@ -239,11 +240,12 @@ class LiveWorkspace:
         ordered = sorted(findings, key=lambda finding: finding.sort_key)
         return replace(snapshot, findings=ordered, shifts=readable.shifts)
 
-    def _files(self, asked: Asked, readable: Readable) -> Workspace:
+    def _files(self, asked: Asked, readable: Readable) -> tuple[Workspace, Importable]:
         if self._found is None or self._found[0] != asked:
             exclude = [pattern for glob in asked.settings.exclude for pattern in glob.patterns()]
-            self._found = asked, find(asked.paths, exclude=exclude, working_directory=self.root, read=_reader(readable))
-        return self._found[1]
+            found = find(asked.paths, exclude=exclude, working_directory=self.root, read=_reader(readable))
+            self._found = asked, found, Importable(found.files)
+        return self._found[1:]
 
     def _own(self, buffers: Buffers) -> Buffers:
         """The texts that lie in this workspace."""

@@ -48,7 +48,7 @@ class EarlierImports:
 
     def _import_aside(self, path: str) -> None:
         """What the import does beside filling the module is known."""
-        file = self._index.at(path)
+        file = self._index.importable.at(path)
         module = None if file is None else self._index.module(file)
         if module is not None:
             with self._index.aside():

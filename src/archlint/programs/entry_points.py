@@ -56,7 +56,7 @@ def read_installs(
     """What each package installs, by package name.  What fails here is noted in ``faults``; the modules that were run
     for it are those of ``index``."""
     files, tree = workspace.files, workspace.tree
-    index = index or ModuleIndex(files, workspace.facts_of)
+    index = index or ModuleIndex(workspace.importable, workspace.facts_of)
     setups = {file.relative: file for file in files if file.kind == "setup_py"}
     faults = faults or Faults()
     by_package: dict[str, Installs] = {}

@@ -76,7 +76,7 @@ class Follower:
         paths = None if key is None else self.kept.files_of(key)
         if paths is None:
             return None
-        return [file.relative for path in paths if (file := self.index.at(path)) is not None]
+        return [file.relative for path in paths if (file := self.index.importable.at(path)) is not None]
 
 
 def _words(key: ProgramKey, program: Program) -> str:

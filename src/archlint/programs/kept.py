@@ -161,7 +161,7 @@ class KeptResults(ABC, Generic[Result]):
         """A program, if nothing that it depends on has changed but, perhaps, what ran before it."""
         if key not in table.keys or not table.has_same_files(key, self._print_of):
             return None
-        if not table.has_same_lookups(key, self._means):
+        if table.importable is not self.index.importable and not table.has_same_lookups(key, self._means):
             return None
         row = table.row(key)
         if row is None or (row.everything and table.everything != self._everything):
@@ -184,14 +184,14 @@ class KeptResults(ABC, Generic[Result]):
     def _means(self, lookup: Lookup) -> str | None:
         if lookup not in self._lookups:
             importer, name, dots = lookup
-            file = self.index.at(importer)
-            target = None if file is None else self.index.file_of(file, name, dots)
+            file = self.index.importable.at(importer)
+            target = None if file is None else self.index.importable.meant(file, name, dots)
             self._lookups[lookup] = None if target is None else target.path
         return self._lookups[lookup]
 
     @cached_property
     def _everything(self) -> str:
-        prints = [(file.path, self._print_of(file.path)) for file in self.index.files()]
+        prints = [(file.path, self._print_of(file.path)) for file in self.index.importable.files()]
         return hashlib.sha256(repr(prints).encode()).hexdigest()
 
     # ------------------------------------------------------------------------------------------- what is new
@@ -243,7 +243,7 @@ class KeptResults(ABC, Generic[Result]):
 
     def _with_surroundings(self, rows: Mapping[str, Row]) -> InMemory:
         fingerprints = {path: known for path, known in self._fingerprints.items() if known is not None}
-        return InMemory(rows, fingerprints, self.surroundings, self._everything)
+        return InMemory(rows, fingerprints, self.surroundings, self._everything, self.index.importable)
 
     def _others(self) -> Iterable[tuple[str, Row]]:
         """The programs that nobody asked for this time, and that are as they were."""

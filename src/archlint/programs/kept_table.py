@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from typing import TypeAlias
 
     from archlint.interpreter.reads import Lookup
+    from archlint.workspace.importable import Importable
     from archlint.workspace.tree import Question
 
     Fingerprint: TypeAlias = Callable[[str], "str | None"]
@@ -83,6 +84,10 @@ class Known(Protocol):
         """The fingerprint of all files together."""
 
     @property
+    def importable(self) -> Importable | None:
+        """By which files imports have meant what they meant; None where they are not in memory."""
+
+    @property
     def keys(self) -> Collection[str]: ...
 
     @property
@@ -107,6 +112,8 @@ class InMemory:
     fingerprints: Mapping[str, str]
     surroundings: str
     everything: str
+    importable: Importable
+    """The files by which its imports have meant what they meant: by the same they still do."""
 
     @property
     def keys(self) -> Collection[str]:
@@ -139,6 +146,7 @@ class Table:
         """The files that are not as they were."""
         self._moved: set[int] | None = None
         """The look-ups that mean other files than they did."""
+        self.importable = None
 
     @property
     def everything(self) -> str:

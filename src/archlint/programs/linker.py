@@ -82,7 +82,7 @@ class Linker:
         monitor: Monitor | None = None,
         elsewhere: Callable[[Sequence[Sequence[str]], KeptPrograms], None] | None = None,
     ) -> None:
-        self.index = ModuleIndex(files.files, files.facts_of)
+        self.index = ModuleIndex(files.importable, files.facts_of)
         self.earlier = EarlierImports(
             self.index, lambda module: self.new_run(module.name, module).import_module(module)
         )

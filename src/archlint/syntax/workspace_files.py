@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING
 
+from archlint.workspace.importable import Importable
 from archlint.workspace.tree import NO_FILES, Tree
 
 if TYPE_CHECKING:
@@ -22,6 +24,13 @@ class WorkspaceFiles:
     facts_of: Callable[[SourceFile], Facts | None] = lambda file: None
     relevant: Callable[[SourceFile], bool] = lambda file: True
     tree: Tree = NO_FILES
+    known: Importable | None = None
+    """The same files as they can be imported, where an earlier run has sorted them."""
+
+    @cached_property
+    def importable(self) -> Importable:
+        """The files as they can be imported."""
+        return self.known if self.known is not None and self.known.all is self.files else Importable(self.files)
 
 
 NO_WORKSPACE = WorkspaceFiles()

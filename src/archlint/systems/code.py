@@ -29,7 +29,7 @@ class WorkspaceCode:
     ) -> None:
         self._files = files.files
         self._facts_of = files.facts_of
-        self._index = index or ModuleIndex(files.files, files.facts_of)
+        self._index = index or ModuleIndex(files.importable, files.facts_of)
         self._tree = files.tree
         self._installs = installs or {}
         self._relevant = files.relevant
