@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.kept import kept
 from archlint.libraries.rclpy.names import canonical
 from archlint.syntax import facts
-from archlint.syntax.parts import Itself, everything_in, targets_in
+from archlint.syntax.parts import Itself, everything_in, once_for, targets_in
 from archlint.syntax.walk import statements_of
 
 if TYPE_CHECKING:
@@ -41,9 +41,10 @@ class Chain:
         return any(cls.code is other.code for cls in self.own)
 
 
-def classes_of(file_facts: facts.Facts) -> Iterator[facts.Class]:
+@once_for
+def classes_of(file_facts: facts.Facts) -> Sequence[facts.Class]:
     """Every class of a file, those inside functions and classes included."""
-    return everything_in(file_facts.body, facts.Class)
+    return tuple(everything_in(file_facts.body, facts.Class))
 
 
 def chain_of(workspace: WorkspaceIndex, cls: ClassInFile) -> Chain:

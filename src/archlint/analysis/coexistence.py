@@ -132,8 +132,8 @@ def _names_when_launched(system: System, end: Endpoint) -> frozenset[str | None]
     blueprint, workspace = end.node.blueprint, system.workspace
     if blueprint is None or workspace is None:
         return frozenset([end.name])
-    given = workspace.launched_names.get((key_of(blueprint), end.kind, end.place))
-    return given - {None} if given is not None else frozenset([end.name])
+    given = workspace.launched_names(blueprint, end.kind, end.place)
+    return given - {None} if given else frozenset([end.name])
 
 
 def _started_alike(node: Node, other: Node) -> bool:

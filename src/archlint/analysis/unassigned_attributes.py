@@ -322,10 +322,15 @@ def _is_made(workspace: WorkspaceIndex, cls: ClassInFile) -> bool:
     def calls() -> set[str]:
         names: set[str] = set()
         for _, file_facts in workspace.code.asked_for():
-            names.update(called_name(call) for call in everything_in(file_facts.body, facts.Call))
+            names.update(_called_in(file_facts))
         return names
 
     return cls.code.name in kept(workspace, (_is_made,), calls)
+
+
+@once_for
+def _called_in(file_facts: facts.Facts) -> frozenset[str]:
+    return frozenset(called_name(call) for call in everything_in(file_facts.body, facts.Call))
 
 
 def _may_get(workspace: WorkspaceIndex, cls: ClassInFile, name: str) -> bool:

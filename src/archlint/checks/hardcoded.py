@@ -245,7 +245,7 @@ def _is_remapped(workspace: WorkspaceIndex | None, endpoint: Endpoint) -> bool:
     blueprint = endpoint.node.blueprint
     if workspace is None or blueprint is None:
         return False
-    names = workspace.launched_names.get((key_of(blueprint), endpoint.kind, endpoint.place), frozenset())
+    names = workspace.launched_names(blueprint, endpoint.kind, endpoint.place)
     return bool(names) and endpoint.written not in names
 
 

@@ -205,15 +205,16 @@ def _rules(request: Request, systems: Sequence[System], memory: Memory | None = 
     selection = settings.selection
     judge = partial(judge_alternatives, monitor=request.monitor)
     request.monitor.judging(len(systems))
-    options: dict[tuple[str, ...], Mapping[str, Options]] = {}
+    options: dict[tuple[bool, bool], Mapping[str, Options]] = {}
     for system in systems:
-        codes = [code for code in selection.codes if selection.runs(code, system.closed)]
-        if system.launched is not None and len(systems) > 1:
-            codes = [code for code in codes if code in checks and checks[code].scope.of_each_system]
-        key = tuple(codes)
-        if key not in options:
-            options[key] = options_for(settings, codes)
-        selected = options[key]
+        is_one_of_several = system.launched is not None and len(systems) > 1
+        kind = system.closed, is_one_of_several
+        if kind not in options:
+            codes = [code for code in selection.codes if selection.runs(code, system.closed)]
+            if is_one_of_several:
+                codes = [code for code in codes if code in checks and checks[code].scope.of_each_system]
+            options[kind] = options_for(settings, codes)
+        selected = options[kind]
         if memory is None:
             yield from judge(system, selected)
         else:

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from archlint.engine.memory import Memory
     from archlint.syntax.cache import NullStore, Store
     from archlint.syntax.files import FactsOfFiles
+    from archlint.systems.instances import KnownNodes
     from archlint.workspace.importable import Importable
     from archlint.workspace.model import SourceFile, Workspace
 
@@ -36,6 +37,8 @@ class Inputs:
     """What such runs have followed."""
     importable: Importable | None = None
     """The files of the workspace as they can be imported, where such a run has sorted them."""
+    nodes: KnownNodes | None = None
+    """The nodes that such runs have made."""
 
 
 _INPUTS: tuple[SourceKind, ...] = (*CODE_KINDS, *LAUNCH_TEXT_KINDS, "cpp")

@@ -50,7 +50,7 @@ def systems_of(inputs: Inputs, facts: FactsOfFiles) -> list[System]:
     entries = _entries(installs, workspace, facts)
     followed = linker.run_all(entries)
     programs = forget_names(followed, linker.started.values(), installs, linker.own)
-    [opened] = assemble(programs, workspace, request.settings)
+    [opened] = assemble(programs, workspace, request.settings, inputs.nodes)
     if inputs.memory is not None:
         inputs.memory.note_programs(opened.programs, linker.follower.files_read_by)
     old = frozenset(package.name for package in workspace.packages if package.ros1)

@@ -27,6 +27,7 @@ from archlint.syntax.cache import NullStore, Store
 from archlint.syntax.python.deep_stack import call_with_deep_stack
 from archlint.syntax.secret import user_key
 from archlint.syntax.signed import CACHE_FOLDER
+from archlint.systems.instances import KnownNodes
 from archlint.workspace.around import is_below
 from archlint.workspace.discovery import find
 from archlint.workspace.importable import Importable
@@ -94,6 +95,7 @@ class LiveWorkspace:
         self._disk = DiskMemory()
         self._decoded: Decoded = {}
         self._results: ResultsInMemory = {}
+        self._nodes = KnownNodes()
         self._last: _Last | None = None
         """The last whole analysis; None where something has changed since that a first answer would not see."""
 
@@ -212,7 +214,7 @@ class LiveWorkspace:
             baseline=asked.baseline,
             monitor=monitor,
         )
-        inputs = Inputs(request, workspace, tree, self._store, memory, self._results, importable)
+        inputs = Inputs(request, workspace, tree, self._store, memory, self._results, importable, self._nodes)
         facts = LiveFacts(self._store, readable.held, self._decoded, monitor)
         systems: list[list[System]] = []
         findings: Sequence[Finding] = ()

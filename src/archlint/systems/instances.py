@@ -33,9 +33,34 @@ class Settings(Protocol):
     def distro(self) -> str | None: ...
 
 
-def assemble(programs: Sequence[Program], workspace: Workspace, settings: Settings) -> list[System]:
+class KnownNodes:
+    """The nodes of the open system that earlier runs in the same process have made: programs that runs share do not
+    change, and a node is a function of these and of the distribution that is configured."""
+
+    def __init__(self) -> None:
+        self._nodes: dict[tuple[object, ...], tuple[list[Twin], Node]] = {}
+        """By the ids of what they are made of, which stays alive beside them."""
+
+    def node(self, twins: list[Twin], distro: str | None) -> Node:
+        """The node of these blueprints, which is made where it is not known."""
+        key = (distro, *(id(part) for twin in twins for part in twin))
+        if key not in self._nodes:
+            self._nodes[key] = twins, _node_of_twins(twins, distro)
+        return self._nodes[key][1]
+
+    def forget_others(self, nodes: Iterable[Node]) -> None:
+        """Keep these alone."""
+        kept = set(map(id, nodes))
+        self._nodes = {key: row for key, row in self._nodes.items() if id(row[1]) in kept}
+
+
+def assemble(
+    programs: Sequence[Program], workspace: Workspace, settings: Settings, known: KnownNodes | None = None
+) -> list[System]:
     """Without launch files all nodes that the workspace can start make one system, each of them once."""
-    nodes = [_node_of_twins(twins, settings.distro) for twins in _twins(programs)]
+    known = known or KnownNodes()
+    nodes = [known.node(twins, settings.distro) for twins in _twins(programs)]
+    known.forget_others(nodes)
     return [
         System(
             name=None,

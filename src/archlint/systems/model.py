@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from archlint.launch.model import Launched
     from archlint.model import (
         ApiCall,
+        Blueprint,
         Callback,
         Program,
     )
@@ -72,6 +73,10 @@ class System:
 
     kept: dict[object, object] = field(default_factory=dict, init=False, repr=False)
     """What analyses found of it (:func:`archlint.analysis.kept.once`)."""
+    _launched_names: dict[object, dict[tuple[str, Place], set[str | None]]] = field(
+        default_factory=dict, init=False, repr=False
+    )
+    """Of each node that was asked for, by :func:`key_of`: the names of what it creates, by kind and place."""
 
     def __post_init__(self) -> None:
         # A frozen dataclass has no other way to settle its fields.
@@ -205,6 +210,10 @@ class WorkspaceIndex:
     """The files of the programs that were followed only in part, since the workspace has so many."""
     kept: dict[object, object] = field(default_factory=dict, init=False, repr=False)
     """What analyses found of it (:func:`archlint.analysis.kept.once`)."""
+    _launched_names: dict[object, dict[tuple[str, Place], set[str | None]]] = field(
+        default_factory=dict, init=False, repr=False
+    )
+    """Of each node that was asked for, by :func:`key_of`: the names of what it creates, by kind and place."""
 
     def __post_init__(self) -> None:
         # A frozen dataclass has no other way to settle its fields.
@@ -232,18 +241,26 @@ class WorkspaceIndex:
         launched = (node for system in self.systems if system.name is not None for node in system.nodes)
         return frozenset(key_of(n.blueprint) for n in launched if n.blueprint is not None and (n.name or n.error))
 
+    def launched_names(self, blueprint: Blueprint, kind: str, place: Place) -> frozenset[str | None]:
+        """The names that launch files give to what a node creates at a place, with None for one that is not known;
+        empty where none starts that."""
+        key = key_of(blueprint)
+        if key not in self._launched_names:
+            names = self._launched_names[key] = {}
+            for end in (end for node in self._launched_nodes.get(key, ()) for end in node.endpoints):
+                names.setdefault((end.kind, end.place), set()).add(end.name if end.resolved else None)
+        return frozenset(self._launched_names[key].get((kind, place), ()))
+
     @cached_property
-    def launched_names(self) -> Mapping[tuple[object, str, Place], frozenset[str | None]]:
-        """The names that launch files give to what a node, by :func:`key_of`, creates at a place; None for one that
-        is not known."""
-        names: dict[tuple[object, str, Place], set[str | None]] = {}
+    def _launched_nodes(self) -> Mapping[object, Sequence[Node]]:
+        """What launch files start, by :func:`key_of`."""
+        nodes: dict[object, list[Node]] = {}
         for system in self.systems:
             every = (system, *(other for _, other in system.alternatives)) if system.launched is not None else ()
-            for end in (end for arm in every for node in arm.nodes for end in node.endpoints):
-                if end.node.blueprint is not None:
-                    key = (key_of(end.node.blueprint), end.kind, end.place)
-                    names.setdefault(key, set()).add(end.name if end.resolved else None)
-        return {key: frozenset(names_) for key, names_ in names.items()}
+            for node in (node for arm in every for node in arm.nodes):
+                if node.blueprint is not None:
+                    nodes.setdefault(key_of(node.blueprint), []).append(node)
+        return nodes
 
     @cached_property
     def namespaces(self) -> Mapping[object, frozenset[str]]:
