@@ -7,6 +7,7 @@ node are then taken for alternatives.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
+from functools import lru_cache
 from itertools import combinations
 from typing import TYPE_CHECKING
 
@@ -51,6 +52,7 @@ def possible(endpoint: Endpoint) -> bool:
     )
 
 
+@lru_cache(maxsize=10_000)  # asked of each endpoint by most rules
 def is_placeholder(name: str) -> bool:
     """Whether a name only holds the place of the one that whoever starts the node gives: two nodes that both have
     ``/_`` have no topic in common."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -14,6 +14,7 @@ from archlint.analysis.coexistence import (
     in_source_order,
     launched_separately,
 )
+from archlint.analysis.kept import once
 from archlint.model import EntityKind
 from archlint.ros.qos import Verdict, compatible
 
@@ -75,10 +76,10 @@ def _meet(system: System, offer: Endpoint, request: Endpoint) -> bool:
     return coexist(system, offer, request) and not _never_both(system, offer.node, request.node)
 
 
-def undelivered(system: System) -> Iterator[Undelivered]:
+@once
+def undelivered(system: System) -> Sequence[Undelivered]:
     """All such pairs of a system, by topic and in source order."""
-    for topic in system.topics.values():
-        yield from undelivered_on(system, topic)
+    return [pair for topic in system.topics.values() for pair in undelivered_on(system, topic)]
 
 
 def undelivered_on(system: System, topic: Connection) -> Iterator[Undelivered]:

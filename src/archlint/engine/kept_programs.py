@@ -79,12 +79,8 @@ class ProgramCache:
     ) -> KeptLaunches:
         """What is known of launches.  They depend on which files there are and on what is installed of them, and on
         what is given ``beside``."""
-        files = [
-            (file.relative, file.kind, file.package, file.module, list(map(astuple, file.links)))
-            for file in self.workspace.files
-        ]
         installed = [_plain(install) for _, install in sorted(installs.items())]
-        surroundings = _digest([self.code or own_code(), files, installed, beside])
+        surroundings = _digest([self.code or own_code(), index.importable.digest, installed, beside])
         key = f"launches-{self._key}"
         known, shares = self._known(key, surroundings), self.memory is not None
         kept = KeptLaunches(

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
-from pathlib import PurePath
 from typing import TYPE_CHECKING
 
 from archlint.config.options import options_for
@@ -98,7 +97,7 @@ def systems_of(inputs: Inputs, facts: FactsOfFiles) -> list[System]:
 
 def declaration_files(workspace: Workspace) -> list[str]:
     """The files that declare the interfaces of nodes."""
-    return sorted(file.relative for file in workspace.files if PurePath(file.relative).name == FILE_NAME)
+    return sorted(file.relative for file in workspace.files if file.relative.rpartition("/")[2] == FILE_NAME)
 
 
 def _installs(inputs: Inputs, files: WorkspaceFiles, faults: Faults) -> dict[str, Installs]:

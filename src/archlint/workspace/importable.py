@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import hashlib
 from collections.abc import Iterable
+from dataclasses import astuple
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 from archlint.workspace.includes import Includes
@@ -48,6 +51,14 @@ class Importable:
                     alike.append(file)
             stem = path.removesuffix("/__init__.py").removesuffix(".py")
             self._by_tail.setdefault(stem.rpartition("/")[2], []).append(file)
+
+    @cached_property
+    def digest(self) -> str:
+        """Equal for the same files of the same kinds under the same names, those included that cannot be imported."""
+        rows = [
+            (file.relative, file.kind, file.package, file.module, list(map(astuple, file.links))) for file in self.all
+        ]
+        return hashlib.sha256(repr(rows).encode()).hexdigest()
 
     def meant(self, importer: SourceFile, name: str, level: int = 0) -> SourceFile | None:
         """The file that an import in another means; None for what is not here."""
