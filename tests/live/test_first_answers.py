@@ -124,6 +124,23 @@ def test_the_first_answer_after_any_edit_is_the_whole_one(robot: Robot, seed: in
     assert whole.findings == LiveWorkspace(str(robot.folder)).analyse(asked, buffers).findings
 
 
+def test_only_nodes_of_edited_code_are_made_again(robot: Robot) -> None:
+    asked = Asked((str(robot.folder),), Settings())
+    live = LiveWorkspace(str(robot.folder))
+    text = robot.listener.read_text("utf-8")
+    live.analyse(asked, {})
+    once, twice = ({str(robot.listener): Buffer(text.replace("heard", word).encode())} for word in ("word", "words"))
+    before = {node.name: node for node in live.analyse(asked, once).systems[0][0].nodes}
+
+    first = live.first_answer(asked, twice)
+
+    assert first is not None
+    assert {node.name: node is before[node.name] for node in first.systems[0][0].nodes} == {
+        "/listener": False,
+        "/talker": True,
+    }
+
+
 def test_rules_that_go_by_program_judge_those_of_edited_code_alone(
     robot: Robot, monkeypatch: pytest.MonkeyPatch
 ) -> None:
