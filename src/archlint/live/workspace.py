@@ -245,8 +245,8 @@ class LiveWorkspace:
     def _files(self, asked: Asked, readable: Readable) -> tuple[Workspace, Importable]:
         if self._found is None or self._found[0] != asked:
             exclude = [pattern for glob in asked.settings.exclude for pattern in glob.patterns()]
-            found = find(asked.paths, exclude=exclude, working_directory=self.root, read=_reader(readable))
-            self._found = asked, found, Importable(found.files)
+            workspace = find(asked.paths, exclude=exclude, working_directory=self.root, read=_reader(readable))
+            self._found = asked, workspace, Importable(workspace.files)
         return self._found[1:]
 
     def _own(self, buffers: Buffers) -> Buffers:

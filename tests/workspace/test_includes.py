@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import pytest
-from archlint.interpreter.includes import Includes
 
+from archlint.workspace.includes import Includes
 from archlint.workspace.model import SourceFile
 
 FILES = (
