@@ -73,6 +73,8 @@ def test_what_decides_whether_a_call_is_reached(source: str, deciders: set[str])
         ("while True:\n    x()\n    if t():\n        break", set()),
         ("while True:\n    for i in j():\n        if t():\n            break\n    x()", set()),
         ("while True:\n    for i in j():\n        if t():\n            return\n    x()", {"for", "t"}),
+        ("while t():\n    x()\n    break", {"t"}),  # first of all, and nothing leads back
+        ("while True:\n    if t():\n        x()\n    break", {"t"}),
     ],
 )
 def test_what_decides_about_a_call_in_and_after_loops(source: str, deciders: set[str]) -> None:

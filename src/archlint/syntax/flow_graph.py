@@ -296,7 +296,7 @@ class Graph:
         def goes_on(edge: Edge) -> bool:
             return without_exceptions(edge) and not (edge.kind is Kind.BACK and edge.target in heads)
 
-        repeating = [edge.source for head in heads for edge in self._edges_to[head] if edge.kind is Kind.BACK]
+        repeating = [edge.source for head in heads for edge in self._edges_to.get(head, ()) if edge.kind is Kind.BACK]
         ends = [block for block in (*self.exits, *repeating) if block not in targets]
         missing = self.before(ends, goes_on, avoiding=targets).union(ends)
         certain = (self.before(targets, goes_on) | targets) - missing
