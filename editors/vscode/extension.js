@@ -3,9 +3,10 @@
 const { commands, window, workspace } = require("vscode");
 const { LanguageClient, TransportKind } = require("vscode-languageclient/node");
 
-/** What archlint reads: Python, launch files, parameters, manifests, interfaces and its own configuration. */
+/** What archlint reads: Python, C++, launch files, parameters, manifests, interfaces and its own configuration. */
 const DOCUMENTS = [
   { scheme: "file", language: "python" },
+  { scheme: "file", pattern: "**/*.{cpp,cc,cxx,hpp,hh,hxx,h}" },
   { scheme: "file", pattern: "**/*.{xml,launch,yaml,yml}" },
   { scheme: "file", pattern: "**/*.{msg,srv,action}" },
   { scheme: "file", pattern: "**/{CMakeLists.txt,setup.cfg,pyproject.toml,archlint.toml,.archlint.toml}" },

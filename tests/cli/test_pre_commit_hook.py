@@ -44,6 +44,8 @@ def test_a_hook_judges_the_whole_system_once(hook: dict[str, Any]):
     [
         "src/robot/robot/node.py",
         "src/robot/scripts/talker",
+        "src/driver/src/driver.cpp",
+        "src/driver/include/driver/driver.hpp",
         "src/robot_msgs/msg/Reading.msg",
         "src/robot_msgs/srv/SetMotor.srv",
         "src/robot_msgs/action/Dock.action",
@@ -72,7 +74,7 @@ def test_a_hook_runs_for_a_change_of(hook: dict[str, Any], file: str):
 @each_hook
 @pytest.mark.parametrize(
     "file",
-    ["README.md", "docs/notes.txt", "src/driver/src/driver.cpp", "src/robot/meshes/arm.stl", "src/robot/msg.html"],
+    ["README.md", "docs/notes.txt", "src/driver/src/driver.c", "src/robot/meshes/arm.stl", "src/robot/msg.html"],
 )
 def test_a_hook_does_not_run_for_a_change_of(hook: dict[str, Any], file: str):
     assert re.search(hook["files"], file) is None

@@ -23,6 +23,44 @@ LAUNCH = """\
 """
 
 
+CPP_MANIFEST = """\
+<package format="3">
+  <name>microphone</name>
+  <version>1.0.0</version>
+  <description>a node of C++</description>
+  <maintainer email="nobody@example.org">nobody</maintainer>
+  <license>MIT</license>
+  <depend>rclcpp</depend>
+  <depend>std_msgs</depend>
+  <export><build_type>ament_cmake</build_type></export>
+</package>
+"""
+CMAKE = """\
+project(microphone)
+find_package(rclcpp REQUIRED)
+find_package(std_msgs REQUIRED)
+add_executable(microphone src/microphone.cpp)
+install(TARGETS microphone DESTINATION lib/${PROJECT_NAME})
+"""
+MICROPHONE = """\
+#include "rclcpp/rclcpp.hpp"
+#include "std_msgs/msg/string.hpp"
+
+class Microphone : public rclcpp::Node {
+public:
+  Microphone() : Node("microphone") {
+    heard_ = create_publisher<std_msgs::msg::String>("chatter", 10);
+  }
+  rclcpp::Publisher<std_msgs::msg::String>::SharedPtr heard_;
+};
+
+int main(int argc, char ** argv) {
+  rclcpp::init(argc, argv);
+  rclcpp::spin(std::make_shared<Microphone>());
+}
+"""
+
+
 class Live:
     """The workspace of the robot, and what an editor holds of it."""
 
@@ -68,6 +106,23 @@ def test_what_is_not_saved_counts(live: Live) -> None:
     live.hold(live.robot.listener, LISTENER.replace("String", "Float64"))
 
     assert lines([*live.analyse().findings], "TOP001") == [("talker.py", 9)]
+
+
+def test_what_is_not_saved_of_a_node_of_cpp_counts(live: Live) -> None:
+    live.robot.write("../microphone/package.xml", CPP_MANIFEST)
+    live.robot.write("../microphone/CMakeLists.txt", CMAKE)
+    live.robot.write(
+        "launch/all.launch.xml",
+        '<launch><node pkg="robot" exec="listener"/><node pkg="microphone" exec="microphone"/></launch>',
+    )
+    microphone = live.robot.write("../microphone/src/microphone.cpp", MICROPHONE).resolve()
+    assert "TOP001" not in {finding.code for finding in live.analyse().findings}
+
+    live.hold(microphone, MICROPHONE.replace("msg::String", "msg::Int32"))
+    assert "TOP001" in {finding.code for finding in live.analyse().findings}
+
+    live.hold(microphone, MICROPHONE)
+    assert "TOP001" not in {finding.code for finding in live.analyse().findings}
 
 
 def test_a_manifest_that_is_not_saved_counts(live: Live) -> None:

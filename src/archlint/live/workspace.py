@@ -12,7 +12,7 @@ from archlint import __version__
 from archlint.config.filters import Filters
 from archlint.config.seen_from import seen_from
 from archlint.engine.findings import judged_in_parts
-from archlint.engine.inputs import Inputs, is_input, is_of_package, refuse_nothing
+from archlint.engine.inputs import Inputs, compiled_files, is_input, is_of_package, refuse_nothing
 from archlint.engine.memory import Memory
 from archlint.engine.request import NothingToDo, Request
 from archlint.live.buffers import Shifts
@@ -32,7 +32,7 @@ from archlint.workspace.around import is_below
 from archlint.workspace.discovery import find
 from archlint.workspace.importable import Importable
 from archlint.workspace.membership import read_file
-from archlint.workspace.model import LAUNCH_TEXT_KINDS, PYTHON_KINDS, SourceFile, SourceKind, Workspace
+from archlint.workspace.model import LAUNCH_TEXT_KINDS, SourceFile, SourceKind, Workspace
 
 if TYPE_CHECKING:
     from archlint.config.settings import Settings
@@ -220,7 +220,7 @@ class LiveWorkspace:
         findings: Sequence[Finding] = ()
         try:
             _refuse_no_input(workspace)
-            facts.prepare(workspace.of_kind(*PYTHON_KINDS), _catkin(workspace))
+            facts.prepare(compiled_files(workspace), _catkin(workspace))
             refuse_nothing(request, workspace, facts)
             judged = judged_in_parts(inputs, facts, loaded=systems)
         except NothingToDo as error:
@@ -275,7 +275,7 @@ def _text(data: bytes | None) -> str:
 
 def _refuse_no_input(workspace: Workspace) -> None:
     if not workspace.problems and not any(is_input(file) or is_of_package(file) for file in workspace.files):
-        raise NothingToDo("nothing to check: no package.xml, no Python file and no launch file")
+        raise NothingToDo("nothing to check: no package.xml, no Python or C++ file and no launch file")
 
 
 def _catkin(workspace: Workspace) -> set[str]:

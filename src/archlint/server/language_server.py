@@ -17,7 +17,7 @@ from archlint.server.editor import Client, Editor, Published
 from archlint.server.name_features import answer_about_names
 from archlint.server.uris import path_of
 
-_WATCHED = "**/*.{py,xml,launch,yaml,yml,toml,cfg,msg,srv,action,txt}"
+_WATCHED = "**/*.{py,xml,launch,yaml,yml,toml,cfg,msg,srv,action,txt,cpp,cc,cxx,hpp,hh,hxx,h}"
 
 
 Said = TypeVar("Said")

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from archlint.live.snapshot import Snapshot
     from archlint.monitor import Monitor
 
-_CODE = ("python", "launch_python", "launch_xml", "launch_yaml", "parameters")
+_CODE = ("python", "cpp", "launch_python", "launch_xml", "launch_yaml", "parameters")
 """Kinds of files whose text decides nothing about which files and packages there are."""
 
 
