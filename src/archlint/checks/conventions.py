@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.model import NAMED
+from archlint.name_patterns import matches
 
 if TYPE_CHECKING:
     from archlint.finding import Finding, Place
@@ -68,6 +68,6 @@ def _part_against(pattern: str, name: Text, separator: str) -> str | None:
     for part in name.text.split(separator):
         if not part or part.startswith(_HIDDEN) or set(part) & set("*{}~"):
             continue
-        if not re.fullmatch(pattern, part):
+        if matches(pattern, part) is False:
             return part
     return None
