@@ -85,9 +85,10 @@ def _pauses(run: Run, loop: Loop) -> float | None:
 
 
 def _number(run: Run, expression: facts.Expr) -> float | None:
-    """A number that is written here, or what a name or an attribute holds."""
+    """A number that is written here, or what a name or an attribute holds.  What is called for it (``get().value``) is
+    not followed here: the call asks for the limits of its loops in turn."""
     match expression:
-        case facts.Literal() | facts.Name() | facts.Attribute():
+        case facts.Literal() | facts.Name() | facts.Attribute() if not any(calls_in(expression)):
             return _value(run, expression)
     return None
 
