@@ -12,9 +12,11 @@ from archlint.cli import main
 from archlint.config.settings import Settings, load
 from archlint.engine import pipeline
 from archlint.engine.pipeline import Request
+from archlint.faults import Fault
 from archlint.finding import Finding
 from archlint.interpreter import expressions
 from archlint.launch import files as launch_files
+from archlint.place import Place
 from archlint.syntax import facts
 
 GOOD = """\
@@ -268,3 +270,8 @@ def test_calls_as_deep_as_a_run_follows_fit_its_stack_whatever_their_arguments_l
 
     assert topics() == ["/end"]
     assert not [one for one in findings() if one.code == "LNT003"]
+
+
+def test_a_fault_says_the_same_in_every_run():
+    fault = Fault.of("reading this", KeyError(object()), Place("a.py", 1, 1, 1, 1))
+    assert fault.message == "KeyError: <object object>"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import traceback
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -9,6 +10,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from archlint.finding import Place
+
+_ADDRESS = re.compile(r" at 0x[0-9a-fA-F]+")
 
 
 @dataclass(frozen=True)
@@ -28,7 +31,8 @@ class Fault:
             return cls(what, kind, kind, place)  # which line was the last straw says nothing
         frames = traceback.extract_tb(error.__traceback__)
         where = f" ({Path(frames[-1].filename).name}:{frames[-1].lineno})" if frames else ""
-        return cls(what, kind, f"{kind}: {error}{where}", place)
+        said = _ADDRESS.sub("", str(error))  # where an object lay is another place in every run
+        return cls(what, kind, f"{kind}: {said}{where}", place)
 
 
 class Faults:

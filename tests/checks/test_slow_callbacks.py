@@ -591,7 +591,12 @@ def moves(self):
         ("3.0", "timeout > 0.0", "time.sleep(0.02)\n        timeout += 0.02", ["SRV008"]),
         ("3.0", "timeout > 0.0", "time.sleep(0.02)\n        if read():\n            timeout -= 0.02", ["SRV008"]),
         ("read()", "timeout > 0.0", "time.sleep(0.02)\n        timeout -= 0.02", ["SRV008"]),
-        ("3.0", "timeout > 0.0", "time.sleep(0.02)\n        timeout -= self.get_clock().now().nanoseconds", ["SRV008"]),
+        (
+            "3.0",
+            "timeout > 0.0",
+            "time.sleep(0.02)\n        timeout -= self.get_parameter('p').value",
+            ["SRV008", "PRM003"],
+        ),
     ],
 )
 def test_a_loop_that_counts_its_rounds_ends(run: Run, given: str, test: str, body: str, expected: list[str]):
