@@ -12,7 +12,7 @@ define APT
 	flock /tmp/archlint-apt.lock sh -c "$$sudo apt-get update -qq && $$sudo apt-get install -qq -y $(1)"
 endef
 
-.PHONY: demo test test-page test-ros test-ros-full fuzz mutants adoption adoption-public editors docs check style types layers suite clean
+.PHONY: demo test test-page test-ros test-ros-full fuzz fuzz-readers mutants adoption adoption-public editors docs check style types layers suite clean
 
 # A Debian without python3-venv cannot make an environment with pip in it: install that package where we may.
 $(STAMP): pyproject.toml
@@ -67,6 +67,9 @@ MINUTES ?= 60
 fuzz: $(STAMP)  ## made-up workspaces for MINUTES=60; what fails becomes a case in tests/fuzz/cases
 	$(BIN)/python -m benchmarks.fuzz --minutes $(MINUTES)
 
+fuzz-readers: $(STAMP)  ## the readers of files under atheris, for MINUTES=60
+	scripts/fuzz_readers $(BIN)/python $(MINUTES)
+
 mutants: $(STAMP)  ## an hour: do the tests of the modules that say "wrong" notice each change of them?
 	scripts/mutants $(BIN)/python
 
@@ -100,4 +103,4 @@ docs: $(DOCS_STAMP)
 check: test
 
 clean:
-	rm -rf $(VENV) .venv-docs .venv-ros-* .venv-adoption .venv-mutants demo-output dist build .pytest_cache .mypy_cache .ruff_cache .hypothesis .import_linter_cache
+	rm -rf $(VENV) .venv-docs .venv-ros-* .venv-adoption .venv-mutants .venv-readers demo-output dist build .pytest_cache .mypy_cache .ruff_cache .hypothesis .import_linter_cache
