@@ -305,7 +305,7 @@ def facts(workspace: Path, elsewhere: Path) -> Path:
     return elsewhere / "facts"
 
 
-@pytest.mark.parametrize("change", [{"archlint": "0.0.9"}, {"version": 2}, {"facts": 1}])
+@pytest.mark.parametrize("change", [{"archlint": "0.0.9"}, {"version": 1}, {"facts": 1}])
 def test_facts_of_another_version_are_refused(facts: Path, say: Say, change: dict[str, object]) -> None:
     (facts / INDEX).write_text(json.dumps(index_of(facts) | change))
     assert "were written by archlint" in refused(say, facts)
