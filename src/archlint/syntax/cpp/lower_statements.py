@@ -36,6 +36,7 @@ class StatementLowering(DeclarationLowering):
         self._nesting = 0
         self._statements: dict[str, StatementKind] = {
             "compound_statement": self._compound_statement,
+            "ERROR": self._compound_statement,
             "expression_statement": self._expression,
             "declaration": self.declaration,
             "return_statement": self._return,

@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING
 import tree_sitter
 import tree_sitter_cpp
 
+from archlint.syntax.cpp.preprocessor import with_whole_branches
+
 if TYPE_CHECKING:
     from tree_sitter import Node, Parser, Tree
 
@@ -33,7 +35,7 @@ def parse(data: bytes) -> Tree:
     """The tree of a file.  Damaged code has nodes of the type ``ERROR`` where it is not understood."""
     for pattern, group in ((_EXPORT_MACRO, 0), (_MACRO_OF_CLASS, 1), (_MODULE_MACRO, 0)):
         data = pattern.sub(lambda match, group=group: _blanked(match, group), data)  # type: ignore[misc]
-    return _parser().parse(data)
+    return _parser().parse(with_whole_branches(data))
 
 
 def _blanked(match: re.Match[bytes], group: int) -> bytes:
