@@ -88,3 +88,37 @@ def test_a_component_runs_under_the_name_and_with_the_parameters_of_the_launch_f
     nodes = graph(files, "--launch", "robot/launch/robot.launch.py")["nodes"]
     [node] = [node for node in nodes if node["class"] == "Talker"]
     assert (node["name"], ends(node)) == ("/left/speaker", ["/left/news", "/early"])
+
+
+READS = """
+#include "rclcpp/rclcpp.hpp"
+#include "std_msgs/msg/string.hpp"
+namespace tools {
+template<typename T>
+void read(rclcpp::Node::SharedPtr node, const std::string & name, T fallback, T & value) {
+  node->declare_parameter(name, rclcpp::ParameterValue(fallback));
+  node->get_parameter(name, value);
+}
+template<typename MessageT>
+auto publisher(rclcpp::Node & node, const std::string & topic) { return node.create_publisher<MessageT>(topic, 1); }
+}
+class Robot : public rclcpp::Node {
+public:
+  Robot() : Node("robot") { timer_ = create_wall_timer(1s, std::bind(&Robot::start, this)); }
+  void start() {
+    tools::read(shared_from_this(), "on", on_, on_);
+    tools::read(shared_from_this(), "topic", topic_, topic_);
+    if (on_) { tools::publisher<std_msgs::msg::String>(*this, topic_); }
+  }
+private:
+  bool on_ = false;
+  std::string topic_ = "chatter";
+};
+int main(int argc, char ** argv) { rclcpp::spin(std::make_shared<Robot>()); }
+"""
+
+
+def test_what_a_function_writes_into_a_reference_its_caller_has() -> None:
+    [node] = graph({"src/robot.cpp": READS})["nodes"]
+    [end] = node["publishers"]
+    assert (end["name"], end["type"], end["parameter"]) == ("/chatter", "std_msgs/msg/String", "topic")

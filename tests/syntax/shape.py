@@ -17,7 +17,7 @@ def shape(fact: object) -> str:
         return repr(fact)
     fields = [field for field in msgspec.structs.fields(fact) if field.name not in SPANS]
     values = [getattr(fact, field.name) for field in fields]
-    while fields and not fields[-1].required and values[-1] in (None, "", []):
+    while fields and not fields[-1].required and values[-1] in (fields[-1].default, None, "", []):
         fields.pop()
         values.pop()
     return f"{type(fact).__name__}({', '.join(map(shape, values))})"

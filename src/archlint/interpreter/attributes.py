@@ -261,12 +261,20 @@ def _set_one(machine: Machine, target: Value, name: str, value: Value) -> None:
         if setter is not None:
             machine.call(BoundMethod(setter, target), CallSite([value]))
         return
-    machine.library.assigned(target, name, value)
+    if not _defines_method(target, value):
+        machine.library.assigned(target, name, value)
     if isinstance(target, ModuleValue):
         assert target.module.scope is not None
         machine.store.set(target.module.scope.key, name, value)
     elif target.heap_key:
         machine.store.set(target.heap_key, name, value)
+
+
+def _defines_method(target: Value, value: Value) -> bool:
+    """Whether a class gets a method that C++ defines outside of it."""
+    if not isinstance(target, ClassValue) or not isinstance(value, FunctionValue):
+        return False
+    return value.scope.module.file.kind == "cpp"
 
 
 def _is_property(attribute: Value | None) -> bool:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from archlint.branches import ChoiceOfCallee
-from archlint.interpreter import containers, hints, repeats
+from archlint.interpreter import containers, hints, references, repeats
 from archlint.interpreter.activation import Activation
 from archlint.interpreter.attributes import method_of
 from archlint.interpreter.bindings import bound_names
@@ -137,7 +137,10 @@ def call_function(machine: Machine, function: FunctionValue, site: CallSite, sel
     def enter() -> Value:
         return enter_function(machine, function, site, self_value)
 
-    return repeats.follow(machine, function, key, enter)
+    def follow() -> Value:
+        return repeats.follow(machine, function, key, enter)
+
+    return references.with_arguments_written(machine, ir, site, follow)
 
 
 def _is_too_deep(machine: Machine, ir: facts.Function | facts.Lambda) -> bool:
@@ -214,6 +217,7 @@ def _leave_function(
     machine: Machine, ir: facts.Function, activation: Activation, status: Status, layer: Layer
 ) -> Value:
     captured = [kept for _, kept in activation.returns if kept is not None]
+    references.note(machine, ir, activation, [*captured, layer])
     activation.forget([*captured, layer])
     falls_through = status not in ("return", "raise")
     straight = any(kept is None for _, kept in activation.returns)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from archlint.syntax.facts import Facts, ImportFrom
@@ -11,7 +12,15 @@ if TYPE_CHECKING:
     from archlint.interpreter.modules import Module, ModuleIndex
 
 
-def implementations(index: ModuleIndex, header: Module) -> list[Module]:
+def sources_to_run(index: ModuleIndex, module: Module) -> Iterator[Module]:
+    """The C++ sources that define what headers declare, once the outermost of these headers is read: what includes it
+    again meets it whole."""
+    index.unlinked.append(module)
+    while index.unlinked and not index.running:
+        yield from _implementations(index, index.unlinked.pop(0))
+
+
+def _implementations(index: ModuleIndex, header: Module) -> list[Module]:
     """The C++ sources that define what a header declares: those of its package that include it."""
     if not index.importable.includes.is_header(header.file):
         return []
@@ -29,4 +38,4 @@ def _included_by(facts: Facts) -> tuple[str, ...]:
     return tuple(row.module for row in facts.body if isinstance(row, ImportFrom) and row.names == [("*", "*")])
 
 
-__all__ = ["implementations"]
+__all__ = ["sources_to_run"]

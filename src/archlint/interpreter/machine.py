@@ -21,7 +21,7 @@ from archlint.interpreter.activation import Activation
 from archlint.interpreter.call_site import NOTHING_GIVEN, CallSite
 from archlint.interpreter.caught import Raised
 from archlint.interpreter.heap import Layer, Slot, Store
-from archlint.interpreter.implementations import implementations
+from archlint.interpreter.implementations import sources_to_run
 from archlint.interpreter.library import Library
 from archlint.interpreter.limits import COMPREHENDED, NESTED_CALLS, PROGRAM_STEPS, RUNS, STEPS, WORK_OF_A_STEP
 from archlint.interpreter.modules import Module, ModuleIndex, Scope, ScopeKind
@@ -113,6 +113,7 @@ class Machine(ABC):
         """Where each function (by the id of its facts) is called; None for code that is not here."""
         self.repeats: dict[Hashable, Repeated] = {}
         self.runs: dict[int, int] = {}
+        self.by_reference: dict[int, dict[str, Value]] = {}  # see references.py
         self.exhausted = False
         self.refused: set[Place] = set()
         """The calls that Python refuses."""
@@ -239,7 +240,7 @@ class Machine(ABC):
                     self.steps, self.allowed_steps = bounds
                 module.state = "done"
             self.library.module_done(module)
-            for source in implementations(self.index, module):
+            for source in sources_to_run(self.index, module):
                 self.import_module(source)
         return ModuleValue(module)
 

@@ -111,6 +111,10 @@ class ModuleIndex:
         """Imports a module that a program imported whose result was kept."""
         self.import_all_earlier: Callable[[], None] | None = None
         """Imports all of these."""
+        self.running = 0
+        """How many modules run their top level, each imported by the one before."""
+        self.unlinked: list[Module] = []
+        """Modules that have run, and whose C++ sources have not been looked for."""
 
     def asked_for(self) -> list[str]:
         """The shown paths of the modules that anybody has asked for."""
@@ -224,10 +228,12 @@ class ModuleIndex:
             if self._readers:
                 self._readers[-1].imports.append(self._importing)
         self._importing.append(module.file.path)
+        self.running += 1
         try:
             with self.reading(module.reads):
                 yield
         finally:
+            self.running -= 1
             self.imported.add(module.file.path)
             if module.scope is not None:
                 self.scopes.add(module.scope.key)

@@ -391,3 +391,5 @@ class Param(Base, frozen=True):
     kind: ParamKind
     default: Expr | None = None
     annotation: Expr | None = None
+    by_reference: bool = False
+    """Whether what the function assigns to it is assigned to the argument, as in C++."""

@@ -56,6 +56,16 @@ def method(node: Expr, name: str, types: Sequence[Expr], arguments: Sequence[Exp
     return facts.Call(facts.Attribute(node, renamed, span), given, span)
 
 
+def template_arguments(types: Sequence[Expr]) -> list[Argument]:
+    """Explicit template arguments, for the parameters that :func:`template_parameter` names."""
+    return [Argument(value, template_parameter(number)) for number, value in enumerate(types)]
+
+
+def template_parameter(number: int) -> str:
+    """What the parameter of a function template is called that takes a template argument."""
+    return f"<{number}>"
+
+
 def action(function: Expr, is_server: bool, types: Sequence[Expr], arguments: Sequence[Expr], span: Span) -> Expr:
     """``rclcpp_action::create_server<T>(node, "name", …)``, also with the interfaces of the node one by one."""
     names = [at for at, value in enumerate(arguments) if not _is_of_node(value)]
@@ -141,4 +151,6 @@ __all__ = [
     "method",
     "node_arguments",
     "parameter",
+    "template_arguments",
+    "template_parameter",
 ]

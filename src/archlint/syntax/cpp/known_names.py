@@ -64,7 +64,14 @@ INTERFACE_KINDS = frozenset({"msg", "srv", "action"})
 SAME = frozenset(
     {
         *("std.move", "std.forward", "std.ref", "std.cref", "std.static_pointer_cast", "std.dynamic_pointer_cast"),
-        *("std.const_pointer_cast", "std.as_const", "std.make_optional", "std.chrono.duration_cast", "std.string_view"),
+        *(
+            "std.const_pointer_cast",
+            "std.as_const",
+            "std.make_optional",
+            "rclcpp.ParameterValue",
+            "std.chrono.duration_cast",
+            "std.string_view",
+        ),
         *("std.reference_pointer_cast", "static_cast", "dynamic_cast", "const_cast", "reinterpret_cast"),
     }
 )

@@ -85,7 +85,8 @@ class CallLowering(ObjectLowering):
         method = facts.Attribute(value, renamed, function_span)
         if name == "at" and len(values) == 1:
             return facts.Subscript(value, values[0], span)
-        return facts.Call(method, given(values), span)
+        own = calls.template_arguments(types) if isinstance(value, (facts.Name, facts.Implicit)) else []
+        return facts.Call(method, [*given(values), *own], span)
 
     def _without_arguments(self, value: Expr, name: str, span: Span) -> Expr | None:
         if name in _PARAMETER_VALUES:
@@ -161,7 +162,7 @@ class CallLowering(ObjectLowering):
             if last.name in calls.METHODS or last.name in _OF_NODE:
                 return self._on(facts.Name("self", span), last, arguments, span, self.source.span(function))
             values = [self._itself(span), *values]
-        return facts.Call(called, given([*types, *values]), span)
+        return facts.Call(called, [*given(values), *calls.template_arguments(types)], span)
 
     def _itself(self, span: Span) -> Expr:
         return facts.Name("self", span) if self.names.is_in_method else facts.Opaque("no object", span)

@@ -80,9 +80,14 @@ class FunctionLowering(StatementLowering):
             body = self._initialised(node, owner, span) if owner is not None and part.name == owner else []
             body += [] if block is None else self.block(block.named_children)
         first = [facts.Param("self", "normal")] if owner is not None else []
-        types = [facts.Param(type_name, "normal") for type_name in self._template_parameters]
+        unknown = facts.Opaque("a template argument", span)
+        numbered = [(calls.template_parameter(at), own) for at, own in enumerate(self._template_parameters)]
+        types = [facts.Param(given_as, "keyword_only", unknown) for given_as, _ in numbered]
+        named: list[Stmt] = [
+            facts.Assign([facts.Name(own, span)], facts.Name(given_as, span), span) for given_as, own in numbered
+        ]
         return facts.Function(
-            name, [*first, *types, *params], body, [], None, False, False, span, self.source.span(name_node)
+            name, [*first, *params, *types], [*named, *body], [], None, False, False, span, self.source.span(name_node)
         )
 
     def parameters(self, declarator: Node) -> list[Param]:
@@ -104,7 +109,8 @@ class FunctionLowering(StatementLowering):
                 default = facts.Opaque("the command line", self.source.span(node))
             self.names.declare(name)
             annotation = None if kind is None else self.names.resolve(self.names.parts(kind), self.source.span(kind))
-            params.append(facts.Param(name, "normal", default, annotation if _is_type(annotation) else None))
+            kind_of_type = annotation if _is_type(annotation) else None
+            params.append(facts.Param(name, "normal", default, kind_of_type, _is_reference(node)))
         return params
 
     def _initialised(self, node: Node, owner: str | None, span: Span) -> list[Stmt]:
@@ -161,6 +167,16 @@ class FunctionLowering(StatementLowering):
         """A call of what a class does for each of its objects."""
         call = facts.Call(facts.Attribute(facts.Name(own, span), method, span), given([facts.Name("self", span)]), span)
         return facts.Expression(call, span)
+
+
+def _is_reference(node: Node) -> bool:
+    """Whether a parameter is written to for the caller: ``T & name``, ``T * name`` without ``const``."""
+    declarator = node.child_by_field_name("declarator")
+    is_constant = any(child.type == "type_qualifier" and child.text == b"const" for child in node.children)
+    if declarator is None or is_constant:
+        return False
+    text = declarator.text or b""
+    return declarator.type in ("reference_declarator", "pointer_declarator") and not text.startswith(b"&&")
 
 
 def function_declarator(node: Node) -> Node | None:
