@@ -122,3 +122,22 @@ def test_what_a_function_writes_into_a_reference_its_caller_has() -> None:
     [node] = graph({"src/robot.cpp": READS})["nodes"]
     [end] = node["publishers"]
     assert (end["name"], end["type"], end["parameter"]) == ("/chatter", "std_msgs/msg/String", "topic")
+
+
+OVERLOADED = """
+#include "rclcpp/rclcpp.hpp"
+#include "rclcpp_components/register_node_macro.hpp"
+class Camera : public rclcpp::Node {
+public:
+  explicit Camera(const rclcpp::NodeOptions & options) : Node("camera", "/left", options) { start(); }
+  Camera(const std::string & name, const std::string & ns, const rclcpp::NodeOptions & options)
+  : Node(name, ns, options) { start(); }
+  void start() { create_publisher<sensor_msgs::msg::Image>("~/image", 10); }
+};
+RCLCPP_COMPONENTS_REGISTER_NODE(Camera)
+"""
+
+
+def test_a_component_is_made_by_the_constructor_that_takes_the_options_alone() -> None:
+    [node] = graph({"src/camera.cpp": OVERLOADED})["nodes"]
+    assert (node["name"], ends(node)) == ("/left/camera", ["/left/camera/image"])

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from archlint.interpreter import containers, hints, path_parts, registries
+from archlint.interpreter import containers, hints, overloads, path_parts, registries
 from archlint.interpreter.call_site import CallSite
 from archlint.interpreter.classes import SETTERS
 from archlint.interpreter.values import (
@@ -261,7 +261,9 @@ def _set_one(machine: Machine, target: Value, name: str, value: Value) -> None:
         if setter is not None:
             machine.call(BoundMethod(setter, target), CallSite([value]))
         return
-    if not _defines_method(target, value):
+    if _defines_method(target, value):
+        overloads.note(machine.index.overloads, target.heap_key or 0, name, value)
+    else:
         machine.library.assigned(target, name, value)
     if isinstance(target, ModuleValue):
         assert target.module.scope is not None

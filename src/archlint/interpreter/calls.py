@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from archlint.branches import ChoiceOfCallee
-from archlint.interpreter import containers, hints, references, repeats
+from archlint.interpreter import containers, hints, overloads, references, repeats
 from archlint.interpreter.activation import Activation
 from archlint.interpreter.attributes import method_of
 from archlint.interpreter.bindings import bound_names
@@ -126,6 +126,7 @@ def bind_arguments(machine: Machine, function: FunctionValue, site: CallSite) ->
 
 def call_function(machine: Machine, function: FunctionValue, site: CallSite, self_value: Value | None = None) -> Value:
     """Run a function of the workspace and return what it may return."""
+    function = overloads.meant(machine.index.overloads, function, site)
     ir = function.ir
     if _is_too_deep(machine, ir):
         return Unknown(f"'{function.qualified}' calls itself")

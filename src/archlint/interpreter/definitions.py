@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from archlint.interpreter import refusals, registries
+from archlint.interpreter import overloads, refusals, registries
 from archlint.interpreter.activation import Activation
 from archlint.interpreter.call_site import CallSite
 from archlint.interpreter.classes import SETTERS, called
@@ -44,6 +44,7 @@ def define_function(machine: Machine, s: facts.Function) -> Value:
     for decorator in s.decorators:
         _read_decorator(machine, decorator, names, foreign)
     function = FunctionValue(s, owner_scope, prefix + s.name, tuple(defaults), None, frozenset(names))
+    overloads.note(machine.index.overloads, owner_scope.key, s.name, function)
     if "setter" in names:
         machine.store.set(owner_scope.key, SETTERS[s.name], function)
         return machine.store.get(owner_scope.key, s.name) or function

@@ -111,6 +111,7 @@ class ModuleIndex:
         """Imports a module that a program imported whose result was kept."""
         self.import_all_earlier: Callable[[], None] | None = None
         """Imports all of these."""
+        self.overloads: dict[tuple[int, str], list[object]] = {}  # see overloads.py
         self.running = 0
         """How many modules run their top level, each imported by the one before."""
         self.unlinked: list[Module] = []

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from archlint import model
-from archlint.interpreter import definitions
+from archlint.interpreter import definitions, overloads
 from archlint.interpreter.call_site import CallSite
 from archlint.interpreter.growing import open_up
 from archlint.interpreter.limits import EXTRA_STEPS, FEW_STEPS, ROOTS, SELF_STARTS, STEPS
@@ -255,11 +255,12 @@ def _methods(run: Run, cls: ClassValue) -> list[tuple[FunctionValue, ClassValue]
         if isinstance(base, ClassValue):
             names = [statement.name for statement in definitions.methods_of(base)]
             if base.scope.module.file.kind == "cpp":  # whose methods are mostly defined outside of the class
-                names = [name for name, _ in run.store.variables(base.key)]
+                names = [name for name, _ in run.store.variables(base.key) if not name.startswith("__")]
             for name in names:
                 value = run.store.get(base.key, name)
-                if isinstance(value, FunctionValue):
-                    methods.setdefault(name, (value, cls))
+                if isinstance(value, FunctionValue) and name not in methods:
+                    for number, function in enumerate(overloads.all_of(run.index.overloads, value)):
+                        methods[f"{name} {number}" if number else name] = function, cls
     return list(methods.values())
 
 
