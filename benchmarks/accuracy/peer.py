@@ -25,9 +25,9 @@ _KINDS = {
 _MIDDLE = {"publishers": "msg", "subscriptions": "msg", "services": "srv", "clients": "srv"}
 
 
-def read(command: str, checkout: Path, cache: Path) -> dict[str, Any]:
+def read(command: str, checkout: Path, cache: Path, language: str = "python") -> dict[str, Any]:
     """Run the peer on a copy of the checkout (it writes a cache into the tree) and translate its answer."""
-    nodes = [node for node in _nodes(command, checkout, cache) if node["language"] == "python"]
+    nodes = [node for node in _nodes(command, checkout, cache) if node["language"] == language]
     return {"version": 1, "nodes": [_node(node, checkout) for node in nodes], "unresolved": []}
 
 
