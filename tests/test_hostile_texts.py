@@ -9,7 +9,7 @@ import pytest
 
 from archlint.ros.names import HOLE, pattern_matches
 from archlint.syntax.entry_point_tables import entries_of_setup_cfg, parse_entry
-from archlint.syntax.files import _imported
+from archlint.syntax.imported_names import imported
 from archlint.syntax.interface_values import parse_value
 from archlint.syntax.interfaces import parse_interface
 from archlint.syntax.launch_xml import read_launch_xml
@@ -24,13 +24,13 @@ MANY = 60_000
 @pytest.mark.parametrize("line", [b"from a import (\n", b"from " + b"." * MANY + b"\n"], ids=["brackets", "dots"])
 def test_imports_that_a_docstring_only_begins(line):
     source = b"from x import (y,\n z)\nimport b\n" + line * (MANY if len(line) < 100 else 1) + b"import c\n"
-    found = _imported(source)
+    found = imported(source)
     assert {b"x", b"x.y", b"x.z", b"b", b"c"} <= set(found)
 
 
 def test_what_stands_behind_a_list_of_imports_on_its_last_line():
-    assert _imported(b"from x import (y)\nfrom u import v\n") == [b"x", b"x.y", b"u", b"u.v"]
-    assert _imported(b"f()\nfrom x import (\n y") == [b"x"]
+    assert imported(b"from x import (y)\nfrom u import v\n") == [b"x", b"x.y", b"u", b"u.v"]
+    assert imported(b"f()\nfrom x import (\n y") == [b"x"]
 
 
 def test_comments_of_cmake_that_nothing_closes():
