@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
-from itertools import chain
+from itertools import chain, islice
 from typing import Any, TypeVar, overload
 
 from archlint.interpreter.fields import Field, Fields, key_in
@@ -28,6 +28,9 @@ class Store:
     def __init__(self) -> None:
         self.layers: list[Layer] = [{}]
         self._next = 1
+        self._names: dict[int, list[str]] = {}
+        """The names that objects and scopes have in the base layer, of its first ``_named`` slots."""
+        self._named = 0
         self._references: dict[int, dict[str, None]] = {}
         self._program_references: dict[int, dict[str, None]] = {}
         self.shared: dict[int, object] = {}
@@ -91,11 +94,14 @@ class Store:
 
     def variables(self, key: int) -> list[tuple[str, Value]]:
         """The names under which the base layer has values of an object or a scope, with these values."""
-        return [
-            (slot, value)
-            for (owner, slot), value in self.layers[0].items()
-            if owner == key and isinstance(slot, str) and isinstance(value, Value)
-        ]
+        base = self.layers[0]
+        # The base only grows, and dicts keep the order: what is new since the last question stands at its end.
+        for owner, slot in reversed([*islice(reversed(base), len(base) - self._named)]):
+            if isinstance(slot, str):
+                self._names.setdefault(owner, []).append(slot)
+        self._named = len(base)
+        rows = ((slot, base[key, slot]) for slot in self._names.get(key, ()))
+        return [(slot, value) for slot, value in rows if isinstance(value, Value)]
 
     def _noted(self, at: Slot, default: object) -> object:
         assert self._reads is not None
