@@ -254,3 +254,32 @@ def test_whatever_is_written_it_is_lowered(pieces: list[str]) -> None:
 def test_deep_nesting_ends() -> None:
     assert lower(b"int f() { return " + b"(" * 3_000 + b"1" + b")" * 3_000 + b"; }").version
     assert lower(b"void f() {" + b"{" * 3_000 + b"}" * 3_000 + b"}").version
+
+
+@pytest.mark.parametrize(
+    "names",
+    [
+        "using A = B::A; using B = A::B;",
+        "using A = B; using B = A;",
+        "using Base::Base;",
+        "namespace a = b; namespace b = a;",
+    ],
+)
+def test_names_that_stand_for_each_other_end(names: str) -> None:
+    assert in_python(f"{names} void f(A x) {{ A y; B z(1); g(Base::h); }}")
+
+
+def test_constructors_of_a_base_are_no_alias_of_it() -> None:
+    source = 'class Left : public Arm { using Arm::Arm; void go() { Arm::go("left"); } };'
+    assert "Arm.go(self, 'left')" in in_python(source)
+
+
+def test_a_column_counts_characters_where_the_line_is_utf_8_and_bytes_where_it_is_not() -> None:
+    rows = lower('const char * a = "ä"; int b = 1;\n'.encode() + 'const char * a = "ä"; int b = 1;'.encode("latin-1"))
+    assert [row.span[:2] for row in rows.body if isinstance(row, facts.Assign)] == [(1, 1), (1, 23), (2, 1), (2, 23)]
+
+
+def test_a_suppression_above_another_comment_covers_the_next_statement() -> None:
+    source = "void f() {\n  // archlint: ignore[TOP001] why\n  // and more\n  g();\n}\n"
+    [row] = lower(source.encode()).suppressions
+    assert row.applies_to == (4, 4)

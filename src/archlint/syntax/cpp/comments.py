@@ -22,7 +22,7 @@ def find_suppressions(source: SourceText, root: Node) -> list[Suppression]:
     if _MARK not in source.data and b"noqa" not in source.data:
         return []
     suppressions = []
-    for comment in _comments(root):
+    for comment, before, after in _comments(root):
         text = source.text(comment)
         line, column, *_ = source.span(comment)
         other = lookalike(text)
@@ -32,7 +32,7 @@ def find_suppressions(source: SourceText, root: Node) -> list[Suppression]:
                 Suppression(line, start, start + len(other[0]), (line, line), [], not_understood=other[0])
             )
         for match in _SUPPRESSION.finditer(text):
-            covered = (1, source.data.count(b"\n") + 1) if match[1] else _covered(source, comment)
+            covered = (1, source.data.count(b"\n") + 1) if match[1] else _covered(comment, before, after)
             suppressions.append(
                 Suppression(
                     line,
@@ -48,25 +48,29 @@ def find_suppressions(source: SourceText, root: Node) -> list[Suppression]:
     return suppressions
 
 
-def _comments(root: Node) -> list[Node]:
-    comments, waiting = [], [root]
+def _comments(root: Node) -> list[tuple[Node, Node | None, Node | None]]:
+    """Each comment, what stands before it, and what follows that is no comment; in one walk, because a node finds its
+    siblings by going through all of them."""
+    comments: list[tuple[Node, Node | None, Node | None]] = []
+    waiting = [root]
     while waiting:
-        node = waiting.pop()
-        if node.type == "comment":
-            comments.append(node)
-        waiting.extend(node.children)
-    return sorted(comments, key=lambda node: node.start_byte)
+        children = waiting.pop().children
+        after: Node | None = None
+        for at in range(len(children) - 1, -1, -1):
+            child = children[at]
+            if child.type == "comment":
+                comments.append((child, children[at - 1] if at else None, after))
+            else:
+                after = child
+        waiting.extend(children)
+    return sorted(comments, key=lambda row: row[0].start_byte)
 
 
-def _covered(source: SourceText, comment: Node) -> tuple[int, int]:
+def _covered(comment: Node, before: Node | None, after: Node | None) -> tuple[int, int]:
     """The statement that a comment ends or, on a line of its own, the next one."""
     line = comment.start_point[0]
-    before = comment.prev_sibling
     if before is not None and before.end_point[0] == line:
         return before.start_point[0] + 1, line + 1
-    after = comment.next_sibling
-    while after is not None and after.type == "comment":
-        after = after.next_sibling
     return (line + 1, line + 1) if after is None else (after.start_point[0] + 1, after.end_point[0] + 1)
 
 

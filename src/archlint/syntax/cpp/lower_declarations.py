@@ -140,7 +140,7 @@ class DeclarationLowering(CallLowering):
         names = [part.name for child in node.named_children for part in self.names.parts(child)]
         if any(child.type == "namespace" for child in node.children):
             self.names.opened.append(names)
-        elif len(names) > 1:
+        elif len(names) > 1 and names[-2] != names[-1]:  # not the constructors of a base
             self.names.aliases[names[-1]] = names
             span = self.source.span(node)
             parts = [Part(name) for name in names]

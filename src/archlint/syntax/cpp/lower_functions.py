@@ -146,7 +146,7 @@ class FunctionLowering(StatementLowering):
             path = self.names.path(parts)
             base = self.names.resolve(parts, span)
             is_node = IN_PYTHON.get(path, "").endswith("Node") or (not path and last.name in ("Node", "LifecycleNode"))
-            listed = calls.node_arguments(values, self.words) if is_node else given(values)
+            listed = calls.node_arguments(values, self.source.words) if is_node else given(values)
             called = facts.Attribute(base, "__init__", span)
             return facts.Expression(facts.Call(called, [facts.Argument(itself), *listed], span), span)
         target = facts.Attribute(itself, last.name, span)

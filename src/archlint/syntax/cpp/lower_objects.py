@@ -64,7 +64,7 @@ class ObjectLowering(ExpressionLowering):
         mapped = IN_PYTHON.get(path, "")
         function = self.names.library(path, span)
         if mapped in ("rclpy.node.Node", "rclpy.lifecycle.node.LifecycleNode"):
-            return facts.Call(function, calls.node_arguments(values, self.words), span)
+            return facts.Call(function, calls.node_arguments(values, self.source.words), span)
         if mapped == "message_filters.Subscriber":
             return self.filtered(last, values, span)
         if mapped == "str":
@@ -82,11 +82,6 @@ class ObjectLowering(ExpressionLowering):
         if path == "rclcpp.Parameter":
             return facts.Call(function, calls.parameter(values), span)
         return facts.Call(function, given(values), span)
-
-    @property
-    def words(self) -> str:
-        """The text of the whole file."""
-        return self.source.data.decode("utf-8", "replace")
 
     def filtered(self, last: Part, values: Sequence[Expr], span: Span) -> Expr:
         """``message_filters::Subscriber<T>(node, "topic", qos)``."""

@@ -17,6 +17,11 @@ if TYPE_CHECKING:
     from archlint.syntax.facts import Expr, Span
 
 
+MAX_FOLLOWED = 20
+"""Names that are followed for one: those of classes inside of classes, and of aliases of aliases, which may go in a
+circle."""
+
+
 class Part(NamedTuple):
     """One part of a qualified name: ``create_client<T>`` of ``rclcpp_action::create_client<T>``."""
 
@@ -54,6 +59,7 @@ class Names:
         """The namespaces of ``using namespace``."""
         self.classes: set[str] = set()
         self.scopes: list[FunctionScope] = []
+        self._followed = 0
 
     # ------------------------------------------------------------------------------------------ functions
 
@@ -137,6 +143,15 @@ class Names:
 
     def resolve(self, parts: list[Part], span: Span) -> Expr:
         """What a qualified name stands for."""
+        if self._followed >= MAX_FOLLOWED:
+            return facts.Opaque("a name", span)
+        self._followed += 1
+        try:
+            return self._resolved(parts, span)
+        finally:
+            self._followed -= 1
+
+    def _resolved(self, parts: list[Part], span: Span) -> Expr:
         parts = [part for part in self.written(parts) if part.name]
         while len(parts) > 1 and parts[-1].name in POINTERS:
             parts = parts[:-1]

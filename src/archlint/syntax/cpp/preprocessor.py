@@ -14,6 +14,10 @@ _DIRECTIVE = re.compile(rb"^[ \t]*#[ \t]*(if|ifdef|ifndef|elif|else|endif)\b(?:\
 _NO_CODE = re.compile(rb'//[^\n]*|/\*.*?\*/|"(?:[^"\\\n]|\\.)*"|\'(?:[^\'\\\n]|\\.)*\'', re.DOTALL)
 
 
+MAX_NESTED = 50
+"""Conditions inside of conditions whose branches are looked at: each is read again for every one around it."""
+
+
 @dataclass
 class _Block:
     """An ``#if`` that has not ended."""
@@ -35,7 +39,9 @@ def with_whole_branches(data: bytes) -> bytes:
         elif open_blocks:
             open_blocks[-1].directives.append(match.span())
             if word == b"endif":
-                blanked += _unbalanced(data, open_blocks.pop().directives)
+                block = open_blocks.pop()
+                if len(open_blocks) < MAX_NESTED:
+                    blanked += _unbalanced(data, block.directives)
     if not blanked:
         return data
     changed = bytearray(data)

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from functools import cache
+from bisect import bisect_left
+from functools import cache, cached_property
 from typing import TYPE_CHECKING
 
 import tree_sitter
@@ -50,6 +51,13 @@ class SourceText:
     def __init__(self, data: bytes) -> None:
         self.data = data
         self._lines = None if data.isascii() else data.split(b"\n")
+        self._continued: dict[int, list[int]] = {}
+        """For each line that was asked for, the columns of the bytes that continue a character."""
+
+    @cached_property
+    def words(self) -> str:
+        """The whole text."""
+        return self.data.decode("utf-8", "replace")
 
     def text(self, node: Node) -> str:
         """What a node says, as it is written."""
@@ -69,7 +77,19 @@ class SourceText:
 
     def _characters(self, row: int, column: int) -> int:
         assert self._lines is not None
-        return len(self._lines[row][:column].decode("utf-8", "replace"))
+        continued = self._continued.get(row)
+        if continued is None:
+            continued = self._continued[row] = _continuing(self._lines[row])
+        return column - bisect_left(continued, column)
+
+
+def _continuing(line: bytes) -> list[int]:
+    """The columns of the bytes that continue a character; none for a line that is not UTF-8, where a byte is one."""
+    try:
+        line.decode()
+    except UnicodeDecodeError:
+        return []
+    return [column for column, byte in enumerate(line) if 0x80 <= byte < 0xC0]
 
 
 __all__ = ["SourceText", "parse"]
