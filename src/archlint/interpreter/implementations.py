@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from archlint.syntax.facts import Facts, ImportFrom
 from archlint.syntax.parts import once_for
+from archlint.workspace.includes import SOURCE
 
 if TYPE_CHECKING:
     from archlint.interpreter.modules import Module, ModuleIndex
@@ -17,15 +18,19 @@ def sources_to_run(index: ModuleIndex, module: Module) -> Iterator[Module]:
     again meets it whole."""
     index.unlinked.append(module)
     while index.unlinked and not index.running:
-        yield from _implementations(index, index.unlinked.pop(0))
+        header = index.unlinked.pop(0)
+        with index.reading(header.reads):  # whoever includes the header depends on them, too
+            yield from _implementations(index, header)
 
 
 def _implementations(index: ModuleIndex, header: Module) -> list[Module]:
     """The C++ sources that define what a header declares: those of its package that include it."""
     if not index.importable.includes.is_header(header.file):
         return []
-    sources = []
-    for file in index.importable.includes.sources_beside(header.file):
+    sources: list[Module] = []
+    beside = index.importable.includes.sources_beside(header.file)
+    index.find(header, f"{SOURCE}{len(beside)}")  # there is none: one more would count
+    for file in beside:
         module = index.module(file)
         if module is not None and any(index.find(module, name) is header for name in _included_by(module.facts)):
             sources.append(module)

@@ -11,6 +11,10 @@ if TYPE_CHECKING:
     from archlint.workspace.model import SourceFile
 
 
+SOURCE = "#source "
+"""With a number: the so manyth source of the package, which nobody can include under this name."""
+
+
 class Includes:
     """The C++ files of a workspace, as the preprocessor finds them.
 
@@ -30,6 +34,9 @@ class Includes:
 
     def find(self, importer: SourceFile, name: str) -> SourceFile | None:
         """The file that an include in another means; None for what is not here."""
+        if name.startswith(SOURCE):
+            sources, number = self.sources_beside(importer), int(name.removeprefix(SOURCE))
+            return sources[number] if number < len(sources) else None
         candidates = self._by_name.get(name.rpartition("/")[2], [])
         if not candidates:
             return None
