@@ -16,6 +16,8 @@ if TYPE_CHECKING:
 NODES = 200_000
 """How many values a file may hold, aliases counted each time."""
 DEPTH = 60
+_LIBYAML_TOO_DEEP = "exceeded maximum nesting depth"
+"""What libyaml says at 1,000 brackets, since the one in PyYAML 6.0.4; the error has no type of its own."""
 
 
 class YamlError(Exception):
@@ -104,6 +106,8 @@ def _compose(text: str, several: bool, rcl: bool) -> list[yaml.Node]:
     except yaml.MarkedYAMLError as error:
         mark = error.problem_mark or error.context_mark
         line, column = (mark.line + 1, mark.column + 1) if mark is not None else (1, 1)
+        if error.problem == _LIBYAML_TOO_DEEP:
+            raise YamlError("nested too deeply", line, column) from None
         raise YamlError(f"malformed YAML: {error.problem or error.context}", line, column) from None
     except (yaml.YAMLError, ValueError) as error:
         raise YamlError(f"malformed YAML: {str(error).splitlines()[0]}") from None
