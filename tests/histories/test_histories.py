@@ -70,3 +70,15 @@ def test_each_row_of_the_table_says_how_it_was_judged():
         assert len(bug.fix) == 40, bug
         assert bool(bug.rules) == (bug.verdict is not Verdict.SILENT), bug
         assert bool(bug.why) == (bug.verdict in (Verdict.SILENT, Verdict.PART)), bug
+
+
+def test_a_clone_that_lacks_a_large_file_gives_the_others(clones: Path, tmp_path: Path):
+    clone = clones / "team+robot"
+    (clone / "mesh.dae").write_text("large", "utf-8")
+    git(clone, "add", "-A")
+    git(clone, "commit", "-q", "-m", "mesh")
+    key = git(clone, "rev-parse", "HEAD:mesh.dae")
+    git(clone, "commit", "-q", "--allow-empty", "-m", "fix")
+    (clone / ".git" / "objects" / key[:2] / key[2:]).unlink()
+    assert export_parent(clone, git(clone, "rev-parse", "HEAD"), tmp_path / "parent")
+    assert [path.name for path in (tmp_path / "parent").iterdir()] == ["talker.py"]

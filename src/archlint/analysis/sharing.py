@@ -9,7 +9,7 @@ if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
     from archlint.systems.nodes import Connection, Endpoint
 
-_COMMANDS = frozenset(
+COMMANDS = frozenset(
     {
         "ackermann_msgs/msg/AckermannDrive",
         "ackermann_msgs/msg/AckermannDriveStamped",
@@ -50,7 +50,7 @@ _MANY = 4
 
 def _are_commands(connection: Connection, owners: Sequence[Endpoint]) -> bool:
     """Whether a machine is commanded, by the type of the messages or the last part of the topic's name."""
-    if any(end.type in _COMMANDS for end in owners):
+    if any(end.type in COMMANDS for end in owners):
         return True
     return not are_words(owners) and not _TO_COMMAND.isdisjoint(_last_words(connection.name))
 
@@ -69,7 +69,7 @@ def is_bus(workspace: WorkspaceIndex | None, connection: Connection, owners: Seq
     """Whether so many nodes publish a topic, or different ones with the help of one class, or just those that listen to
     it, too, that it is evidently there for all of them; or its messages say whose they are, or it is there for people
     to look at.  Of commands that is never so."""
-    if any(end.type in _COMMANDS for end in owners):
+    if any(end.type in COMMANDS for end in owners):
         return False
     listening = {id(user.node) for user in connection.users}
     if all(id(end.node) in listening for end in owners) or not _TO_LOOK_AT.isdisjoint(connection.name.split("/")):
@@ -91,4 +91,4 @@ def _last_words(topic: str) -> list[str]:
     return topic.rpartition("/")[2].lower().split("_")
 
 
-__all__ = ["SENDERS", "are_words", "is_bus", "is_state"]
+__all__ = ["COMMANDS", "SENDERS", "are_words", "is_bus", "is_state"]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 MODULES: tuple[str, ...] = (
+    "busy_callbacks",
     "callback_annotations",
     "callback_entities",
     "callback_waits",
@@ -30,7 +31,9 @@ MODULES: tuple[str, ...] = (
     "only_thread",
     "transform_lookups",
     "ownership",
+    "personal_paths",
     "servers",
+    "shared_state",
     "packages",
     "circles",
     "clock_topics",
@@ -56,9 +59,11 @@ MODULES: tuple[str, ...] = (
     "timeouts",
     "ignored_limits",
     "spin_timeouts",
+    "stale_inputs",
     "type_mismatches",
     "unanswerable",
     "unknown_dependencies",
+    "unlisted_modules",
     "unchecked_results",
     "undeclared",
     "wait_loops",
@@ -77,6 +82,7 @@ MODULES: tuple[str, ...] = (
     "qos",
     "qos_contradictions",
     "refused_calls",
+    "python_dependencies",
     "required",
     "run_time",
     "unmatched",

@@ -1,0 +1,145 @@
+"""Paths into the home folder of one person that launch files, and the parameter files that they load, name."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from archlint.analysis.kept import once, once_for_each_file
+from archlint.finding import Place
+from archlint.launch.parameter_sources import files_among
+from archlint.syntax import facts
+from archlint.syntax.parts import everything_in
+from archlint.syntax.walk import called_name
+
+if TYPE_CHECKING:
+    from archlint.syntax.launch_elements import Element
+    from archlint.systems.model import System, WorkspaceIndex
+
+_IN_HOME = re.compile(
+    r"(?:(?<=file://)|(?<![\w$)}./~-]))(?:/home|/Users|[A-Za-z]:[\\/]Users)[\\/](?P<who>[\w.-]+)[\\/][^\s'\":,;]*"
+)
+_ACCOUNTS = frozenset(
+    {"admin", "container", "dev", "developer", "devuser", "docker", "host", "jetson", "nao", "nvidia", "odroid"}
+    | {"orangepi", "pi", "raspberry", "root", "ros", "ros2", "ros_user", "rosuser", "runner", "shared", "turtlebot"}
+    | {"turtlebot3", "turtlebot4", "ubuntu", "user", "username", "vagrant", "vscode", "you", "your_name", "your_user"}
+    | {"your_username", "yourname", "youruser", "yourusername"}
+)
+"""Accounts that every machine of a kind has, images of containers among them, and names that stand for any."""
+
+
+@dataclass(frozen=True)
+class PersonalPath:
+    """A path that is there for one person only; ``inside`` is what it names in a package of this workspace."""
+
+    path: str
+    who: str
+    place: Place
+    inside: tuple[str, str] | None = None
+
+
+def personal_paths(system: System) -> Iterator[PersonalPath]:
+    """Those in the launch files of a launched system, then those in the parameter files that it loads."""
+    workspace = system.workspace
+    if system.launched is None or workspace is None:
+        return
+    for file in system.launched.sources:
+        if workspace.launch_files.is_frontend(file):
+            yield from _among(workspace, file, _of_elements(workspace, file))
+        else:
+            yield from _among(workspace, file, _of_code(workspace, file) or [])
+    started = system.launched.started
+    uses = (use.reference.source for process in started for use in files_among(process.parameters))
+    for file in dict.fromkeys(file for file in uses if file is not None):
+        yield from _among(workspace, file, _of_parameters(workspace, file))
+
+
+_Text = tuple[str, facts.Span]
+
+
+def _among(workspace: WorkspaceIndex, file: str, texts: Iterable[_Text]) -> Iterator[PersonalPath]:
+    for text, span in texts:
+        for match in _IN_HOME.finditer(text):
+            path, who = match[0], match["who"]
+            if who.lower() not in _ACCOUNTS and who not in _of_images(workspace):
+                yield PersonalPath(path, who, Place(file, *span), _inside(workspace, path))
+
+
+def _inside(workspace: WorkspaceIndex, path: str) -> tuple[str, str] | None:
+    """The package of this workspace in whose folder a path leads, and the path below that, where it is a file."""
+    parts = path.split("/")
+    for at in range(len(parts) - 1, 0, -1):
+        package = workspace.packages.get(parts[at])
+        below = "/".join(parts[at + 1 :])
+        if package is not None and below and workspace.tree.is_file(f"{package.relative}/{below}".removeprefix("./")):
+            return package.name, below
+    return None
+
+
+_IMAGE_FILES = ("Dockerfile", "docker-compose.yml", "docker-compose.yaml", "compose.yaml", "devcontainer.json")
+_HIDDEN = (".devcontainer/Dockerfile", ".devcontainer/devcontainer.json", ".docker/Dockerfile")
+_ACCOUNT = re.compile(
+    r"/home/([\w.-]+)|\buseradd\b.*\s([\w.-]+)\s*(?:[\\;&]|$)|\bUSER(?:NAME)?[= ]([\w.-]+)", re.MULTILINE
+)
+
+
+@once
+def _of_images(workspace: WorkspaceIndex) -> frozenset[str]:
+    """The accounts that the container images of a workspace have: their home folders are there wherever those run."""
+    tree = workspace.tree
+    below = (path for path in tree.files_below(tree.top) if posixpath.basename(path).endswith(_IMAGE_FILES))
+    texts = (tree.text(path) or "" for path in (*below, *(f"{tree.top}/{path}" for path in _HIDDEN)))
+    return frozenset(name for text in texts for match in _ACCOUNT.finditer(text) for name in match.groups() if name)
+
+
+# ------------------------------------------------------------------------------------------------ the texts of files
+
+_DESCRIBES = frozenset({"description", "msg", "doc", "help"})
+_ASKS = frozenset({"exists", "isfile", "isdir", "is_file", "is_dir", "print", "LogInfo"})
+
+
+@once_for_each_file
+def _of_code(file_facts: facts.Facts) -> list[_Text]:
+    """The texts of a launch file in Python, but for docstrings, descriptions, and paths that it only asks for."""
+    aside: set[int] = set()
+    for part in everything_in(file_facts.body):
+        match part:
+            case facts.Expression(value=facts.Literal() as docstring):
+                aside.add(id(docstring))
+            case facts.Call(args=arguments):
+                said = arguments if called_name(part) in _ASKS else [a for a in arguments if a.keyword in _DESCRIBES]
+                aside.update(id(inner) for argument in said for inner in everything_in([argument.value]))
+    texts: list[_Text] = []
+    for part in everything_in(file_facts.body):
+        match part:
+            case facts.Literal(value=str(text)) if id(part) not in aside:
+                texts.append((text, part.span))
+            case facts.FormatString(parts=pieces) if id(part) not in aside:
+                written = "".join(piece if isinstance(piece, str) else "{}" for piece in pieces)
+                texts.append((written, part.span))
+    return texts
+
+
+def _of_elements(workspace: WorkspaceIndex, file: str) -> Iterator[_Text]:
+    read = workspace.launch_files.frontend(file)
+    stack: list[Element] = [] if read.root is None or read.ros1 else [read.root]
+    while stack:
+        element = stack.pop()
+        stack += reversed(element.children)
+        for name, attribute in element.attributes.items():
+            values = attribute.value if isinstance(attribute.value, list) else [attribute.value]
+            if name not in _DESCRIBES:
+                yield from ((value, attribute.span) for value in values if isinstance(value, str))
+
+
+def _of_parameters(workspace: WorkspaceIndex, file: str) -> Iterator[_Text]:
+    read = workspace.parameters_of(file)
+    for entry in (*(entry for section in read.sections for entry in section.entries), *read.plain):
+        values = entry.value if isinstance(entry.value, list) else [entry.value]
+        yield from ((value, entry.span) for value in values if isinstance(value, str))
+
+
+__all__ = ["PersonalPath", "personal_paths"]

@@ -1,0 +1,55 @@
+"""PKG009: modules of Python that package.xml does not ask for."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from archlint.analysis.python_dependencies import ModuleUse, modules_to_declare
+from archlint.checks.dependency_uses import brought_by
+from archlint.checks.packages import workspace_of
+from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
+from archlint.finding import Finding, Place, Related
+from archlint.suggestions import listed
+
+if TYPE_CHECKING:
+    from archlint.systems.model import System
+    from archlint.workspace.model import Package
+
+_SHOWN = 5
+"""How many imports are related."""
+
+
+@rule("PKG009", scope=Scope.WORKSPACE, taste=True)
+def undeclared_python_module(system: System, options: Options) -> Iterator[Finding]:
+    """Imports of modules that rosdep knows, in packages that ask for none of them."""
+    workspace = workspace_of(system)
+    if workspace is None:
+        return
+    rows = modules_to_declare(workspace, lambda name: brought_by(name, workspace))
+    for folder in sorted(rows):
+        package, uses = rows[folder]
+        kept = [use for use in sorted(uses) if not {use.module, use.key} & {*options.external}]
+        if kept:
+            yield _undeclared(package, kept)
+
+
+def _undeclared(package: Package, uses: list[ModuleUse]) -> Finding:
+    first = {use.module: use for use in reversed(uses)}
+    modules = sorted(first)
+    keys = sorted({use.key for use in uses})
+    what = f"'{modules[0]}'" if len(modules) == 1 else f"{len(modules)} modules: {listed(modules)}"
+    file = package.manifest.relative
+    return finding(
+        "PKG009",
+        Place(file, 1, 1, 1, 1),
+        f"package '{package.name}' imports {what}, which its package.xml does not declare: rosdep does not install "
+        f"{'it' if len(modules) == 1 else 'them'}",
+        help=f"add {''.join(f'<exec_depend>{key}</exec_depend>' for key in keys)}",
+        related=[Related(first[module].place, f"'{module}' is imported here") for module in modules[:_SHOWN]],
+        identity=(package.name, *modules),
+    )
+
+
+__all__ = ["undeclared_python_module"]

@@ -1,0 +1,60 @@
+"""The keys under which rosdep knows the packages that modules of Python are in."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from archlint.ros import rosdep
+
+_ALIASES: Mapping[str, str] = {
+    "PIL": "python3-pil",
+    "PyQt5": "python3-pyqt5",
+    "RPi": "python-rpi.gpio-pip",
+    "Jetson": "python-jetson-gpio-pip",
+    "bluetooth": "python3-bluez",
+    "bs4": "python3-bs4",
+    "control": "python-control-pip",
+    "cv2": "python3-opencv",
+    "dateutil": "python3-dateutil",
+    "grpc": "python3-grpcio",
+    "paho": "python3-paho-mqtt",
+    "skimage": "python3-skimage",
+    "utm": "python3-utm",
+}
+"""Modules whose key does not follow from their name."""
+_WITH_ROS = frozenset(
+    {"argcomplete", "catkin_pkg", "colcon", "em", "importlib_metadata", "lark", "numpy", "packaging", "pkg_resources"}
+    | {"psutil", "pytest", "setuptools", "typing_extensions", "yaml"}
+)
+"""What rclpy, messages, launch and the command line bring along, so that it is there wherever a node runs."""
+_BRINGS: Mapping[str, frozenset[str]] = {
+    "PIL": frozenset({"rosbridge_library", "rqt_bag", "rqt_image_view"}),
+    "PyQt5": frozenset({"python_qt_binding"}),
+    "bson": frozenset({"rosbridge_library"}),
+    "cv2": frozenset({"cv_bridge", "image_geometry", "camera_calibration"}),
+    "matplotlib": frozenset({"rqt_plot", "slam_toolbox"}),
+    "pydot": frozenset({"py_trees", "qt_dotgraph"}),
+    "pymavlink": frozenset({"mavros"}),
+    "tornado": frozenset({"rosbridge_server"}),
+    "transforms3d": frozenset({"tf_transformations"}),
+    "twisted": frozenset({"rosbridge_server"}),
+}
+"""The ROS packages that bring a module along."""
+
+
+def key_of(module: str) -> str | None:
+    """The key of rosdep for a top-level module; None where none is known, or every node has it."""
+    if module in _WITH_ROS:
+        return None
+    plain = module.lower().replace("_", "-")
+    spellings = (_ALIASES.get(module, ""), f"python3-{plain}", f"python3-{plain}-pip")
+    known = rosdep.keys()
+    return next((key for key in spellings if key in known), None)
+
+
+def brought_along_by(module: str) -> frozenset[str]:
+    """The ROS packages that bring a module along."""
+    return _BRINGS.get(module, frozenset())
+
+
+__all__ = ["brought_along_by", "key_of"]

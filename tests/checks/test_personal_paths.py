@@ -1,0 +1,87 @@
+"""LCH010: paths into the home folder of one person."""
+
+from __future__ import annotations
+
+import pytest
+
+PYTHON = """from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, LogInfo
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    return LaunchDescription([
+        {action},
+        Node(package='robot', executable='talker'),
+    ])
+"""
+
+
+def node(arguments: str) -> str:
+    return f'<node pkg="robot" exec="talker" args="{arguments}"/>'
+
+
+@pytest.mark.parametrize(
+    "path",
+    [
+        "/home/maria/maps/hall.yaml",
+        "file:///home/maria/hall.world",
+        "/Users/maria/maps/hall.yaml",
+        "C:/Users/maria/hall.yaml",
+    ],
+)
+def test_a_path_in_an_argument(findings, path):
+    (finding,) = findings("LCH010", node(f"--map {path}"))
+    assert "is in the home folder of 'maria'" in finding.message
+
+
+def test_a_file_of_the_workspace_is_found_through_its_package(findings):
+    (finding,) = findings(
+        "LCH010", node("--map /home/maria/ros2_ws/src/robot/maps/hall.yaml"), **{"maps/hall.yaml": "a: 1\n"}
+    )
+    assert finding.help == "install it, and write $(find-pkg-share robot)/maps/hall.yaml in the launch file"
+
+
+def test_paths_of_one_file_are_one_finding(findings):
+    (finding,) = findings("LCH010", node("/home/maria/a.yaml") + node("/home/maria/b.yaml"))
+    assert finding.message.endswith("; another path of this file is in it, too")
+
+
+def test_a_parameter_file_that_is_loaded(findings):
+    launch = '<node pkg="robot" exec="talker"><param from="$(find-pkg-share robot)/config/robot.yaml"/></node>'
+    yaml = "talker:\n  ros__parameters:\n    map: /home/maria/hall.yaml\n"
+    (finding,) = findings("LCH010", launch, **{"config/robot.yaml": yaml})
+    assert (finding.place.file, finding.place.line) == ("config/robot.yaml", 3)
+
+
+def test_a_launch_file_in_python(findings):
+    action = "DeclareLaunchArgument('map', default_value='/home/maria/hall.yaml')"
+    files = {"launch/python.launch.py": PYTHON.format(action=action)}
+    (finding,) = findings("LCH010", node(""), **files)
+    assert (finding.place.file, finding.place.line) == ("launch/python.launch.py", 8)
+
+
+@pytest.mark.parametrize(
+    "action",
+    [
+        "DeclareLaunchArgument('map', description='such as /home/maria/hall.yaml')",
+        "LogInfo(msg='looked in /home/maria/maps')",
+        "DeclareLaunchArgument('map', default_value='/home/user/hall.yaml')",
+        "DeclareLaunchArgument('map', default_value='/homes/maria/hall.yaml')",
+        "DeclareLaunchArgument('map', default_value='/opt/home/maria/hall.yaml')",
+    ],
+)
+def test_texts_that_are_no_path_of_one_person(findings, action):
+    assert findings("LCH010", node(""), **{"launch/python.launch.py": PYTHON.format(action=action)}) == []
+
+
+@pytest.mark.parametrize(
+    "path", ["/home/ubuntu/hall.yaml", "$(env HOME)/hall.yaml", "/opt/robot/hall.yaml", "~/hall.yaml", "/home/maria"]
+)
+def test_paths_that_others_have_too(findings, path):
+    assert findings("LCH010", node(path)) == []
+
+
+def test_an_account_of_the_image_that_the_workspace_builds(findings):
+    dockerfile = "FROM ros:jazzy\nRUN useradd -m maria\nCOPY . /home/maria/ws\n"
+    assert findings("LCH010", node("/home/maria/hall.yaml"), Dockerfile=dockerfile) == []

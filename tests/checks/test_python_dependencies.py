@@ -1,0 +1,113 @@
+"""PKG009: modules of Python that package.xml does not ask for."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from archlint.config.settings import load
+from archlint.engine.pipeline import Request, check
+from archlint.finding import Finding
+
+Judge = Callable[..., list[Finding]]
+SETUP = """from setuptools import setup
+
+setup(name='robot', packages=['robot'], install_requires=[{pip}],
+      entry_points={{'console_scripts': ['node = robot.node:main']}})
+"""
+
+
+@pytest.fixture
+def judge(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Judge:
+    """What PKG009 says of a program that imports something, with some tags in its package.xml."""
+    monkeypatch.chdir(tmp_path)
+
+    def run(imports: str, *tags: str, pip: str = "'setuptools'", **files: str) -> list[Finding]:
+        lines = "".join(f"  {tag}\n" for tag in ("<depend>rclpy</depend>", *tags))
+        kind = "<export><build_type>ament_python</build_type></export>"
+        texts = {
+            "package.xml": f'<package format="3">\n  <name>robot</name>\n{lines}  {kind}\n</package>\n',
+            "archlint.toml": 'select = ["PKG009"]\n',
+            "setup.py": SETUP.format(pip=pip),
+            "robot/__init__.py": "",
+            "robot/node.py": f"import rclpy\n{imports}\n\n\ndef main():\n    rclpy.init()\n",
+            **files,
+        }
+        for name, text in texts.items():
+            (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+            (tmp_path / name).write_text(text, encoding="utf-8")
+        return check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+
+    return run
+
+
+@pytest.mark.parametrize(
+    ("imports", "key"),
+    [
+        ("import serial", "python3-serial"),
+        ("from scipy.spatial import KDTree", "python3-scipy"),
+        ("import cv2", "python3-opencv"),
+        ("import paho.mqtt.client as mqtt", "python3-paho-mqtt"),
+        ("import ultralytics", "python3-ultralytics-pip"),
+    ],
+)
+def test_a_module_that_nothing_asks_for(judge: Judge, imports: str, key: str):
+    (finding,) = judge(imports)
+    assert finding.help == f"add <exec_depend>{key}</exec_depend>"
+    assert [row.place.file for row in finding.related] == ["robot/node.py"]
+
+
+def test_all_modules_of_a_package_are_one_finding(judge: Judge):
+    (finding,) = judge("import serial\nimport scipy\nimport serial.tools")
+    assert finding.message == (
+        "package 'robot' imports 2 modules: scipy, serial, which its package.xml does not declare: rosdep does not "
+        "install them"
+    )
+
+
+@pytest.mark.parametrize(
+    "imports",
+    [
+        "import numpy",
+        "import yaml",
+        "import json",
+        "import my_own_library",  # rosdep knows no such thing
+        "try:\n    import serial\nexcept ImportError:\n    serial = None",
+        "def port():\n    import serial",
+    ],
+)
+def test_what_is_there_or_may_be_missing(judge: Judge, imports: str):
+    assert judge(imports) == []
+
+
+@pytest.mark.parametrize(
+    ("imports", "tag"),
+    [
+        ("import serial", "<exec_depend>python3-serial</exec_depend>"),
+        ("import serial", "<depend>pyserial</depend>"),
+        ("import cv2", "<depend>cv_bridge</depend>"),
+        ("import transforms3d", "<depend>tf_transformations</depend>"),
+        ("import serial", "<depend>packages_of_our_team</depend>"),  # which nobody knows
+    ],
+)
+def test_what_package_xml_asks_for(judge: Judge, imports: str, tag: str):
+    assert judge(imports, tag) == []
+
+
+def test_a_test_dependency_is_not_installed_with_the_node(judge: Judge):
+    assert len(judge("import serial", "<test_depend>python3-serial</test_depend>")) == 1
+
+
+def test_what_pip_is_asked_for(judge: Judge):
+    assert judge("import serial", pip="'setuptools', 'pyserial'") == []
+    assert judge("import serial", **{"requirements.txt": "pyserial==3.5\n"}) == []
+
+
+def test_tests_and_loose_files_are_not_installed(judge: Judge):
+    assert judge("", **{"test/test_port.py": "import serial\n", "robot/__main__.txt": ""}) == []
+
+
+def test_a_module_of_the_workspace_is_no_package_of_the_system(judge: Judge):
+    assert judge("import serial", **{"serial/__init__.py": "", "serial/package.xml": ""}) == []
