@@ -29,3 +29,27 @@ def test_a_process_that_is_forked_at_once_finds_the_lock_free(monkeypatch: pytes
 
     monkeypatch.setattr(threading, "stack_size", slowly)
     assert deep_stack.call_with_deep_stack(deep_stack._STARTING.locked) is False
+
+
+def test_calls_at_any_depth_ask_the_system_for_no_memory():
+    """Without room for frames there are depths at which each call costs a page, some thousands here."""
+    resource = pytest.importorskip("resource")
+
+    def leaf() -> None:
+        pass
+
+    def call_at(depth: int) -> None:
+        if depth:
+            call_at(depth - 1)
+        else:
+            for _ in range(500):
+                leaf()
+
+    def pages() -> int:
+        before = resource.getrusage(resource.RUSAGE_SELF).ru_minflt
+        for depth in range(300):
+            call_at(depth)
+        return int(resource.getrusage(resource.RUSAGE_SELF).ru_minflt - before)
+
+    call_with_deep_stack(pages)
+    assert call_with_deep_stack(pages) < 300
