@@ -27,7 +27,7 @@ from pathlib import Path
 
 from archlint.config.settings import Settings
 from archlint.engine.compiling import compiled
-from archlint.engine.inputs import find_files
+from archlint.engine.inputs import Inputs, find_files, tree_of
 from archlint.engine.loading import systems_of as systems_of_workspace
 from archlint.engine.pipeline import store_of
 from archlint.engine.request import Request
@@ -35,7 +35,6 @@ from archlint.finding import Place
 from archlint.launch.files import LaunchFiles
 from archlint.launch.model import Launched
 from archlint.systems.model import System
-from archlint.workspace.tree import SourceTree
 
 KINDS = ("here", "external", "not taken", "unresolved", "not reached", "put nowhere")
 PYTHON = re.compile(r"(?<![\w])(?:Lifecycle)?(?:Node|ComposableNode|ComposableNodeContainer)\s*\(")
@@ -48,9 +47,9 @@ YAML = re.compile(r"^\s*-?\s*(?:node|lifecycle_node|composable_node|node_contain
 def systems_of(root: Path) -> list[System]:
     os.chdir(root)
     request = Request((".",), Settings(), cached=False, jobs=1)
-    workspace = find_files(request)
-    facts = compiled(request, workspace, store_of(request))
-    return systems_of_workspace(request, workspace, facts, SourceTree(Path.cwd(), Path(workspace.root)))
+    workspace, store = find_files(request), store_of(request)
+    inputs = Inputs(request, workspace, tree_of(request, workspace), store)
+    return systems_of_workspace(inputs, compiled(request, workspace, store))
 
 
 def actions_in(path: str) -> list[int]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from tests.cpp_nodes import graph
+from tests.robot_package import manifest
 
 TALKER = """
 #ifndef ROBOT__TALKER_HPP_
@@ -141,3 +142,44 @@ RCLCPP_COMPONENTS_REGISTER_NODE(Camera)
 def test_a_component_is_made_by_the_constructor_that_takes_the_options_alone() -> None:
     [node] = graph({"src/camera.cpp": OVERLOADED})["nodes"]
     assert (node["name"], ends(node)) == ("/left/camera", ["/left/camera/image"])
+
+
+UTILITIES = """
+#include "rclcpp_lifecycle/lifecycle_node.hpp"
+namespace nav2_util {
+class LifecycleNode : public rclcpp_lifecycle::LifecycleNode {
+public:
+  LifecycleNode(const std::string & name, const std::string & ns, const rclcpp::NodeOptions & options)
+  : rclcpp_lifecycle::LifecycleNode(name, ns, options) { declare_parameter("bond", 0.1); }
+};
+}
+"""
+SERVER = """
+#include "nav2_util/lifecycle_node.hpp"
+class Server : public nav2_util::LifecycleNode {
+public:
+  Server() : nav2_util::LifecycleNode("server", "", rclcpp::NodeOptions()) { }
+};
+int main() { rclcpp::spin(std::make_shared<Server>()->get_node_base_interface()); }
+"""
+
+
+def server_with(files: dict[str, str]) -> dict[str, Any]:
+    [node] = graph({"src/server.cpp": SERVER, **files})["nodes"]
+    return node
+
+
+def test_a_library_that_the_workspace_builds_is_read():
+    node = server_with(
+        {
+            "../nav2_util/package.xml": manifest("nav2_util", build_type="ament_cmake"),
+            "../nav2_util/include/nav2_util/lifecycle_node.hpp": UTILITIES,
+        }
+    )
+    assert (node["name"], node["lifecycle"]) == ("/server", True)
+    assert [parameter["name"] for parameter in node["parameters"]] == ["bond"]
+
+
+def test_a_class_of_that_name_in_another_package_is_not_the_library_s():
+    node = server_with({"include/nav2_util/lifecycle_node.hpp": UTILITIES})
+    assert node["class"] == "LifecycleNode", "what derives from the library's is not known to be this"

@@ -183,9 +183,23 @@ def _of_external(machine: Machine, value: External, name: str) -> Value:
         module = machine.index.find(machine.activation.module, path)
         if module is not None:
             return machine.import_module(module)
+        if (included := _of_namespace(machine, value.path, name)) is not None:
+            return included
     if len(path) > TEXT_LIMIT:
         return Unknown("a name too long to follow")
     return machine.library.attribute_of_external(value, name)
+
+
+def _of_namespace(machine: Machine, namespace: str, name: str) -> Value | None:
+    """What a C++ file calls ``nav2_util::LifecycleNode`` where it includes a file of the package nav2_util that defines
+    that; None where the library is not of this workspace."""
+    scope = machine.activation.module.scope
+    if machine.activation.module.file.kind != "cpp" or scope is None:
+        return None
+    included = machine.store.get(scope.key, name)
+    if not isinstance(included, (ClassValue, FunctionValue)) or included.scope.module.file.package != namespace:
+        return None
+    return included
 
 
 def _of_class(machine: Machine, value: ClassValue, name: str) -> Value:

@@ -10,6 +10,8 @@ from archlint.interpreter import containers
 from archlint.interpreter.values import (
     NONE,
     TRUE,
+    DictValue,
+    Items,
     Known,
     Unknown,
     Value,
@@ -145,7 +147,8 @@ def declare_parameter(run: Run, call: ApiUse) -> Value:
 
 def declare_parameters(run: Run, call: ApiUse) -> Value:
     namespace = call.get("namespace")
-    rows = (call.get("parameters") or Unknown("no parameters")).items(run)
+    given = call.get("parameters") or Unknown("no parameters")
+    rows = _pairs_of_map(run, given) or given.items(run)
     parameters: list[Value] = []
     if rows is None:
         return Unknown("the parameters that are declared are not known")
@@ -163,6 +166,15 @@ def declare_parameters(run: Run, call: ApiUse) -> Value:
         ignore = call.get("ignore_override") == TRUE
         parameters.append(declare_one(run, call, name, default, ignore, place, descriptor))
     return containers.new_list(run, parameters, "list", rows.open)
+
+
+def _pairs_of_map(run: Run, given: Value) -> Items | None:
+    """The entries of a ``std::map``, each a name with its default: going through one of C++ gives pairs."""
+    if not isinstance(given, DictValue) or run.activation.module.file.kind != "cpp":
+        return None
+    entries = given.entries(run)
+    pairs = [containers.new_list(run, [name, default], "tuple") for name, default in entries.entries.values()]
+    return Items(tuple(pairs), entries.open)
 
 
 def _entry_place(run: Run, call: ApiUse, name: Value) -> Place | None:

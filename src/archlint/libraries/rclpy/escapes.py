@@ -57,7 +57,10 @@ _CARRIERS = (
     ClassValue,
 )
 """Kinds of values that can lead to a node."""
-_OWN = ("rclpy.", "tf2_", "message_filters.", "logging.", "types.SimpleNamespace", "argparse.Namespace")
+_OWN = (
+    *("rclpy.", "tf2_", "message_filters.", "logging.", "types.SimpleNamespace", "argparse.Namespace"),
+    *("rclcpp.AsyncParametersClient", "rclcpp.SyncParametersClient", "rclcpp.ParameterEvent"),
+)
 """Libraries that do nothing with a node which the tables do not say, and plain bags of attributes."""
 _LOGS = frozenset({"debug", "info", "warn", "warning", "error", "fatal", "critical", "exception", "log"})
 _HARMLESS_METHODS = ("destroy_", "get_name", "get_fully", "get_clock", "get_logger", "resolve_", "wait_for_")
