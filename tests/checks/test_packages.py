@@ -97,6 +97,38 @@ def test_what_makes_a_circle(tmp_path, monkeypatch, needs, circles):
     assert len(check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings) == circles
 
 
+@pytest.mark.parametrize(
+    ("needs", "place", "message"),
+    [
+        pytest.param(
+            {"arm": ["lib"], "leg": ["lib"], "lib": ["arm", "leg"]},
+            "lib/package.xml",
+            "'lib' and 2 others depend on each other in circles: arm, leg",
+            id="all circles lead through one package",
+        ),
+        pytest.param(
+            {"arm": ["lib"], "lib": ["leg"], "leg": ["arm"]},
+            "leg/package.xml",
+            "packages depend on each other in a circle: leg → arm → lib → leg",
+            id="at what only running needs",
+        ),
+    ],
+)
+def test_one_finding_for_what_one_edit_mends(tmp_path, monkeypatch, needs, place, message):
+    monkeypatch.chdir(tmp_path)
+    for name, others in needs.items():
+        (tmp_path / name).mkdir()
+        kind = "exec_depend" if name == "leg" else "depend"
+        more = "".join(f"\n  <{kind}>{other}</{kind}>" for other in others)
+        manifest = MANIFEST.format(name=name, type="ament_python", more=more)
+        (tmp_path / name / "package.xml").write_text(manifest, encoding="utf-8")
+        (tmp_path / name / "talker.py").write_text(TALKER, encoding="utf-8")
+    (tmp_path / "archlint.toml").write_text('select = ["PKG003"]', encoding="utf-8")
+    [circle] = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+    assert (circle.place.file, circle.message) == (place, message)
+    assert len(circle.related) == (3 if "lib" in circle.place.file else 2)
+
+
 def test_a_circle_is_suppressed_where_a_manifest_closes_it(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     more = "\n  <!-- archlint: ignore[PKG003] until June -->\n  <exec_depend>robot</exec_depend>"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import posixpath
+from collections import Counter
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from itertools import pairwise
@@ -24,6 +25,9 @@ _BUILD: frozenset[DependencyKind] = frozenset(
     {"depend", "build", "build_export", "buildtool", "buildtool_export", "exec", "run"}
 )
 
+_RUN: frozenset[DependencyKind] = frozenset({"exec", "run"})
+"""What only a running program needs: the code can be built without it."""
+
 Step = tuple[str, str]
 """A package, and one that it needs."""
 Needs = Mapping[str, Mapping[str, Place]]
@@ -36,16 +40,12 @@ def circular_dependency(system: System, options: Options) -> Iterator[Finding]:
     workspace = workspace_of(system)
     if workspace is None:
         return
-    declared = {name: _declared(package, workspace.packages) for name, package in sorted(workspace.packages.items())}
+    packages = sorted(workspace.packages.items())
+    declared = {name: _declared(package, workspace.packages, _BUILD) for name, package in packages}
+    at_build = {name: _declared(package, workspace.packages, _BUILD - _RUN) for name, package in packages}
     reported: set[str] = set()
-    for circle in _circles(declared, reported):
-        yield finding(
-            "PKG003",
-            declared[circle[0]][circle[1]],
-            f"packages depend on each other in a circle: {' → '.join(circle)}",
-            help="move what both need into a separate package, so that colcon can order them",
-            identity=tuple(sorted(circle[:-1])),
-        )
+    for several in _around_one_package(list(_circles(declared, reported))):
+        yield _declared_circle(several, declared, at_build)
     used = _used(workspace, options)
     needs = {name: {**used.get(name, {}), **declared[name]} for name in declared}
     by_user: dict[str, list[list[Step]]] = {}
@@ -55,6 +55,42 @@ def circular_dependency(system: System, options: Options) -> Iterator[Finding]:
     for circles in by_user.values():
         diagnostic = _undeclared(circles[0], needs) if len(circles) == 1 else _of_one_package(circles, needs)
         yield replace(diagnostic, severity=Severity.WARNING)
+
+
+def _around_one_package(circles: list[list[str]]) -> Iterator[list[list[str]]]:
+    """The circles, those together that lead through the same package: what all others need and what starts them all."""
+    while circles:
+        counts = Counter(name for circle in circles for name in circle[1:])
+        center = min(counts, key=lambda name: (-counts[name], name))
+        yield [circle for circle in circles if center in circle]
+        circles = [circle for circle in circles if center not in circle]
+
+
+def _declared_circle(circles: list[list[str]], needs: Needs, at_build: Needs) -> Finding:
+    """The finding for a circle, at the dependency that is easiest to drop, or for all circles through one package, at
+    its own dependencies."""
+    steps = [step for circle in circles for step in pairwise(circle)]
+    if len(circles) == 1:
+        first = next((step for step in steps if step[1] not in at_build[step[0]]), steps[0])
+        at = steps.index(first)
+        steps = steps[at:] + steps[:at]
+        message = f"packages depend on each other in a circle: {' → '.join([first[0], *(end for _, end in steps)])}"
+    else:
+        package = min(set.intersection(*map(set, circles)))
+        steps.sort(key=lambda step: (step[0] != package, needs[step[0]][step[1]]))
+        others = sorted({name for circle in circles for name in circle} - {package})
+        message = f"'{package}' and {len(others)} others depend on each other in circles: {listed(others)}"
+    places = {needs[start][end]: f"'{start}' depends on '{end}' here" for start, end in steps}
+    place, *_ = places
+    return finding(
+        "PKG003",
+        place,
+        message,
+        help=f"remove one dependency of each circle, such as that of '{steps[0][0]}' on '{steps[0][1]}', or move what both "
+        "need into a separate package, so that colcon can order them",
+        related=[Related(other, words) for other, words in places.items() if other != place],
+        identity=tuple(sorted({name for circle in circles for name in circle})),
+    )
 
 
 def _from_undeclared(circle: list[str], needs: Needs, used: Needs) -> list[Step]:
@@ -104,11 +140,14 @@ def _cure(package: str, uses: list[Place]) -> str:
     return "move what both need into a separate package"
 
 
-def _declared(package: Package, packages: Mapping[str, Package]) -> dict[str, Place]:
+def _declared(
+    package: Package, packages: Mapping[str, Package], kinds: frozenset[DependencyKind]
+) -> dict[str, Place]:
+    """The packages of the workspace that a manifest names as one of these kinds, with the line."""
     return {
         d.name: Place(package.manifest.relative, d.line, 1, d.line, 1)
         for d in reversed(package.dependencies)
-        if d.kind in _BUILD and d.name in packages and condition_verdict(d.condition)
+        if d.kind in kinds and d.name in packages and condition_verdict(d.condition)
     }
 
 
