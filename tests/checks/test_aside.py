@@ -472,14 +472,12 @@ SLEEPS = NODE.replace(
         ("ws/robot/tools/reference.py", Severity.INFO),
         ("ws/tools/reference.py", Severity.INFO),
         ("ws/robot/(new)robot/driver.py", Severity.INFO),
-        ("ws/robot/robot/old/driver.py", Severity.INFO),
     ],
     ids=[
         "a program of the package",
         "a script of the package",
         "a script beside the packages",
         "no name to import",
-        "put aside",
     ],
 )
 def test_an_error_in_code_that_no_package_installs_is_information(tmp_path, monkeypatch, path, severity):
@@ -493,6 +491,48 @@ def test_an_error_in_code_that_no_package_installs_is_information(tmp_path, monk
     [sleep] = [finding for finding in rows if finding.code == "EXE004"]
     assert sleep.severity is severity
     assert sleep.message.endswith("; no installed program uses this file") == (severity is Severity.INFO)
+
+
+@pytest.mark.parametrize(
+    ("path", "names_it", "asked", "told"),
+    [
+        ("robot/robot/old/reference.py", "", ".", []),
+        ("robot/robot/driver copy.py", "", ".", []),
+        ("robot/robot/old/reference.py", "", "robot/robot/old/reference.py", ["EXE004"]),
+        ("robot/robot/old/reference.py", "from robot.old import reference\n", ".", ["EXE004"]),
+    ],
+    ids=["put aside", "a copy", "asked for by name", "imported"],
+)
+def test_an_error_in_code_that_is_put_aside_is_nobodys(tmp_path, monkeypatch, path, names_it, asked, told):
+    files = {"robot/package.xml": MANIFEST.strip(), "robot/setup.py": SETUP.replace("{more}", "")}
+    files |= {"robot/robot/__init__.py": "", "robot/robot/driver.py": f"{names_it}def main(): pass\n"}
+    files["robot/robot/old/__init__.py"] = ""
+    for name, text in {**files, path: SLEEPS}.items():
+        (tmp_path / name).parent.mkdir(exist_ok=True, parents=True)
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    rows = check(Request((asked,), Settings(), cached=False, jobs=1)).findings
+    assert [finding.code for finding in rows if finding.code == "EXE004"] == told
+
+
+@pytest.mark.parametrize(
+    ("change", "places"),
+    [
+        ("", [("robot/robot/driver.py", 1)]),
+        ("\n", [("robot/robot/driver.py", 0), ("robot/robot/driver_two.py", 0)]),
+    ],
+    ids=["the very same", "another text"],
+)
+def test_one_finding_for_copies_of_a_file(tmp_path, monkeypatch, change, places):
+    files = {"robot/package.xml": MANIFEST.strip(), "robot/robot/__init__.py": ""}
+    files |= {"robot/robot/driver.py": SLEEPS, "robot/robot/driver_two.py": SLEEPS + change}
+    for name, text in files.items():
+        (tmp_path / name).parent.mkdir(exist_ok=True, parents=True)
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    rows = [row for row in check(Request((".",), Settings(), cached=False, jobs=1)).findings if row.code == "EXE004"]
+    again = "the same in a copy of this file"
+    assert [(row.place.file, [one.message for one in row.related].count(again)) for row in rows] == places
 
 
 def test_an_error_in_a_folder_without_packages_stays_one(tmp_path, monkeypatch):

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING
 
-from archlint.analysis.aside import is_left_alone
 from archlint.checks.idle_contracts import idle_patterns
 from archlint.checks.launch_notices import argument_notices
 from archlint.checks.registry import failure, registered, unreadable, unreadable_interface
@@ -23,9 +21,10 @@ from archlint.engine.judging import judge_alternatives
 from archlint.engine.known import Sieve
 from archlint.engine.languages import for_their_languages
 from archlint.engine.launched_code import launched_files
+from archlint.engine.left_alone import without_left_alone
 from archlint.engine.loading import as_asked_for, systems_of
 from archlint.engine.looked_at import followed_in_part, for_ros1, started_elsewhere, without_start
-from archlint.engine.merging import folded, merged, once_for_copies
+from archlint.engine.merging import folded, merged, once_for_copies, once_for_twins
 from archlint.engine.request import NothingToDo, Request
 from archlint.engine.stale_entries import Judgement, stale_entry
 from archlint.faults import Faults
@@ -123,7 +122,7 @@ def _judged(
     systems = systems_of(inputs, facts)
     index = systems[0].workspace or WorkspaceIndex()
     faults, launch_files = index.faults, index.launch_files
-    to_report = _without_left_alone([*known, *_imported(workspace, known, facts)], request, index, facts)
+    to_report = [*known, *_imported(workspace, known, facts)]
     judged_by_rules = for_their_languages(_rules(request, systems, inputs.memory))
     candidates = [*_problems(workspace, to_report, facts), *merged(judged_by_rules)]
     candidates.extend(_of_interfaces(workspace, systems, inputs.tree, faults))
@@ -132,7 +131,8 @@ def _judged(
     by_file.update(_of_manifests(workspace, inputs.tree))
     candidates.extend(failure(fault) for fault in faults.by_place())
     skipped = {file.relative for file in python_files(workspace) if facts.is_ros1(file)}
-    candidates = [candidate for candidate in candidates if candidate.place.file not in skipped]
+    read = (candidate for candidate in candidates if candidate.place.file not in skipped)
+    candidates = without_left_alone(index, read, request.paths)
     old = half_ported(workspace, known, facts)
     aside = uninstalled.files_of(index, candidates)
     candidates = uninstalled.as_information(as_information(candidates, old), aside)
@@ -143,7 +143,7 @@ def _judged(
     kept = [*outcome.kept, *suppressions.apply(about, by_file).kept]
     sifted = sieve.part(dict.fromkeys(kept), {file.relative for file in workspace.files})
     explained = uninstalled.with_reason(with_reason(folded(sifted.new), old), aside)
-    findings = sorted(explained, key=lambda finding: finding.sort_key)
+    findings = once_for_twins(explained, _contents(workspace, facts))
     shown = as_asked_for(request, systems[0], workspace)
     summary = summarise(
         findings,
@@ -167,6 +167,15 @@ def _judged(
     judged = Judged(findings, summary, [*refused, *notices, *_idle(request.settings, systems)], remarks)
     judged = replace(judged, launched=launched_files(systems, findings))
     return judged, shown, systems
+
+
+def _contents(workspace: Workspace, facts: FactsOfFiles) -> dict[str, tuple[str, str]]:
+    """The package of each file that is in one, and a digest of its content."""
+    return {
+        file.relative: (file.package, digest)
+        for file in workspace.files
+        if file.package is not None and (digest := facts.digest(file)) is not None
+    }
 
 
 def _of_code(
@@ -256,17 +265,6 @@ def _problems(workspace: Workspace, files: Sequence[SourceFile], facts: FactsOfF
         for fault in read.problems:
             finding = unreadable(file.relative, fault.line, fault.column, fault.message, fault.internal)
             yield replace(finding, related=tuple(Related(place, "it is imported here") for place in importers))
-
-
-def _without_left_alone(
-    files: Sequence[SourceFile], request: Request, index: WorkspaceIndex, facts: FactsOfFiles
-) -> list[SourceFile]:
-    """The files, without those that cannot be read and that nobody misses: they are put aside, and not asked for by
-    name."""
-    named = {os.path.abspath(path) for path in request.paths}
-    broken = (f for f in files if f.path not in named and (read := facts.facts_of(f)) is not None and read.problems)
-    alone = {file.path for file in broken if is_left_alone(index, file.relative)}
-    return [file for file in files if file.path not in alone]
 
 
 def _of_manifests(workspace: Workspace, tree: SourceTree) -> Iterator[tuple[str, list[Suppression]]]:

@@ -83,6 +83,26 @@ def once_for_copies(findings: Iterable[Finding], packages: Sequence[Package]) ->
     return sorted(shown, key=lambda finding: finding.sort_key)
 
 
+def once_for_twins(findings: Iterable[Finding], contents: Mapping[str, tuple[str, str]]) -> list[Finding]:
+    """The findings with one for what files of a package with the very same content show, in the one with the shortest
+    path; they come in the order of their places.  ``contents`` has the package of each file and a digest."""
+    rows: dict[tuple[object, ...], list[Finding]] = {}
+    for number, finding in enumerate(findings):
+        place, content = finding.place, contents.get(finding.place.file)
+        twin = (number,) if content is None else (content, place.line, place.column, finding.system)
+        rows.setdefault((finding.code, finding.severity, finding.message, *twin), []).append(finding)
+    shown = [_of_twins(row) for row in rows.values()]
+    return sorted(shown, key=lambda finding: finding.sort_key)
+
+
+def _of_twins(row: Sequence[Finding]) -> Finding:
+    first, *others = sorted(row, key=lambda finding: (len(finding.place.file), finding.sort_key))
+    if not others:
+        return first
+    twins = (Related(finding.place, "the same in a copy of this file") for finding in others)
+    return replace(first, related=(*first.related, *twins), sites=all_sites([first, *others]))
+
+
 def _of_copies(row: Sequence[Finding], folders: Mapping[str, str]) -> Sequence[Finding]:
     """One finding for those of several copies; what one copy says several times stays."""
     first = row[0]

@@ -1,0 +1,39 @@
+"""Findings about files that are put aside: nobody mends what nothing runs."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING
+
+from archlint.analysis.aside import is_left_alone
+from archlint.checks.registry import registered
+from archlint.checks.scope import Scope
+
+if TYPE_CHECKING:
+    from archlint.finding import Finding
+    from archlint.systems.model import WorkspaceIndex
+
+
+def without_left_alone(index: WorkspaceIndex, findings: Iterable[Finding], paths: Sequence[str]) -> list[Finding]:
+    """The findings, without those in files that are put aside and that no code names (``driver copy.py``), unless the
+    run was asked about the file by its name.  What packages say of themselves is left: colcon builds a package
+    wherever it lies."""
+    named = {os.path.abspath(path) for path in paths}
+    alone: dict[str, bool] = {}
+    kept: list[Finding] = []
+    for finding in findings:
+        file = finding.place.file
+        if file not in alone:
+            alone[file] = os.path.abspath(file) not in named and is_left_alone(index, file)
+        if not (alone[file] and _is_of_what_runs(finding)):
+            kept.append(finding)
+    return kept
+
+
+def _is_of_what_runs(finding: Finding) -> bool:
+    check = registered().get(finding.code)
+    return finding.code == "LNT002" or (check is not None and check.scope is not Scope.WORKSPACE)
+
+
+__all__ = ["without_left_alone"]
