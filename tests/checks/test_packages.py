@@ -229,7 +229,8 @@ def test_a_module_that_does_nothing_when_it_is_imported_cannot_start(findings, t
         ("def help(): pass\ndef main(): pass\n", "write 'talker = robot.talker:main'"),
         ("def open(): pass\ndef close(): pass\n", "write 'talker = robot.talker:function'"),
         ("from robot.driver import main\n", "write 'talker = robot.talker:main'"),
-        ("from robot.driver import serve\n", "write 'talker = robot.talker:function'"),
+        ("from robot.driver import serve\n", "remove the entry: 'robot.talker' defines no function"),
+        ("from robot.driver import *\n", "write 'talker = robot.talker:function'"),
     ],
 )
 def test_an_entry_without_a_function_gets_the_one_that_is_there(findings, text, help):
@@ -239,7 +240,7 @@ def test_an_entry_without_a_function_gets_the_one_that_is_there(findings, text, 
 
 def test_entries_of_modules_without_any_function_are_one_finding(findings):
     setup = SETUP.replace("'talker = robot.talker:main'", "'talker = robot.talker', 'left = robot.left'")
-    files = {"setup.py": setup, "robot/talker.py": "class Talker: pass\n"}
+    files = {"setup.py": setup, "robot/talker.py": "from abc import abstractmethod\nclass Talker: pass\n"}
     (found,) = findings("PKG002", **files, **{"robot/left.py": "class Left: pass\n"})
     assert found.message == "2 executables cannot start: their modules define no function at all: talker, left"
     assert found.help == "remove these entries"
@@ -248,6 +249,14 @@ def test_entries_of_modules_without_any_function_are_one_finding(findings):
         "remove the entry: 'robot.talker' defines no function",
         "write 'left = robot.left:main'",
     ]
+
+
+def test_a_module_of_ros1_needs_more_than_a_function(findings):
+    setup = SETUP.replace("'talker = robot.talker:main'", "'talker = robot.talker:main', 'left = robot.left:main'")
+    files = {"setup.py": setup, "robot/talker.py": "import rospy\n", "robot/left.py": "import rospy\n"}
+    (found,) = findings("PKG002", **files)
+    assert found.message == "2 executables cannot start: their modules have no function 'main': talker, left"
+    assert found.help == "port the module to ROS 2, which has no rospy, or remove the entry"
 
 
 def test_entries_whose_modules_lack_one_function_are_one_finding(findings):

@@ -106,9 +106,9 @@ def import_that_fails(workspace: WorkspaceIndex | None, file: str) -> str | None
     """The first module that a file imports as it starts and that is not there: one of its own package, or of ROS 1."""
     package = None if workspace is None else workspace.package_of(file)
     file_facts = None if workspace is None else workspace.facts_at(file)
-    for statement in [] if file_facts is None else file_facts.body:
-        if isinstance(statement, (facts.Import, facts.ImportFrom)) and statement.module.partition(".")[0] in _OF_ROS_1:
-            return statement.module
+    of_ros1 = None if file_facts is None else ros1_module(file_facts)
+    if of_ros1 is not None:
+        return of_ros1
     if workspace is None or package is None or file_facts is None or package not in workspace.code.top_modules:
         return None
     imports = (
@@ -133,6 +133,12 @@ def _calls_init(workspace: WorkspaceIndex, file: str) -> bool:
     return file_facts is not None and any(
         called_name(call) == "init" for call in everything_in(file_facts.body, facts.Call)
     )
+
+
+def ros1_module(file_facts: facts.Facts) -> str | None:
+    """The first module of ROS 1 that a file imports as it starts; None where it imports none."""
+    imports = (part for part in file_facts.body if isinstance(part, (facts.Import, facts.ImportFrom)))
+    return next((part.module for part in imports if part.module.partition(".")[0] in _OF_ROS_1), None)
 
 
 _OF_ROS_1 = frozenset({"actionlib", "dynamic_reconfigure", "roslib", "rospy"})
@@ -235,4 +241,12 @@ def _reached(workspace: WorkspaceIndex) -> frozenset[str]:
     return workspace.code.in_use()
 
 
-__all__ = ["import_that_fails", "is_aside", "is_disused", "is_left_alone", "is_not_installed", "starts_ros"]
+__all__ = [
+    "import_that_fails",
+    "is_aside",
+    "is_disused",
+    "is_left_alone",
+    "is_not_installed",
+    "ros1_module",
+    "starts_ros",
+]

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING
 
+from archlint.analysis.aside import ros1_module
 from archlint.suggestions import nearest
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in
@@ -44,6 +45,8 @@ class NoFunction:
     function: str
     known: frozenset[str]
     runs_first: bool = False
+    ros1: str = ""
+    """The first module of ROS 1 that it imports: a function alone would not start it either."""
 
 
 def broken_target(workspace: WorkspaceIndex, executable: Executable) -> NoModule | NoFunctionNamed | NoFunction | None:
@@ -71,16 +74,16 @@ def broken_target(workspace: WorkspaceIndex, executable: Executable) -> NoModule
     names = _bound_names(file_facts.body)
     if head in names or _binds_more(file_facts.body):
         return None
-    return NoFunction(module, head, names, _runs_for_long(file_facts))
+    return NoFunction(module, head, names, _runs_for_long(file_facts), ros1_module(file_facts) or "")
 
 
 def _functions(file_facts: facts.Facts) -> tuple[str, ...] | None:
-    """The functions that a module defines, or the ``main`` that it imports; None where what it imports may be one."""
+    """The functions that a module defines, or the ``main`` that it imports: no other function of another module is a
+    program.  None where a star import may bring one."""
     functions = tuple(statement.name for statement in file_facts.body if isinstance(statement, facts.Function))
     if "main" not in functions and "main" in _bound_names(file_facts.body):
         return ("main",)
-    imports = any(isinstance(statement, facts.ImportFrom) for statement in file_facts.body)
-    return None if imports and not functions else functions
+    return None if not functions and _binds_more(file_facts.body) else functions
 
 
 def _runs_for_long(file_facts: facts.Facts) -> bool:

@@ -86,8 +86,8 @@ def _declared_circle(circles: list[list[str]], needs: Needs, at_build: Needs) ->
         "PKG003",
         place,
         message,
-        help=f"remove one dependency of each circle, such as that of '{steps[0][0]}' on '{steps[0][1]}', or move what both "
-        "need into a separate package, so that colcon can order them",
+        help=f"remove one dependency of each circle, such as that of '{steps[0][0]}' on '{steps[0][1]}', or move what "
+        "both need into a separate package, so that colcon can order them",
         related=[Related(other, words) for other, words in places.items() if other != place],
         identity=tuple(sorted({name for circle in circles for name in circle})),
     )
@@ -140,9 +140,7 @@ def _cure(package: str, uses: list[Place]) -> str:
     return "move what both need into a separate package"
 
 
-def _declared(
-    package: Package, packages: Mapping[str, Package], kinds: frozenset[DependencyKind]
-) -> dict[str, Place]:
+def _declared(package: Package, packages: Mapping[str, Package], kinds: frozenset[DependencyKind]) -> dict[str, Place]:
     """The packages of the workspace that a manifest names as one of these kinds, with the line."""
     return {
         d.name: Place(package.manifest.relative, d.line, 1, d.line, 1)

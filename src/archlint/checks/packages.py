@@ -77,16 +77,18 @@ def _broken(workspace: WorkspaceIndex, executable: Executable) -> Iterator[Findi
             yield _entry_finding(executable, f"module '{module}' does not exist{hint}", help)
         case NoFunctionNamed(module, functions):
             help = _with_a_function(executable.name, module, functions)
-            group = () if functions is None or functions else (executable.place.file, "")
+            group = () if functions is None or functions else (executable.place.file, "", "")
             what = f"'{module}' is a module, but the entry names no function in it"
             yield _entry_finding(executable, what, help, group)
-        case NoFunction(module, function, names, runs_first):
+        case NoFunction(module, function, names, runs_first, ros1):
             near = nearest(function, names)
-            group = () if near is not None else (executable.place.file, function)
+            group = () if near is not None else (executable.place.file, function, ros1)
             hint = did_you_mean(function, names)
             help = f"define '{function}' in the module, or use a function that it has"
             if near is not None:
                 help = f"write '{executable.name} = {module}:{near}'"
+            elif ros1:
+                help = f"port the module to ROS 2, which has no {ros1}, or remove the entry"
             diagnostic = _entry_finding(executable, f"'{module}' has no function '{function}'{hint}", help, group)
             at_the_end = runs_first and near is None
             yield _fails_at_the_end(diagnostic, executable, module, function) if at_the_end else diagnostic
@@ -136,7 +138,7 @@ def _without_one_function(several: Sequence[Finding]) -> Finding:
     first, *others = several
     if not others:
         return first
-    _, function = first.group
+    _, function, _ = first.group
     names = [entry.identity[1] for entry in several]
     what = f"their modules have no function '{function}'" if function else "their modules define no function at all"
     return replace(
