@@ -7,6 +7,8 @@ from pathlib import Path
 
 import pytest
 
+from archlint.config.settings import load
+from archlint.engine.pipeline import Request, check
 from archlint.finding import Severity
 from checks.callbacks import ON_ONE_THREAD, ON_SEVERAL_THREADS, Run, codes, source
 
@@ -71,21 +73,21 @@ def test_a_file_lock_is_information(run: Run, call: str, severity: str):
 @pytest.mark.parametrize(
     ("call", "severity"),
     [
-        ("subprocess.run(['pactl', 'set-sink-volume', self.sink, '50%'], check=True)", "info"),
-        ("subprocess.run(['systemctl', '--quiet', 'is-active', 'robot'])", "info"),
-        ("subprocess.check_output(['/sbin/iwconfig', 'wlan0'])", "info"),
-        ("subprocess.run('ip -4 addr show', shell=True)", "info"),
-        ("subprocess.run(['pkill', '-9', '-f', 'driver'], timeout=5)", "info"),
-        ("subprocess.run(['nmcli', '-t', 'device', 'show'])", "info"),
-        ("subprocess.run(['ip', 'monitor'])", "warning"),
-        ("subprocess.run(['nmcli', 'device', 'wifi', 'rescan'])", "warning"),
-        ("subprocess.run(['systemctl', 'restart', 'pactl'])", "warning"),
-        ("for _ in self.sink:\n        subprocess.run(['pactl', 'list'])", "warning"),
+        ("subprocess.run(['pactl', 'set-sink-volume', self.sink, '50%'], check=True)", []),
+        ("subprocess.run(['systemctl', '--quiet', 'is-active', 'robot'])", []),
+        ("subprocess.check_output(['/sbin/iwconfig', 'wlan0'])", []),
+        ("subprocess.run('ip -4 addr show', shell=True)", []),
+        ("subprocess.run(['pkill', '-9', '-f', 'driver'], timeout=5)", []),
+        ("subprocess.run(['nmcli', '-t', 'device', 'show'])", []),
+        ("subprocess.run(['ip', 'monitor'])", ["warning"]),
+        ("subprocess.run(['nmcli', 'device', 'wifi', 'rescan'])", ["warning"]),
+        ("subprocess.run(['systemctl', 'restart', 'pactl'])", ["warning"]),
+        ("for _ in self.sink:\n        subprocess.run(['pactl', 'list'])", ["warning"]),
     ],
 )
-def test_a_command_of_milliseconds_is_information(run: Run, call: str, severity: str):
-    [waits] = [one for one in run(source("self.sink = load_pause()\n" + TIMER, timer(call))) if one.code == "EXE003"]
-    assert waits.severity.label == severity
+def test_a_command_of_milliseconds_keeps_nobody_waiting(run: Run, call: str, severity: list[str]):
+    waits = [one for one in run(source("self.sink = load_pause()\n" + TIMER, timer(call))) if one.code == "EXE003"]
+    assert [one.severity.label for one in waits] == severity
 
 
 @pytest.mark.parametrize(("limit", "expected"), [("1.0", []), ("5.0", ["EXE003"])])
@@ -281,6 +283,84 @@ def test_the_next_message_of_a_node_with_no_other_work_may_be_a_little_late(run:
     assert [one for one in codes(run(source(setup, method))) if one == "EXE003"] == expected
     beside = run(source(setup + "self.create_subscription(Empty, 'stop', print, 10)\n", method))
     assert "EXE003" in codes(beside)
+
+
+@pytest.mark.parametrize(
+    ("lines", "expected"),
+    [
+        pytest.param(["self.brake()", "raise RuntimeError('stuck')"], [], id="it ends with an exception"),
+        pytest.param(["self.brake()", "if self.hot:", "    raise RuntimeError('hot')"], ["EXE003"], id="perhaps"),
+        pytest.param(
+            ["try:", "    self.brake()", "    raise RuntimeError('stuck')", "except RuntimeError:", "    pass"],
+            ["EXE003"],
+            id="caught",
+        ),
+        pytest.param(["if self.hot:", "    raise RuntimeError('hot')", "self.brake()"], ["EXE003"], id="before"),
+    ],
+)
+def test_what_a_callback_does_last_before_it_raises(run: Run, lines: list[str], expected: list[str]):
+    brake = "\ndef brake(self):\n    time.sleep(0.5)\n"
+    text = source("self.hot = load_state()\n" + TIMER, timer("\n    ".join(lines)) + brake)
+    assert [code for code in codes(run(text)) if code == "EXE003"] == expected
+
+
+def test_a_wait_in_a_helper_of_another_package_is_told_where_it_is_called(tmp_path, monkeypatch):
+    manifest = (
+        "<package format='3'><name>{0}</name><version>1.0.0</version><description>d</description>"
+        "<maintainer email='a@b.org'>a</maintainer><license>MIT</license><depend>rclpy</depend>{1}"
+        "<export><build_type>ament_python</build_type></export></package>"
+    )
+    setup = "from setuptools import setup\nsetup(name='{0}', packages=['{0}']{1})\n"
+    entry = ", entry_points={'console_scripts': ['robot = robot.robot:main']}"
+    files = {
+        "pauses/package.xml": manifest.format("pauses", ""),
+        "pauses/setup.py": setup.format("pauses", ""),
+        "pauses/pauses/__init__.py": "import time\n\n\ndef pause():\n    time.sleep(2.0)\n",
+        "robot/package.xml": manifest.format("robot", "<depend>pauses</depend>"),
+        "robot/setup.py": setup.format("robot", entry),
+        "robot/robot/__init__.py": "",
+        "robot/robot/robot.py": "from pauses import pause\n" + source(TIMER, timer("pause()")),
+    }
+    for name, text in files.items():
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    found = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+    [slow] = [one for one in found if one.code == "EXE003"]
+    line = files["robot/robot/robot.py"].splitlines().index("        pause()") + 1
+    assert (slow.place.file, slow.place.line) == ("robot/robot/robot.py", line)
+    assert ("pauses/pauses/__init__.py", "it waits here") in [(one.place.file, one.message) for one in slow.related]
+
+
+CHAIN = """
+def go(self, message):
+    if self.states.wait_for_service(timeout_sec=5.0):
+        self.states.call_async(Trigger.Request()).add_done_callback(self.told)
+
+def told(self, future):
+    self.finish(future.result())
+
+def finish(self, state):
+    if self.end.wait_for_service(timeout_sec=5.0):
+        self.end.call_async(Trigger.Request()).add_done_callback(self.finished)
+
+def finished(self, future):
+    self.get_logger().info('done')
+"""
+
+
+@pytest.mark.parametrize(
+    ("more", "expected"),
+    [
+        ("", []),
+        ("self.create_subscription(Empty, 'stop', print, 10)\n", ["EXE003", "EXE003"]),
+        ("self.create_timer(5.0, self.get_name)\n", ["EXE003", "EXE003"]),
+    ],
+)
+def test_a_node_in_which_all_comes_of_one_callback_may_look_for_servers(run: Run, more: str, expected: list[str]):
+    create = "self.states = self.create_client(Trigger, 'states')\nself.end = self.create_client(Trigger, 'end')\n"
+    listens = "self.create_subscription(Empty, 'go', self.go, 10)\n"
+    assert [code for code in codes(run(source(create + listens + more, CHAIN))) if code == "EXE003"] == expected
 
 
 GO_ON = """

@@ -280,7 +280,9 @@ def test_a_class_that_nothing_names(judge: Judge, tmp_path, uses: str, mark: str
     ],
 )
 def test_a_script_that_only_asks_may_wait_where_it_says_so(judge: Judge, more: str, inside: str, mark: str):
-    judge("TMO004", script(more, f"while not {WAIT}:{mark}", f"    {inside}", "far.call_async(Trigger.Request())"))
+    asks = "far.call_async(Trigger.Request())"
+    judge("TMO004", script(more, f"while not {WAIT}:{mark}", f"    {inside}", asks))
+    judge("TMO004", script(more, f"while not {WAIT}:{mark}", f"    {inside}", asks, "rclpy.spin(node)"))
 
 
 IN_A_THREAD = """

@@ -41,17 +41,12 @@ _SAYS = frozenset({"info", "warn", "warning", "error", "print"})
 
 
 def _only_asks(program: Program, clients: Sequence[Creation]) -> bool:
-    """Whether a program has nothing but clients and sends one request, with one of these, and nothing spins it for
-    more."""
+    """Whether a program has nothing but clients and sends one request, with one of these: if it is spun afterwards,
+    nothing else comes of that."""
     if any(creation.kind not in _ASKS for node in program.nodes for creation in node.creations):
         return False
     asking = {call.place: call for call in program.calls if call.api.endswith(_REQUESTS)}
-    if len(asking) != 1 or any(call.api in _SPINS_ON for call in program.calls):
-        return False
-    return all(not call.looped and call.creation in clients for call in asking.values())
-
-
-_SPINS_ON = frozenset({"rclpy.spin", "rclpy.executors.Executor.spin"})
+    return len(asking) == 1 and all(not call.looped and call.creation in clients for call in asking.values())
 
 
 def _takes_in_nothing(node: Blueprint) -> bool:

@@ -51,6 +51,28 @@ def who_waits(code: SourceCode, call: ApiCall, program: Program) -> Waiting:
     return Waiting.NOBODY if known_executor and all(spun.complete for spun in nodes) else Waiting.UNKNOWN
 
 
+def is_one_chain(call: ApiCall, program: Program) -> bool:
+    """Whether all that a node does begins with one and the same callback, of no timer, and comes of it: the done
+    callbacks of its requests, and theirs.  None of them could go on before a server is found that it looks for."""
+    node = call.context.node
+    if node is None or node.lifecycle or not node.complete:
+        return False
+    if any(other is not node for use in program.executors_of(node) for other in use.nodes):
+        return False
+    begins = [creation for creation in node.creations if creation.kind in _TAKE_IN and not creation.destroyed]
+    follows = (Role.DONE, Role.FEEDBACK)
+    own = {creation.place for creation in begins}
+    return (
+        len(own) == 1
+        and begins[0].kind != EntityKind.TIMER
+        and all(
+            callback.role in follows or callback.creation in begins
+            for callback in node.callbacks
+            if runs_in_executor(callback)
+        )
+    )
+
+
 def _takes_in_more(code: SourceCode, node: Blueprint, call: ApiCall, program: Program) -> bool:
     """Whether an executor has anything to do for a node besides one callback.  What a node sends is no work, nor is
     the answer that nothing is registered for, nor what the callback makes only after it has waited."""
@@ -107,4 +129,4 @@ def _is_between(place: Place | None, start: Place, end_line: int) -> bool:
     return place is not None and place.file == start.file and place > start and place.line <= end_line
 
 
-__all__ = ["Waiting", "who_waits"]
+__all__ = ["Waiting", "is_one_chain", "who_waits"]

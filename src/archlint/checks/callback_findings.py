@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING
 from archlint.analysis.callback_roles import related_to
 from archlint.analysis.reach import node_name
 from archlint.checks.registry import finding
+from archlint.finding import Related
 
 if TYPE_CHECKING:
-    from archlint.finding import Finding, Related
+    from archlint.finding import Finding, Place
     from archlint.model import ApiCall, Creation, Program
     from archlint.systems.model import System
 
@@ -28,17 +29,34 @@ def finding_in_callback(
     further: Iterable[Related] = (),
     group: Sequence[str] = (),
 ) -> Finding:
-    """A finding at a call, of the node of the callback that comes to it.  Related is the way there from the callback,
-    with the client that the call waits for, and then ``further``; ``identity`` is what sets it apart from others of
-    this callback."""
+    """A finding of the node of the callback that comes to a call, at the line that :func:`told_at` chooses.  Related is
+    the way there from the callback, with the client that the call waits for, and then ``further``; ``identity`` is what
+    sets it apart from others of this callback."""
     callback = call.context
+    place, _ = told_at(system, call)
+    there = [] if place == call.place else [Related(call.place, "it waits here")]
     return finding(
         code,
-        call.place,
+        place,
         message,
         help=help,
-        related=(*related_to(call, program, client), *further),
+        related=(*related_to(call, program, client), *there, *further),
         node=node_name(system, callback.node),
         identity=(callback.name, *identity),
         group=group,
     )
+
+
+def told_at(system: System, call: ApiCall) -> tuple[Place, str]:
+    """Where a call of a callback is told, with the function around it: at its own line; where that is in a helper of
+    another package, at the last line of the callback's package that leads there, for that helper serves others, too."""
+    workspace = system.workspace
+    own = None if workspace is None else workspace.package_of(call.context.place.file)
+    if workspace is not None and own is not None and workspace.package_of(call.file) not in (own, None):
+        for frame in reversed(call.chain):
+            if workspace.package_of(frame.place.file) == own:
+                return frame.place, frame.caller
+    return call.place, call.function
+
+
+__all__ = ["finding_in_callback", "told_at"]

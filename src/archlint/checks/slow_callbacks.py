@@ -13,7 +13,7 @@ from archlint.analysis.attribute_loops import attribute_loops
 from archlint.analysis.callback_roles import callback_words, runs_in_executor
 from archlint.analysis.deadlock import threads_of
 from archlint.analysis.kept import once
-from archlint.analysis.kept_waiting import Waiting, who_waits
+from archlint.analysis.kept_waiting import Waiting, is_one_chain, who_waits
 from archlint.analysis.loop_times import around_future, in_loops
 from archlint.analysis.own_timers import ends_its_timer_before
 from archlint.analysis.present_servers import is_there
@@ -24,7 +24,7 @@ from archlint.analysis.source_code import SourceCode, source_code
 from archlint.analysis.spins import is_spin_call
 from archlint.analysis.states import leaves_its_state
 from archlint.analysis.stuck import clients_of_handlers, functions_that_ask
-from archlint.checks.callback_findings import finding_in_callback
+from archlint.checks.callback_findings import finding_in_callback, told_at
 from archlint.checks.folding import folds
 from archlint.checks.registry import Options, rule
 from archlint.checks.scope import Scope
@@ -77,7 +77,8 @@ def slow_callback(system: System, options: Options) -> Iterator[Finding]:
             continue  # a handler that asks the server afterwards is SRV003's: this is part of the same wait
         if any((call.file, call.function, client.place) in reported for client in creations_of(call.receiver)):
             continue  # other callbacks get to the same two waits, of which SRV003 speaks
-        rows = functions.setdefault((call.file, call.function), {})
+        place, function = told_at(system, call)
+        rows = functions.setdefault((place.file, function), {})
         known = rows.get(call.place)
         if known is None or len(call.chain) < len(known[1].chain):
             rows[call.place] = (program, call, stay)
@@ -104,6 +105,8 @@ _UNSEEN = 1.0
 def _is_left_alone(system: System, program: Program, call: ApiCall, stay: Stay) -> bool:
     """Whether nothing at all waits but the callback's own next turn, and nothing is lost if that is late."""
     code, role = source_code(system), call.context.role
+    if stay.kind == "discovery" and not made_here(call) and is_one_chain(call, program):
+        return True
     if role == Role.SUBSCRIPTION:
         minor = _is_brief(code, call, stay)
     else:
@@ -142,6 +145,7 @@ def _stays(system: System) -> Iterator[_Row]:
             or (stay.kind == "discovery" and is_there(system, call))
             or ends_with_the_node(code, call, stay)
             or ends_the_machine(code, call)
+            or (stay.kind == "process" and not call.looped and is_soon_over(code, call))
             or _is_no_program(system, call.context)
         ):
             continue
@@ -218,7 +222,7 @@ def _slow(system: System, rows: Sequence[_Row], only_network: bool) -> Finding:
     waiting = {who_waits(source_code(system), row[1], row[0]) for row in rows}
     elsewhere = _where_harmless(system)
     mild = all(row[1].place in elsewhere for row in rows)
-    mild = mild or Waiting.OTHERS not in waiting or all(_is_minor(source_code(system), row[1], row[2]) for row in rows)
+    mild = mild or Waiting.OTHERS not in waiting or all(_is_minor(row[1], row[2]) for row in rows)
     meanwhile = _meanwhile(callback, program)
     if waiting == {Waiting.NOBODY}:
         meanwhile = f"the node has no other callback, but its next {_ITS_NEXT[callback.role]} has to wait"
@@ -246,10 +250,10 @@ def _other_lines(call: ApiCall, stay: Stay, others: Sequence[_Row]) -> str:
     return f", and blocks at {f'{len(others)} more lines' if several else 'another line'} of {call.function}"
 
 
-def _is_minor(code: SourceCode, call: ApiCall, stay: Stay) -> bool:
-    """Whether a wait is hardly ever long, or the answer depends on it."""
-    soon = stay.kind == "lock" or (stay.kind == "process" and not call.looped and is_soon_over(code, call))
-    return soon or _answers_in_time(call, stay)
+def _is_minor(call: ApiCall, stay: Stay) -> bool:
+    """Whether a wait is hardly ever long, since few processes hold a file for more than a moment, or the answer depends
+    on it."""
+    return stay.kind == "lock" or _answers_in_time(call, stay)
 
 
 def _of_loop(code: SourceCode, call: ApiCall, stay: Stay) -> str:

@@ -91,10 +91,14 @@ def _proven(body: Itself[Sequence[facts.Stmt]], wanted: Itself[facts.Stmt]) -> t
 
 def is_cleaning_up(run: Run) -> bool:
     """Whether what runs now is there because something failed, and the callback ends with it: on the way to it is an
-    ``except`` that always raises, or that (or ``finally``) shuts the node down."""
+    ``except`` that always raises, or that (or ``finally``) shuts the node down; or every way on raises, and no ``try``
+    is around."""
+    caught = any(activation.tries for activation in run.activations)
     return any(
-        activation.statement is not None and _cleans_up(Itself(activation.body), Itself(activation.statement))
+        _cleans_up(Itself(activation.body), Itself(activation.statement))
+        or (not caught and _raises_next(Itself(activation.body), Itself(activation.statement)))
         for activation in run.activations
+        if activation.statement is not None
     )
 
 
@@ -106,6 +110,16 @@ def _cleans_up(body: Itself[Sequence[facts.Stmt]], wanted: Itself[facts.Stmt]) -
         for block, handles in ((statement.final, False), *((handler.body, True) for handler in statement.handlers))
         if any(inner is wanted.fact for inner in statements_of(block))
     )
+
+
+@lru_cache(maxsize=4096)
+def _raises_next(body: Itself[Sequence[facts.Stmt]], wanted: Itself[facts.Stmt]) -> bool:
+    if not any(True for _ in statements_of(body.fact, facts.Raise)):
+        return False
+    graph = graph_of(body.fact)
+    raising = [block for block in graph.blocks if isinstance(block.fact, facts.Raise)]
+    blocks = graph.of(wanted.fact)
+    return bool(blocks) and all(graph.post_dominates(raising, block, without_exceptions) for block in blocks)
 
 
 _ENDS = frozenset({"shutdown", "try_shutdown", "destroy_node"})
