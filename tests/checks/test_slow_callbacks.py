@@ -754,6 +754,33 @@ def test_short_pauses_are_information(run: Run, pause: str, severity: Severity, 
     assert (found.help or "").startswith(advice)
 
 
+def test_a_short_pause_that_blocks_nobody_is_no_finding(run: Run):
+    apart = "self.create_service(Trigger, 'home', self.handle, callback_group=ReentrantCallbackGroup())\n"
+    method = "def handle(self, request, response):\n    time.sleep({})\n    return response\n"
+    assert codes(run(source(apart, method.format(3.0), ON_SEVERAL_THREADS))) == []
+    assert codes(run(source(apart, method.format(6.0), ON_SEVERAL_THREADS))) == ["SRV008"]
+    assert "SRV008" in codes(run(source(apart, method.format(3.0))))
+
+
+@pytest.mark.parametrize(
+    ("flag", "sets", "can_cancel"),
+    [("cancelled", "True", True), ("cancelled", "False", False), ("there", "True", False)],
+    ids=["a service that stops it", "a service that does not", "what it waits for"],
+)
+def test_another_service_may_stop_a_loop(run: Run, flag: str, sets: str, can_cancel: bool):
+    create = f"self.there = load()\nself.{flag} = load()\nself.create_timer(1.0, self.look)\n"
+    create += "self.create_service(Trigger, 'home', self.home, callback_group=ReentrantCallbackGroup())\n"
+    create += "self.create_service(Trigger, 'other', self.other)\n"
+    methods = (
+        f"def home(self, request, response):\n    while not self.there:\n        if self.{flag}: break\n"
+        "        time.sleep(0.1)\n    return response\n\n"
+        f"def other(self, request, response):\n    self.{flag} = {sets}\n    return response\n\n"
+        f"def look(self):\n    self.there = load()\n    self.{flag} = load()\n"
+    )
+    [found] = [one for one in run(source(create, methods, ON_SEVERAL_THREADS)) if one.code == "SRV008"]
+    assert found.message.endswith("and cannot cancel") is not can_cancel
+
+
 def test_the_request_may_say_how_long(run: Run):
     create = "self.create_service(AddTwoInts, 'pulse', self.pulse)\n"
     method = "def pulse(self, request, response):\n    {}\n    return response\n"
@@ -1035,7 +1062,7 @@ def test_a_node_that_waits_for_the_network_in_each_handler_is_one_finding(run: R
     assert found.help.startswith("spin the node with a MultiThreadedExecutor")
 
 
-@pytest.mark.parametrize(("seconds", "expected"), [("0.2", []), ("3.0", ["SRV008"])])
+@pytest.mark.parametrize(("seconds", "expected"), [("0.2", []), ("6.0", ["SRV008"])])
 def test_threads_help_the_node_and_not_the_caller(run: Run, seconds: str, expected: list[str]):
     setup = "self.create_service(Trigger, 'home', self.handle, callback_group=ReentrantCallbackGroup())\n"
     method = f"def handle(self, request, response):\n    time.sleep({seconds})\n    return response\n"

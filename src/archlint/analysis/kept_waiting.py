@@ -9,7 +9,7 @@ from archlint.analysis import blocking
 from archlint.analysis.callback_roles import runs_in_executor
 from archlint.analysis.deadlock import threads_of
 from archlint.analysis.own_buffers import fills_what_is_read_before
-from archlint.model import EntityKind, ExecutorKind, Role
+from archlint.model import EntityKind, ExecutorKind, GroupKind, Role
 
 if TYPE_CHECKING:
     from archlint.analysis.source_code import SourceCode
@@ -34,6 +34,21 @@ _TAKE_IN = frozenset(
     {EntityKind.SUBSCRIBER, EntityKind.SERVICE, EntityKind.ACTION_SERVER, EntityKind.TIMER, EntityKind.GUARD_CONDITION}
 )
 """Kinds of entities that bring an executor work by themselves."""
+
+
+def blocks_nobody(callback: Callback, program: Program) -> bool:
+    """Whether nothing else has to wait while a callback runs: other threads take the work that is in other groups."""
+    threads = threads_of(callback.node, program)
+    if threads != blocking.SEVERAL:
+        # What holds no group is harmless under several threads, and nobody says that there are none.
+        return callback.group is None and threads in (blocking.ANY, blocking.NOBODY)
+    group = callback.group
+    if group is None or group.kind == GroupKind.REENTRANT:
+        return True
+    if group.kind != GroupKind.MUTUALLY_EXCLUSIVE or callback.node is None:
+        return False
+    others = [other for other in callback.node.callbacks if other.group == group and other.place != callback.place]
+    return not others
 
 
 def who_waits(code: SourceCode, call: ApiCall, program: Program) -> Waiting:
@@ -129,4 +144,4 @@ def _is_between(place: Place | None, start: Place, end_line: int) -> bool:
     return place is not None and place.file == start.file and place > start and place.line <= end_line
 
 
-__all__ = ["Waiting", "is_one_chain", "who_waits"]
+__all__ = ["Waiting", "blocks_nobody", "is_one_chain", "who_waits"]

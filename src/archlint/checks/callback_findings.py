@@ -28,12 +28,13 @@ def finding_in_callback(
     client: Creation | None = None,
     further: Iterable[Related] = (),
     group: Sequence[str] = (),
+    in_own_file: bool = False,
 ) -> Finding:
     """A finding of the node of the callback that comes to a call, at the line that :func:`told_at` chooses.  Related is
     the way there from the callback, with the client that the call waits for, and then ``further``; ``identity`` is what
     sets it apart from others of this callback."""
     callback = call.context
-    place, _ = told_at(system, call)
+    place, _ = told_at(system, call, in_own_file)
     there = [] if place == call.place else [Related(call.place, "it waits here")]
     return finding(
         code,
@@ -47,14 +48,18 @@ def finding_in_callback(
     )
 
 
-def told_at(system: System, call: ApiCall) -> tuple[Place, str]:
+def told_at(system: System, call: ApiCall, in_own_file: bool = False) -> tuple[Place, str]:
     """Where a call of a callback is told, with the function around it: at its own line; where that is in a helper of
-    another package, at the last line of the callback's package that leads there, for that helper serves others, too."""
+    another package, or in another file (``in_own_file``), at the last line of the callback's own that leads there, for
+    that helper serves others, too."""
     workspace = system.workspace
-    own = None if workspace is None else workspace.package_of(call.context.place.file)
-    if workspace is not None and own is not None and workspace.package_of(call.file) not in (own, None):
+    if workspace is None:
+        return call.place, call.function
+    home_of = (lambda file: file) if in_own_file else workspace.package_of
+    own = home_of(call.context.place.file)
+    if own is not None and home_of(call.file) not in (own, None):
         for frame in reversed(call.chain):
-            if workspace.package_of(frame.place.file) == own:
+            if home_of(frame.place.file) == own:
                 return frame.place, frame.caller
     return call.place, call.function
 

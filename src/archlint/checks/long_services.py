@@ -11,6 +11,8 @@ from typing import TYPE_CHECKING
 from archlint.analysis.actions_beside import action_beside
 from archlint.analysis.attribute_loops import attribute_loops
 from archlint.analysis.conditions import conditions
+from archlint.analysis.kept_waiting import blocks_nobody
+from archlint.analysis.loop_stops import can_be_stopped
 from archlint.analysis.loop_times import (
     around_future,
     in_loops,
@@ -23,6 +25,7 @@ from archlint.analysis.reach import endpoint_words, judged_calls, one_for_each_p
 from archlint.analysis.requested_times import lasts_as_requested
 from archlint.analysis.sleeps import Stay, stay_of
 from archlint.analysis.source_code import SourceCode, source_code
+from archlint.analysis.stuck import clients_of_handlers
 from archlint.checks.callback_findings import finding_in_callback
 from archlint.checks.registry import Options, rule
 from archlint.checks.scope import Scope
@@ -57,6 +60,7 @@ def long_running_service(system: System, options: Options) -> Iterator[Finding]:
     """Service handlers that sleep, once for long or again and again; one finding a handler."""
     code = source_code(system)
     endless = {loop.loop for loop in attribute_loops(system)}
+    nested = {handler for handler, _ in clients_of_handlers(system, options.distros)}
     handlers: dict[tuple[Program, Place], list[_Sleep]] = {}
     for program, call in judged_calls(system):
         if not endless.isdisjoint(call.loops):
@@ -65,8 +69,8 @@ def long_running_service(system: System, options: Options) -> Iterator[Finding]:
         if stay is not None and stay.kind == "sleep" and not around_future(code, call):
             handlers.setdefault((program, call.context.place), []).append((call, stay))
     diagnostics = (
-        _long_service(system, program, sorted(sleeps, key=partial(_worst_first, code)))
-        for (program, _), sleeps in handlers.items()
+        _long_service(system, program, sorted(sleeps, key=partial(_worst_first, code)), handler in nested)
+        for (program, handler), sleeps in handlers.items()
         if _in_all(system, sleeps) >= LONG
     )
     yield from one_for_each_place(diagnostic for diagnostic in diagnostics if diagnostic is not None)
@@ -101,8 +105,11 @@ def _seconds(code: SourceCode, call: ApiCall, stay: Stay) -> float:
     return 0.0 if is_retry(code, call) and seconds < RETRYING else seconds
 
 
-def _long_service(system: System, program: Program, sleeps: Sequence[_Sleep]) -> Finding | None:
-    """The finding for a handler; None where it soon ends, or is mild and who minds can send a goal instead."""
+def _long_service(
+    system: System, program: Program, sleeps: Sequence[_Sleep], is_told_as_nested: bool
+) -> Finding | None:
+    """The finding for a handler; None where it soon ends, or is mild and who minds can send a goal instead, nobody has
+    to wait, or SRV003 speaks of it (``is_told_as_nested``)."""
     (call, _), *others = sleeps
     callback = call.context
     further = {other.place: Related(other.place, f"then it {words.words}") for other, words in others}
@@ -116,6 +123,8 @@ def _long_service(system: System, program: Program, sleeps: Sequence[_Sleep]) ->
     if (soon and known) or ((soon or asked) and action is not None):
         return None
     pause = known and total < SOON and not asked
+    if pause and (blocks_nobody(callback, program) or is_told_as_nested):
+        return None
     advice = _WHAT_IT_IS_FOR if pause else _AN_ACTION
     diagnostic = finding_in_callback(
         "SRV008",
@@ -126,6 +135,7 @@ def _long_service(system: System, program: Program, sleeps: Sequence[_Sleep]) ->
         help=advice if action is None else _THAT_ACTION.format(endpoint_words(action)),
         further=further.values(),
         identity=(call.api,),
+        in_own_file=True,
     )
     return replace(diagnostic, severity=Severity.INFO) if asked or soon or pause else diagnostic
 
@@ -146,7 +156,8 @@ def _how_long(code: SourceCode, sleeps: Sequence[_Sleep], total: float, asked: b
     if math.isinf(total):
         waits = "meanwhile" if watches_the_clock(code, call) else "without knowing for how long"
         again = " in each iteration of a loop" if call.looped else ""
-        return f"{stay.words}{again}: the caller waits {waits} and cannot cancel"
+        end = "" if can_be_stopped(code, call) else " and cannot cancel"
+        return f"{stay.words}{again}: the caller waits {waits}{end}"
     words = stay.words
     if any(other.place != call.place for other, _ in others):
         up_to = "up to " if any(limit is not None for sleep_call, _ in sleeps for limit in sleep_call.limits) else ""

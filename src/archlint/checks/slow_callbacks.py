@@ -13,7 +13,7 @@ from archlint.analysis.attribute_loops import attribute_loops
 from archlint.analysis.callback_roles import callback_words, runs_in_executor
 from archlint.analysis.deadlock import threads_of
 from archlint.analysis.kept import once
-from archlint.analysis.kept_waiting import Waiting, is_one_chain, who_waits
+from archlint.analysis.kept_waiting import Waiting, blocks_nobody, is_one_chain, who_waits
 from archlint.analysis.loop_times import around_future, in_loops
 from archlint.analysis.own_timers import ends_its_timer_before
 from archlint.analysis.present_servers import is_there
@@ -30,10 +30,7 @@ from archlint.checks.registry import Options, rule
 from archlint.checks.scope import Scope
 from archlint.checks.wait_words import MAKE_IT_EARLIER, made_here
 from archlint.finding import Finding, Place, Related, Severity
-from archlint.model import (
-    GroupKind,
-    Role,
-)
+from archlint.model import Role
 from archlint.model.given import Constant
 
 if TYPE_CHECKING:
@@ -138,7 +135,7 @@ def _stays(system: System) -> Iterator[_Row]:
     code = source_code(system)
     for program, call in judged_calls(system):
         stay = stay_of(code, call) if runs_in_executor(call.context) else None
-        if stay is None or _trifle(call) or not _is_long(system, call, stay) or _harmless(call.context, program):
+        if stay is None or _trifle(call) or not _is_long(system, call, stay) or blocks_nobody(call.context, program):
             continue
         if (
             is_signalled_to_end(code, call, stay)
@@ -177,21 +174,6 @@ def _period(system: System, call: ApiCall) -> float | None:
     return None if creation is None or ends_its_timer_before(system, call) else creation.period
 
 
-def _harmless(callback: Callback, program: Program) -> bool:
-    """Whether nothing else has to wait meanwhile: other threads take the work that is in other groups."""
-    threads = threads_of(callback.node, program)
-    if threads != blocking.SEVERAL:
-        # What holds no group is harmless under several threads, and nobody says that there are none.
-        return callback.group is None and threads in (blocking.ANY, blocking.NOBODY)
-    group = callback.group
-    if group is None or group.kind == GroupKind.REENTRANT:
-        return True
-    if group.kind != GroupKind.MUTUALLY_EXCLUSIVE or callback.node is None:
-        return False
-    others = [other for other in callback.node.callbacks if other.group == group and other.place != callback.place]
-    return not others
-
-
 @once
 def _where_harmless(system: System) -> frozenset[Place]:
     """The calls that a program with several threads comes to where they are harmless: whoever has another program run
@@ -201,7 +183,7 @@ def _where_harmless(system: System) -> frozenset[Place]:
         for program, call in judged_calls(system)
         if runs_in_executor(call.context)
         and threads_of(call.context.node, program) == blocking.SEVERAL
-        and _harmless(call.context, program)
+        and blocks_nobody(call.context, program)
     )
 
 
