@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import html
 import json
+import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import combinations, pairwise
@@ -11,6 +13,8 @@ from typing import Any
 Point = tuple[float, float]
 _STEPS = 8
 """Straight pieces that each bend of a line is taken for."""
+_LETTER, _ROW = 4.0, 9.0
+"""Points of a letter and a row of the words on lines, rather too little than too much."""
 _PAGE = (16.5 - 1, 11.7 - 1)
 """Inches of an A3 page inside its margins."""
 
@@ -73,13 +77,24 @@ def measure(layout: bytes) -> Measured:
         for id, box in shapes.items()
         if id not in own
     )
-    covered += sum(first.overlaps(second) for first, second in combinations(shapes.values(), 2))
-    return Measured(len(shapes), len(paths), width / 72, height / 72, crossings, covered)
+    boxes = [*shapes.values(), *(_words(edge) for edge in edges if "lp" in edge)]
+    covered += sum(first.overlaps(second) for first, second in combinations(boxes, 2))
+    worded = sum(item["name"].startswith("words_") for item in data.get("objects", []) if "pos" in item)
+    return Measured(len(shapes) - worded, len(paths) - worded, width / 72, height / 72, crossings, covered)
 
 
 def _box(item: dict[str, Any]) -> Box:
     x, y = map(float, item["pos"].split(","))
     width, height = float(item["width"]) * 36, float(item["height"]) * 36
+    return Box(x - width, y - height, x + width, y + height)
+
+
+def _words(edge: dict[str, Any]) -> Box:
+    """About the room that the words on a line take: Graphviz only says where their middle is."""
+    rows = [re.sub(r"<[^>]*>", "", row) for row in re.split(r"</TR>|\\n", edge["label"])]
+    rows = [html.unescape(row) for row in rows if row]
+    x, y = map(float, edge["lp"].split(","))
+    width, height = max(map(len, rows)) * _LETTER / 2, len(rows) * _ROW / 2
     return Box(x - width, y - height, x + width, y + height)
 
 

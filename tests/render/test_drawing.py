@@ -85,7 +85,8 @@ def test_two_hundred_nodes() -> None:
         )
         for number in range(200)
     ]
-    assert count(drawn_as_svg(system(*nodes)), "node") == 200 + 200 + 50
+    drawn = drawing.svg(diagram(system(*nodes), View(expand=("*",))))
+    assert count(drawn, "node") == 200 + 200 + 50
 
 
 def test_a_graph_that_is_too_large_is_drawn_by_package(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -4,7 +4,9 @@ import re
 
 import pytest
 
+from archlint.render.diagram.model import Diagram
 from archlint.render.mermaid import escape, fits, markdown
+from archlint.render.view import View
 from archlint.systems.model import System
 from render.hostile import hostile
 from render.lesson import lesson
@@ -82,22 +84,29 @@ def test_no_name_leaves_its_label() -> None:
 
 
 def crowd(nodes: int) -> System:
-    """Nodes of two packages, each with a line to a topic that all of a package have."""
+    """Nodes of two packages, each with a line to a topic that eight of a package have."""
     return system(
-        *(node(f"/n{number}", publisher(f"/t{number % 2}"), package=f"p{number % 2}") for number in range(nodes))
+        *(
+            node(f"/n{number}", publisher(f"/p{number % 2}/t{number // 16}"), package=f"p{number % 2}")
+            for number in range(nodes)
+        )
     )
 
 
+def each_of(made: System) -> Diagram:
+    return diagram(made, View(expand=("*",)))
+
+
 def test_what_is_too_large_shows_its_groups() -> None:
-    drawn = render(crowd(501))
+    drawn = render(crowd(501), View(expand=("*",)))
     assert drawn.startswith("%% too large for Mermaid: these are the groups; --format markdown draws each\n")
-    assert '[("p0<br>251 nodes, 1 topic")]' in drawn
+    assert '[("p0<br>251 nodes, 32 topics")]' in drawn
     assert "/n17" not in drawn
     assert "too large" not in render(lesson())
 
 
 def test_markdown_is_split_where_one_chart_is_too_large() -> None:
-    pages = re.findall(r"### ([^\n]*)\n\n```mermaid\n(.*?)```", markdown(diagram(crowd(1100))), re.DOTALL)
+    pages = re.findall(r"### ([^\n]*)\n\n```mermaid\n(.*?)```", markdown(each_of(crowd(1100))), re.DOTALL)
     assert [title for title, _ in pages] == [
         "All groups",
         *("p0 (1 of 2)", "p0 (2 of 2)"),
@@ -116,4 +125,4 @@ def test_a_title_is_no_markup() -> None:
     hostile_groups = system(
         *(node(f"/n{number}", publisher(f"/t{number}"), package=f"<b>`{number % 2}#") for number in range(501))
     )
-    assert "### &lt;b>\\`0\\#\n" in markdown(diagram(hostile_groups))
+    assert "### &lt;b>\\`0\\#\n" in markdown(each_of(hostile_groups))

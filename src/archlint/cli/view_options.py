@@ -37,6 +37,12 @@ def add_view(parser: argparse.ArgumentParser) -> None:
         "--collapse", action="append", metavar="GLOB", help="draw the groups with such a title as one box; repeatable"
     )
     shown.add_argument(
+        "--expand",
+        action="append",
+        metavar="GLOB",
+        help="of more than 60 nodes, draw those of the groups with such a title, '*' for all; repeatable",
+    )
+    shown.add_argument(
         "--all", action="store_true", help="include what ROS gives every node, such as /rosout and parameter services"
     )
 
@@ -50,6 +56,7 @@ def view_of(arguments: argparse.Namespace) -> View:
         hide=tuple(arguments.hide or ()),
         group=arguments.group,
         collapse=tuple(arguments.collapse or ()),
+        expand=tuple(arguments.expand or ()),
         matched=arguments.ends,
         everything=arguments.all,
     )

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import importlib
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Final, Literal
 
 from archlint.render.view import WHOLE, View
@@ -38,6 +38,8 @@ class Format:
     """Whether its function takes colours."""
     says_differences: bool = False
     """Whether it says in words how the running system differs."""
+    split: bool = False
+    """Whether what is too large for one picture becomes several, each group with its nodes."""
     of: Source = "diagram"
 
     @property
@@ -53,7 +55,7 @@ FORMATS: Final[Mapping[FormatName, Format]] = {
     "png": Format("drawing", "png", ("png",), binary=True, drawn=True),
     "pdf": Format("drawing", "pdf", ("pdf",), binary=True, drawn=True),
     "mermaid": Format("mermaid", suffixes=("mmd", "mermaid")),
-    "markdown": Format("mermaid", "markdown", ("md",)),
+    "markdown": Format("mermaid", "markdown", ("md",), split=True),
     "d2": Format("d2", suffixes=("d2",)),
     "html": Format("html", suffixes=("html", "htm"), drawn=True, of="all systems"),
 }
@@ -78,7 +80,7 @@ def render(
     drawn: str | bytes
     match row.of:
         case "diagram":
-            drawn = function(diagram_of(system, view, findings))
+            drawn = function(diagram_of(system, replace(view, expand=("*",)) if row.split else view, findings))
         case "marked system":
             drawn = function(system, color=color, view=view, findings=findings)
         case "system" | "all systems":

@@ -29,11 +29,9 @@ _SHAPES: Mapping[ShapeKind, str] = {
 
 def render(diagram: Diagram) -> str:
     ids = ids_of(diagram.shapes)
-    frames = {title: f"g{number}" for number, title in enumerate(sorted(set(diagram.groups.values())))}
-    paths = {
-        key: f"{frames[diagram.groups[key]]}.{ids[key]}" if key in diagram.groups else ids[key]
-        for key in diagram.shapes
-    }
+    drawn_in = diagram.frames
+    frames = {title: f"g{number}" for number, title in enumerate(sorted(set(drawn_in.values())))}
+    paths = {key: f"{frames[drawn_in[key]]}.{ids[key]}" if key in drawn_in else ids[key] for key in diagram.shapes}
     body = [
         "direction: right",
         *(f"{id}: {quote(title)}" for title, id in frames.items()),

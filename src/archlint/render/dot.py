@@ -25,6 +25,9 @@ CAREFUL_LAYOUT = 300
 CAREFUL_LINES = 600
 """And lines, which a picture with few shapes may have in plenty."""
 
+FEW_SHAPES = 30
+"""Shapes up to which there is room between them."""
+
 _SHAPES: Mapping[ShapeKind, str] = {
     "node": "box",
     "topic": "box",
@@ -34,6 +37,8 @@ _SHAPES: Mapping[ShapeKind, str] = {
     "group": "box3d",
 }
 _ARROWS: Mapping[ConnectionKind, str] = {"topic": "normal", "service": "vee", "action": "vee"}
+_CLOSE = {"pack": "12", "packmode": "graph", "nodesep": "0.12", "ranksep": "0.35"}
+"""A picture of much: parts that nothing connects side by side, each laid out by itself, and all closer together."""
 _HURRY = {"nslimit": "1", "nslimit1": "1", "mclimit": "0.1", "splines": "line"}
 BADGES: Mapping[SeverityLabel, tuple[str, str]] = {
     "error": ("#b91c1c", "#ffffff"),
@@ -64,9 +69,16 @@ def write(diagram: Diagram, attributes: Mapping[str, str] | None = None, hurry: 
     their own in the layout, and lines are straight, as in all that is large."""
     ids = ids_of(diagram.shapes)
     hurry = hurry or is_large(diagram)
-    attributes = {**(_HURRY if hurry else {}), **(attributes or {})}
-    lines = (_edge(line, ids, "xlabel" if hurry else "label") for line in diagram.lines)
-    body = [*_defaults(attributes, diagram), *_shapes(diagram, ids), *lines]
+    close = len(diagram.shapes) > FEW_SHAPES and not hurry
+    attributes = {**(_HURRY if hurry else _CLOSE if close else {}), **(attributes or {})}
+    words = {number: label for number, line in enumerate(diagram.lines) if (label := _line_label(line)) and close}
+    label = "xlabel" if hurry else "label"
+    lines = [
+        drawn
+        for number, line in enumerate(diagram.lines)
+        for drawn in (_halves(line, ids, number) if number in words else [_edge(line, ids, label)])
+    ]
+    body = [*_defaults(attributes, diagram), *_shapes(diagram, ids, words), *lines]
     return "\n".join(["digraph archlint {", *body, "}"]) + "\n"
 
 
@@ -130,14 +142,22 @@ def _caption(diagram: Diagram) -> str:
     return _table(rows, "LEFT") if rows else ""
 
 
-def _shapes(diagram: Diagram, ids: Mapping[Key, str]) -> Iterator[str]:
-    for number, title in enumerate(sorted(set(diagram.groups.values()))):
-        members = [shape for key, shape in diagram.shapes.items() if diagram.groups.get(key) == title]
+def _shapes(diagram: Diagram, ids: Mapping[Key, str], words: Mapping[int, str]) -> Iterator[str]:
+    """All shapes in their frames, and the words on lines that are shapes of their own, by the numbers of the lines."""
+    drawn_in = diagram.frames
+    members: dict[str, list[str]] = {}
+    for key, shape in diagram.shapes.items():
+        members.setdefault(drawn_in.get(key, ""), []).append(_shape(shape, ids))
+    for number, label in words.items():
+        line = diagram.lines[number]
+        frames = {drawn_in.get(key, "") for key in line.ends}
+        members.setdefault(frames.pop() if len(frames) == 1 else "", []).append(_words(line, number, label))
+    for number, title in enumerate(sorted(members.keys() - {""})):
         yield f"  subgraph cluster_{number} {{"
         yield f"    graph {_attributes({'label': title, **_FRAME})};"
-        yield from (f"  {_shape(shape, ids)}" for shape in members)
+        yield from (f"  {shape}" for shape in members[title])
         yield "  }"
-    yield from (_shape(shape, ids) for key, shape in diagram.shapes.items() if key not in diagram.groups)
+    yield from members.get("", ())
 
 
 def _shape(shape: Shape, ids: Mapping[Key, str]) -> str:
@@ -168,7 +188,7 @@ def _told(badges: Iterable[Badge]) -> Iterator[str]:
 
 
 def _label(shape: Shape) -> str:
-    small = [f'<FONT POINT-SIZE="9">{escape(words)}</FONT>' for words in shape.lines]
+    small = [f'<FONT POINT-SIZE="9">{escape(words)}</FONT>' for words in (*shape.lines, *shape.named)]
     small += [f'<FONT POINT-SIZE="9"><I>{escape(words)}</I></FONT>' for words in shape.remarks]
     rows = [escape(shape.title), *small]
     if shape.badges:
@@ -202,6 +222,19 @@ def _cells(cells: Sequence[tuple[str, str, str]], align: str = "CENTER") -> str:
 
 def _edge(line: Line, ids: Mapping[Key, str], label: str) -> str:
     return f"  {ids[line.tail]} -> {ids[line.head]} {_attributes(edge(line), _line_label(line), label)};"
+
+
+def _words(line: Line, number: int, label: str) -> str:
+    """The words on a line as a shape in the middle of it: Graphviz drops the labels of lines where it packs, and moves
+    all ranks apart for a single one."""
+    drawn = {"shape": "plain", "style": "", "fontsize": "9", "tooltip": edge(line)["tooltip"]}
+    return f"  words_{number} {_attributes(drawn, label)};"
+
+
+def _halves(line: Line, ids: Mapping[Key, str], number: int) -> Iterator[str]:
+    drawn = edge(line)
+    yield f"  {ids[line.tail]} -> words_{number} {_attributes({**drawn, 'arrowhead': 'none'})};"
+    yield f"  words_{number} -> {ids[line.head]} {_attributes(drawn)};"
 
 
 def edge(line: Line) -> dict[str, str]:

@@ -101,13 +101,12 @@ def escape(text: str) -> str:
 
 
 def _vertices(diagram: Diagram, ids: Mapping[Key, str]) -> Iterator[str]:
-    for number, title in enumerate(sorted(set(diagram.groups.values()))):
+    drawn_in = diagram.frames
+    for number, title in enumerate(sorted(set(drawn_in.values()))):
         yield f'  subgraph g{number}["{escape(title)}"]'
-        yield from (
-            f"  {_vertex(shape, ids)}" for key, shape in diagram.shapes.items() if diagram.groups.get(key) == title
-        )
+        yield from (f"  {_vertex(shape, ids)}" for key, shape in diagram.shapes.items() if drawn_in.get(key) == title)
         yield "  end"
-    yield from (_vertex(shape, ids) for key, shape in diagram.shapes.items() if key not in diagram.groups)
+    yield from (_vertex(shape, ids) for key, shape in diagram.shapes.items() if key not in drawn_in)
 
 
 def _vertex(shape: Shape, ids: Mapping[Key, str]) -> str:

@@ -29,6 +29,8 @@ class View:
     """None for namespaces where the nodes have several, else packages."""
     collapse: tuple[str, ...] = ()
     """The groups, by their titles, that are drawn as one box."""
+    expand: tuple[str, ...] = ()
+    """The groups whose nodes are drawn where there are so many that each group would be a box."""
     matched: bool = False
     """Whether what has nothing at its other end is left out."""
     everything: bool = False

@@ -79,6 +79,8 @@ def _meanings(diagram: Diagram, compared: bool) -> Iterator[str]:
         yield "a code on red or yellow: an error or a warning, see archlint explain CODE"
     if any(line.cycle for line in lines):
         yield "thick: requests that lead in a circle"
+    if any(shape.named for shape in shapes):
+        yield "→ or ← and a name: sends to it, takes from it; too many nodes do for lines"
     if compared:
         yield "compared with a running system: red is missing, green unexpected, teal different"
     if any(shape.neighbour for shape in shapes):

@@ -1,4 +1,4 @@
-"""Topics, services and actions of one node with nothing at their other end, gathered in one shape that lists them."""
+"""Several shapes as one that lists them: what one node or the same nodes have in the same way, and nodes alone."""
 
 from __future__ import annotations
 
@@ -6,78 +6,174 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.render.diagram.model import Shape
-from archlint.render.look import counted
+from archlint.render.look import UNOWNED, counted
 from archlint.systems.graph import NODE
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterable, Iterator, Mapping, Sequence
 
-    from archlint.architecture import ConnectionKind
     from archlint.render.diagram.model import Diagram, Key, Line, Stroke
 
 FEWEST = 3
-"""So many of one node, of one kind and in one direction, are gathered."""
+"""So many loose ends of one node, of one kind and in one direction, are gathered; as many nodes of one frame."""
+FEWEST_SHARED = 2
+"""And so many topics, services or actions that the same nodes have."""
 MOST_NAMES = 12
 """The names that are listed; the others are counted."""
 
+Tie = tuple["Key", bool, "Stroke", tuple[str, ...]]
+"""How a node is tied to something: the node, whether it sends, and how that is drawn and worded."""
+
 
 def gathered(diagram: Diagram) -> Diagram:
-    """The diagram with such ends gathered.  What has a finding, or runs otherwise, stays by itself."""
-    at: dict[Key, list[Line]] = {}
-    for line in diagram.lines:
-        for key in line.ends:
-            at.setdefault(key, []).append(line)
-    bundles: dict[tuple[Key, ConnectionKind, bool], list[Line]] = {}
+    """The diagram with the ends of one node gathered that have nothing at their other end."""
+    at = lines_at(diagram)
+    bundles: dict[tuple[Key, str, bool], list[Key]] = {}
     for key, shape in diagram.shapes.items():
         lines = at.get(key, [])
-        if key[0] == NODE or shape.matched or len(lines) != 1 or not _is_plain(shape, lines[0]):
+        if key[0] != NODE and not shape.matched and len(lines) == 1 and _is_plain(shape, lines):
+            outwards = lines[0].head == key
+            node = lines[0].tail if outwards else lines[0].head
+            bundles.setdefault((node, lines[0].kind, outwards), []).append(key)
+    named = {
+        ("ends", f"{node[1]} {'to' if outwards else 'from'} {kind}s"): members
+        for (node, kind, outwards), members in sorted(bundles.items())
+        if len(members) >= FEWEST
+    }
+    return _bundled(diagram, at, named)
+
+
+def shared(diagram: Diagram) -> Diagram:
+    """The diagram with one shape for all topics, services or actions that the same nodes have in the same way."""
+    at = lines_at(diagram)
+    bundles: dict[tuple[str, bool, frozenset[Tie]], list[Key]] = {}
+    for key, shape in diagram.shapes.items():
+        lines = at.get(key, [])
+        if lines and shape.kind in ("topic", "service", "action") and _is_plain(shape, lines):
+            ties = frozenset(_tie(line, key) for line in lines)
+            bundles.setdefault((shape.kind, shape.matched, ties), []).append(key)
+    named = {
+        ("ends", f"{members[0][1]} and other {kind}s"): members
+        for (kind, _, _), members in bundles.items()
+        if len(members) >= FEWEST_SHARED
+    }
+    return _bundled(diagram, at, named)
+
+
+def without_single_nodes(diagram: Diagram) -> Diagram:
+    """The diagram with one shape for the nodes of a frame that nothing ties to others.  What has a finding stays."""
+    tied = {key for line in diagram.lines for key in line.ends}
+    single: dict[str, list[Key]] = {}
+    frames = diagram.frames
+    for key, shape in diagram.shapes.items():
+        marked = shape.badges or shape.remarks or shape.named or shape.tone != "node"
+        if key[0] == NODE and shape.kind == "node" and key not in tied and not marked:
+            single.setdefault(frames.get(key, ""), []).append(key)
+    shapes, groups = dict(diagram.shapes), dict(diagram.groups)
+    for title, members in sorted(single.items()):
+        if len(members) < FEWEST or title == UNOWNED:
             continue
-        outwards = lines[0].head == key
-        node = lines[0].tail if outwards else lines[0].head
-        bundles.setdefault((node, lines[0].kind, outwards), []).append(lines[0])
-    shapes, kept = dict(diagram.shapes), dict.fromkeys(diagram.lines)
+        key = ("ends", f"{title} single nodes")
+        shapes[key] = _single_nodes(key, [shapes.pop(member) for member in members])
+        if title:
+            groups[key] = title
+    return replace(diagram, shapes=shapes, groups={key: title for key, title in groups.items() if key in shapes})
+
+
+def lines_at(diagram: Diagram) -> dict[Key, list[Line]]:
+    at: dict[Key, list[Line]] = {}
+    for line in diagram.lines:
+        for key in dict.fromkeys(line.ends):
+            at.setdefault(key, []).append(line)
+    return at
+
+
+def is_plain_line(line: Line) -> bool:
+    """Whether there is nothing to be said of a line but that it is there."""
+    return line.directed and not (line.broken or line.held_back or line.badges or line.differs or line.cycle)
+
+
+def _is_plain(shape: Shape, lines: Iterable[Line]) -> bool:
+    return not (shape.badges or shape.remarks or shape.tone != shape.kind) and all(map(is_plain_line, lines))
+
+
+def _tie(line: Line, key: Key) -> Tie:
+    sends = line.head == key
+    return line.tail if sends else line.head, sends, line.stroke, line.labels
+
+
+def _bundled(diagram: Diagram, at: Mapping[Key, Sequence[Line]], bundles: Mapping[Key, Sequence[Key]]) -> Diagram:
+    """The diagram with a shape in place of each bundle's members, whose lines lead to the same nodes."""
+    shapes, lines = dict(diagram.shapes), dict.fromkeys(diagram.lines)
     groups = dict(diagram.groups)
-    for (node, kind, outwards), lines in sorted(bundles.items()):
-        if len(lines) < FEWEST:
-            continue
-        key = ("ends", f"{node[1]} {'to' if outwards else 'from'} {kind}s")
-        members = [line.head if outwards else line.tail for line in lines]
-        shapes[key] = _ends(key, kind, [diagram.shapes[member] for member in members])
-        if node in groups:
-            groups[key] = groups[node]
-        for line, member in zip(lines, members, strict=True):
-            del shapes[member]
-            del kept[line]
-        kept[_joined(lines, node, key, outwards)] = None
-    return replace(diagram, shapes=shapes, lines=tuple(kept), groups=groups)
+    for key, members in bundles.items():
+        shapes[key] = _ends(key, [shapes.pop(member) for member in members])
+        if members[0] in groups:
+            groups[key] = groups[members[0]]
+        for member in members:
+            for line in at[member]:
+                del lines[line]
+        lines |= dict.fromkeys(_joined(key, members, at))
+    return replace(
+        diagram,
+        shapes=shapes,
+        lines=tuple(lines),
+        groups={key: title for key, title in groups.items() if key in shapes},
+    )
 
 
-def _is_plain(shape: Shape, line: Line) -> bool:
-    return not (shape.badges or shape.remarks or line.badges or line.differs or shape.tone != line.kind)
-
-
-def _ends(key: Key, kind: ConnectionKind, members: Sequence[Shape]) -> Shape:
+def _ends(key: Key, members: Sequence[Shape]) -> Shape:
+    kind = members[0].kind
     names = [member.title for member in members]
-    more = [f"and {len(names) - MOST_NAMES} more"] if len(names) > MOST_NAMES else []
     return Shape(
         key,
         "ends",
         counted(len(names), kind),
-        (*names[:MOST_NAMES], *more),
-        tone=kind,
-        stroke="dashed",
+        _listed(names),
+        tone=members[0].tone,
+        stroke=members[0].stroke,
         details=tuple(f"{member.title}: {', '.join(member.details)}" for member in members),
-        matched=False,
+        matched=members[0].matched,
         groups=members[0].groups,
         holds={kind: len(names)},
     )
 
 
-def _joined(lines: Sequence[Line], node: Key, key: Key, outwards: bool) -> Line:
-    tail, head = (node, key) if outwards else (key, node)
-    stroke: Stroke = "dotted" if all(line.stroke == "dotted" for line in lines) else "dashed"
-    details = tuple(words for line in lines for words in line.details)
-    return replace(lines[0], tail=tail, head=head, labels=(), stroke=stroke, details=details)
+def _single_nodes(key: Key, members: Sequence[Shape]) -> Shape:
+    names = [member.title for member in members]
+    return Shape(
+        key,
+        "ends",
+        f"{counted(len(names), 'node')}, each alone",
+        _listed(names),
+        details=tuple(f"{member.title}: {', '.join(member.details)}" for member in members),
+        groups=members[0].groups,
+        holds={NODE: len(names)},
+    )
 
 
-__all__ = ["gathered"]
+def _listed(names: Sequence[str]) -> tuple[str, ...]:
+    more = [f"and {len(names) - MOST_NAMES} more"] if len(names) > MOST_NAMES else []
+    return (*names[:MOST_NAMES], *more)
+
+
+def _joined(key: Key, members: Sequence[Key], at: Mapping[Key, Sequence[Line]]) -> Iterator[Line]:
+    """A line for each node that the members have in common, in each direction."""
+    ties: dict[tuple[Key, bool], list[Line]] = {}
+    for member in members:
+        for line in at[member]:
+            sends = line.head == member
+            ties.setdefault((line.tail if sends else line.head, sends), []).append(line)
+    for (node, sends), lines in ties.items():
+        labels, strokes = ({line.labels for line in lines}, {line.stroke for line in lines})
+        yield replace(
+            lines[0],
+            tail=node if sends else key,
+            head=key if sends else node,
+            labels=lines[0].labels if len(labels) == 1 else (),
+            stroke=lines[0].stroke if len(strokes) == 1 else "dashed",
+            details=tuple(words for line in lines for words in line.details),
+        )
+
+
+__all__ = ["gathered", "is_plain_line", "lines_at", "shared", "without_single_nodes"]

@@ -12,7 +12,7 @@ from archlint.render.look import UNOWNED, counted
 from archlint.systems.graph import NODE
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping, Sequence
+    from collections.abc import Iterable, Mapping, Sequence, Set
 
     from archlint.finding import SeverityLabel
     from archlint.render.diagram.model import Diagram, Key
@@ -49,9 +49,14 @@ def _several(shapes: Iterable[Shape], by: GroupBy) -> bool:
     return len({shape.groups.get(by, "") for shape in shapes}) > 1
 
 
-def collapsed(diagram: Diagram, patterns: Sequence[str]) -> Diagram:
-    """The diagram with one box for each group whose title has one of the patterns."""
-    titles = {title for title in diagram.groups.values() if any(fnmatchcase(title, pattern) for pattern in patterns)}
+def titled(diagram: Diagram, patterns: Sequence[str]) -> frozenset[str]:
+    """The titles of groups that have one of the patterns."""
+    every = {*diagram.groups.values()}
+    return frozenset(title for title in every if any(fnmatchcase(title, pattern) for pattern in patterns))
+
+
+def collapsed(diagram: Diagram, titles: Set[str]) -> Diagram:
+    """The diagram with one box for each group with one of these titles."""
     if not titles:
         return diagram
     place = {key: ("group", title) if title in titles else key for key, title in diagram.groups.items()}
@@ -75,7 +80,8 @@ def boxes_alone(diagram: Diagram) -> Diagram:
     """Nothing but a box for each group, and how much there is between them: for what is too large to draw."""
     groups = {key: diagram.groups.get(key, OTHERS) for key in diagram.shapes if key[0] == NODE}
     own = {key: title for key, title in diagram.groups.items() if key not in groups}
-    boxes = collapsed(replace(diagram, groups=groups | own), ["*"])
+    every = replace(diagram, groups=groups | own)
+    boxes = collapsed(every, {*every.groups.values()})
     kept = {key: shape for key, shape in boxes.shapes.items() if shape.kind == "group"}
     return replace(boxes, shapes=kept, lines=tuple(_between(boxes, kept)), groups={})
 
@@ -143,4 +149,4 @@ def _joined(lines: Sequence[Line]) -> Line:
     )
 
 
-__all__ = ["boxes_alone", "collapsed", "grouped"]
+__all__ = ["boxes_alone", "collapsed", "grouped", "titled"]

@@ -8,8 +8,10 @@ from typing import TYPE_CHECKING
 from archlint.finding import Severity
 from archlint.render.diagram.captions import captioned, pattern_words
 from archlint.render.diagram.choosing import chosen
-from archlint.render.diagram.gathering import gathered
-from archlint.render.diagram.grouping import boxes_alone, collapsed, grouped
+from archlint.render.diagram.crowded import thinned
+from archlint.render.diagram.gathering import gathered, without_single_nodes
+from archlint.render.diagram.grouping import boxes_alone
+from archlint.render.diagram.large import OPENED, in_groups
 from archlint.render.diagram.marks import marked
 from archlint.render.diagram.parts import parts_of
 from archlint.render.diagram.styles import nodes_alone
@@ -34,13 +36,14 @@ def diagram_of(system: System, view: View = WHOLE, findings: Sequence[Finding] =
     diagram = chosen(whole, view)
     if view.style == "nodes":
         diagram = nodes_alone(diagram)
-    diagram = grouped(diagram, view.group)
-    words = pattern_words(system)
+    diagram, boxed = in_groups(diagram, view)
+    words = [*([OPENED] if boxed else []), *pattern_words(system)]
     if len(diagram.shapes) > EACH_NODE and diagram.groups:
         diagram = boxes_alone(diagram)
         words.insert(0, "too many to draw each")
     else:
-        diagram = gathered(collapsed(diagram, view.collapse))
+        diagram = thinned(gathered(diagram), keep_frames=view.group is not None)
+        diagram = without_single_nodes(diagram)
     return captioned(diagram, whole, words, system.compared is not None)
 
 

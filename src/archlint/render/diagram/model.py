@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 Key = tuple[str, str]
 """``(kind, name)`` of a shape, different for each."""
 ShapeKind = Literal["node", "topic", "service", "action", "ends", "group"]
-"""``ends`` are several topics, services or actions of one node with nothing at their other end; a ``group`` is
+"""``ends`` are several topics, services or actions of the same nodes, or several nodes, in a list; a ``group`` is
 collapsed."""
 Tone = Literal[
     "node", "topic", "service", "action", "group", "wrong", "aside", "missing", "unexpected", "different", "note"
@@ -45,6 +45,8 @@ class Shape:
     title: str
     lines: tuple[str, ...] = ()
     """What is said below the title: types, conditions, quality of service."""
+    named: tuple[str, ...] = ()
+    """What it is tied to without a line: ``→ /tf``, where very many nodes are."""
     remarks: tuple[str, ...] = ()
     """What is remarkable, such as that it is a hub."""
     badges: tuple[Badge, ...] = ()
@@ -65,7 +67,7 @@ class Shape:
     @property
     def label(self) -> tuple[str, ...]:
         """All that is written in it, badges aside."""
-        return (self.title, *self.lines, *self.remarks)
+        return (self.title, *self.lines, *self.named, *self.remarks)
 
 
 @dataclass(frozen=True)
@@ -99,15 +101,22 @@ class Line:
 
 @dataclass(frozen=True)
 class Diagram:
-    """A picture.  ``groups`` has the frame that a shape is drawn in, by its key."""
+    """A picture.  ``groups`` has the title of the group that a shape is in, by its key."""
 
     shapes: Mapping[Key, Shape]
     lines: tuple[Line, ...]
     groups: Mapping[Key, str] = field(default_factory=dict)
+    unframed: frozenset[str] = frozenset()
+    """Groups that have no frame, which would tear the picture apart."""
     cut: Mapping[tuple[Key, Key, Key], str] = field(default_factory=dict)
     """From which node, over what, to which node nothing ever gets, and why."""
     caption: tuple[str, ...] = ()
     """What is to be said below the picture: counts, the pattern, what is left out, and what the marks mean."""
+
+    @property
+    def frames(self) -> dict[Key, str]:
+        """The title of the frame that a shape is drawn in."""
+        return {key: title for key, title in self.groups.items() if title not in self.unframed}
 
 
 __all__ = ["Badge", "Diagram", "Key", "Line", "Shape", "ShapeKind", "Stroke", "Tone"]

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
     from archlint.render.diagram.model import Diagram, Key, Shape
 
-MOST_PAIRS = 30
+MOST_PAIRS = 12
 """What ties more pairs of nodes than this stays a shape of its own: lines between all of them show nothing."""
 MOST_NAMES = 3
 """The names on one line."""

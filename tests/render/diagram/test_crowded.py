@@ -1,0 +1,159 @@
+"""Pictures of many lines: named at nodes, listed together, and in boxes where there are very many nodes."""
+
+from __future__ import annotations
+
+from archlint.render.diagram.crowded import MANY_LINES
+from archlint.render.diagram.large import MOST_NODES, OPENED
+from archlint.render.diagram.model import Diagram
+from archlint.render.view import View
+from archlint.ros.qos import Qos
+from archlint.systems.model import System
+from archlint.systems.nodes import Node
+from render.pictures import diagram, dot, lines, titles
+from systems.builders import node, publisher, subscriber, system
+
+PAIRS = 21
+
+
+def pairs(number: int = PAIRS, package: str = "pairs") -> list[Node]:
+    """Nodes that talk two by two: two lines a pair."""
+    senders = [node(f"/from{n}", publisher(f"/data{n}"), package=package) for n in range(number)]
+    return senders + [node(f"/to{n}", subscriber(f"/data{n}"), package=package) for n in range(number)]
+
+
+def listeners(topic: str, number: int = 9) -> list[Node]:
+    return [node(f"/listener{n}", subscriber(topic), package="listeners") for n in range(number)]
+
+
+def named(of: System) -> dict[str, tuple[str, ...]]:
+    return {shape.title: shape.named for shape in diagram(of).shapes.values() if shape.named}
+
+
+def test_what_very_many_nodes_hear_is_named_at_each() -> None:
+    drawn = diagram(system(node("/tf_node", publisher("/tf")), *listeners("/tf"), *pairs()))
+    assert drawn.shapes["node", "/tf_node"].named == ("→ /tf",)
+    assert drawn.shapes["node", "/listener0"].named == ("← /tf",)
+    assert drawn.shapes["topic", "/tf"].lines[-1] == "from 1 node, to 9 nodes"
+    assert not [line for line in drawn.lines if ("topic", "/tf") in line.ends]
+    assert any(words.startswith("→ or ←") for words in drawn.caption)
+
+
+def test_a_node_that_does_both_has_one_line_of_it() -> None:
+    both = node("/both", publisher("/tf"), subscriber("/tf"))
+    assert named(system(both, *listeners("/tf"), *pairs()))["/both"] == ("↔ /tf",)
+
+
+def test_eight_nodes_have_lines() -> None:
+    assert named(system(node("/tf_node", publisher("/tf")), *listeners("/tf", 7), *pairs())) == {}
+
+
+def test_a_picture_of_few_lines_has_them_all() -> None:
+    few = [node("/tf_node", publisher("/tf")), *listeners("/tf", 12)]
+    assert named(system(*few)) == {}
+    assert len(diagram(system(*few)).lines) == 13
+
+
+def test_a_broken_line_is_drawn_whoever_else_there_is() -> None:
+    strict = node("/strict", subscriber("/tf", qos=Qos(reliability="reliable")))
+    talker = node("/tf_node", publisher("/tf", qos=Qos(reliability="best_effort")))
+    made = system(talker, strict, *listeners("/tf"), *pairs())
+    assert [drawn.head for drawn in diagram(made).lines if drawn.broken] == [("node", "/strict")]
+    assert "/strict" not in named(made)
+
+
+def test_what_the_same_nodes_share_is_one_shape() -> None:
+    made = system(
+        node("/a", publisher("/x"), publisher("/y"), publisher("/z")),
+        node("/b", subscriber("/x"), subscriber("/y")),
+        node("/c", subscriber("/z")),
+        *pairs(),
+    )
+    drawn = diagram(made)
+    [ends] = [shape for shape in drawn.shapes.values() if shape.kind == "ends"]
+    assert ends.label == ("2 topics", "/x", "/y")
+    assert {("/a", "2 topics"), ("2 topics", "/b"), ("/a", "/z"), ("/z", "/c")} < lines(drawn)
+    assert drawn.caption[0] == f"{3 + 2 * PAIRS} nodes, {3 + PAIRS} topics"
+
+
+def test_in_a_small_picture_each_topic_has_its_shape() -> None:
+    small = system(node("/a", publisher("/x"), publisher("/y")), node("/b", subscriber("/x"), subscriber("/y")))
+    assert {"/x", "/y"} < titles(diagram(small))
+
+
+def test_nodes_that_nothing_ties_are_listed() -> None:
+    drawn = diagram(system(*(node(f"/single{n}") for n in range(3)), *pairs(1)))
+    [listed] = [shape for shape in drawn.shapes.values() if shape.kind == "ends"]
+    assert listed.label == ("3 nodes, each alone", "/single0", "/single1", "/single2")
+    assert drawn.caption[0] == "5 nodes, 1 topic"
+
+
+def test_two_nodes_that_nothing_ties_stand_for_themselves() -> None:
+    assert {"/single0", "/single1"} < titles(diagram(system(*(node(f"/single{n}") for n in range(2)), *pairs(1))))
+
+
+def torn() -> System:
+    """A package whose nodes talk to each other, and one whose nodes talk to nodes of other packages only."""
+    outside = [node(f"/outside{n}", publisher(f"/o{n}"), package="torn") for n in range(3)]
+    return system(
+        *pairs(), *outside, *(node(f"/far{n}", subscriber(f"/o{n}"), package=f"far{n % 2}") for n in range(3))
+    )
+
+
+def test_a_frame_that_more_lines_leave_than_stay_in_is_not_drawn() -> None:
+    assert {*diagram(torn()).frames.values()} == {"pairs"}
+
+
+def test_frames_that_were_asked_for_are_drawn() -> None:
+    assert {*diagram(torn(), View(group="package")).frames.values()} == {"pairs", "torn", "far0", "far1"}
+
+
+def large() -> System:
+    return system(
+        *(node(f"/{name}{n}", publisher(f"/{name}"), package=name) for name in ("arm", "base") for n in range(40))
+    )
+
+
+def boxes(drawn: Diagram) -> set[str]:
+    return {shape.title for shape in drawn.shapes.values() if shape.kind == "group"}
+
+
+def test_very_many_nodes_are_boxes_of_their_groups() -> None:
+    drawn = diagram(large())
+    assert boxes(drawn) == {"arm", "base"}
+    assert drawn.caption[:2] == ("80 nodes, 2 topics", OPENED)
+
+
+def test_a_group_that_is_expanded_has_its_nodes() -> None:
+    drawn = diagram(large(), View(expand=("arm",)))
+    assert boxes(drawn) == {"base"}
+    assert "/arm39" in titles(drawn)
+
+
+def test_all_groups_expanded() -> None:
+    drawn = diagram(large(), View(expand=("*",)))
+    assert not boxes(drawn)
+    assert OPENED not in drawn.caption
+
+
+def test_up_to_sixty_nodes_each_is_drawn() -> None:
+    made = system(*(node(f"/n{n}", publisher("/x"), package=f"p{n % 2}") for n in range(MOST_NODES)))
+    assert not boxes(diagram(made))
+
+
+def test_a_group_of_one_node_is_no_box() -> None:
+    made = system(*(node(f"/n{n}", publisher("/x"), package=f"p{max(n, 1)}") for n in range(MOST_NODES + 1)))
+    assert boxes(diagram(made)) == {"p1"}
+
+
+def test_words_on_a_line_of_a_crowded_picture_are_a_shape_on_it() -> None:
+    made = system(
+        node("/cam", publisher("/scan", qos=Qos(reliability="best_effort"))),
+        node("/map", subscriber("/scan", qos=Qos(reliability="reliable"))),
+        *pairs(),
+    )
+    assert len(diagram(made).lines) > MANY_LINES
+    written = dot(made)
+    assert "words_0 [" in written
+    assert "best effort offered" in written.partition("words_0 [")[2].partition("];")[0]
+    assert "-> words_0 [" in written
+    assert "words_0 -> " in written
