@@ -29,8 +29,8 @@ def found(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[..., list
     """What one rule finds in a package of interfaces and nothing else."""
     monkeypatch.chdir(tmp_path)
 
-    def run(code: str, cmake: str, manifest: str, text: str = FIELDS) -> list[Finding]:
-        files = {"CMakeLists.txt": cmake, "package.xml": manifest, "msg/Goal.msg": text}
+    def run(code: str, cmake: str, manifest: str, text: str = FIELDS, **more: str) -> list[Finding]:
+        files = {"CMakeLists.txt": cmake, "package.xml": manifest, "msg/Goal.msg": text, **more}
         write_files(tmp_path, {**files, "archlint.toml": f'select = ["{code}"]'})
         return check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
 
@@ -98,3 +98,31 @@ def test_what_is_given_or_not_known(found, cmake, text):
     manifest = package("std_msgs", "geometry_msgs", "nav_msgs", "builtin_interfaces")
     assert found("PKG007", cmake, manifest, text) == []
     assert found("PKG001", cmake, manifest, text) == []
+
+
+# ------------------------------------------------------------------------------- PKG004: what the command is not given
+
+LISTS = """project(robot_msgs)
+set(messages "msg/Goal.msg")
+set(actions "action/Move.action" "action/Turn.action")
+rosidl_generate_interfaces(${{PROJECT_NAME}} ${{messages}} {more})
+"""
+ACTIONS = {"action/Move.action": "---\n---\n", "action/Turn.action": "---\n---\n"}
+
+
+def test_a_list_of_actions_that_the_command_is_not_given(found):
+    (finding,) = found("PKG004", LISTS.format(more=""), package(), "float64 x\n", **ACTIONS)
+    assert finding.message == (
+        "rosidl_generate_interfaces() is not given 2 files that are named here: action/Move.action, "
+        "action/Turn.action: nobody can import them"
+    )
+    assert (finding.place.file, finding.place.line) == ("CMakeLists.txt", 4)
+
+
+def test_a_list_that_the_command_is_given(found):
+    assert found("PKG004", LISTS.format(more="${actions}"), package(), "float64 x\n", **ACTIONS) == []
+
+
+def test_an_interface_that_no_list_names_is_left_out_on_purpose(found):
+    cmake = "project(robot_msgs)\n# not yet: action/Move.action\nrosidl_generate_interfaces(robot_msgs msg/Goal.msg)\n"
+    assert found("PKG004", cmake, package(), "float64 x\n", **ACTIONS) == []

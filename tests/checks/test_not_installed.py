@@ -447,3 +447,35 @@ def test_a_file_that_a_node_looks_for(findings, lines):
 )
 def test_a_file_that_may_be_elsewhere(findings, lines):
     assert findings("PKG004", **{"robot/words.py": OPENS.format(lines=lines), "data/words.json": "{}"}) == []
+
+
+# ------------------------------------------------------------------------------- folders among what a pattern matches
+
+WORLDS = """from glob import glob
+import os
+from setuptools import setup
+setup(name='robot', packages=['robot'], entry_points={{'console_scripts': ['talker = robot.talker:main']}},
+      data_files=[('share/robot/launch', glob('launch/*')), ('share/robot/worlds', {listed})])
+"""
+
+
+@pytest.mark.parametrize("listed", ["glob('worlds/*')", "glob('worlds/m*')", "glob(os.path.join('worlds', '*'))"])
+def test_a_folder_among_the_files_of_a_pattern(findings, listed):
+    files = {"worlds/hall.world": "", "worlds/models/box.sdf": "", "robot/__init__.py": ""}
+    (finding,) = findings("PKG004", **files, **{"setup.py": WORLDS.format(listed=listed)})
+    assert "matches a folder, 'worlds/models': the build stops, as it copies files alone" in finding.message
+
+
+@pytest.mark.parametrize(
+    "listed",
+    [
+        "glob('worlds/*.world')",
+        "glob('worlds/*.*')",
+        "glob('worlds/models/*')",
+        "[path for path in glob('worlds/*') if os.path.isfile(path)]",
+        "['worlds/hall.world']",
+    ],
+)
+def test_a_pattern_that_matches_files_alone(findings, listed):
+    files = {"worlds/hall.world": "", "worlds/models/box.sdf": "", "robot/__init__.py": ""}
+    assert findings("PKG004", **files, **{"setup.py": WORLDS.format(listed=listed)}) == []

@@ -92,7 +92,33 @@ def without_group(workspace: WorkspaceIndex) -> Iterator[tuple[Package, Place]]:
             yield package, installs.generated_at
 
 
+@dataclass(frozen=True)
+class NotGenerated:
+    """Interface files of a package, by their paths below its folder, that ``rosidl_generate_interfaces`` does not get,
+    though the CMake file names them."""
+
+    package: Package
+    command: Place
+    files: tuple[str, ...]
+
+
+def not_generated(workspace: WorkspaceIndex) -> Iterator[NotGenerated]:
+    """The packages that name interface files, in a list say, and do not hand them to the command."""
+    table, left_out = workspace.interfaces, dict[str, list[str]]()
+    for name in table.names() if table is not None else ():
+        own, kind, interface = parts_of_type(name)
+        if table is not None and table.is_left_out(own, kind, interface):
+            left_out.setdefault(own, []).append(f"{kind}/{interface}.{kind}")
+    for own, files in left_out.items():
+        installs, package = workspace.installs.get(own), workspace.packages.get(own)
+        if installs is None or package is None or installs.generated_at is None or package.ros1:
+            continue
+        named = tuple(file for file in files if file.rpartition("/")[2] in installs.words)
+        if named:
+            yield NotGenerated(package, installs.generated_at, named)
+
+
 _SKIPS = frozenset({"SKIP_INSTALL", "SKIP_GROUP_MEMBERSHIP_CHECK"})
 """Words with which the command does not ask for the group."""
 
-__all__ = ["NotHanded", "TypeUse", "not_handed", "types_of_others", "without_group"]
+__all__ = ["NotGenerated", "NotHanded", "TypeUse", "not_generated", "not_handed", "types_of_others", "without_group"]

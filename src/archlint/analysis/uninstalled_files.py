@@ -6,6 +6,7 @@ colcon-ros, ``copy_file`` of setuptools' distutils, ``get_share_file_path_from_p
 
 from __future__ import annotations
 
+import fnmatch
 import posixpath
 import re
 from collections.abc import Iterable, Iterator, Mapping
@@ -173,6 +174,37 @@ def listed_in_vain(workspace: WorkspaceIndex) -> Iterator[ListedInVain]:
                 yield ListedInVain(row.place or at, below, posixpath.normpath(row.destination) == _MARKERS)
 
 
+@dataclass(frozen=True)
+class FolderListed:
+    """A folder that a pattern in the ``data_files=`` of a setup.py matches: setuptools stops, as it copies files."""
+
+    place: Place
+    folder: str
+    """Its path below the folder of the package."""
+    pattern: str
+
+
+_ASKS_FOR_FILES = ("isfile", "is_file", "isdir", "is_dir", "walk")
+"""With these a setup.py may take the folders out of what a pattern matches."""
+
+
+def folders_listed(workspace: WorkspaceIndex) -> Iterator[FolderListed]:
+    """The first folder that each such pattern matches."""
+    for installs in understood(workspace).values():
+        at = installs.data_files_at
+        asks = at is not None and any(workspace.code.mentions(at.file, word) for word in _ASKS_FOR_FILES)
+        for row in installs.files if not asks else ():
+            place, (where, name) = row.place or at, posixpath.split(posixpath.normpath(row.source))
+            if place is None or row.folder or any(sign in where for sign in "*?[") or name == "**":
+                continue
+            below = (path.removeprefix(f"{where}/") for path in workspace.tree.files_below(where or "."))
+            folders = dict.fromkeys(path.partition("/")[0] for path in below if "/" in path)
+            matching = [folder for folder in folders if _is_pattern(row) and fnmatch.fnmatchcase(folder, name)]
+            if matching:
+                [folder, pattern] = _below(installs, [posixpath.join(where, matching[0]), row.source])
+                yield FolderListed(place, folder, posixpath.normpath(pattern))
+
+
 _BUILT = (".so", ".a", ".onnx", ".pt", ".pth", ".engine")
 """Libraries and models of a vendor or of a training, which are often fetched by hand."""
 
@@ -193,4 +225,13 @@ def _is_pattern(row: InstalledFiles) -> bool:
     return row.folder or any(sign in row.source for sign in "*?[")
 
 
-__all__ = ["LaunchFilesLeftOut", "ListedInVain", "launch_files_left_out", "listed_in_vain", "mended_at", "understood"]
+__all__ = [
+    "FolderListed",
+    "LaunchFilesLeftOut",
+    "ListedInVain",
+    "folders_listed",
+    "launch_files_left_out",
+    "listed_in_vain",
+    "mended_at",
+    "understood",
+]

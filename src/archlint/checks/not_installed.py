@@ -7,11 +7,14 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from archlint.analysis.interface_dependencies import NotGenerated, not_generated
 from archlint.analysis.left_out_code import LeftOut, has_init, left_out_code
 from archlint.analysis.uninstalled_data import DataLeftOut, data_left_out
 from archlint.analysis.uninstalled_files import (
+    FolderListed,
     LaunchFilesLeftOut,
     ListedInVain,
+    folders_listed,
     launch_files_left_out,
     listed_in_vain,
     understood,
@@ -50,6 +53,8 @@ def not_installed(system: System, options: Options) -> Iterator[Finding]:
         named.setdefault(named_row.package, []).append(named_row)
     yield from map(_data, named.values())
     yield from map(_in_vain, listed_in_vain(workspace))
+    yield from map(_folder, folders_listed(workspace))
+    yield from map(_interfaces, not_generated(workspace))
 
 
 # ------------------------------------------------------------------------------------------------- Python code
@@ -155,7 +160,7 @@ def _launch_files(row: LaunchFilesLeftOut) -> Finding:
     return finding(
         "PKG004",
         row.place,
-        f"{message}: ros2 launch does not find {'it' if len(names) == 1 else 'them'}",
+        f"{message}: ros2 launch does not find {_it(len(names))}",
         help=line,
         related=[Related(place, "it is to be started like this") for place in row.told_at[:_SHOWN]],
         identity=(row.package, "launch", *names),
@@ -194,9 +199,40 @@ def _in_vain(row: ListedInVain) -> Finding:
     )
 
 
+def _folder(row: FolderListed) -> Finding:
+    return finding(
+        "PKG004",
+        row.place,
+        f"'{row.pattern}' in data_files= matches a folder, '{row.folder}': the build stops, as it copies files alone",
+        help=f"list the files of '{row.folder}' in an entry of their own, and take only files here",
+        identity=(row.folder,),
+        group=(row.place.file, "folder"),
+    )
+
+
+def _interfaces(row: NotGenerated) -> Finding:
+    what = f"'{row.files[0]}'" if len(row.files) == 1 else f"{len(row.files)} files that are named here"
+    names = "" if len(row.files) == 1 else f": {listed(row.files)}"
+    return finding(
+        "PKG004",
+        row.command,
+        f"rosidl_generate_interfaces() is not given {what}{names}: nobody can import {_it(len(row.files))}",
+        help="hand the list that names it to rosidl_generate_interfaces()",
+        identity=(row.package.name, *row.files),
+        group=(row.command.file, "interfaces"),
+    )
+
+
+def _it(number: int) -> str:
+    return "it" if number == 1 else "them"
+
+
 @folds("PKG004")
 def _of_one_list(findings: Sequence[Finding]) -> Finding:
-    """One finding for all files that one setup.py, or one kind of command of a CMake file, lists in vain."""
+    """One finding for all files that one setup.py, or one kind of command of a CMake file, lists in vain, and for the
+    folders that patterns match."""
+    if len(findings) > 1 and findings[0].group[-1] == "folder":
+        return with_others(findings, "another pattern of the file does", "more patterns of the file do", "the same")
     return with_others(findings, "another file of the list is", "more files of the list are", "not there, either")
 
 

@@ -13,6 +13,7 @@ from archlint.checks.attributes import OF_CLASS, UNASSIGNED, attribute_findings
 from archlint.checks.folding import folds, with_others
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
+from archlint.checks.time_operators import OPERATOR, time_operator_findings
 from archlint.finding import Finding
 from archlint.model import Misuse, RefusedCall
 from archlint.ros.distros import DISTROS
@@ -28,11 +29,12 @@ _NEWER = frozenset(DISTROS[DISTROS.index(_AS_NEWEST) + 1 :])
 
 @rule("API001", scope=Scope.CODE, by_program=True)
 def refused_call(system: System, options: Options) -> Iterator[Finding]:
-    """Calls that rclpy, message_filters or tf2_ros refuse."""
+    """Calls that rclpy, message_filters or tf2_ros refuse, and operators between times that rclpy does."""
     loggers = [] if system.workspace is None else refused_logger_calls(system.workspace)
     for call in (*_judged(system), *loggers):
         if call.misuse not in _OF_OTHER_RULES and _is_refused(call, options.distros):
             yield _finding(call)
+    yield from time_operator_findings(system)
 
 
 @rule("API002", scope=Scope.CODE)
@@ -136,6 +138,8 @@ def _finding(call: RefusedCall) -> Finding:
 @folds("API001")
 def of_one_file(findings: Sequence[Finding]) -> Finding:
     """The first call of a file for all that are wrong in the same way."""
+    if findings[0].group[1] == OPERATOR:
+        return with_others(findings, "another operator in this file does", "more operators in this file do", "the same")
     return with_others(findings, "another call in this file fails", "more calls in this file fail", "in the same way")
 
 

@@ -32,6 +32,8 @@ class Kind(Enum):
     NAME = "a text"
     PROFILE = "a QoSProfile or a queue depth"
     CALLBACK = "a function"
+    EXECUTE_CALLBACK = "a function that executes goals"
+    """None of these is refused, too: ``ActionServer`` asks whether it is callable."""
     NODE = "a node"
     SECONDS = "a number of seconds"
     HERTZ = "a number of hertz"
@@ -72,7 +74,9 @@ def kinds_of(api: Api) -> Mapping[str, Kind]:
         kinds[api.qos] = Kind.PROFILE
     if api.node is not None or (api.path in _SPINNING):
         kinds[api.node or "node"] = Kind.NODE
-    kinds |= {name: Kind.CALLBACK for name, role in api.callbacks if role != Role.TASK}
+    for name, role in api.callbacks:
+        if role != Role.TASK:
+            kinds[name] = Kind.EXECUTE_CALLBACK if role == Role.EXECUTE else Kind.CALLBACK
     return kinds
 
 
@@ -159,6 +163,13 @@ def _is_no_callback(value: Value, written: facts.Expr | None) -> bool:
     return isinstance(value, (MessageValue, EntityValue, NodeValue))
 
 
+def _is_no_execute_callback(value: Value, written: facts.Expr | None) -> bool:
+    match value:
+        case Known(value=None):
+            return isinstance(written, (facts.Literal, facts.Call))
+    return _is_no_callback(value, written)
+
+
 def _is_no_node(value: Value, written: facts.Expr | None) -> bool:
     return _is_constant(value) or _is_interface(value) or _is_function(value) or isinstance(value, MessageValue)
 
@@ -174,6 +185,7 @@ _IS_OTHER: Mapping[Kind, Callable[[Value, facts.Expr | None], bool]] = {
     Kind.NAME: _is_no_text,
     Kind.PROFILE: _is_no_profile,
     Kind.CALLBACK: _is_no_callback,
+    Kind.EXECUTE_CALLBACK: _is_no_execute_callback,
     Kind.NODE: _is_no_node,
     Kind.SECONDS: _is_no_number,
     Kind.HERTZ: _is_no_number,

@@ -1,0 +1,48 @@
+"""What API001 says of operators between times, durations and numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from archlint.analysis.time_operators import Kind, RefusedOperator, refused_operators
+from archlint.checks.registry import finding
+
+if TYPE_CHECKING:
+    from archlint.finding import Finding
+    from archlint.systems.model import System
+
+OPERATOR = "operator"
+"""The group of findings that are about operators."""
+
+
+def time_operator_findings(system: System) -> Iterator[Finding]:
+    """The findings about such operators in the files that use rclpy."""
+    if system.workspace is not None:
+        yield from map(_finding, refused_operators(system.workspace))
+
+
+def _finding(row: RefusedOperator) -> Finding:
+    left, right = row.left, row.right
+    return finding(
+        "API001",
+        row.place,
+        f"'{row.op}' fails with a TypeError: {left} on its left, {right} on its right",
+        help=_cure(row),
+        identity=(row.op, left, right),
+        group=(row.place.file, OPERATOR, row.op, left, right),
+    )
+
+
+def _cure(row: RefusedOperator) -> str:
+    kinds = {row.left, row.right}
+    if Kind.STAMP in kinds:
+        return "make a Time of the stamp first: Time.from_msg(…)"
+    if Kind.NUMBER not in kinds:
+        return "compare a Time with a Time, and a Duration with a Duration"
+    if row.op in ("+", "-") or (Kind.DURATION in kinds and row.op not in ("/", "//")):
+        return "write Duration(seconds=…) instead of the number"
+    return "use its .nanoseconds, which is a number"
+
+
+__all__ = ["time_operator_findings"]
