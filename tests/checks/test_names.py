@@ -516,6 +516,7 @@ class TestInvalidName:
             ("topic = 'words/'", "for part in sys.argv[1:]:", "    topic += part"),
             ("topic = ''", "for part in sys.argv[1:]:", "    topic = topic + '/' + part"),
             ("topic = 'words/'", "if len(sys.argv) > 1:", "    topic += sys.argv[1]"),
+            ("topic = ''", "for part in sys.argv[1:]:", "    topic = part"),
         ],
     )
     def test_a_text_that_is_not_finished(self, judge: Judge, lines: tuple[str, ...]):

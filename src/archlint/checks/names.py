@@ -18,6 +18,7 @@ from archlint.systems.overrides import Setting, applied
 
 if TYPE_CHECKING:
     from archlint.finding import Place
+    from archlint.model import Creation
     from archlint.systems.model import System
     from archlint.systems.nodes import Endpoint, Node
 
@@ -51,6 +52,8 @@ def _invalid_node(node: Node) -> Iterator[Finding]:
     if is_given_by_launch(node):
         return
     place = blueprint.name.origin or blueprint.place
+    if not blueprint.name.text and place.line != blueprint.place.line:
+        return  # a text that is empty at first, and that code fills in as data come
     shown = node.name or blueprint.name.text or ""
     yield finding(
         "NME002",
@@ -82,6 +85,8 @@ def _invalid_endpoints(system: System, node: Node) -> Iterator[Finding]:
         if relative is not None and is_renamed(system, node):
             continue  # launch files start it, perhaps in a namespace: their systems report it
         shown, word = endpoint.written or "", NAMED[endpoint.kind]
+        if not shown and endpoint.resolution == "exact" and _is_empty_at_first(creation):
+            continue
         default = f", the default of the parameter '{endpoint.parameter}'" if endpoint.resolution == "parameter" else ""
         if relative is not None and creation.name.origin_kind == "node_name":
             default = " of a node in no namespace"
@@ -103,6 +108,12 @@ def _invalid_endpoints(system: System, node: Node) -> Iterator[Finding]:
     yield from (_bad_value(value, endpoints) for value, endpoints in values.values())
 
 
+def _is_empty_at_first(creation: Creation) -> bool:
+    """Whether an empty name comes from a line above, where code fills it in as data come."""
+    origin, given = creation.name.origin, creation.name_place
+    return origin is not None and given is not None and origin.line != given.line
+
+
 def _set_by_launch(system: System, endpoint: Endpoint) -> Setting | None:
     """The value that a launch file or a parameter file sets, of the parameter that decides a name."""
     started = endpoint.node.started
@@ -115,12 +126,15 @@ def _set_by_launch(system: System, endpoint: Endpoint) -> Setting | None:
 def _bad_value(value: Setting, endpoints: Sequence[Endpoint]) -> Finding:
     """One finding for the names that are made of one value, where that is set."""
     first, *_ = endpoints
+    help_ = f"set '{value.name}' to a value that may be part of a name: letters, digits, '_' and '/'"
+    if "start with a number" in (first.error or ""):
+        help_ = "put letters in front of the value where the name is built"
     return finding(
         "NME002",
         value.value_place or value.place,
         f"ROS rejects the {NAMED[first.kind]} name '{first.written}', which is built from this value of the parameter "
         f"'{value.name}': {first.error}",
-        help=f"set '{value.name}' to a value that may be part of a name: letters, digits, '_' and '/'",
+        help=help_,
         related=[
             Related(end.creation.name.origin or end.place, f"'{end.written}' is built from it here")
             for end in endpoints

@@ -82,6 +82,12 @@ def test_parameters_are_declared_and_read_by_value(written: str, expected: str) 
         ('auto s = prefix_ + "/" + std::to_string(3);', "s = ?prefix_ + '/' + str(3)"),
         ('auto s = fmt::format("{}/x", ns_);', "s = '{}/x'.format(?ns_)"),
         ('std::stringstream ss; ss << "a" << n_; auto s = ss.str();', "ss = ''\nss += a{?n_}\ns = ss"),
+        (
+            "std::stringstream ss; (ss << ... << n_); auto s = ss.str();",
+            "ss = ''\nss = <a text that is changed in place>\ns = ss",
+        ),
+        ('std::string s = ""; s.push_back(n_);', "s = ''\ns = <a text that is changed in place>"),
+        ('std::string s = "a"; s.size();', "s = 'a'\nlen(s)"),
         ("for (int i = 0; i < 3; ++i) { go(i); }", "for i in range(0, 3):\n    ?go(i)"),
         ('for (const auto & n : {"a", "b"}) { go(n); }', "for n in ['a', 'b']:\n    ?go(n)"),
         ('names_.push_back("a");', "?names_.append('a')"),

@@ -57,6 +57,8 @@ class DeclarationLowering(CallLowering):
         if last.name in STREAMS and self.names.scopes:
             self.names.scopes[-1].streams.add(variable.name)
             return facts.Literal("", span)
+        if last.name == "string" and self.names.scopes:
+            self.names.scopes[-1].texts.add(variable.name)
         if value is None:
             return self.default_of(parts, variable, span)
         if value.type in ("argument_list", "initializer_list", "parameter_list"):

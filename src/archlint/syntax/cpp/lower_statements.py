@@ -25,6 +25,11 @@ MAX_NESTING = 100
 _AUGMENTED: dict[str, facts.BinaryOperator] = {"+=": "+", "-=": "-", "*=": "*", "/=": "/", "%=": "%"}
 
 
+_CHANGES_TEXT = frozenset(
+    {"append", "assign", "clear", "erase", "insert", "pop_back", "push_back", "replace", "resize", "str", "swap"}
+)
+"""Methods that change a ``std::string`` in place, and what a stream is given a new text with."""
+
 StatementKind = Callable[["Node", "list[Stmt]"], None]
 
 
@@ -116,6 +121,9 @@ class StatementLowering(DeclarationLowering):
                     body.append(facts.Augmented(target, op, facts.Literal(1, span), span))
             case "delete_expression":
                 return
+            case _ if (changed := self._changed_text(value)) is not None:
+                unknown = facts.Opaque("a text that is changed in place", span)
+                body.append(facts.Assign([facts.Name(changed, span)], unknown, span))
             case _ if not self._is_logging(value) and not self._streamed(value, span, body):
                 lowered = self.lower(value)
                 if not isinstance(lowered, (facts.Literal, facts.Opaque, facts.Name, facts.Implicit)):
@@ -146,6 +154,20 @@ class StatementLowering(DeclarationLowering):
             body.append(facts.Augmented(target, _AUGMENTED[word], value, span))
         else:
             body.append(facts.Assign([target], facts.Opaque(f"the operator {word}", span), span))
+
+    def _changed_text(self, node: Node) -> str | None:
+        """The variable whose text becomes another one in a way that is not followed: ``text.push_back(c)``, or a stream
+        that a fold writes to, ``(stream << ... << values)``."""
+        called = node.child_by_field_name("function") if node.type == "call_expression" else None
+        if called is not None and called.type == "field_expression":
+            owner, method = called.child_by_field_name("argument"), called.child_by_field_name("field")
+            name = "" if owner is None else self.source.text(owner)
+            is_text = any(name in scope.texts or name in scope.streams for scope in self.names.scopes)
+            return name if is_text and method is not None and self.source.text(method) in _CHANGES_TEXT else None
+        name = (
+            self.source.text(node.named_children[0]) if node.type == "fold_expression" and node.named_children else ""
+        )
+        return name if any(name in scope.streams for scope in self.names.scopes) else None
 
     def _streamed(self, node: Node, span: Span, body: list[Stmt]) -> bool:
         """``stream << "a" << b``: the text grows."""

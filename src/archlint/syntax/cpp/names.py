@@ -42,6 +42,8 @@ class FunctionScope:
     """What it assigns, other than by declaring it."""
     streams: set[str] = field(default_factory=set)
     """Variables that texts are written into with ``<<``."""
+    texts: set[str] = field(default_factory=set)
+    """Variables of the type ``std::string``, which methods can change."""
     is_lambda: bool = False
 
 
