@@ -442,7 +442,13 @@ UNCALLED = """
 
 @pytest.mark.parametrize(
     ("caller", "severity"),
-    [("self.create_timer(1.0, self.tick)", Severity.ERROR), ("self.ready = True", Severity.INFO)],
+    [
+        ("self.create_timer(1.0, self.tick)", Severity.ERROR),
+        ("self.ready = True", Severity.INFO),
+        ("self.ready = True\n\n        def again(self):\n            self.tick()", Severity.INFO),
+        ("self.again()\n\n        def again(self):\n            self.tick()", Severity.ERROR),
+    ],
+    ids=["a timer", "nothing", "a method that nothing calls", "a method that is called"],
 )
 @pytest.mark.parametrize(
     ("code", "line"), [("API002", "message = Int32(data=self.total)"), ("MSG001", "message.number = 1")]

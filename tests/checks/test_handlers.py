@@ -26,6 +26,20 @@ def execute(body: str) -> str:
     return text.replace("\n\ndef main():", f"{others}\n\ndef main():")
 
 
+def test_the_ends_of_one_execute_callback_are_one_finding(run: Run):
+    ends = """
+        if self.busy():
+            return Fibonacci.Result()
+        if self.wait():
+            return Fibonacci.Result()
+        goal_handle.succeed()
+        return Fibonacci.Result()
+    """
+    [found] = [one for one in run(execute(ends)) if one.code == "ACT003"]
+    assert found.message.endswith("; another end of it does the same")
+    assert [one.message for one in found.related].count("this end, too") == 1
+
+
 RETURNS = {
     "straight": "return response",
     "both arms": """

@@ -108,6 +108,13 @@ def test_name_renames_all_nodes_of_an_executable(findings):
     assert findings("NME004", node(), **{"robot/talker.py": two}) == []  # the advice works
 
 
+def test_an_executable_that_several_launch_files_rename_is_one_finding(findings):
+    two = TALKER.replace("Talker())", "Talker())\n    rclpy.spin(rclpy.create_node('helper'))")
+    again = {"launch/again.launch.xml": f"<launch>{node(name='other')}</launch>", "robot/talker.py": two}
+    (found,) = findings("NME004", node(name="it"), **again)
+    assert [one.message for one in found.related].count("it is started here, too") == 1
+
+
 TEXT_MODE = """\
 import os
 import sys

@@ -120,6 +120,12 @@ def test_the_same_name_twice_in_a_file_is_one_finding(judge: Judge):
     assert finding.message == "rclpy has no loginfo(); another call in this file does the same"
 
 
+def test_a_node_that_is_taken_for_its_logger(judge: Judge):
+    [finding] = judge("API002", NODE.format(call="self.info('a')  # here\n        self.error('b')"))
+    assert finding.message == "Node has no info(); another call in this file is like that"
+    assert finding.help == "write self.get_logger().info(…)"
+
+
 def test_a_lifecycle_node_has_what_its_mixin_has(judge: Judge):
     judge(
         "API002",

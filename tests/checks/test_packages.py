@@ -251,6 +251,16 @@ def test_entries_of_modules_without_any_function_are_one_finding(findings):
     ]
 
 
+def test_entries_whose_modules_are_not_there_are_one_finding(findings):
+    entries = "'talker = robot.talker:main', 'left = robot.arms.l:main', 'right = robot.arms.r:main'"
+    files = {"setup.py": SETUP.replace("'talker = robot.talker:main'", entries)}
+    (found,) = findings("PKG002", **files)
+    assert found.message == "2 executables cannot start: their modules do not exist: left, right"
+    assert found.help == "add the modules, or remove the entries" and len(found.related) == 1
+    (found,) = findings("PKG002", **files, **{"robot/arms/l.py": "def main():\n    pass\n"})
+    assert "'robot.arms.r' does not exist" in found.message
+
+
 def test_a_module_of_ros1_needs_more_than_a_function(findings):
     setup = SETUP.replace("'talker = robot.talker:main'", "'talker = robot.talker:main', 'left = robot.left:main'")
     files = {"setup.py": setup, "robot/talker.py": "import rospy\n", "robot/left.py": "import rospy\n"}

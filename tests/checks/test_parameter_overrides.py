@@ -171,6 +171,13 @@ def test_a_misspelt_name_has_a_finding_of_its_own(findings):
     ]
 
 
+def test_a_prefix_that_no_parameter_has_is_one_finding(findings):
+    lines = "    from: {gain: 1.0, limits: a, speed: 2.0}\n"
+    (found,) = findings("file", yaml=f"talker:\n  ros__parameters:\n{lines}")
+    assert "declares none of these 3 parameters" in found.message
+    assert "from.gain, from.limits, from.speed" in found.message and "did you mean" not in found.message
+
+
 def test_a_comment_hides_one_of_several(findings):
     lines = "    speed: 1.0  # archlint: ignore[PRM004]\n    frame: map\n"
     (found,) = findings("file", yaml=f"talker:\n  ros__parameters:\n{lines}")

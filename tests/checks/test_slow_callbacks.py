@@ -353,8 +353,8 @@ def finished(self, future):
     ("more", "expected"),
     [
         ("", []),
-        ("self.create_subscription(Empty, 'stop', print, 10)\n", ["EXE003", "EXE003"]),
-        ("self.create_timer(5.0, self.get_name)\n", ["EXE003", "EXE003"]),
+        ("self.create_subscription(Empty, 'stop', print, 10)\n", ["EXE003"]),
+        ("self.create_timer(5.0, self.get_name)\n", ["EXE003"]),
     ],
 )
 def test_a_node_in_which_all_comes_of_one_callback_may_look_for_servers(run: Run, more: str, expected: list[str]):
@@ -1011,10 +1011,14 @@ def test_what_is_allowed_at_one_place_leaves_the_others(run: Run):
     assert "waits for a process in subprocess.run()" in found.message and "too" not in found.message
 
 
-def test_two_callbacks_are_two_findings(run: Run):
+def test_the_callbacks_of_one_node_are_one_finding(run: Run):
     timers = TIMER + "self.create_timer(7.0, self.tock)\n"
     tock = "def tock(self):\n    time.sleep(2.0)\n"
-    assert codes(run(source(timers, timer("time.sleep(1.0)") + "\n" + tock))) == ["EXE003", "EXE003"]
+    [found] = run(source(timers, timer("time.sleep(1.0)") + "\n" + tock))
+    assert found.code == "EXE003" and found.message.endswith("; another callback of the node waits, too")
+    assert "here Robot.tock waits in sleep(), too" in [row.message for row in found.related]
+    [alone] = run(source(timers, timer("pass") + "\n" + tock))
+    assert "too" not in alone.message
 
 
 ASKS = """
@@ -1057,7 +1061,7 @@ def test_a_node_that_waits_for_the_network_in_each_handler_is_one_finding(run: R
         "self.create_service(Trigger, 'add', self.add)\nself.create_timer(5.0, print)\n"
     )
     [found] = run("import requests\n" + source(create, ASKS))
-    assert found.code == "EXE003" and found.message.endswith("; the same applies to another callback")
+    assert found.code == "EXE003" and found.message.endswith("; another callback of the node waits, too")
     assert "here Robot.add waits in post(), too" in [row.message for row in found.related]
     assert found.help.startswith("spin the node with a MultiThreadedExecutor")
 

@@ -142,8 +142,14 @@ class _Uses:
                 ):
                     self.kept[span[0], span[1]] = name
         self.by_name = unwritten > 0
-        self.idle = {method.name: _attributes(method) for method in self._methods(tree) if self._is_idle(method)}
-        """The methods that nothing in the file names, with the attributes that they use and how often."""
+        self.idle: dict[str, dict[str, int]] = {}
+        """The methods that nothing names but each other, with the attributes that they use and how often."""
+        uses_of = {method.name: _attributes(method) for method in self._methods(tree) if self._may_be_idle(method)}
+        for _ in range(_HOPS):
+            named = Counter[str]()
+            for uses in self.idle.values():
+                named.update(uses)
+            self.idle |= {name: uses for name, uses in uses_of.items() if self.count.get(name, 0) == named[name]}
 
     @staticmethod
     def _methods(tree: Tree) -> list[facts.Function]:
@@ -155,11 +161,14 @@ class _Uses:
         names = [method.name for method in methods]
         return [method for method in methods if names.count(method.name) == 1]
 
-    def _is_idle(self, method: facts.Function) -> bool:
+    def _may_be_idle(self, method: facts.Function) -> bool:
         name = method.name
         called = name.startswith("__") or name == "destroy_node" or bool(method.decorators)
-        return not called and name not in self.count and name not in self.names
+        return not called and name not in self.names
 
+
+_HOPS = 3
+"""Through how many methods that call each other it is looked for one that something calls."""
 
 _PLAIN_BASES = frozenset({"Node", "object"})
 """Bases that call no method of their own accord.  Whether a class is just an rclpy node is another question

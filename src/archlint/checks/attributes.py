@@ -22,6 +22,10 @@ if TYPE_CHECKING:
 
 OF_CLASS = "attribute"
 """The group of findings that are about one attribute of a class."""
+LOGS = "logs"
+"""The group of findings about a node that is taken for its logger."""
+LEVELS = frozenset({"debug", "info", "warn", "warning", "error", "fatal"})
+LOG_WITH = "write self.get_logger().{}(…)"
 UNASSIGNED = "unassigned"
 """The group of findings about attributes of one class that nothing assigns, and that are no slips."""
 
@@ -69,6 +73,9 @@ def _unassigned(read: Unassigned) -> Finding:
     near = None if read.near is None else _as_written(read.near, read.cls)
     message = f"nothing assigns '{name}' of class {read.cls}: this line fails with an AttributeError"
     help = f"assign self.{name} in __init__(), or define it"
+    logs = read.name in LEVELS and not read.local and not read.is_slip and not read.of_node
+    if logs:
+        help = LOG_WITH.format(name)
     if read.local:
         message += meant(f"the variable '{name}'")
         help = f"write {name}"
@@ -85,9 +92,15 @@ def _unassigned(read: Unassigned) -> Finding:
         help=help,
         related=[] if read.near_at is None else [Related(read.near_at, f"'{near}' is defined here")],
         identity=(read.cls, name),
-        group=() if read.local or read.is_slip else (UNASSIGNED, read.place.file, read.cls),
+        group=_group(read, logs),
         meant=near if near is not None and read.is_slip and not read.local else "",
     )
+
+
+def _group(read: Unassigned, logs: bool) -> tuple[str, ...]:
+    if logs:
+        return (LOGS, read.place.file)
+    return () if read.local or read.is_slip else (UNASSIGNED, read.place.file, read.cls)
 
 
 def _as_written(name: str, cls: str) -> str:
@@ -95,4 +108,4 @@ def _as_written(name: str, cls: str) -> str:
     return name.removeprefix(f"_{cls.lstrip('_')}") if "__" in name else name
 
 
-__all__ = ["OF_CLASS", "UNASSIGNED", "attribute_findings"]
+__all__ = ["LEVELS", "LOGS", "LOG_WITH", "OF_CLASS", "UNASSIGNED", "attribute_findings"]

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.analysis.goal_outcomes import ends_without_outcome
 from archlint.analysis.handler_ends import HandlerEnd
 from archlint.analysis.reach import endpoint_words, node_name, one_for_each_place
+from archlint.checks.folding import folds, with_others
 from archlint.checks.handlers import related_handler
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -35,4 +36,11 @@ def _undecided(system: System, end: HandlerEnd) -> Finding:
         related=related_handler(end),
         node=node_name(system, callback.node),
         identity=(callback.name, end.how),
+        group=(callback.place.file, str(callback.place.line), callback.name),
     )
+
+
+@folds("ACT003")
+def _of_one_callback(findings: Sequence[Finding]) -> Finding:
+    """One finding for all ends of an execute callback: they lack the same."""
+    return with_others(findings, "another end of it does", "more ends of it do", "the same", "this end, too")

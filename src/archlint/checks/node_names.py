@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.brief_programs import is_brief
 from archlint.branches import exclusive, runs_along
 from archlint.checks.doubled_includes import Again, Twins, included_twice, of_includes
-from archlint.checks.folding import folds, with_others
+from archlint.checks.folding import folds, with_other_places, with_others
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related, Severity
@@ -149,17 +149,23 @@ def _of_two_actions(system: System, several: list[Twins]) -> Iterator[Finding]:
         identity=tuple(names),
     )
     if late:
-        yield replace(diagnostic, group=(here.file,))
+        yield replace(diagnostic, group=(_TOGETHER, system.name or "", here.file))
     elif first.launch_place.file != here.file:
-        yield replace(diagnostic, group=(first.launch_place.file, here.file))
+        yield replace(diagnostic, group=(_TOGETHER, system.name or "", first.launch_place.file, here.file))
     else:
         yield diagnostic
 
 
-@folds("NME004")
+_TOGETHER, _OF_PROCESS = "together", "of one process"
+"""Kinds of groups: nodes that are started in the same way, and starts of one executable."""
+
+
+@folds("NME004", across_systems=True)
 def _of_one_group(several: Sequence[Finding]) -> Finding:
-    """One finding for all nodes of a file that come too late for the namespace of their group, and for all that two
-    files both start."""
+    """One finding for all nodes of a file that come too late for the namespace of their group, for all that two files
+    both start, and for all launch files that start one executable with several nodes of a name."""
+    if several[0].group[0] == _OF_PROCESS:
+        return with_other_places(several, "it is started here, too")
     return with_others(several, "another node is", "more nodes are", "started in the same way")
 
 
@@ -238,6 +244,7 @@ def _of_one_process(first: Node, other: Node) -> Iterator[Finding]:
         related=list(dict.fromkeys(related for node in (first, other) for related in _creation_sites(node))),
         node=first.name,
         identity=(first.name or "",),
+        group=(_OF_PROCESS, *(str(node.blueprint.place) for node in (first, other) if node.blueprint is not None)),
     )
     yield diagnostic if sure else replace(diagnostic, severity=Severity.INFO)
 

@@ -74,7 +74,8 @@ def _broken(workspace: WorkspaceIndex, executable: Executable) -> Iterator[Findi
                 near = target = f"{parent}:{last}"
             hint = "" if near is None else meant(f"'{near}'")
             help = "add the module, or remove the entry" if near is None else f"write '{executable.name} = {target}'"
-            yield _entry_finding(executable, f"module '{module}' does not exist{hint}", help)
+            group = (executable.place.file, _NO_MODULE, "") if near is None else ()
+            yield _entry_finding(executable, f"module '{module}' does not exist{hint}", help, group)
         case NoFunctionNamed(module, functions):
             help = _with_a_function(executable.name, module, functions)
             group = () if functions is None or functions else (executable.place.file, "", "")
@@ -132,6 +133,10 @@ def _near_module(module: str, known: Collection[str]) -> str | None:
     return f"{parent}.{near}" if near is not None else None
 
 
+_NO_MODULE = "no module"
+"""The group of entries whose modules are not there, and that have no near name."""
+
+
 @folds("PKG002")
 def _without_one_function(several: Sequence[Finding]) -> Finding:
     """One finding for the entries of a file whose modules all lack the same function."""
@@ -140,6 +145,14 @@ def _without_one_function(several: Sequence[Finding]) -> Finding:
         return first
     _, function, _ = first.group
     names = [entry.identity[1] for entry in several]
+    if function == _NO_MODULE:
+        return replace(
+            first,
+            message=f"{len(names)} executables cannot start: their modules do not exist: {listed(names)}",
+            help="add the modules, or remove the entries",
+            related=tuple(Related(entry.place, entry.message) for entry in others),
+            identity=(first.identity[0], *names),
+        )
     what = f"their modules have no function '{function}'" if function else "their modules define no function at all"
     return replace(
         first,

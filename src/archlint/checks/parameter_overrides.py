@@ -196,6 +196,8 @@ def _never_used(
     settings: Sequence[Setting],
 ) -> Finding:
     meant = did_you_mean(setting.name, declared.keys() - {other.name for other in settings})
+    if setting.name.rpartition(".")[2] in declared:
+        meant = ""  # it is the prefix that is wrong, most often of all names beside it
     readers = _readers(system, setting) if setting.written is not None and "*" in setting.key else []
     if len(readers) > 1:
         return _read_by_several(readers, setting, settings)

@@ -9,11 +9,12 @@ from archlint.analysis.logger_calls import LOGGER, refused_logger_calls
 from archlint.analysis.own_names import is_defined_somewhere
 from archlint.analysis.reach import judged_notes
 from archlint.checks.absent_imports import OF_MODULE, absent_import_findings
-from archlint.checks.attributes import OF_CLASS, UNASSIGNED, attribute_findings
+from archlint.checks.attributes import LEVELS, LOG_WITH, LOGS, OF_CLASS, UNASSIGNED, attribute_findings
 from archlint.checks.folding import folds, with_others
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.time_operators import OPERATOR, time_operator_findings
+from archlint.checks.uncalled import mild_if_uncalled
 from archlint.finding import Finding
 from archlint.model import Misuse, RefusedCall
 from archlint.ros.distros import DISTROS
@@ -46,21 +47,26 @@ def unknown_attribute(system: System, options: Options) -> Iterator[Finding]:
     for call in absent:
         [name, *_] = call.parameters or ("",)
         if not is_defined_somewhere(system, call.place.file, name):
-            yield finding(
+            logs = name in LEVELS and _is_of_node(call)
+            diagnostic = finding(
                 "API002",
                 call.place,
                 f"{call.given.rpartition('.')[2]} has no {name}()",
-                help=f"use {call.wanted}" if call.wanted else _define(call, name),
+                help=LOG_WITH.format(name) if logs else f"use {call.wanted}" if call.wanted else _define(call, name),
                 identity=(call.api,),
-                group=(call.place.file, call.api),
+                group=(LOGS, call.place.file) if logs else (call.place.file, call.api),
                 meant=call.wanted,
             )
+            yield diagnostic if call.wanted else mild_if_uncalled(system, diagnostic)
 
 
 def _define(call: RefusedCall, name: str) -> str:
     """What to do about a method that no distribution has and that has no near name."""
-    of_node = call.given.rpartition(".")[2] == "Node"
-    return f"define {name}() in the class of the node, or remove the call" if of_node else "remove the call"
+    return f"define {name}() in the class of the node, or remove the call" if _is_of_node(call) else "remove the call"
+
+
+def _is_of_node(call: RefusedCall) -> bool:
+    return call.given.rpartition(".")[2] == "Node"
 
 
 @folds("API002")
@@ -73,6 +79,8 @@ def absent_in_one_file(findings: Sequence[Finding]) -> Finding:
         return with_others(
             findings, "another attribute of the class is", "more attributes of the class are", "like that"
         )
+    if findings[0].group[0] == LOGS:
+        return with_others(findings, "another call in this file is", "more calls in this file are", "like that")
     if findings[0].group[0] == OF_MODULE:
         return with_others(findings, "another line of the file does", "more lines of the file do", "the same")
     return with_others(findings, "another call in this file does", "more calls in this file do", "the same")

@@ -84,8 +84,7 @@ def slow_callback(system: System, options: Options) -> Iterator[Finding]:
         for rows in functions.values()
         if not all(_is_left_alone(system, program, call, stay) for program, call, stay in rows.values())
     ]
-    mixed = {id(call.context) for rows in slow_functions for _, call, stay in rows[:1] if stay.kind != "network"}
-    yield from one_for_each_place(_slow(system, rows, id(rows[0][1].context) not in mixed) for rows in slow_functions)
+    yield from one_for_each_place(_slow(system, rows) for rows in slow_functions)
 
 
 def _longest_first(row: _Row) -> tuple[float, Place]:
@@ -190,8 +189,8 @@ def _where_harmless(system: System) -> frozenset[Place]:
 _ITS_NEXT = {Role.SUBSCRIPTION: "message", Role.TIMER: "turn", Role.SERVICE: "request", Role.EXECUTE: "goal"}
 
 
-def _slow(system: System, rows: Sequence[_Row], only_network: bool) -> Finding:
-    """The finding for a function; ``only_network`` where the callback waits for the network in all that it gets to."""
+def _slow(system: System, rows: Sequence[_Row]) -> Finding:
+    """The finding for a function."""
     (program, call, stay), *others = rows
     callback = call.context
     period = _period(system, call)
@@ -219,7 +218,7 @@ def _slow(system: System, rows: Sequence[_Row], only_network: bool) -> Finding:
         help=_instead(program, call, stay, in_order=waiting == {Waiting.NOBODY}),
         further=(Related(other.place, f"here it {words.words}", again=True) for _, other, words in others),
         identity=(call.api,),
-        group=_cause(callback, only_network),
+        group=_cause(callback),
     )
     return replace(diagnostic, severity=Severity.INFO) if mild else diagnostic
 
@@ -246,18 +245,17 @@ def _of_loop(code: SourceCode, call: ApiCall, stay: Stay) -> str:
     return f" in each iteration of a loop{in_all}"
 
 
-def _cause(callback: Callback, only_network: bool) -> tuple[str, ...]:
-    """What findings have in common that one change mends: the callback, which has to be split up; or a node that
-    asks the network in one callback as in the next, and needs another thread for that."""
-    node = callback.node
-    if only_network and node is not None:
-        return (*map(str, (node.place.file, node.place.line, node.place.column)), node.class_name)
-    return (callback.place.file, str(callback.place.line), str(callback.place.column), callback.name)
+def _cause(callback: Callback) -> tuple[str, ...]:
+    """What findings have in common that are told as one: the node, whose callbacks keep each other waiting, or a
+    callback of no known node."""
+    place = callback.place if callback.node is None else callback.node.place
+    name = callback.name if callback.node is None else callback.node.class_name
+    return (place.file, str(place.line), str(place.column), name)
 
 
 @folds("EXE003")
 def _of_one_cause(findings: Sequence[Finding]) -> Finding:
-    """The finding for all functions with waits that one callback gets to, or that a node waits for the network in."""
+    """The finding for all functions with waits that the callbacks of one node get to."""
     first, *others = findings
     same = [other for other in others if other.identity[0] == first.identity[0]]
     callbacks = dict.fromkeys(other.identity[0] for other in others if other not in same)
@@ -266,9 +264,9 @@ def _of_one_cause(findings: Sequence[Finding]) -> Finding:
         more = "another function" if len(same) == 1 else f"{len(same)} more functions"
         message += f"; it waits in {more}, too"
     if callbacks:
-        message += (
-            f"; the same applies to {'another callback' if len(callbacks) == 1 else f'{len(callbacks)} more callbacks'}"
-        )
+        several = len(callbacks) > 1
+        message += f"; {f'{len(callbacks)} more callbacks' if several else 'another callback'} of the node "
+        message += f"wait{'' if several else 's'}, too"
     rows = [row for other in others for row in _rows_of(other, "it" if other in same else other.identity[0])]
     return replace(first, message=message, related=(*first.related, *rows))
 
