@@ -136,6 +136,31 @@ def test_two_revisions_and_the_working_tree_stays(data):
     assert git("status", "--porcelain", "--", "robot") == "M robot/talker.py"
 
 
+def test_two_revisions_where_nothing_is_checked_out(data):
+    change_type()
+    commit()
+    for path in git("ls-files").splitlines():
+        Path(path).unlink()
+    assert [change["name"] for change in data("HEAD~1", "HEAD")["changes"]] == ["/words"]
+
+
+def test_a_picture_of_what_changed(diff):
+    change_type()
+    assert diff("HEAD", "-o", "change.svg")[0] == 0
+    drawn = Path("change.svg").read_text("utf-8")
+    assert ">breaking</text>" in drawn
+    assert ">/words</text>" in drawn
+
+
+def test_the_suffix_chooses_the_format(diff):
+    change_type()
+    diff("HEAD", "-o", "change.gv")
+    assert Path("change.gv").read_text("utf-8").startswith("digraph archlint {")
+    status, _, err = diff("HEAD", "-o", "change.doc")
+    assert (status, Path("change.doc").exists()) == (2, False)
+    assert "the suffix of change.doc does not name a format" in err
+
+
 def test_what_others_have_done_on_the_base_branch_is_no_change_of_this_one(diff):
     git("switch", "-qc", "feature")
     git("switch", "-q", "main")

@@ -21,6 +21,7 @@ from archlint.cli.options import (
     plugins_of,
     settings_of,
 )
+from archlint.cli.output_format import add_format, format_of
 from archlint.cli.parser import Parser
 from archlint.cli.progress import Progress
 
@@ -31,7 +32,11 @@ if TYPE_CHECKING:
     from archlint.monitor import Monitor
     from archlint.render.changes.model import Difference
 
-_FORMATS = ("text", "json", "markdown", "mermaid")
+FORMATS = ("text", "json", "markdown", "mermaid", "dot", "svg", "png", "pdf")
+_SUFFIXES = {
+    **{"txt": "text", "json": "json", "md": "markdown", "mmd": "mermaid", "mermaid": "mermaid", "dot": "dot"},
+    **{"gv": "dot", "svg": "svg", "png": "png", "pdf": "pdf"},
+}
 
 
 def parser() -> argparse.ArgumentParser:
@@ -49,14 +54,7 @@ def parser() -> argparse.ArgumentParser:
         help="the same, after the change (default: the working tree, compared with where its branch left BASE)",
     )
     output = parser.add_argument_group("output")
-    output.add_argument(
-        "--format",
-        metavar="F",
-        choices=_FORMATS,
-        default="text",
-        help="text (default), json, markdown (for the comment of a pull request) or mermaid (its picture alone)",
-    )
-    output.add_argument("-o", metavar="FILE", dest="file", help="write to FILE")
+    add_format(output, FORMATS)
     output.add_argument(
         "--fail-on",
         metavar="IMPACT",
@@ -81,7 +79,9 @@ def parser() -> argparse.ArgumentParser:
 def run(arguments: argparse.Namespace) -> int:
     from archlint.engine.request import NothingToDo  # wrong words need none of it
     from archlint.engine.sides import NoSide
+    from archlint.render.errors import CannotDraw
 
+    format = format_of(arguments, _SUFFIXES)
     progress = Progress(sys.stderr, arguments.quiet, arguments.verbose)
     try:
         with progress as monitor:
@@ -91,7 +91,11 @@ def run(arguments: argparse.Namespace) -> int:
     if base.is_empty and head.is_empty:
         raise UsageError("neither side has anything that archlint reads")
     difference = _difference(base, head)
-    console.write(_rendered(arguments, difference), arguments.file)
+    color = arguments.file in (None, "-") and console.wants_color(arguments.color, sys.stdout)
+    try:
+        console.write(_rendered(format, difference, color), arguments.file)
+    except CannotDraw as error:
+        raise UsageError(str(error)) from None
     for notice in () if arguments.quiet else difference.notices:
         console.note(f"archlint: warning: {notice}")
     progress.note_costs()
@@ -160,18 +164,27 @@ def _difference(base: Side, head: Side) -> Difference:
     )
 
 
-def _rendered(arguments: argparse.Namespace, difference: Difference) -> str:
-    from archlint.render.changes import json, markdown, mermaid, text
+def _rendered(format: str, difference: Difference, color: bool) -> str | bytes:
+    """Raises :class:`archlint.render.errors.CannotDraw`."""
+    from archlint.render import dot, drawing
+    from archlint.render.changes import json, markdown, mermaid, picture, text
 
-    match arguments.format:
+    match format:
         case "json":
             return json.render(difference)
         case "markdown":
             return markdown.render(difference)
         case "mermaid":
             return mermaid.render(difference.sketch)
-    to_terminal = arguments.file in (None, "-")
-    return text.render(difference, to_terminal and console.wants_color(arguments.color, sys.stdout))
+        case "text":
+            return text.render(difference, color)
+        case "dot":
+            return dot.render(picture.diagram_of(difference))
+        case "svg":
+            return drawing.svg(picture.diagram_of(difference))
+        case "png":
+            return drawing.png(picture.diagram_of(difference))
+    return drawing.pdf(picture.diagram_of(difference))
 
 
 def _fails(limit: str | None, changes: Sequence[Change]) -> bool:

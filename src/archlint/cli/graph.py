@@ -25,6 +25,7 @@ from archlint.cli.options import (
     pool_of,
     settings_of,
 )
+from archlint.cli.output_format import add_format, format_of
 from archlint.cli.parser import Parser
 from archlint.cli.progress import Progress
 from archlint.cli.source_links import add_source_links, source_link_of
@@ -42,13 +43,7 @@ def parser() -> Parser:
     parser.usage = f"{parser.prog} [OPTIONS] [PATH ...]"
     add_paths(parser)
     output = parser.add_argument_group("output")
-    output.add_argument(
-        "--format",
-        metavar="F",
-        choices=list(render.FORMATS),
-        help=f"one of {', '.join(render.FORMATS)} (default: the suffix of -o, else text)",
-    )
-    output.add_argument("-o", metavar="FILE", dest="file", help="write to FILE; its suffix chooses the format")
+    add_format(output, render.FORMATS)
     add_source_links(output)
     add_view(parser)
     add_launch(parser)
@@ -62,7 +57,7 @@ def parser() -> Parser:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    format, view = _format(arguments.format, arguments.file), view_of(arguments)
+    format, view = _format(arguments), view_of(arguments)
     source_link = source_link_of(arguments.source_links, format)
     keeper = _keeper(arguments, format)
     launch, launch_arguments = launch_of(arguments)
@@ -128,16 +123,10 @@ def _warnings(drawn: Drawn) -> str:
     return "".join(map(console.noted, lines))
 
 
-def _format(format: render.FormatName | None, file: str | None) -> render.FormatName:
+def _format(arguments: argparse.Namespace) -> render.FormatName:
     """The format asked for, or that of the file's suffix, or text."""
-    to_terminal = file in (None, "-")
-    if format is None and not to_terminal:
-        assert file is not None
-        format = render.by_suffix(file)
-        if format is None:
-            suffixes = ", ".join(f".{suffix}" for suffix in render.SUFFIXES)
-            raise UsageError(f"the suffix of {file} does not name a format: use one of {suffixes}, or --format")
-    format = format or "text"
-    if render.FORMATS[format].binary and to_terminal and sys.stdout.isatty():
+    asked = format_of(arguments, render.SUFFIXES)
+    format = next(name for name in render.FORMATS if name == asked)
+    if render.FORMATS[format].binary and arguments.file in (None, "-") and sys.stdout.isatty():
         raise UsageError(f"{format} cannot be printed to a terminal; write it to a file with -o")
     return format

@@ -20,6 +20,7 @@ from archlint.cli.options import (
     paths_of,
     settings_of,
 )
+from archlint.cli.output_format import add_format, format_of
 from archlint.cli.progress import Progress
 from archlint.suggestions import name_meant
 
@@ -54,13 +55,7 @@ def add_reading(parser: argparse.ArgumentParser) -> None:
 def add_output(parser: argparse.ArgumentParser) -> None:
     """The format, and where it goes."""
     output = parser.add_argument_group("output")
-    output.add_argument(
-        "--format",
-        metavar="F",
-        choices=FORMATS,
-        help=f"one of {', '.join(FORMATS)} (default: the suffix of -o, else text)",
-    )
-    output.add_argument("-o", metavar="FILE", dest="file", help="write to FILE; its suffix chooses the format")
+    add_format(output, FORMATS)
 
 
 def systems_of(arguments: argparse.Namespace) -> tuple[list[System], Progress]:
@@ -70,7 +65,7 @@ def systems_of(arguments: argparse.Namespace) -> tuple[list[System], Progress]:
     """
     from archlint.engine.pipeline import NothingToDo, Request, systems  # wrong words need none of it
 
-    format_of(arguments)
+    format_of(arguments, _SUFFIXES)
     launch, launch_arguments = launch_of(arguments)
     paths = paths_of(arguments)
     request = Request(
@@ -94,19 +89,6 @@ def not_found(name: str, what: str, known: Iterable[str]) -> UsageError:
     return UsageError(f"no {what} is called `{name}`{name_meant(name, known)}")
 
 
-def format_of(arguments: argparse.Namespace) -> str:
-    """The format asked for, or that of the file's suffix, or text.  Raises :class:`UsageError`."""
-    if arguments.format is not None:
-        return str(arguments.format)
-    if arguments.file in (None, "-"):
-        return "text"
-    suffix = arguments.file.rpartition(".")[2].lower() if "." in arguments.file else ""
-    if suffix not in _SUFFIXES:
-        suffixes = ", ".join(f".{known}" for known in _SUFFIXES)
-        raise UsageError(f"the suffix of {arguments.file} does not name a format: use one of {suffixes}, or --format")
-    return _SUFFIXES[suffix]
-
-
 def give(
     arguments: argparse.Namespace, formats: Mapping[str, Render[_Result]], name: str, results: Sequence[_Result]
 ) -> None:
@@ -115,10 +97,10 @@ def give(
 
     color = arguments.file in (None, "-") and console.wants_color(arguments.color, sys.stdout)
     try:
-        drawn = formats[format_of(arguments)](name, results, color)
+        drawn = formats[format_of(arguments, _SUFFIXES)](name, results, color)
     except CannotDraw as error:
         raise UsageError(str(error)) from None
     console.write(drawn, arguments.file)
 
 
-__all__ = ["FORMATS", "add_output", "add_reading", "format_of", "give", "not_found", "systems_of"]
+__all__ = ["FORMATS", "add_output", "add_reading", "give", "not_found", "systems_of"]

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.engine.git import GitError, Repository
 from archlint.engine.inputs import find_files
-from archlint.engine.request import Request
+from archlint.engine.request import NothingToDo, Request
 from archlint.suggestions import did_you_mean
 from archlint.syntax.cache import NullStore
 from archlint.workspace.around import is_below
@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from archlint.engine.old_tree import OldTree
     from archlint.globs import Glob
     from archlint.syntax.cache import Store
+    from archlint.workspace.model import SourceFile
 
 
 def folder_of(path: str) -> str:
@@ -44,6 +45,14 @@ def _unknown(repository: Repository, revision: str) -> str:
     return f"git knows no revision {revision} in {os.path.relpath(repository.root)}{near}"
 
 
+def _files_now(request: Request) -> Sequence[SourceFile]:
+    """Those of the working tree, which has none where nothing is checked out, or where all was removed."""
+    try:
+        return find_files(request).files
+    except NothingToDo:
+        return ()
+
+
 class Surroundings:
     """What belongs to a workspace and to no revision of its repository: files outside of it, those of repositories in
     it, and the configuration, which is that of the working tree."""
@@ -53,7 +62,7 @@ class Surroundings:
         self._folders = [os.getcwd(), *map(folder_of, request.paths)]
         self._configuration = request.settings.read
         self._masters: dict[str, bool] = {}
-        self._files = [file for file in find_files(request).files if self._is_foreign(file.path)]
+        self._files = [file for file in _files_now(request) if self._is_foreign(file.path)]
 
     def add_to(self, tree: OldTree) -> None:
         written = {folder for folder in tree.written if folder != self._root}

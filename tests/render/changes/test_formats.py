@@ -7,7 +7,7 @@ import re
 
 from archlint.comparing.compare import compare
 from archlint.comparing.graphs import Graph
-from archlint.render.changes import json, markdown, mermaid, text
+from archlint.render.changes import choosing, json, markdown, mermaid, picture, text
 from archlint.render.changes.model import Difference, SideName
 from small_systems import end, node, parameter, system
 
@@ -68,8 +68,8 @@ def test_a_node_that_went_is_told_once_and_what_others_miss_of_it():
 def test_only_what_changed_is_in_the_picture():
     bystander = node("/bystander", publishers=[end("/other")])
     before, after = (system(node("/sensor", publishers=ends), PLANNER, bystander) for ends in ([end("/scan")], []))
-    picture = mermaid.render(difference(before, after).sketch).splitlines()
-    assert picture[:6] == [
+    chart = mermaid.render(difference(before, after).sketch).splitlines()
+    assert chart[:6] == [
         "flowchart LR",
         '  n0(["/sensor"])',
         '  n1["/scan"]',
@@ -79,6 +79,33 @@ def test_only_what_changed_is_in_the_picture():
     ]
 
 
+def test_the_picture_has_the_colours_of_the_changes():
+    before = system(node("/sensor", publishers=[end("/scan"), end("/old")]), PLANNER)
+    after = system(node("/sensor", publishers=[end("/new")]), PLANNER)
+    drawn = picture.diagram_of(difference(before, after))
+    assert {shape.title: (shape.tone, shape.stroke) for shape in drawn.shapes.values()} == {
+        "/sensor": ("aside", "solid"),
+        "/planner": ("aside", "solid"),
+        "/scan": ("aside", "solid"),
+        "/old": ("missing", "dashed"),
+        "/new": ("unexpected", "solid"),
+    }
+    assert {(line.tail[1], line.head[1]): (line.tone, line.labels) for line in drawn.lines} == {
+        ("/sensor", "/scan"): ("wrong", ("breaking",)),
+        ("/sensor", "/old"): ("missing", ("removed",)),
+        ("/sensor", "/new"): ("unexpected", ("new",)),
+        ("/scan", "/planner"): ("aside", ()),
+    }
+    assert drawn.caption[-1] == (
+        "red: breaks what others use  ·  red and dashed: gone  ·  green: new  ·  grey: as it was"
+    )
+
+
+def test_a_picture_says_what_is_not_drawn():
+    after = system(node("/sensor", publishers=[end(f"/new{number:03}") for number in range(200)]), PLANNER)
+    assert "142 more connections are not drawn" in picture.diagram_of(difference(BEFORE, after)).caption
+
+
 def test_nothing_to_draw():
     assert mermaid.render(difference(BEFORE, BEFORE).sketch) == ""
 
@@ -86,11 +113,11 @@ def test_nothing_to_draw():
 def test_a_picture_is_bounded_and_shows_first_what_breaks():
     many = [end(f"/new{number:03}") for number in range(200)]
     after = system(node("/sensor", publishers=many), PLANNER)
-    picture = mermaid.render(difference(BEFORE, after).sketch)
-    lines = re.findall(r"^  n\d+ \S*[-=]", picture, re.MULTILINE)
-    assert len(lines) == mermaid.MOST_LINES
-    assert picture.index("|breaking|") < picture.index("|new|")
-    assert 'more["… and 142 more connections"]' in picture
+    chart = mermaid.render(difference(BEFORE, after).sketch)
+    lines = re.findall(r"^  n\d+ \S*[-=]", chart, re.MULTILINE)
+    assert len(lines) == choosing.MOST_LINES
+    assert chart.index("|breaking|") < chart.index("|new|")
+    assert 'more["… and 142 more connections"]' in chart
 
 
 HOSTILE = '/a"]; click n0 "x`<script>|**@me**\n# b'
@@ -99,9 +126,9 @@ HOSTILE = '/a"]; click n0 "x`<script>|**@me**\n# b'
 def test_names_stay_names():
     after = system(node("/sensor", publishers=[end(HOSTILE)]))
     shown = markdown.render(difference(system(node("/sensor")), after))
-    picture = shown.partition("```mermaid\n")[2].partition("```")[0]
+    chart = shown.partition("```mermaid\n")[2].partition("```")[0]
     assert "<script>" not in shown
-    assert '"x' not in picture
+    assert '"x' not in chart
     assert shown.count("```") == 2
     [row] = [line for line in shown.partition("```mermaid")[0].splitlines() if "publisher" in line]
     assert re.sub(r"\\.", "", row).count("|") == 4

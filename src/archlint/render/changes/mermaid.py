@@ -1,23 +1,14 @@
-"""A picture of what changed, and of nothing else: a Mermaid flowchart for Markdown.
-
-Its size is bounded: what breaks something comes first, then what changed, then who else is at these ends.
-"""
+"""A picture of what changed, and of nothing else, as a Mermaid flowchart for Markdown."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from typing import Final
+from collections.abc import Iterator, Mapping, Sequence
 
 from archlint.comparing.sketch import Line, Mark, Sketch
+from archlint.render.changes.choosing import Vertex, drawn_of, short, word_of
 from archlint.render.mermaid import escape
 
-MOST_LINES: Final = 60
-"""A picture with more lines is not read."""
-_LONGEST: Final = 80
-"""Characters of a name in the picture."""
 _SHAPES = {"node": ('(["', '"])'), "topic": ('["', '"]'), "service": ('{{"', '"}}'), "action": ('[["', '"]]')}
-_RANKS: dict[Mark, int] = {"removed": 1, "changed": 2, "added": 3, "same": 4}
-_WORDS: dict[Mark, str] = {"removed": "removed", "changed": "changed", "added": "new", "same": ""}
 _ARROWS: dict[Mark, str] = {"removed": "-.-x", "changed": "==>", "added": "==>", "same": "-->"}
 _STYLES: dict[Mark, str] = {
     "removed": "fill:#ffebe9,stroke:#cf222e,color:#82071e,stroke-dasharray:4",
@@ -27,62 +18,40 @@ _STYLES: dict[Mark, str] = {
 }
 _COLOURS: dict[Mark, str] = {"removed": "#cf222e", "changed": "#9a6700", "added": "#1a7f37", "same": "#6e7781"}
 
-Vertex = tuple[str, str]
-"""What it is, and its name."""
 
-
-def render(sketch: Sketch, most: int = MOST_LINES) -> str:
+def render(sketch: Sketch) -> str:
     """The picture; empty where there is nothing to draw."""
-    lines = sorted(sketch.lines, key=lambda line: (line not in sketch.breaking, _RANKS[sketch.lines[line]], line))
-    shown, left = lines[:most], len(lines) - most
-    alone = [name for name in sketch.nodes if all(line.node != name for line in shown)][: max(0, most - len(shown))]
-    if not shown and not alone:
+    drawn = drawn_of(sketch)
+    if not drawn.vertices:
         return ""
-    vertices = _vertices(sketch, shown, alone)
-    ids = {vertex: f"n{number}" for number, vertex in enumerate(vertices)}
-    drawn = [
+    ids = {vertex: f"n{number}" for number, vertex in enumerate(drawn.vertices)}
+    written = [
         "flowchart LR",
-        *(_vertex(vertex, ids[vertex]) for vertex in vertices),
-        *(_line(line, sketch, ids) for line in shown),
-        *_classes(vertices, ids),
-        *_coloured(shown, sketch),
+        *(_vertex(vertex, ids[vertex]) for vertex in drawn.vertices),
+        *(_line(line, sketch, ids) for line in drawn.lines),
+        *_classes(drawn.vertices, ids),
+        *_coloured(drawn.lines, sketch),
     ]
-    if left > 0:
-        drawn.append(f'  more["… and {left} more connections"]')
-    return "\n".join(drawn) + "\n"
-
-
-def _vertices(sketch: Sketch, lines: Sequence[Line], alone: Sequence[str]) -> dict[Vertex, Mark]:
-    """What is drawn, each with how it changed."""
-    vertices: dict[Vertex, Mark] = {}
-    for line in lines:
-        vertices.setdefault(("node", line.node), sketch.nodes.get(line.node, "same"))
-        vertices.setdefault((line.family, line.name), _of_interface(line, sketch))
-    return vertices | {("node", name): sketch.nodes[name] for name in alone}
-
-
-def _of_interface(line: Line, sketch: Sketch) -> Mark:
-    """A topic is new where all of its ends are, and gone where all are."""
-    marks = {mark for other, mark in sketch.lines.items() if (other.family, other.name) == (line.family, line.name)}
-    return marks.pop() if len(marks) == 1 and not marks & {"changed"} else "same"
+    if drawn.left > 0:
+        written.append(f'  more["… and {drawn.left} more connections"]')
+    return "\n".join(written) + "\n"
 
 
 def _vertex(vertex: Vertex, id: str) -> str:
     kind, name = vertex
     before, after = _SHAPES[kind]
-    shown = name if len(name) <= _LONGEST else f"{name[:_LONGEST]}…"
-    return f"  {id}{before}{escape(shown)}{after}"
+    return f"  {id}{before}{escape(short(name))}{after}"
 
 
 def _line(line: Line, sketch: Sketch, ids: dict[Vertex, str]) -> str:
     mark = sketch.lines[line]
     node, interface = ids["node", line.node], ids[line.family, line.name]
     tail, head = (node, interface) if line.outwards else (interface, node)
-    words = "breaking" if line in sketch.breaking else _WORDS[mark]
+    words = word_of(line, sketch)
     return f"  {tail} {_ARROWS[mark]}{f'|{words}|' if words else ''} {head}"
 
 
-def _classes(vertices: dict[Vertex, Mark], ids: dict[Vertex, str]) -> Iterator[str]:
+def _classes(vertices: Mapping[Vertex, Mark], ids: dict[Vertex, str]) -> Iterator[str]:
     for mark, style in _STYLES.items():
         members = [ids[vertex] for vertex, of in vertices.items() if of == mark]
         if members:
