@@ -353,7 +353,6 @@ class TestHardcodedNamesOfOneClass:
             (f"{FLEET}; self.create_publisher(PathRequest, '/robot_path_requests', 10)  # here",),
             (f"{ATTACH}; self.create_client(AttachLink, '/ATTACHLINK')  # here",),
             (f"{AUTOWARE}; self.create_subscription(AutowareState, '/awapi/state', print, 10)  # here",),
-            ("self.create_subscription(String, '/clicked_point', print, 10)  # here",),
             ("self.create_subscription(String, '/scanner_sdk_node/words', print, 10)  # here",),
         ],
         ids=[
@@ -366,7 +365,6 @@ class TestHardcodedNamesOfOneClass:
             "Open-RMF's by its type",
             "a Gazebo plugin's by its type",
             "Autoware's by name and type",
-            "RViz's",
             "below the name of a node from elsewhere",
         ],
     )
@@ -374,6 +372,24 @@ class TestHardcodedNamesOfOneClass:
         [found] = judge("NME001", robot(*lines))
 
         assert found.severity is Severity.INFO
+
+    def test_what_the_tools_of_rviz_send_to_is_named_by_rviz(self, judge: Judge):
+        judge("NME001", robot("self.create_subscription(String, '/clicked_point', print, 10)"))
+        judge("NME001", robot("self.create_subscription(String, '/clicked_points', print, 10)  # here"))
+
+    def test_what_another_system_prescribes_is_one_finding_for_a_package(self, judge: Judge):
+        arming = robot("self.create_publisher(String, '/fmu/in/arming', 10)  # here")
+        [found] = judge("NME001", arming, robot("self.create_publisher(String, '/fmu/in/mode', 10)"))
+        assert found.message.startswith("2 names in 2 files are absolute") and "PX4 prescribes them" in found.message
+        judge("NME001", arming, robot("self.create_publisher(String, '/mode', 10)  # here"))
+
+    def test_a_node_that_speaks_with_autoware_uses_its_names(self, judge: Judge):
+        other = "self.create_subscription(String, '/localization/pose', print, 10)"
+        with_it = f"{AUTOWARE}; self.create_subscription(AutowareState, '/awapi/state', print, 10)  # here"
+        [found] = judge("NME001", robot(with_it, other))
+        assert found.severity is Severity.INFO and found.message.startswith("2 names")
+        [alone] = judge("NME001", robot(f"{other}  # here"))
+        assert alone.severity is Severity.WARNING
 
     def test_a_copy_of_tf_is_a_topic_for_all_robots_too(self, judge: Judge):
         judge("NME001", robot(f"{TRANSFORMS}; self.create_subscription(TFMessage, '/tf_static_old', print, 10)"))

@@ -148,10 +148,10 @@ def _fixed_in_code(endpoint: Endpoint) -> bool:
 
 
 def _conventional(endpoint: Endpoint, name: str, allowed: tuple[str, ...]) -> bool:
-    """Whether a name is meant to be the same for all robots: the copies that a player of bags makes of ``/tf`` are as
-    the topic itself."""
+    """Whether a name is meant to be the same for all robots, or what RViz's tools send to: the copies that a player of
+    bags makes of ``/tf`` are as the topic itself."""
     is_copy = endpoint.type == "tf2_msgs/msg/TFMessage" and name.startswith(("/tf_", "/tf_static_"))
-    return name in ABSOLUTE or is_copy or any(fnmatchcase(name, pattern) for pattern in allowed)
+    return name in ABSOLUTE | BY_CLICK or is_copy or any(fnmatchcase(name, pattern) for pattern in allowed)
 
 
 def _hardcoded(system: System, endpoint: Endpoint, reason: Reason) -> Finding:
@@ -159,7 +159,7 @@ def _hardcoded(system: System, endpoint: Endpoint, reason: Reason) -> Finding:
     given = creation.name_place or endpoint.place
     place = creation.name.origin or given
     home = _home(system, place, endpoint.place)
-    owner = _loose(system.workspace, place.file) if reason.is_loose else home
+    owner = _package(system.workspace, place.file) if reason.by_package else home
     diagnostic = finding(
         "NME001",
         place,
@@ -183,8 +183,6 @@ def _reason(workspace: WorkspaceIndex | None, endpoint: Endpoint, users: int) ->
     owner = _owner(workspace, endpoint)
     if owner is not None:
         return of_others(owner)
-    if name in BY_CLICK:
-        return of_others("RViz")
     if is_of_a_model(workspace, name):
         return of_others("Gazebo")
     if must_be_absolute(workspace, endpoint):
@@ -207,7 +205,8 @@ def _owner(workspace: WorkspaceIndex | None, endpoint: Endpoint) -> str | None:
     workspace is at the other end, so that it is that system which is spoken with.  A name below a namespace such as
     ``/robot_1`` is the workspace's own choice."""
     name, type_ = endpoint.written or "", endpoint.type or ""
-    if name.startswith(_OF_AUTOWARE) and type_.startswith(("autoware_", "tier4_")):
+    types = [type_, *(other.type or "" for other in endpoint.node.endpoints)]
+    if name.startswith(_OF_AUTOWARE) and any(other.startswith(("autoware_", "tier4_")) for other in types):
         return "Autoware"
     for prefix, owner in FIXED_BY_OTHERS.items():
         if name.startswith(prefix):
@@ -308,8 +307,8 @@ def _help(name: str, reason: Reason) -> str:
     return f"take the name from a parameter: self.declare_parameter('{parameter}', '{name}')"
 
 
-def _loose(workspace: WorkspaceIndex | None, file: str) -> tuple[str, str]:
-    """The package that does not install a file, or the folder of a file beside the packages."""
+def _package(workspace: WorkspaceIndex | None, file: str) -> tuple[str, str]:
+    """The package of a file, or the folder of one beside the packages."""
     package = None if workspace is None else workspace.package_of(file)
     return ("", posixpath.dirname(file)) if package is None else (package, "")
 

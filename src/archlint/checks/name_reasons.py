@@ -19,8 +19,9 @@ class Reason:
     namespace: str = ""
     """The one that launch files start the node in, where a name begins with it."""
 
-    is_loose: bool = False
-    """Whether no package installs the code, so that it is one finding for all files of a package or folder."""
+    by_package: bool = False
+    """Whether it is one finding for all files of a package or folder: what none installs, or what another system
+    prescribes."""
 
     def message(self, subject: str, such_as: str, plural: bool) -> str:
         effect = self.effect.format(it="them" if plural else "it")
@@ -63,7 +64,7 @@ NOT_INSTALLED = Reason(
     ", in code that no installed program uses",
     "remove the leading '/' if you install the file",
     Severity.INFO,
-    is_loose=True,
+    by_package=True,
 )
 REMAPPED = Reason(
     "remapped",
@@ -72,7 +73,7 @@ REMAPPED = Reason(
     "remove the leading '/', so that the node's namespace applies without a remapping",
     Severity.INFO,
 )
-WITHOUT_PACKAGE = replace(FIXED, effect=NOT_INSTALLED.effect, severity=Severity.INFO, is_loose=True)
+WITHOUT_PACKAGE = replace(FIXED, effect=NOT_INSTALLED.effect, severity=Severity.INFO, by_package=True)
 """For a script in a workspace that has no package."""
 
 
@@ -93,4 +94,5 @@ def of_others(system: str) -> Reason:
         f": {system} prescribes {{it}}",
         f"fine for one {system}; for several, remove the leading '/' and start the node in a namespace",
         Severity.INFO,
+        by_package=True,
     )
