@@ -291,10 +291,20 @@ _CPP = "add_executable(talker src/talker.cpp)\ninstall(TARGETS talker DESTINATIO
         (_CPP + "#[[ install(PROGRAMS scripts/talker.py\n DESTINATION lib/robot) ]]\n", Severity.INFO),
         (_CPP + "install(PROGRAMS scripts/talker.py DESTINATION lib/robot)\n", Severity.WARNING),
         (_CPP + "install(PROGRAMS scripts/talker.py DESTINATION lib/robot RENAME talk)\n", Severity.WARNING),
+        (_CPP + "install(PROGRAMS scripts/talker.py DESTINATION lib/robot/tools)\n", Severity.WARNING),
         (_CPP + "make_program(NAME scripts/talker.py)\n", Severity.WARNING),
         ("add_executable(driver driver.cpp)\nmake_program(talker)\n", Severity.WARNING),
     ],
-    ids=["a target's namesake", "a comment", "a block comment", "installed", "renamed", "a command", "a word"],
+    ids=[
+        "a target's namesake",
+        "a comment",
+        "a block comment",
+        "installed",
+        "renamed",
+        "in a folder",
+        "a command",
+        "a word",
+    ],
 )
 def test_a_program_of_cmake_with_the_name_of_a_script(named, cmake: str, severity: Severity):
     manifest = MANIFEST.strip().replace("ament_python", "ament_cmake")

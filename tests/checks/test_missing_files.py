@@ -204,6 +204,29 @@ def generate_launch_description():
     assert (found.place.line, [one.place.line for one in found.related]) == (7, [9, 10])
 
 
+@pytest.mark.parametrize(("excluded", "told"), [("plain", 0), ("other", 1)])
+def test_a_file_named_by_the_default_with_which_nothing_reads_it(findings, excluded: str, told: int):
+    text = """\
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, OpaqueFunction
+from launch.conditions import IfCondition
+from launch.substitutions import LaunchConfiguration, PathJoinSubstitution, PythonExpression
+from launch_ros.actions import Node
+from launch_ros.substitutions import FindPackageShare
+
+def start(context):
+    view = LaunchConfiguration('view').perform(context)
+    file = PathJoinSubstitution([FindPackageShare('robot'), 'config', f'{view}.rviz'])
+    shown = IfCondition(PythonExpression(f"'{view}' != 'EXCLUDED'"))
+    return [Node(package='rviz2', executable='rviz2', arguments=['-d', file], condition=shown)]
+
+def generate_launch_description():
+    return LaunchDescription([
+        DeclareLaunchArgument('view', default_value='plain'), OpaqueFunction(function=start)])
+"""
+    assert len(findings("LCH004", **{"launch/py.launch.py": text.replace("EXCLUDED", excluded)})) == told
+
+
 @pytest.mark.parametrize(
     ("test", "told"),
     [

@@ -120,6 +120,12 @@ def test_the_same_name_twice_in_a_file_is_one_finding(judge: Judge):
     assert finding.message == "rclpy has no loginfo(); another call in this file does the same"
 
 
+def test_the_methods_that_a_node_lacks_are_one_finding(judge: Judge):
+    [finding] = judge("API002", NODE.format(call="self.take_off()  # here\n        self.land_here()"))
+    assert finding.message == "Node has no take_off(); another call in this file is like that"
+    assert [one.message for one in finding.related] == ["Node has no land_here()"]
+
+
 def test_a_node_that_is_taken_for_its_logger(judge: Judge):
     [finding] = judge("API002", NODE.format(call="self.info('a')  # here\n        self.error('b')"))
     assert finding.message == "Node has no info(); another call in this file is like that"

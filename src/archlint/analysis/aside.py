@@ -95,6 +95,8 @@ def is_not_installed(workspace: WorkspaceIndex | None, file: str) -> bool:
         return False
     if not file.startswith(f"{installs.folder}/") and installs.folder not in ("", "."):
         return False  # another package of that name
+    if posixpath.basename(file) in installs.too_deep:
+        return False  # `ros2 run` finds it
     if file in _reached(workspace) or _is_named(workspace, installs, file):
         return False
     if workspace.roles.is_put_aside(file) or _cannot_be_imported(installs, file):

@@ -54,10 +54,22 @@ def unknown_attribute(system: System, options: Options) -> Iterator[Finding]:
                 f"{call.given.rpartition('.')[2]} has no {name}()",
                 help=LOG_WITH.format(name) if logs else f"use {call.wanted}" if call.wanted else _define(call, name),
                 identity=(call.api,),
-                group=(LOGS, call.place.file) if logs else (call.place.file, call.api),
+                group=_group(call, logs),
                 meant=call.wanted,
             )
             yield diagnostic if call.wanted else mild_if_uncalled(system, diagnostic)
+
+
+def _group(call: RefusedCall, logs: bool) -> tuple[str, ...]:
+    """What a finding has in common with others of its file: a slip, a class without several methods of its own, or the
+    name."""
+    if logs:
+        return (LOGS, call.place.file)
+    return (UNDEFINED, call.place.file) if _is_of_node(call) and not call.wanted else (call.place.file, call.api)
+
+
+UNDEFINED = "undefined"
+"""The group of findings about methods that the classes of a file call and do not have."""
 
 
 def _define(call: RefusedCall, name: str) -> str:
@@ -79,7 +91,7 @@ def absent_in_one_file(findings: Sequence[Finding]) -> Finding:
         return with_others(
             findings, "another attribute of the class is", "more attributes of the class are", "like that"
         )
-    if findings[0].group[0] == LOGS:
+    if findings[0].group[0] in (LOGS, UNDEFINED):
         return with_others(findings, "another call in this file is", "more calls in this file are", "like that")
     if findings[0].group[0] == OF_MODULE:
         return with_others(findings, "another line of the file does", "more lines of the file do", "the same")

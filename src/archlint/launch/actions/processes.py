@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import posixpath
 import re
 import shlex
 from collections.abc import Sequence
@@ -99,13 +100,20 @@ def _note_files(run: LaunchRun, started: Started, words: Sequence[Value]) -> Non
     """Note the files that the command line and the parameters of a node name."""
     place = started.places.get("arguments", run.place_now)
     for word in words:
-        if (known_text(word) or "").endswith(".rviz"):
+        if (known_text(word) or "").endswith(".rviz") and not _is_of_another_value(run, word):
             run.reference(FileKind.RVIZ, word, place)
     note_paths(run, words, place)
     for parameter in started.parameters:
         match parameter:
             case ParameterSetting(name, str(text), place, shared=False) if not is_written(name):
                 note_paths(run, [Known(text)], place)
+
+
+def _is_of_another_value(run: LaunchRun, word: Value) -> bool:
+    """Whether a file of a node that does not start by default has its name from the default of an argument: the node
+    starts with another value, and so with another file."""
+    stem = posixpath.basename(known_text(word) or "").removesuffix(".rviz")
+    return run.is_dormant and stem in map(known_text, run.launch.configurations.values())
 
 
 def _package(run: LaunchRun, value: Value | None) -> Text:
