@@ -1,7 +1,8 @@
-"""Timers that end in their own callback: it runs once."""
+"""Timers that some code ends: in their own callback, so that it runs once, or elsewhere."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
@@ -12,7 +13,7 @@ from archlint.model import Role
 
 if TYPE_CHECKING:
     from archlint.finding import Place
-    from archlint.model import ApiCall
+    from archlint.model import ApiCall, Callback, Creation
     from archlint.systems.model import System
 
 ENDS_TIMER = ("rclpy.timer.Timer.cancel", "rclpy.node.Node.destroy_timer")
@@ -31,8 +32,28 @@ def ends_its_timer_before(system: System, call: ApiCall) -> bool:
 
 
 def _ends(end: ApiCall, call: ApiCall) -> bool:
-    given = [end.receiver, *end.arguments.values()]
-    return any(creation is call.context.creation for value in given for creation in creations_of(value))
+    return any(creation is call.context.creation for creation in _ended(end))
+
+
+def _ended(end: ApiCall) -> Iterator[Creation]:
+    """The timers that a call ends, where that is known."""
+    return (creation for value in (end.receiver, *end.arguments.values()) for creation in creations_of(value))
+
+
+def timer_period(system: System, callback: Callback) -> float | None:
+    """The seconds between two turns of a timer's callback; None where that is not known, or where some code ends the
+    timer."""
+    timer = callback.creation
+    if callback.role != Role.TIMER or timer is None or not timer.period or timer.period <= 0:
+        return None
+    ended = callback.place in _ends_by_callback(system) or id(timer) in _ended_timers(system)
+    return None if ended else timer.period
+
+
+@once
+def _ended_timers(system: System) -> frozenset[int]:
+    """The timers (``id``) that some callback ends, be it another."""
+    return frozenset(id(creation) for _, call in calls_of(system, ENDS_TIMER) for creation in _ended(call))
 
 
 @once
@@ -43,4 +64,4 @@ def _ends_by_callback(system: System) -> dict[Place, list[ApiCall]]:
     return by_callback
 
 
-__all__ = ["ENDS_TIMER", "ends_its_timer_before"]
+__all__ = ["ENDS_TIMER", "ends_its_timer_before", "timer_period"]

@@ -31,7 +31,7 @@ def has_no_server_here(system: System, end: Endpoint) -> bool:
     workspace = system.workspace
     if workspace is None or workspace.is_subset or workspace.cut_short() or end.type is None:
         return False
-    if not _is_defined(workspace, end.type) or _is_served(system, workspace, end):
+    if not is_defined(workspace, end.type) or _is_served(system, workspace, end):
         return False
     name = end.type.rpartition("/")[2]
     ends, others = _ends_of_system(system), _ends_of_workspace(workspace)
@@ -39,7 +39,7 @@ def has_no_server_here(system: System, end: Endpoint) -> bool:
     return files <= ends.files_of(end.type) | others.files_of(end.type)
 
 
-def _is_defined(workspace: WorkspaceIndex, interface: str) -> bool:
+def is_defined(workspace: WorkspaceIndex, interface: str) -> bool:
     """Whether an interface is there, and not only its package: without it the import fails, which MSG002 tells."""
     table = workspace.interfaces
     return table is not None and table.file(interface) is not None and bool(table.defines(*parts_of_type(interface)))

@@ -8,14 +8,13 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.coexistence import certain, coexist
 from archlint.analysis.kept import once
-from archlint.analysis.own_timers import ENDS_TIMER
+from archlint.analysis.own_timers import timer_period
 from archlint.analysis.polling import is_unguarded, notes_that_it_ran
 from archlint.analysis.reach import calls_of
 from archlint.analysis.source_code import source_code
 from archlint.model import GroupKind, Role
 
 if TYPE_CHECKING:
-    from archlint.finding import Place
     from archlint.model import ApiCall, Callback, Creation
     from archlint.systems.model import System
     from archlint.systems.nodes import Endpoint
@@ -33,12 +32,6 @@ class Pace:
     sends: ApiCall | None = None
 
 
-@once
-def _stopped_timers(system: System) -> frozenset[Place]:
-    """The callbacks that cancel or destroy a timer, by their places."""
-    return frozenset(call.context.place for _, call in calls_of(system, ENDS_TIMER))
-
-
 def runs_beside_itself(callback: Callback) -> bool:
     """Whether a callback may start again while it still runs; the goals of an action server are in no group."""
     return callback.role == Role.EXECUTE or (callback.group is not None and callback.group.kind == GroupKind.REENTRANT)
@@ -48,7 +41,7 @@ def pace_of(system: System, callback: Callback) -> Pace | None:
     """How often a callback starts at least, for certain; None where that is not known."""
     match callback.role:
         case Role.TIMER:
-            period = _period(system, callback)
+            period = timer_period(system, callback)
             return None if period is None else Pace(period)
         case Role.SUBSCRIPTION:
             senders = _others(system, callback.creation, _PUBLISH)
@@ -59,13 +52,6 @@ def pace_of(system: System, callback: Callback) -> Pace | None:
         case _:
             return None
     return min(senders, key=lambda pace: pace.period, default=None)
-
-
-def _period(system: System, callback: Callback) -> float | None:
-    period = None if callback.creation is None else callback.creation.period
-    if period is None or period <= 0 or callback.place in _stopped_timers(system):
-        return None
-    return period
 
 
 def _others(system: System, creation: Creation | None, api: str) -> list[Pace]:
@@ -101,7 +87,7 @@ def _regular_sends(system: System) -> list[tuple[ApiCall, float]]:
 def _sends(system: System, apis: Iterable[str]) -> Iterator[tuple[ApiCall, float]]:
     code = source_code(system)
     for _, call in calls_of(system, apis):
-        period = _period(system, call.context) if call.context.role == Role.TIMER else None
+        period = timer_period(system, call.context)
         if period is None or call.creation is None or call.conditional:
             continue
         if is_unguarded(code, call) and not notes_that_it_ran(code, call):

@@ -25,30 +25,33 @@ _PAUSES = frozenset(
 """Calls that slow a loop down, or make it wait for an event."""
 
 
-def is_unpaced(loop: Loop | None) -> bool:
-    """Whether a loop goes on forever and nothing in it waits but the request."""
+def goes_on(loop: Loop | None) -> bool:
+    """Whether a loop goes on for as long as the program runs."""
     if not isinstance(loop, facts.While) or loop_of(loop).is_left_early:
         return False
-    endless = loop.is_endless or (
-        all(called_name(c) in _READY for c in calls_in(loop.test)) and any(calls_in(loop.test))
-    )
-    return endless and all(called_name(call) not in _PAUSES for call in calls_in(loop.body))
+    asked = list(calls_in(loop.test))
+    return loop.is_endless or (bool(asked) and all(called_name(call) in _READY for call in asked))
+
+
+def is_unpaced(loop: Loop | None) -> bool:
+    """Whether a loop goes on forever and nothing in it waits but the request."""
+    return goes_on(loop) and loop is not None and all(called_name(call) not in _PAUSES for call in calls_in(loop.body))
 
 
 def is_unguarded(code: SourceCode, call: ApiCall) -> bool:
     """Whether nothing but the readiness of the service decides whether the request is sent."""
     loop = code.loop(call)
     body = code.body(call) if loop is None else loop.body
-    if call.chain[1:] or _is_decided(body, call.place) is not False:
+    if call.chain[1:] or is_decided(body, call.place) is not False:
         return False
     function = code.definition(call.context)
     if not call.chain or function is None:
         return True
     # What runs calls the function that asks: an occasion may be needed for that, too.
-    return _is_decided(function.body, call.chain[0].place) is not True
+    return is_decided(function.body, call.chain[0].place) is not True
 
 
-def _is_decided(body: Sequence[facts.Stmt], place: Place) -> bool | None:
+def is_decided(body: Sequence[facts.Stmt], place: Place) -> bool | None:
     """Whether anything but the readiness of a service decides that a body comes to a call; None: it is not there."""
     graph = graph_of(body)
     blocks = graph.evaluating(place.span)
@@ -56,8 +59,15 @@ def _is_decided(body: Sequence[facts.Stmt], place: Place) -> bool | None:
         return None
     if reach([graph.entry], without_exceptions).isdisjoint(blocks):
         return True  # only an exception leads there
-    heads = {loop.head for block in blocks for loop in block.loops} - set(blocks)
-    return any(block in heads or not _is_readiness(block) for block in graph.deciders(blocks))
+    loops = {loop for block in blocks for loop in block.loops}
+    sure = {loop.head for loop in loops if _runs_for_sure(loop.statement)}
+    heads = {loop.head for loop in loops} - set(blocks)
+    return any(block in heads or not _is_readiness(block) for block in graph.deciders(blocks) if block not in sure)
+
+
+def _runs_for_sure(loop: Loop) -> bool:
+    """``for name in ('left', 'right')``."""
+    return isinstance(loop, facts.For) and isinstance(loop.head, facts.Sequence) and bool(loop.head.elements)
 
 
 def _is_readiness(block: Block) -> bool:
@@ -105,10 +115,12 @@ def _is_flag(value: facts.Expr) -> bool:
 
 
 def sends_the_same(code: SourceCode, call: ApiCall) -> bool:
-    """Whether the request is made here and carries nothing but constants."""
-    arguments = code.arguments(call)
-    if not isinstance(argument(call, "request"), Message) or not arguments:
-        return False
+    """Whether the request carries nothing but constants."""
+    arguments, request = code.arguments(call), argument(call, "request")
+    if isinstance(request, Message) and request.content is not None:
+        return request.content == "constants"
+    if not isinstance(request, Message) or not arguments:
+        return False  # and where its definition is not known: whether it is made here
     given = arguments[0].value
     name, body = given.variable, code.body(call)
     if not name:
@@ -136,4 +148,4 @@ def _is_constant_request(value: facts.Expr) -> bool:
     return all(given.value.truth is not None for given in value.args)
 
 
-__all__ = ["is_unguarded", "is_unpaced", "notes_that_it_ran", "sends_the_same"]
+__all__ = ["goes_on", "is_decided", "is_unguarded", "is_unpaced", "notes_that_it_ran", "sends_the_same"]

@@ -1,4 +1,4 @@
-"""SRV004: services asked again and again."""
+"""SRV004: services that are asked again and again."""
 
 from __future__ import annotations
 
@@ -6,8 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from archlint.analysis.callback_roles import callback_words, related_to, runs_in_executor
-from archlint.analysis.own_timers import ENDS_TIMER
-from archlint.analysis.polling import is_unguarded, is_unpaced, notes_that_it_ran, sends_the_same
+from archlint.analysis.polling import sends_the_same
 from archlint.analysis.reach import (
     calls_of,
     endpoint_words,
@@ -16,77 +15,87 @@ from archlint.analysis.reach import (
     related_chain,
     related_creation,
 )
-from archlint.analysis.source_code import SourceCode, source_code
+from archlint.analysis.request_paces import RequestPace, pace_of_request
+from archlint.analysis.request_uses import (
+    Overrun,
+    answer_fields,
+    is_command,
+    is_own,
+    overrun,
+    sends_measures,
+    tells_only_success,
+)
+from archlint.analysis.source_code import source_code
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
-from archlint.finding import Finding
-from archlint.model import Role
+from archlint.finding import Finding, Related
 
 if TYPE_CHECKING:
     from archlint.model import ApiCall, Creation, Program
     from archlint.systems.model import System
 
 _REQUESTS = ("rclpy.client.Client.call", "rclpy.client.Client.call_async")
-
-# --------------------------------------------------------------------------------------------------- SRV004
+_Said = tuple[str, str, tuple[Related, ...]]
+"""What a finding says after who sends to what; what to do; and where else to look."""
 
 
 @rule("SRV004", scope=Scope.AS_LAUNCHED, rate=1.0)
 def service_for_continuous_data(system: System, options: Options) -> Iterator[Finding]:
     """Requests that are sent again and again without an occasion."""
-    code = source_code(system)
-    stopped = {call.context.place for _, call in calls_of(system, ENDS_TIMER)}
+    rate = options.number("rate")
     yield from one_for_each_place(
-        _polled(system, program, call, how)
+        _polled(system, program, call, said)
         for program, call in calls_of(system, _REQUESTS)
-        if call.creation is not None and call.context.place not in stopped and sends_the_same(code, call)
-        if _takes_data(program, call.creation)
-        for how in [_how_often(code, call, options.number("rate"))]
-        if how is not None
+        for pace in [None if call.creation is None else pace_of_request(system, call)]
+        if pace is not None and (pace.seconds is None or pace.seconds * rate <= 1)
+        for said in [_what_is_wrong(system, program, call, pace)]
+        if said is not None
     )
+
+
+def _what_is_wrong(system: System, program: Program, call: ApiCall, pace: RequestPace) -> _Said | None:
+    """Why requests at such a pace should be none, in the order of what can be proven best."""
+    client = call.creation
+    assert client is not None
+    late = overrun(system, call, pace)
+    if late is not None:
+        return _too_late(late, pace)
+    asks = _takes_data(program, client) and not is_command(system, client)
+    if pace.kind != "message" and asks and sends_the_same(source_code(system), call):
+        words = f"the same request {pace.words}: use a topic for this data"
+        return words, "let the server publish the data, and subscribe to it", ()
+    if sends_measures(call) and is_own(system, client) and tells_only_success(system, client):
+        words = f"numbers {pace.words}, and only whether that worked comes back: use a topic for this data"
+        return words, "publish the data, and let the server subscribe to it", ()
+    return None
+
+
+def _too_late(late: Overrun, pace: RequestPace) -> _Said:
+    words = f"a request {pace.words}, and each keeps its handler for {late.seconds:.3g} s: the requests pile up"
+    related = (Related(late.place, f"the handler sleeps here; it takes {late.seconds:.3g} s in all"),)
+    return words, "send the next request when the last one is answered, or less often", related
 
 
 def _takes_data(program: Program, client: Creation) -> bool:
     """Whether the program reads what a service answers; whether it worked is no data, but what a command answers."""
-    return client.type is None or any(
-        use.type == client.type and use.section_name == "Response" and use.access == "read" and use.name != "success"
-        for use in program.field_uses
-    )
+    return client.type is None or any(use.name != "success" for use in answer_fields(program, client))
 
 
-def _how_often(code: SourceCode, call: ApiCall, rate: float) -> str | None:
-    """How often a request is sent, in words; None where that is seldom, or has an occasion."""
-    callback = call.context
-    if callback.role == Role.TIMER and not call.looped:
-        period = callback.creation.period if callback.creation is not None else None
-        if (
-            period is None
-            or period <= 0
-            or period * rate > 1
-            or not is_unguarded(code, call)
-            or notes_that_it_ran(code, call)
-        ):
-            return None
-        return f"{1 / period:g} times a second" if period < 1 else "once a second"
-    if callback.role in (Role.MAIN, Role.THREAD) and is_unpaced(code.loop(call)) and is_unguarded(code, call):
-        return "in every iteration of the loop"
-    return None
-
-
-def _polled(system: System, program: Program, call: ApiCall, how: str) -> Finding:
-    callback = call.context
+def _polled(system: System, program: Program, call: ApiCall, said: _Said) -> Finding:
+    callback, (words, help, related) = call.context, said
     who = callback_words(callback) if runs_in_executor(callback) else f"{callback.name}()"
     assert call.creation is not None
     return finding(
         "SRV004",
         call.place,
-        f"{who} sends {endpoint_words(call.creation)} the same request {how}: use a topic for this data",
-        help="let the server publish the data, and subscribe to it",
+        f"{who} sends {endpoint_words(call.creation)} {words}",
+        help=help,
         related=tuple(
             related_to(call, program, call.creation)
             if runs_in_executor(callback)
             else [*related_chain(call), *related_creation(call.creation)]
-        ),
+        )
+        + related,
         node=node_name(system, call.node),
         identity=(callback.name, call.creation.name.text or ""),
     )

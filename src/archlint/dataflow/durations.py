@@ -10,12 +10,12 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from archlint.analysis.certain_sleeps import certain_sleep
 from archlint.analysis.kept import kept, once
 from archlint.analysis.loop_times import in_loops
 from archlint.analysis.piling_rates import RATE_SLEEP
-from archlint.analysis.polling import is_unguarded
 from archlint.analysis.reach import argument, endpoint_words
-from archlint.analysis.sleeps import SLEEP, longest, stay_of
+from archlint.analysis.sleeps import longest, stay_of
 from archlint.analysis.source_code import source_code
 from archlint.analysis.waits import Wait, waits
 
@@ -86,16 +86,7 @@ def _pause(system: System, call: ApiCall) -> Pause | None:
         return None
     seconds = in_loops(code, call, stay, with_callers=True)
     most = None if math.isinf(seconds) else seconds
-    return Pause(call.place, stay.words, most, _least(system, call, stay.seconds))
-
-
-def _least(system: System, call: ApiCall, seconds: float | None) -> float:
-    """The seconds that a sleep takes each time, where nothing decides whether it is reached."""
-    if call.api != SLEEP or seconds is None or call.conditional or call.looped:
-        return 0.0
-    value = argument(call, "seconds")
-    is_one = value is not None and len(value.alternatives) == 1
-    return seconds if is_one and is_unguarded(source_code(system), call) else 0.0
+    return Pause(call.place, stay.words, most, certain_sleep(system, call))
 
 
 @once

@@ -6,11 +6,12 @@ from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
+from archlint.analysis.loop_paces import is_decided
 from archlint.dataflow.answers import answers_of
 from archlint.dataflow.builder import Builder
 from archlint.dataflow.idle_ends import is_idle
 from archlint.dataflow.model import Flow, How, Step, StepKind
-from archlint.dataflow.runs import LOOK_UP, PUBLISH, REQUESTS, SEND_TRANSFORMS, WAIT_FOR_MESSAGE, Run, is_decided
+from archlint.dataflow.runs import LOOK_UP, PUBLISH, REQUESTS, SEND_TRANSFORMS, WAIT_FOR_MESSAGE, Run
 from archlint.dataflow.variables import link_variables
 from archlint.model import EntityKind, Role
 from archlint.systems.externals import connections_of_externals, may_use

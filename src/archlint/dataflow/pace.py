@@ -6,21 +6,18 @@ from collections.abc import Iterator, Mapping
 from heapq import heapify, heappop, heappush
 from typing import TYPE_CHECKING
 
+from archlint.analysis import own_timers
 from archlint.analysis.kept import once
-from archlint.analysis.own_timers import ENDS_TIMER
-from archlint.analysis.piling_rates import RATE_SLEEP
+from archlint.analysis.loop_paces import loop_interval
 from archlint.analysis.polling import is_unguarded, notes_that_it_ran
-from archlint.analysis.reach import argument, calls_of
-from archlint.analysis.sleeps import SLEEP, longest
 from archlint.analysis.source_code import source_code
 from archlint.dataflow.model import How, StepKind
-from archlint.dataflow.runs import SCRIPT, SENDS, is_decided
+from archlint.dataflow.runs import SCRIPT, SENDS
 from archlint.model import Role
 
 if TYPE_CHECKING:
     from archlint.dataflow.model import Flow, Link, Step
     from archlint.model import ApiCall
-    from archlint.place import Place
     from archlint.systems.model import System
 
 
@@ -102,7 +99,7 @@ def _call_of(link: Link) -> ApiCall | None:
 def _regular_interval(link: Link) -> float | None:
     """What the loop around the call of a script or a thread sleeps."""
     call = _call_of(link)
-    return None if call is None else loop_interval(link.tail, call)
+    return None if call is None else loop_interval(link.tail.calls, call)
 
 
 def _is_sent_each_time(flow: Flow, link: Link) -> bool:
@@ -113,40 +110,9 @@ def _is_sent_each_time(flow: Flow, link: Link) -> bool:
     return is_unguarded(code, call) and not notes_that_it_ran(code, call)
 
 
-def loop_interval(step: Step, call: ApiCall) -> float | None:
-    """The seconds that the innermost loop around a call sleeps each time; None where it does not, or nobody knows how
-    long."""
-    for loop in reversed(call.enclosing_loops):
-        sleeps = [other for other in step.calls if loop in other.enclosing_loops[-1:] and other.api in _SLEEPS]
-        times = [_sleep_seconds(other) for other in sleeps if not is_decided(other)]
-        if times:
-            known = [seconds for seconds in times if seconds is not None]
-            return sum(known) or None if len(known) == len(times) else None
-    return None
-
-
-_SLEEPS = frozenset({SLEEP, RATE_SLEEP})
-
-
-def _sleep_seconds(call: ApiCall) -> float | None:
-    if call.api == RATE_SLEEP:
-        return None if call.creation is None else call.creation.period
-    return longest(argument(call, "seconds"))
-
-
 def timer_period(system: System, step: Step) -> float | None:
     """The period of a timer, in seconds; None where it is not known, or where some code stops the timer."""
-    callback = step.callback
-    period = None if callback is None or callback.creation is None else callback.creation.period
-    if callback is None or not period or period <= 0 or callback.place in _stopping(system):
-        return None
-    return period
-
-
-@once
-def _stopping(system: System) -> frozenset[Place]:
-    """The callbacks that cancel or destroy a timer, by their places."""
-    return frozenset(call.context.place for _, call in calls_of(system, ENDS_TIMER))
+    return None if step.callback is None else own_timers.timer_period(system, step.callback)
 
 
 def _topics(flow: Flow, step: Step) -> Iterator[Step]:
@@ -156,4 +122,4 @@ def _topics(flow: Flow, step: Step) -> Iterator[Step]:
             yield link.tail
 
 
-__all__ = ["interval", "loop_interval", "rate", "sending_interval", "timer_period", "topic_rate"]
+__all__ = ["interval", "rate", "sending_interval", "timer_period", "topic_rate"]

@@ -41,11 +41,6 @@ SCRIPT = frozenset({Role.MAIN, Role.MODULE})
 """What runs from the start of a program on, and sets its nodes up before it does anything else."""
 
 
-def is_decided(call: ApiCall) -> bool:
-    """Whether a branch decides that a call is made: more than whether a loop around it goes on."""
-    return call.conditional and len(call.branch_arms) > len(call.enclosing_loops)
-
-
 @dataclass
 class Run:
     """What runs on a node: ``calls`` are those of all programs that run it, each once."""
@@ -140,6 +135,5 @@ __all__ = [
     "WAIT_FOR_MESSAGE",
     "Run",
     "Runs",
-    "is_decided",
     "registered_at",
 ]

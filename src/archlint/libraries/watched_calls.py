@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint import model
@@ -9,9 +10,9 @@ from archlint.interpreter.values import Value
 from archlint.libraries.api_use import argument_places
 from archlint.libraries.givens import given_by
 from archlint.libraries.python import clocks
-from archlint.libraries.rclpy import guards, nodes, parameters
+from archlint.libraries.rclpy import guards, message_contents, nodes, parameters
 from archlint.libraries.tables import Api
-from archlint.libraries.values import creations_of
+from archlint.libraries.values import MessageValue, creations_of
 from archlint.syntax import facts
 
 if TYPE_CHECKING:
@@ -19,6 +20,8 @@ if TYPE_CHECKING:
 
 Bound = dict[str, Value]
 """The arguments of a call by the names of the parameters."""
+_SENT = ("request", "goal")
+"""The parameters that take what is sent to a server."""
 
 
 def note(run: Run, api: Api, receiver: Value | None, bound: Bound, expression: facts.Call) -> None:
@@ -30,6 +33,7 @@ def note(run: Run, api: Api, receiver: Value | None, bound: Bound, expression: f
     known = run.noted.watched.get(key)
     if known is not None:
         _meet_again(run, known, on, bound)
+        _sent_again(run, known, bound)
         return
     call = _new(run, api, receiver, bound, expression)
     run.noted.watched[key] = call
@@ -78,7 +82,7 @@ def _new(run: Run, api: Api, receiver: Value | None, bound: Bound, expression: f
         run.place(expression.span),
         run.context,
         run.chain(),
-        {name: given_by(value, run.program.process) for name, value in bound.items()},
+        {name: _given(run, name, value) for name, value in bound.items()},
         argument_places(run, api, expression),
         None if receiver is None else given_by(receiver, run.program.process),
         first,
@@ -94,6 +98,23 @@ def _new(run: Run, api: Api, receiver: Value | None, bound: Bound, expression: f
         _limits_of_loops(run),
         guards.is_cleaning_up(run),
     )
+
+
+def _given(run: Run, name: str, value: Value) -> model.given.Given:
+    if name in _SENT and isinstance(value, MessageValue):
+        content = message_contents.content_of(run, value)
+        return model.given.Message(value.type, value.section_name, content)
+    return given_by(value, run.program.process)
+
+
+def _sent_again(run: Run, known: model.ApiCall, bound: Bound) -> None:
+    """What a request carries that is not always the same."""
+    for name in _SENT:
+        before = known.arguments.get(name)
+        if isinstance(before, model.given.Message) and name in bound:
+            now = _given(run, name, bound[name])
+            content = now.content if isinstance(now, model.given.Message) else None
+            known.arguments[name] = replace(before, content=message_contents.both(before.content, content))
 
 
 def _limits_of_loops(run: Run) -> tuple[float | None, ...]:

@@ -112,12 +112,21 @@ class Executor(Given):
         return self.use
 
 
+Content = Literal["constants", "measures"]
+"""What the code sets in a message: constants and nothing else, or among the rest a floating-point number that is not
+constant, such as a speed or a coordinate."""
+
+
 @dataclass(frozen=True, slots=True)
 class Message(Given):
-    """A message; ``section_name`` is ``Request``, ``Goal`` … for the part of a service or an action."""
+    """A message; ``section_name`` is ``Request``, ``Goal`` … for the part of a service or an action.
+
+    ``content`` is known of requests and goals that are sent; None where what they carry is not known.
+    """
 
     type: str
     section_name: MessageClass
+    content: Content | None = None
 
 
 @dataclass(eq=False)
@@ -186,6 +195,7 @@ __all__ = [
     "UNKNOWN",
     "Collection",
     "Constant",
+    "Content",
     "Duration",
     "Entity",
     "Executor",
