@@ -10,8 +10,10 @@ from archlint.analysis.left_over import is_left_over
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
+from archlint.model import EntityKind
 from archlint.suggestions import OPPOSITES, distance
 from archlint.systems.externals import UsedNames
+from archlint.systems.nodes import key_of
 
 if TYPE_CHECKING:
     from archlint.finding import Place
@@ -89,7 +91,11 @@ def _misses(system: System, provider: Endpoint, user: Endpoint) -> bool:
     # One node that reads and writes two like names distinguishes them on purpose.
     return (
         provider.node is not user.node
-        and (nearly_equal(provider.name or "", user.name or "") or _namespace_slip(system, provider, user))
+        and (
+            nearly_equal(provider.name or "", user.name or "")
+            or _namespace_slip(system, provider, user)
+            or (is_private_of(provider, user) and not _is_renamed(system, provider, user))
+        )
         and not is_left_over(system.workspace, provider)  # reads code, where names of most pairs say no
         and coexist(system, provider, user)
     )
@@ -109,6 +115,27 @@ def _namespace_slip(system: System, provider: Endpoint, user: Endpoint) -> bool:
     return any(
         long[:at] + long[at + 1 :] == short and long[1 : at + 1] == namespaces[:at] for at in range(1, len(long) - 1)
     ) and known_to_coexist(system, provider.node, user.node)
+
+
+def is_private_of(server: Endpoint, client: Endpoint) -> bool:
+    """Whether a node serves under its own name what is asked for beside it: ``~/set_motor`` and ``set_motor``."""
+    written = server.written or ""
+    if server.kind not in (EntityKind.SERVICE, EntityKind.ACTION_SERVER) or not written.startswith("~/"):
+        return False
+    beside = f"{(server.node.name or '').rpartition('/')[0]}/{written[2:]}"
+    return (
+        server.name == f"{server.node.name}/{written[2:]}" and client.name == beside and client.written == written[2:]
+    )
+
+
+def _is_renamed(system: System, server: Endpoint, client: Endpoint) -> bool:
+    """Whether a remapping may join a private name and the one beside it: a launch file that starts one of the nodes, of
+    which this system has nothing, may have it."""
+    if system.name is not None:
+        return system.is_included
+    launched = frozenset() if system.workspace is None else system.workspace.started_by_launch
+    blueprints = (server.node.blueprint, client.node.blueprint)
+    return any(blueprint is None or key_of(blueprint) in launched for blueprint in blueprints)
 
 
 def nearly_equal(name: str, other: str) -> bool:

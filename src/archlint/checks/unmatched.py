@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.coexistence import certain, in_source_order, named_by_library
 from archlint.analysis.completeness import in_sight as followed
+from archlint.analysis.left_out_servers import left_out_server
 from archlint.analysis.own_types import has_no_server_here
-from archlint.checks.near_misses import MOST_PAIRS, missed, nearly_equal
+from archlint.checks.near_misses import MOST_PAIRS, is_private_of, missed, nearly_equal
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
@@ -110,6 +111,10 @@ def _without_server(
         sure = [end for end in in_source_order(connection.users) if certain(end) and id(end) not in told]
         if sure and has_no_server_here(system, sure[0]):
             yield sure[0], f", nor any other of {sure[0].type}, which this workspace defines"
+            continue
+        left_out = left_out_server(system, sure[0]) if sure and in_sight(system) else None
+        if left_out is not None:
+            yield sure[0], f", since this launch file starts all nodes of their package but {left_out.node.name}"
 
 
 def _lonely(
@@ -212,5 +217,7 @@ class _Partners:
         self._left -= len(partners)
         if self._left < 0:
             return None
-        near = [other for other in partners if nearly_equal(other.name or "", end.name or "")]
+        near = [
+            other for other in partners if nearly_equal(other.name or "", end.name or "") or is_private_of(other, end)
+        ]
         return min(near, key=lambda other: (other.name or "", other.place), default=None)
