@@ -17,7 +17,9 @@ from archlint.testing.pages import Example, load_examples
 
 ROOT = Path(__file__).parents[2]
 BAD = [example for example in load_examples(ROOT / "rules") if example.section == "bad"]
-FIXTURES = sorted(path for path in (ROOT / "fixtures").iterdir() if path.is_dir() and path.name != "bad_input")
+FIXTURES = sorted(
+    path for path in (ROOT / "fixtures").iterdir() if any(path.rglob("*.py")) and path.name != "bad_input"
+)
 DISTROS = (None, "jazzy", "rolling")
 
 

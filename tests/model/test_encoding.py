@@ -278,7 +278,7 @@ def output(command: str, capsys: pytest.CaptureFixture[str]) -> str:
     return re.sub(r'"elapsed_s": [\d.]+', "", capsys.readouterr().out)
 
 
-@pytest.mark.parametrize("fixture", sorted(path.name for path in FIXTURES.iterdir() if path.is_dir()))
+@pytest.mark.parametrize("fixture", sorted(path.name for path in FIXTURES.iterdir() if any(path.rglob("*.py"))))
 def test_programs_that_were_read_again_are_judged_as_before(
     fixture: str,
     capsys: pytest.CaptureFixture[str],
