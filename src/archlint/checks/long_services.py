@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.actions_beside import action_beside
 from archlint.analysis.attribute_loops import attribute_loops
 from archlint.analysis.conditions import conditions
+from archlint.analysis.kept import kept
 from archlint.analysis.kept_waiting import blocks_nobody
 from archlint.analysis.loop_stops import can_be_stopped
 from archlint.analysis.loop_times import (
@@ -58,9 +59,18 @@ _Sleep = tuple["ApiCall", Stay]
 @rule("SRV008", scope=Scope.CODE, by_program=True, taste=True)
 def long_running_service(system: System, options: Options) -> Iterator[Finding]:
     """Service handlers that sleep, once for long or again and again; one finding a handler."""
+    yield from one_for_each_place(diagnostic for _, diagnostic in long_handlers(system, options.distros))
+
+
+def long_handlers(system: System, distros: Sequence[str]) -> Sequence[tuple[Callback, Finding]]:
+    """The service handlers that take long, and what is to be said of each."""
+    return kept(system, (long_handlers, tuple(distros)), lambda: tuple(_long_handlers(system, distros)))
+
+
+def _long_handlers(system: System, distros: Sequence[str]) -> Iterator[tuple[Callback, Finding]]:
     code = source_code(system)
     endless = {loop.loop for loop in attribute_loops(system)}
-    nested = {handler for handler, _ in clients_of_handlers(system, options.distros)}
+    nested = {handler for handler, _ in clients_of_handlers(system, distros)}
     handlers: dict[tuple[Program, Place], list[_Sleep]] = {}
     for program, call in judged_calls(system):
         if not endless.isdisjoint(call.loops):
@@ -69,11 +79,14 @@ def long_running_service(system: System, options: Options) -> Iterator[Finding]:
         if stay is not None and stay.kind == "sleep" and not around_future(code, call):
             handlers.setdefault((program, call.context.place), []).append((call, stay))
     diagnostics = (
-        _long_service(system, program, sorted(sleeps, key=partial(_worst_first, code)), handler in nested)
+        (
+            sleeps[0][0].context,
+            _long_service(system, program, sorted(sleeps, key=partial(_worst_first, code)), handler in nested),
+        )
         for (program, handler), sleeps in handlers.items()
         if _in_all(system, sleeps) >= LONG
     )
-    yield from one_for_each_place(diagnostic for diagnostic in diagnostics if diagnostic is not None)
+    yield from ((callback, diagnostic) for callback, diagnostic in diagnostics if diagnostic is not None)
 
 
 def _worst_first(code: SourceCode, sleep: _Sleep) -> tuple[bool, bool, float, Place]:

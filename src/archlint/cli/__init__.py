@@ -21,6 +21,7 @@ COMMANDS = (
     "show",
     "trace",
     "impact",
+    "advise",
     "docs",
     "export",
     "facts",

@@ -40,6 +40,8 @@ commands:
                       it, with periods and waits; --from NAME, --to NAME
   impact NAME         what breaks when a node, topic, service, action or
                       interface is taken away or changed
+  advise [PATH ...]   what each topic, service and action is used as, and
+                      whether another of the three fits better
   docs [PATH ...]     a page of Markdown for each node and each launch file;
                       --check fails where committed pages are stale
   export --format F   declarations made from the source: interface-yaml, nodl,
