@@ -177,6 +177,8 @@ _VARIABLE = re.compile(r"the environment variable (\w+)")
 
 
 _COMMAND = re.compile(r"\b(?:subprocess\.(?:run|Popen|check_output|getoutput)|os\.popen|platform\.node)\b")
+_ELSEWHERE = re.compile(r"^'\$\(find-pkg-share [\w-]+\)/\S+', which is not in this workspace, may set it$")
+"""A value in front of a file of another package: the records have an empty file in its place."""
 _OF_THE_MACHINE = (FOLDER_ORDER, PROCESS_END, PROCESS_OUTPUT, FILE_OF_THE_MACHINE, INSTALL_FOLDER)
 
 
@@ -185,7 +187,7 @@ def _is_asked(why: str, variables: frozenset[str]) -> bool:
     prints, what its name is, how a process ends, which files there are outside of the workspace, in which order a
     folder lists them, what is around the folder that the workspace is installed to."""
     found = _VARIABLE.search(why)
-    machine = any(words in why for words in _OF_THE_MACHINE) or _COMMAND.search(why)
+    machine = any(words in why for words in _OF_THE_MACHINE) or _COMMAND.search(why) or _ELSEWHERE.search(why)
     return (found is not None and found[1] in variables) or bool(machine)
 
 

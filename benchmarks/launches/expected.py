@@ -134,10 +134,10 @@ class Checkout:
 
 
 def _file(use: ParameterFileUse, shown: _Shown) -> object:
-    if use.changes:
-        return MADE
     reference = use.reference
-    return Unknown(reference.reason or "") if reference.written is None else shown(reference.written)
+    if reference.written is None:
+        return Unknown(reference.reason or "")
+    return MADE if use.changes else shown(reference.written)
 
 
 _WORKSPACE = re.compile(r"\$\(workspace\)/([^\s:;,]*)")

@@ -272,3 +272,48 @@ def test_launch_reads_the_file_of_a_component_with_pyyaml(launches):
         "small": "1e-2", "answer": "y", "number": 1.5, "day": "2024-13-01", "quoted": "true", "list": ["1e3", 2]
     }  # fmt: skip
     assert of_node == {**of_component, "small": 0.01, "answer": True, "list": [1000.0, 2]}
+
+
+def test_a_parameter_of_its_own_is_for_all_nodes_of_the_process(launches):
+    """launch_ros writes a dict to a file, under the name of the node, and a ``Parameter`` to the command line."""
+    launched = launches.python(
+        "[Node(package='robot', executable='talker', name='nose', namespace='/arm', "
+        "parameters=[{'rate': 5}, Parameter('frame', 'map')])]",
+        "from launch_ros.parameter_descriptions import Parameter",
+    )
+    keys = {
+        one.name: one.key for one in settings_of(launched.started[0], None, launches.of_workspace().files.parameters)
+    }
+    assert keys == {"rate": "/arm/nose", "frame": "/**"}
+
+
+def test_a_param_of_xml_is_for_one_node(launches):
+    launched = launches.xml(
+        "<node pkg='robot' exec='talker' name='nose' namespace='/arm'><param name='frame' value='map'/></node>"
+    )
+    keys = {
+        one.name: one.key for one in settings_of(launched.started[0], None, launches.of_workspace().files.parameters)
+    }
+    assert keys == {"frame": "/arm/nose"}
+
+
+ELSEWHERE = NotKnown("'$(find-pkg-share other)/nav.yaml', which is not in this workspace, may set it")
+BEHIND = NotKnown("what comes behind it may set it: the environment variable NAV")
+
+
+@pytest.mark.parametrize(
+    ("others", "frame"),
+    [
+        ("{'frame': 'map'}, get_package_share_directory('other') + '/nav.yaml'", ELSEWHERE),
+        ("get_package_share_directory('other') + '/nav.yaml', {'frame': 'map'}", "map"),
+        ("{'frame': 'map'}, get_package_share_directory('robot') + '/nav.yaml'", "map"),  # it is not there
+        ("{'frame': 'map'}, os.environ['NAV']", BEHIND),
+        ("os.environ['NAV'], {'frame': 'map'}", "map"),
+        ("{**given(), 'frame': 'map'}", "map"),
+        ("{'frame': 'map', 'arm': {**given()}}", "map"),
+    ],
+)
+def test_what_is_behind_a_value_may_set_it(launches, others: str, frame: object):
+    launched = launches.python(f"[Node(package='robot', executable='talker', name='nose', parameters=[{others}])]")
+    facts_of = launches.of_workspace().files.parameters
+    assert overrides_of(launched.started[0], "/nose", facts_of) == {"frame": frame}

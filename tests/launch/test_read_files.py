@@ -161,3 +161,13 @@ def test_the_files_of_an_installed_folder(launches, paths: str, expected: list[s
 def test_the_files_of_a_folder_that_is_not_here(launches, folder: str):
     nodes = f"[Node(package='robot', executable='talker', name=name) for name in os.listdir({folder})]"
     assert names(launches.python(nodes)) == ["?"]
+
+
+def test_json_in_the_text_of_a_file(launches):
+    launches.file("robot/config/team.json", '{"name": "left"}')
+    before = (
+        "import json\nwith open(get_package_share_directory('robot') + '/config/team.json') as file:\n"
+        "    team = json.loads(file.read().strip())\n"
+    )
+    launched = launches.python("[Node(package='robot', executable='talker', name=team['name'])]", before)
+    assert names(launched) == ["left"]

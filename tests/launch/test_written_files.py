@@ -43,6 +43,11 @@ def given(launches: Launches, before: str, file: str) -> dict[str, object]:
             "path",
         ),
         ("with open('/tmp/nav.yaml', 'w') as file:\n    file.write(yaml.dump(data))\n", "'/tmp/nav.yaml'"),
+        (
+            "path = os.path.join(tempfile.gettempdir(), 'nav.yaml')\n"
+            "with open(path, 'w') as file:\n    yaml.dump(data, file)\n",
+            "path",
+        ),
     ],
 )
 def test_a_parameter_file_that_the_launch_writes(launches, write: str, file: str):
@@ -69,3 +74,27 @@ def test_yaml_in_the_text_of_a_file(launches, text: str):
         IMPORTS + before,
     )
     assert [started.name.text for started in launched.started] == ["map"]
+
+
+COPIED = (
+    "with open(get_package_share_directory('robot') + '/config/nav.yaml', 'r', encoding='utf-8') as source:\n"
+    "    text = source.read()\n"
+    "target = tempfile.NamedTemporaryFile(delete=False, mode='w', suffix='.yaml')\n"
+)
+
+
+def test_words_that_are_replaced_in_the_text_of_a_file(launches):
+    write = "target.write(text.replace('map', 'odom').replace('rate', 'frequency'))\ntarget.close()\n"
+    assert given(launches, COPIED + write, "target.name") == {"frequency": 1, "frame": "odom"}
+
+
+def test_a_word_that_is_not_known_makes_the_whole_text_unknown(launches):
+    write = "target.write(text.replace('map', os.environ['FRAME']))\n"
+    assert given(launches, COPIED + write, "target.name") == {"why": "the environment variable FRAME"}
+
+
+def test_the_text_of_a_file_that_is_not_here(launches):
+    write = "target.write(open('/opt/nav.yaml').read().replace('map', 'odom'))\n"
+    assert given(launches, COPIED + write, "target.name") == {
+        "why": "the content of a file that is not in this workspace"
+    }

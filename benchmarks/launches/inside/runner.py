@@ -17,9 +17,9 @@ import time
 from typing import Any
 
 SECONDS = 60
-MISSING = re.compile(r"missing required argument '([^']+)'")
+MISSING = re.compile(r"missing required argument '([^']+)'|launch configuration '([^']+)' does not exist")
 GIVEN = "given"
-"""The value of an argument that has no default."""
+"""The value of an argument that has no default, and of a launch configuration that nothing sets."""
 CHOICES = re.compile(r"Argument \"([^\"]+)\" provided value \"given\" is not valid. Valid options are: \['([^']+)'")
 NO_VARIABLE = re.compile(r"KeyError: '([A-Z][A-Z0-9_]+)'|[Ee]nvironment variable '(\w+)'")
 
@@ -72,8 +72,8 @@ def _runs(settings: dict[str, Any], path: str) -> list[dict[str, Any]]:
             given = {name: "true" if value == GIVEN else value for name, value in given.items()}
         elif choices is not None:
             given = {**given, choices[1]: choices[2]}
-        elif missing is not None and missing[1] not in given:
-            given = {**given, missing[1]: GIVEN}
+        elif missing is not None and (name := missing[1] or missing[2]) not in given:
+            given = {**given, name: GIVEN}
         elif variable is not None and (name := variable[1] or variable[2]) not in os.environ:
             os.environ[name] = "of_the_environment"
             invented.append(name)

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.interpreter import containers, path_parts
+from archlint.interpreter import path_parts
 from archlint.interpreter.values import (
     NONE,
     External,
@@ -20,8 +20,16 @@ from archlint.interpreter.values import (
     one_of,
     reason,
 )
-from archlint.launch import calls, expressions, mathematics, read_files, robot_poses, written_files
-from archlint.launch.kinds import FileKind
+from archlint.launch import (
+    calls,
+    expressions,
+    file_texts,
+    loaded_modules,
+    mathematics,
+    read_files,
+    robot_poses,
+    written_files,
+)
 from archlint.launch.mistakes import NotAPath
 from archlint.launch.moveit_configs import methods as moveit_methods
 from archlint.launch.objects import LaunchObject, known_text, made_by_base
@@ -136,7 +144,8 @@ METHODS = {
     **moveit_methods.METHODS,
     **robot_poses.METHODS,
     **expressions.METHODS,
-    **read_files.METHODS,
+    **file_texts.METHODS,
+    **loaded_modules.METHODS,
     **written_files.METHODS,
     "launch.LaunchContext.perform_substitution": _perform_argument,
     **{f"launch.{name}.perform": perform_method for name in SUBSTITUTIONS},
@@ -177,21 +186,6 @@ def _of_home(run: LaunchRun, site: CallSite) -> Value:
     return Unknown("the environment variable HOME") if path.startswith("~") else Known(path)
 
 
-def _run_path(run: LaunchRun, site: CallSite) -> Value:
-    """``runpy.run_path(path)``: the variables of a file of this workspace, once it has run."""
-    if len(site.args) != 1 or site.keywords:
-        return Unknown("the result of a file that is run with given variables")
-    source = run.resolve(FileKind.LAUNCH, run.perform(site.args[0]), run.place_now).source
-    file = None if source is None else run.files.source_file(source)
-    module = None if file is None else run.index.module(file)
-    if module is None or module.state == "running":
-        return Unknown("the result of a file that is not followed")
-    run.import_module(module)
-    assert module.scope is not None
-    variables = dict(run.store.variables(module.scope.key))
-    return containers.dict_of_names(run, variables, open_=bool(module.star_externals))
-
-
 def _has_resource(run: LaunchRun, site: CallSite) -> Value:
     """``has_resource('packages', 'pkg')``: where the package is installed to, which a package of the workspace is."""
     kind, name = (known_text(value) for value in (*site.args, NONE, NONE)[:2])
@@ -203,13 +197,13 @@ def _has_resource(run: LaunchRun, site: CallSite) -> Value:
 PLAIN = {
     **mathematics.PLAIN,
     **moveit_methods.PLAIN,
+    **loaded_modules.PLAIN,
     **read_files.PLAIN,
     **written_files.PLAIN,
     **expressions.PLAIN,
     **{f"logging.{name}": _logged for name in (*_LOGS, "basicConfig")},
     "logging.getLogger": _logger,
     "launch.logging.get_logger": _logger,
-    "runpy.run_path": _run_path,
     "ament_index_python.has_resource": _has_resource,
     "ament_index_python.resources.has_resource": _has_resource,
     "launch.utilities.perform_substitutions": _perform_all,

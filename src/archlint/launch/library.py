@@ -6,7 +6,16 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Concatenate, ParamSpec
 
 from archlint.interpreter.values import External, Instance, Known, Unknown, Value
-from archlint.launch import calls, calls_in_launches, mathematics, read_files, tables, written_files
+from archlint.launch import (
+    calls,
+    calls_in_launches,
+    file_texts,
+    loaded_modules,
+    mathematics,
+    read_files,
+    tables,
+    written_files,
+)
 from archlint.launch.objects import LaunchObject, argument, kind_of
 from archlint.libraries.api_use import Offers
 from archlint.libraries.library import RosLibrary
@@ -94,6 +103,8 @@ class LaunchFileLibrary(LaunchLibrary):
         """Also what a component says of itself: ``description.node_name``."""
         if name == "name" and written_files.is_written_file(value):
             return written_files.name_of(value)
+        if name == "loader" and cls.path == loaded_modules.SPEC:
+            return loaded_modules.loader_of(self._launch, value)
         given = value.argument(_SAID_BY_COMPONENTS.get(name, "")) if isinstance(value, LaunchObject) else None
         is_component = kind_of(value) == tables.LaunchClass.COMPOSABLE_NODE
         return given if is_component and given is not None else super().attribute_of_object(value, cls, name)
@@ -112,7 +123,7 @@ class LaunchFileLibrary(LaunchLibrary):
         return read_files.matches(self._launch, folder, pattern)
 
     def opened(self, path: Known) -> Value:
-        return read_files.opened(self._launch, path)
+        return file_texts.opened(self._launch, path)
 
     def asked_for_file(self, path: str) -> Value:
         unknown = super().asked_for_file(path)

@@ -24,6 +24,9 @@ class ParameterSetting:
     shared: bool = False
     within: tuple[tuple[str, Place], ...] = ()
     """The keys of the dicts around it, the outermost first: the name that launch makes of each, and its place."""
+    in_file: bool = True
+    """Whether launch writes it to a file under the name of the node.  A ``Parameter`` of launch_ros goes to the command
+    line, where it is for all nodes of the process, as shared settings are."""
     is_open: ClassVar[bool] = False
     """Whether it stands for parameters of which not even the number is known."""
 
@@ -40,12 +43,12 @@ class ParameterSetting:
     @property
     def in_dict(self) -> bool:
         """Whether launch writes it to a file, together with those beside it."""
-        return not self.shared
+        return self.in_file and not self.shared
 
     @property
     def option(self) -> str:
         """How it gets to the command line of the process."""
-        return "-p" if self.shared else PARAMS_FILE
+        return PARAMS_FILE if self.in_dict else "-p"
 
 
 @dataclass(frozen=True)

@@ -19,7 +19,7 @@ from archlint.interpreter.values import (
     Value,
     reason,
 )
-from archlint.launch import read_files, written_files
+from archlint.launch import file_texts, written_files
 from archlint.launch.kinds import FileKind
 from archlint.launch.named_files import FileReference, Written
 from archlint.launch.objects import LaunchObject, class_name, kind_of, known_text, place_of
@@ -70,9 +70,12 @@ def _of_item(run: LaunchRun, item: Value, place: Place) -> Iterator[Parameter]:
                 rows = [row for option in options for row in _of_item(run, option, place)]
             yield from rows
         case DictValue():
-            yield from _entries(run, item, (), place, _Room())
+            rows = list(_entries(run, item, (), place, _Room()))
+            # What a dict writes out is taken to stand behind ``**others``, which is not known.
+            yield from sorted(rows, key=lambda row: not row.is_open)
         case LaunchObject(kind=LaunchClass.PARAMETER):
-            yield setting(run, run.perform(item.argument("name")), item.given("value"), place)
+            alone = setting(run, run.perform(item.argument("name")), item.given("value"), place)
+            yield replace(alone, in_file=False)
         case LaunchObject(kind=LaunchClass.PARAMETER_FILE):
             substitutions = item.argument("allow_substs") == Known(True)
             yield file_use(run, item.argument("param_file"), place, substitutions)
@@ -159,7 +162,7 @@ def python_of(run: LaunchRun, value: Value) -> ParameterData:
             return _of_text(run.perform(value))
         case ListValue():
             return _list(run, value)
-        case Instance(cls=External(path=read_files.FILE)):
+        case Instance(cls=External(path=file_texts.FILE)):
             return NotKnown("the text of a file")
     return NotKnown(reason(value))
 

@@ -13,8 +13,6 @@ from archlint.interpreter import containers
 from archlint.interpreter.values import (
     NONE,
     DictValue,
-    External,
-    Instance,
     Known,
     ListValue,
     Unknown,
@@ -22,14 +20,12 @@ from archlint.interpreter.values import (
     constants_of,
     reason,
 )
-from archlint.launch import written_files
+from archlint.launch import file_texts, written_files
 from archlint.launch.kinds import FileKind, FileStatus
-from archlint.launch.objects import argument, known_text
+from archlint.launch.objects import known_text
 from archlint.launch.shared_paths import note_paths
 from archlint.syntax.safe_yaml import YamlError, YamlReader
 
-FILE = "io.TextIOWrapper"
-"""The class of an open file that is read."""
 _FOR_WRITING = ("w", "wt", "w+")
 
 if TYPE_CHECKING:
@@ -48,18 +44,8 @@ def _open(run: LaunchRun, site: CallSite) -> Value:
     if site.args and isinstance(site.args[0], Known):
         if len(site.args) == 1 and not site.keywords.keys() - {"encoding"} and not run.activation.tries:
             note_paths(run, site.args, run.place_now)
-        return opened(run, site.args[0])
+        return file_texts.opened(run, site.args[0])
     return Unknown(reason(*site.args) if site.args else "a file")
-
-
-def opened(run: LaunchRun, path: Known) -> Instance:
-    """A file that is open for reading."""
-    return Instance(External(FILE), run.store.new_key(), None, {"path": path})
-
-
-def _read(run: LaunchRun, receiver: Value, site: CallSite) -> Value:
-    """``file.read()``: as long as nothing but YAML or JSON is read in it, the file stands for its text."""
-    return Unknown("a part of a file") if site.values else receiver
 
 
 def _load_yaml(run: LaunchRun, site: CallSite) -> Value:
@@ -69,7 +55,7 @@ def _load_yaml(run: LaunchRun, site: CallSite) -> Value:
 
 def yaml_file(run: LaunchRun, path: Value) -> Value:
     """What the YAML file at a path holds."""
-    return _of_yaml(run, _text_of(run, path))
+    return _of_yaml(run, file_texts.text_of(run, path))
 
 
 def _of_yaml(run: LaunchRun, text: str | Unknown) -> Value:
@@ -83,7 +69,7 @@ def _of_yaml(run: LaunchRun, text: str | Unknown) -> Value:
 
 
 def _load_json(run: LaunchRun, site: CallSite) -> Value:
-    """``json.load(file)``: what a JSON file of this workspace holds."""
+    """``json.load(file)`` and ``json.loads(text)``: what a JSON file of this workspace holds, or a text."""
     text = (
         Unknown("the content of a file that is opened in an unusual way") if site.keywords else _text_in(run, site.args)
     )
@@ -97,17 +83,7 @@ def _load_json(run: LaunchRun, site: CallSite) -> Value:
 
 def _text_in(run: LaunchRun, args: list[Value]) -> str | Unknown:
     """The text of the file that a loader is given."""
-    if not args:
-        return Unknown("the content of a file")
-    path, text = argument(args[0], "path"), known_text(args[0])
-    if path is None:
-        return Unknown(reason(args[0])) if text is None else text
-    return _text_of(run, path)
-
-
-def _text_of(run: LaunchRun, path: Value) -> str | Unknown:
-    text = run.paths.text(run.resolve(FileKind.PARAMETERS, path, run.place_now))
-    return Unknown("the content of a file that is not in this workspace") if text is None else text
+    return file_texts.text_in(run, args[0]) if args else Unknown("the content of a file")
 
 
 def value_of(run: LaunchRun, value: object) -> Value:
@@ -230,13 +206,13 @@ NESTED = 20
 _YAML_OPTIONS = frozenset({"default_flow_style", "sort_keys", "indent", "width", "allow_unicode"})
 _JSON_OPTIONS = frozenset({"indent", "sort_keys", "ensure_ascii"})
 
-METHODS = {f"{FILE}.read": _read}
 PLAIN: dict[str, Plain] = {
     "open": _open,
     "os.listdir": _list_folder,
     "glob.glob": _glob,
     "glob.iglob": _glob,
     "json.load": _load_json,
+    "json.loads": _load_json,
     "yaml.safe_load": _load_yaml,
     "yaml.load": _load_yaml,
     "yaml.full_load": _load_yaml,
@@ -246,4 +222,4 @@ PLAIN: dict[str, Plain] = {
     "json.dumps": _written(json.dumps, "json.dumps", _JSON_OPTIONS),
 }
 
-__all__ = ["FILE", "FILE_OF_THE_MACHINE", "METHODS", "PLAIN", "is_there", "matches", "opened", "value_of", "yaml_file"]
+__all__ = ["FILE_OF_THE_MACHINE", "PLAIN", "is_there", "matches", "value_of", "yaml_file"]

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from archlint.interpreter import containers
 from archlint.interpreter.values import NONE, External, Instance, Known, Unknown, Value, reason
+from archlint.launch import file_texts
 from archlint.launch.objects import argument, known_text
 
 if TYPE_CHECKING:
@@ -29,6 +30,11 @@ def written_file(run: LaunchRun, path: str) -> Instance:
 def _temporary(run: LaunchRun, site: CallSite) -> Instance:
     """``tempfile.NamedTemporaryFile('w', …)``: a file whose name is made up."""
     return written_file(run, f"$(file-made-by-launch {len(run.written_files) + len(run.made_files) + 1})")
+
+
+def _folder(run: LaunchRun, site: CallSite) -> Value:
+    """``tempfile.gettempdir()``: which folder it is, the machine says; what is written there is known."""
+    return Known("$(file-made-by-launch)")
 
 
 def _descriptor_and_path(run: LaunchRun, site: CallSite) -> Value:
@@ -62,7 +68,8 @@ def write(run: LaunchRun, file: Value, text: Value) -> None:
 
 
 def _write(run: LaunchRun, receiver: Value, site: CallSite) -> Value:
-    write(run, receiver, site.args[0] if site.args else Unknown("what is written to a file"))
+    text = file_texts.text_in(run, site.args[0]) if site.args else Unknown("what is written to a file")
+    write(run, receiver, Known(text) if isinstance(text, str) else text)
     return Unknown("how much is written")
 
 
@@ -78,6 +85,7 @@ def content(run: LaunchRun, path: str) -> Value | None:
 
 
 PLAIN = {
+    "tempfile.gettempdir": _folder,
     "tempfile.NamedTemporaryFile": _temporary,
     "tempfile.mkstemp": _descriptor_and_path,
     "os.fdopen": _opened_descriptor,

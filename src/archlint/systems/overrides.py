@@ -9,9 +9,9 @@ from functools import lru_cache
 from typing import Any
 
 from archlint.finding import Place
-from archlint.launch.kinds import StartedKind
+from archlint.launch.kinds import FileStatus, StartedKind
 from archlint.launch.named_files import FileReference
-from archlint.launch.parameter_sources import OpenParameters, ParameterFileUse, ParameterSetting
+from archlint.launch.parameter_sources import OpenParameters, ParameterFileUse, Parameters, ParameterSetting
 from archlint.launch.started import Started
 from archlint.name_paths import NamePattern, matches_names
 from archlint.ros import names
@@ -79,22 +79,61 @@ def applied(started: Started, node: str | None, facts_of: Callable[[str], Parame
 def settings_of(started: Started, node: str | None, facts_of: Callable[[str], ParameterFacts]) -> Iterator[Setting]:
     """Everything that is set on the command line of a process, in its order."""
     words = [*started.arguments, "--ros-args", *started.ros_arguments]
-    for name, value in command_line_parameters(words):
-        yield Setting(EVERY_NODE, name, value, started.places.get("arguments", started.place))
-    own = _own_key(started)
+    first, *doubts = _doubts(started.parameters)
+    place = started.places.get("arguments", started.place)
+    rows = (Setting(EVERY_NODE, name, value, place) for name, value in command_line_parameters(words))
+    yield from (_doubted(row, first) for row in rows)
+    for parameter, doubt in zip(started.parameters, doubts, strict=True):
+        yield from (_doubted(setting, doubt) for setting in _set_by(started, parameter, facts_of))
+
+
+def _set_by(
+    started: Started,
+    parameter: ParameterSetting | ParameterFileUse | OpenParameters,
+    facts_of: Callable[[str], ParameterFacts],
+) -> Iterator[Setting]:
+    """What one of the parameters of a process sets."""
     in_process = started.kind == StartedKind.COMPONENT  # a container is sent values, no file
-    for parameter in started.parameters:
-        match parameter:
-            case ParameterSetting(name=str(name), value=value):
-                value, unquoted = (value, None) if in_process else as_launch_writes(value)
-                key = EVERY_NODE if parameter.shared else own
-                yield Setting(
-                    key, name, value, parameter.place, None, parameter.shared, parameter.within, None, unquoted
-                )
-            case ParameterFileUse(reference=FileReference(source=str(file))):
-                yield from _set_in_file(parameter, file, _sections_for(started, facts_of(file)))
-            case ParameterFileUse(followed=True):
-                yield from _set_in_file(parameter, parameter.place.file, ())
+    match parameter:
+        case ParameterSetting(name=str(name), value=value):
+            read, unquoted = (value, None) if in_process else as_launch_writes(value)
+            key = _own_key(started) if parameter.in_dict else EVERY_NODE
+            yield Setting(key, name, read, parameter.place, None, parameter.shared, parameter.within, None, unquoted)
+        case ParameterFileUse(reference=FileReference(source=str(file))):
+            yield from _set_in_file(parameter, file, _sections_for(started, facts_of(file)))
+        case ParameterFileUse(followed=True):
+            yield from _set_in_file(parameter, parameter.place.file, ())
+
+
+def _doubted(setting: Setting, doubt: str | None) -> Setting:
+    return setting if doubt is None else replace(setting, value=NotKnown(doubt), unquoted=None)
+
+
+def _doubts(parameters: Parameters) -> list[str | None]:
+    """For what is set in front of all parameters, and by each of them: why something behind it may set it, too."""
+    doubts: list[str | None] = [None]
+    for parameter in reversed(parameters):
+        doubts.append(_doubt(parameter) or doubts[-1])
+    return doubts[::-1]
+
+
+def _doubt(parameter: ParameterSetting | ParameterFileUse | OpenParameters) -> str | None:
+    """Why a parameter may set any other one: it is not known which it sets."""
+    match parameter:
+        case ParameterFileUse(reference=reference, followed=False):
+            if reference.status in (FileStatus.MISSING, FileStatus.NOT_INSTALLED):
+                return None  # launch leaves out a file that is not there
+            if reference.written is None:
+                return f"{WRITTEN_BEHIND}: {reference.reason}"
+            return f"'{reference.written}', which is not in this workspace, may set it"
+        case OpenParameters(sets_anything=True, reason=reason):
+            return f"{WRITTEN_BEHIND}: {reason}"
+        case ParameterSetting(name=None):
+            return f"{WRITTEN_BEHIND}: a parameter whose name is not known"
+    return None
+
+
+WRITTEN_BEHIND = "what comes behind it may set it"
 
 
 def as_launch_writes(value: object) -> tuple[object, str | None]:

@@ -29,8 +29,9 @@ def read_parameter(frontend: Frontend, element: Element) -> Value | None:
     name = frontend.get(element, "name") or Known("")
     if nested:
         return _nested(frontend, element, name)
-    value = _value(frontend, element)
-    return frontend.make(LaunchClass.PARAMETER, place, {"name": name, "value": value})
+    written = known_text(name)
+    key = name if written is None else Known(written, origin=place)
+    return containers.new_dict(frontend.run, {UnknownKey(0): (key, _value(frontend, element))})
 
 
 def _nested(frontend: Frontend, element: Element, name: Value) -> Value | None:
