@@ -317,3 +317,37 @@ def test_what_is_behind_a_value_may_set_it(launches, others: str, frame: object)
     launched = launches.python(f"[Node(package='robot', executable='talker', name='nose', parameters=[{others}])]")
     facts_of = launches.of_workspace().files.parameters
     assert overrides_of(launched.started[0], "/nose", facts_of) == {"frame": frame}
+
+
+@pytest.mark.parametrize(
+    ("value", "read"),
+    [
+        ("[LaunchConfiguration('robot'), TextSubstitution(text='_odom')]", "r1_odom"),
+        ("[LaunchConfiguration('robot'), '_odom']", "r1_odom"),
+        (
+            "[[LaunchConfiguration('robot'), '/left'], [LaunchConfiguration('robot'), '/right']]",
+            ["r1/left", "r1/right"],
+        ),
+        ("[['1'], ['2']]", [1, 2]),
+        ("[['1'], ['left']]", ["1", "left"]),
+        ("[[['1']]]", NotKnown("a parameter cannot be a list of lists")),
+        ("[['1'], 'left']", NotKnown("a list of texts and of lists")),
+        ("[[LaunchConfiguration('other'), '/left']]", NotKnown("the launch configuration 'other' is not set")),
+    ],
+)
+def test_a_list_as_the_value_of_a_parameter(launches, value: str, read: object):
+    launched = launches.python(
+        "[DeclareLaunchArgument('robot', default_value='r1'), Node(package='robot', executable='talker', "
+        f"parameters=[{{'frame': {value}}}])]",
+        "from launch.substitutions import TextSubstitution",
+    )
+    assert parameters(launched.started[0]) == {"frame": read}
+
+
+def test_the_constants_of_numpy(launches):
+    launched = launches.python(
+        "[Node(package='robot', executable='talker', parameters=[{'most': np.pi / 2, 'sum': np.sum([1])}])]",
+        "import numpy as np",
+    )
+    not_known = NotKnown("numpy.sum() is outside of this workspace")
+    assert parameters(launched.started[0]) == {"most": 1.5707963267948966, "sum": not_known}

@@ -31,6 +31,7 @@ from archlint.launch import (
     written_files,
 )
 from archlint.launch.mistakes import NotAPath
+from archlint.launch.moveit_configs import descriptions
 from archlint.launch.moveit_configs import methods as moveit_methods
 from archlint.launch.objects import LaunchObject, known_text, made_by_base
 from archlint.launch.perform_calls import perform_method, stops_the_launch
@@ -197,6 +198,7 @@ def _has_resource(run: LaunchRun, site: CallSite) -> Value:
 PLAIN = {
     **mathematics.PLAIN,
     **moveit_methods.PLAIN,
+    **descriptions.PLAIN,
     **loaded_modules.PLAIN,
     **read_files.PLAIN,
     **written_files.PLAIN,

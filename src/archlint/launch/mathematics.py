@@ -1,4 +1,4 @@
-"""What a launch file computes with Python's ``math``."""
+"""What a launch file computes with Python's ``math``, and the constants of ``numpy``, which are the same numbers."""
 
 from __future__ import annotations
 
@@ -12,7 +12,10 @@ if TYPE_CHECKING:
     from archlint.interpreter.call_site import CallSite
     from archlint.launch.run import LaunchRun
 
-CONSTANTS = {f"math.{name}": Known(getattr(math, name)) for name in ("pi", "tau", "e", "inf", "nan")}
+CONSTANTS = {
+    **{f"math.{name}": Known(getattr(math, name)) for name in ("pi", "tau", "e", "inf", "nan")},
+    **{f"numpy.{name}": Known(getattr(math, name)) for name in ("pi", "e", "inf", "nan")},
+}
 _FUNCTIONS: tuple[Callable[..., float], ...] = (
     *(math.radians, math.degrees, math.sin, math.cos, math.tan, math.asin, math.acos, math.atan, math.atan2),
     *(math.sqrt, math.hypot, math.exp, math.log, math.log2, math.log10, math.pow, math.fabs, math.fmod),

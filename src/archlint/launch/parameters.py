@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -177,15 +177,31 @@ def _list(run: LaunchRun, value: ListValue) -> ParameterData:
     items = value.items(run)
     if items.open:
         return NotKnown("a list that is only partly known")
-    substitutions = sum(kind_of(item) in SUBSTITUTIONS for item in items.values)
-    if substitutions > 1 and substitutions == len(items.values):
-        return NotKnown("a list of substitutions only")
-    if substitutions:
-        return _of_text(run.perform(value))
     if any(isinstance(item, ListValue) for item in items.values):
-        return NotKnown("a parameter cannot be a list of lists")  # and a list may hold itself
+        return _texts(run, items.values)
+    if any(kind_of(item) in SUBSTITUTIONS for item in items.values):
+        return _of_text(run.perform(value))
     rows = [python_of(run, item) for item in items.values]
     return next((row for row in rows if isinstance(row, NotKnown)), rows)
+
+
+def _texts(run: LaunchRun, items: Sequence[Value]) -> ParameterData:
+    """``[[a, 'b'], [c, 'd']]``: each list is one text, and all of them are read as YAML where that gives one type.
+
+    Source: launch_ros, ``_normalize_parameter_array_value`` and ``evaluate_parameter_dict``.
+    """
+    lists = [item for item in items if isinstance(item, ListValue)]
+    if any(isinstance(inner, ListValue) for item in lists for inner in item.items(run).values):
+        return NotKnown("a parameter cannot be a list of lists")  # and a list may hold itself
+    if len(lists) + sum(kind_of(item) in SUBSTITUTIONS for item in items) < len(items):
+        return NotKnown("a list of texts and of lists")
+    texts = [run.perform(item) for item in items]
+    known = [text for text in map(known_text, texts) if text is not None]
+    if len(known) < len(texts):
+        return NotKnown(reason(*texts))
+    rows = [from_yaml(text) for text in known]
+    alike = len({type(row) for row in rows}) == 1 and isinstance(rows[0], (bool, int, float, str))
+    return rows if alike else [*known]
 
 
 TYPES = {"str": str, "int": int, "float": float, "bool": bool}

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 from archlint.launch.moveit_configs.builder import Builder, arguments, update
 from archlint.launch.moveit_configs.collected import COLLECT
 
-_BUILDER, _CONFIGS = "MoveItConfigsBuilder", "moveit_configs_utils.MoveItConfigs"
+_BUILDER, CONFIGS = "MoveItConfigsBuilder", "moveit_configs_utils.MoveItConfigs"
 _MODULES = ("moveit_configs_utils", "moveit_configs_utils.moveit_configs_builder")
 _PARTS = (
     "robot_description",
@@ -72,7 +72,7 @@ def _to_configs(run: LaunchRun, receiver: Value, site: CallSite) -> Value:
     for name in _PARTS:
         if builder.part(name) is None and (name not in ("moveit_cpp", "pilz_cartesian_limits") or _asks(builder, name)):
             COLLECT[name](builder, type(site)())
-    configs = Instance(External(_CONFIGS), run.store.new_key())
+    configs = Instance(External(CONFIGS), run.store.new_key())
     for name in _PARTS:
         run.store.set(configs.key, name, builder.part(name) or builder.dict_of({}))
     empty: dict[str, Value] = {"capabilities": Known(""), "disable_capabilities": Known("")}
@@ -89,7 +89,7 @@ def _asks(builder: Builder, name: str) -> bool:
     return name == "pilz_cartesian_limits" and Known(_PILZ).entry_key() in keys
 
 
-def _configs_to_dict(run: LaunchRun, receiver: Value, site: CallSite) -> Value:
+def configs_to_dict(run: LaunchRun, receiver: Value, site: CallSite) -> Value:
     """``MoveItConfigs.to_dict()``: all of it in one dict."""
     if not isinstance(receiver, Instance):
         return Unknown(reason(receiver))
@@ -116,7 +116,7 @@ def _builder_to_dict(run: LaunchRun, receiver: Value, site: CallSite) -> Value:
     if own is not None:
         update(run, merged, own)
     if wanted is None or wanted == TRUE:
-        configs = _configs_to_dict(run, _to_configs(run, receiver, site), site)
+        configs = configs_to_dict(run, _to_configs(run, receiver, site), site)
         update(run, merged, configs if isinstance(configs, DictValue) else builder.open_dict())
     elif not isinstance(wanted, Known):
         update(run, merged, builder.open_dict())
@@ -174,7 +174,7 @@ _OF_BUILDER: dict[str, Method] = {
 PLAIN = {f"{module}.{_BUILDER}": _builder for module in _MODULES}
 METHODS: dict[str, Method] = {
     **{f"{module}.{_BUILDER}.{name}": act for module in _MODULES for name, act in _OF_BUILDER.items()},
-    f"{_CONFIGS}.to_dict": _configs_to_dict,
+    f"{CONFIGS}.to_dict": configs_to_dict,
 }
 
-__all__ = ["METHODS", "PLAIN"]
+__all__ = ["CONFIGS", "METHODS", "PLAIN", "configs_to_dict"]

@@ -1,0 +1,124 @@
+"""The launch files that MoveIt's setup assistant writes: each calls one function of moveit_configs_utils."""
+
+from __future__ import annotations
+
+import pytest
+
+from archlint.systems.overrides import overrides_of
+from launching import names
+
+FILES = {
+    "setup.py": """
+from glob import glob
+from setuptools import setup
+setup(name='arm_moveit_config', data_files=[
+    ('share/arm_moveit_config', ['package.xml', '.setup_assistant']),
+    ('share/arm_moveit_config/launch', glob('launch/*')),
+    ('share/arm_moveit_config/config', glob('config/*'))])
+""",
+    ".setup_assistant": "moveit_setup_assistant_config: {}\n",
+    "config/arm.urdf.xacro": "<robot/>",
+    "config/arm.srdf": "<robot/>",
+    "config/kinematics.yaml": "arm:\n  kinematics_solver: kdl/KDL\n",
+    "config/joint_limits.yaml": "joint_limits:\n  lift:\n    max_velocity: 0.5\n",
+    "config/moveit_controllers.yaml": (
+        "moveit_controller_manager: simple\n"
+        "moveit_simple_controller_manager:\n  controller_names: [arm_controller, hand_controller]\n"
+    ),
+    "config/ompl_planning.yaml": "longest_valid_segment_fraction: 0.1\nplanner_configs: {}\n",
+    "config/ros2_controllers.yaml": "controller_manager:\n  ros__parameters:\n    update_rate: 100\n",
+}
+FUNCTIONS = (
+    "rsp",
+    "moveit_rviz",
+    "move_group",
+    "spawn_controllers",
+    "static_virtual_joint_tfs",
+    "warehouse_db",
+    "demo",
+)
+FILE = """
+from moveit_configs_utils import MoveItConfigsBuilder
+from moveit_configs_utils.launches import generate_{0}_launch
+
+def generate_launch_description():
+    configs = MoveItConfigsBuilder('arm', package_name='arm_moveit_config').to_moveit_configs()
+    return generate_{0}_launch(configs)
+"""
+
+
+@pytest.fixture
+def arm(launches):
+    launches.package("arm_moveit_config")
+    for name, text in FILES.items():
+        launches.file(f"arm_moveit_config/{name}", text)
+    for name in FUNCTIONS:
+        launches.file(f"arm_moveit_config/launch/{name}.launch.py", FILE.format(name))
+    return launches
+
+
+def launched(arm, name: str, **arguments: str):
+    return arm.of_workspace().run(f"arm_moveit_config/launch/{name}.launch.py", arguments)
+
+
+def executables(found) -> list[str]:
+    return [started.executable.text for started in found.started if not started.dormant]
+
+
+@pytest.mark.parametrize(
+    ("name", "started"),
+    [
+        ("rsp", ["robot_state_publisher"]),
+        ("moveit_rviz", ["rviz2"]),
+        ("move_group", ["move_group"]),
+        ("spawn_controllers", ["spawner", "spawner", "spawner"]),
+        ("static_virtual_joint_tfs", []),
+        ("warehouse_db", ["mongo_wrapper_ros.py"]),
+        (
+            "demo",
+            ["robot_state_publisher", "move_group", "rviz2", "ros2_control_node", "spawner", "spawner", "spawner"],
+        ),
+    ],
+)
+def test_what_a_function_starts(arm, name: str, started: list[str]):
+    assert executables(launched(arm, name)) == started
+
+
+@pytest.mark.parametrize(
+    ("name", "arguments", "started"),
+    [
+        ("demo", {"use_rviz": "false", "db": "true"}, "mongo_wrapper_ros.py"),
+        ("warehouse_db", {"reset": "true"}, "moveit_init_demo_warehouse"),
+        ("move_group", {"debug": "true"}, "move_group"),
+    ],
+)
+def test_its_arguments_decide(arm, name: str, arguments: dict[str, str], started: str):
+    assert started in executables(launched(arm, name, **arguments))
+
+
+def test_the_controllers_are_named_in_a_file(arm):
+    words = [started.arguments for started in launched(arm, "spawn_controllers").started]
+    assert words == [["arm_controller"], ["hand_controller"], ["joint_state_broadcaster"]]
+
+
+def test_how_many_virtual_joints_there_are_is_not_known(arm):
+    """xacro makes the SRDF, which has them."""
+    assert [gap.reason for gap in launched(arm, "static_virtual_joint_tfs").not_followed()]
+
+
+def test_the_parameters_of_move_group(arm):
+    [group] = [started for started in launched(arm, "move_group").started if not started.dormant]
+    found = overrides_of(group, "/move_group", arm.of_workspace().files.parameters)
+    assert found["publish_planning_scene"] is True
+    assert found["monitor_dynamics"] is False
+    assert found["capabilities"] == ""
+    assert found["robot_description_kinematics.arm.kinematics_solver"] == "kdl/KDL"
+    assert found["moveit_controller_manager"] == "simple"
+
+
+def test_a_configuration_that_is_not_known(arm):
+    launch = arm.python(
+        "generate_rsp_launch(given())", "from moveit_configs_utils.launches import generate_rsp_launch\n"
+    )
+    assert names(launch) == []
+    assert [gap.reason for gap in launch.not_followed()]
