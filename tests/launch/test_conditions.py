@@ -269,6 +269,10 @@ def test_what_is_in_both_lists_runs_always(launches):
             "the environment variable AMENT_PREFIX_PATH",
         ),
         ("if os.path.exists('/dev/robot'):\n    description.append({0})", "which files the machine has"),
+        (
+            "if os.path.exists(get_package_share_directory('other') + '/p.yaml'):\n    description.append({0})",
+            "which files the machine has",
+        ),
     ],
 )
 def test_why_nobody_knows_whether_a_node_is_started(launches, code, why):

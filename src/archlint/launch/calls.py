@@ -114,7 +114,7 @@ EFFECTS = {
 """By the names that the rows of launch's table have."""
 
 
-def _add(run: Run, receiver: Value, site: CallSite) -> Value:
+def add(run: Run, receiver: Value, site: CallSite) -> Value:
     """``LaunchDescription.add_action``."""
     if not isinstance(receiver, Instance):
         return NONE
@@ -161,8 +161,8 @@ def _evaluated(run: Run, receiver: Value, site: CallSite) -> Value:
 UNDECIDED = "a condition that is not known"
 
 METHODS = {
-    "launch.LaunchDescription.add_action": _add,
-    "launch.LaunchDescription.add_entity": _add,
+    "launch.LaunchDescription.add_action": add,
+    "launch.LaunchDescription.add_entity": add,
     "launch.LaunchDescription.get_launch_arguments": _declared,
     "launch.LaunchContext.perform_substitution": _performed,
     "launch.FindPackageShare.find": _find,

@@ -31,6 +31,7 @@ from archlint.launch import (
     written_files,
 )
 from archlint.launch.mistakes import NotAPath
+from archlint.launch.moveit_configs import actions as moveit_actions
 from archlint.launch.moveit_configs import descriptions
 from archlint.launch.moveit_configs import methods as moveit_methods
 from archlint.launch.objects import LaunchObject, known_text, made_by_base
@@ -198,6 +199,7 @@ def _has_resource(run: LaunchRun, site: CallSite) -> Value:
 PLAIN = {
     **mathematics.PLAIN,
     **moveit_methods.PLAIN,
+    **moveit_actions.PLAIN,
     **descriptions.PLAIN,
     **loaded_modules.PLAIN,
     **read_files.PLAIN,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Concatenate, ParamSpec
 
@@ -39,6 +40,7 @@ def _row(path: str) -> Api | None:
     return _ROS.row(path) or tables.find(path)
 
 
+_OF_PACKAGE = re.compile(r"\$\(find-pkg-share ([\w.-]+)\)/")
 _SAID_BY_COMPONENTS = {
     "package": "package",
     "node_plugin": "plugin",
@@ -127,7 +129,9 @@ class LaunchFileLibrary(LaunchLibrary):
 
     def asked_for_file(self, path: str) -> Value:
         unknown = super().asked_for_file(path)
-        if path.startswith(("/", "~", "$(find-pkg-prefix ")):
+        package = _OF_PACKAGE.match(path)
+        elsewhere = package is not None and not self._launch.paths.has(package[1])
+        if elsewhere or path.startswith(("/", "~", "$(find-pkg-prefix ")):
             return Unknown(read_files.FILE_OF_THE_MACHINE)
         # What is not there is LCH004's: the launch file may stop where it asks.
         return Known(True) if read_files.is_there(self._launch, path) else unknown

@@ -122,3 +122,17 @@ def test_a_configuration_that_is_not_known(arm):
     )
     assert names(launch) == []
     assert [gap.reason for gap in launch.not_followed()]
+
+
+def test_a_launch_file_that_makes_a_debuggable_node_itself(arm):
+    before = (
+        "from moveit_configs_utils.launch_utils import DeclareBooleanLaunchArg, add_debuggable_node\n"
+        "description = LaunchDescription([DeclareBooleanLaunchArg('debug', default_value=False)])\n"
+        "add_debuggable_node(description, package='rviz2', executable='rviz2', arguments=['-d', 'arm.rviz'],\n"
+        "                    extra_debug_args=['--debug'], output='log')\n"
+    )
+    started = arm.python("description", before).started
+    assert [(one.arguments, one.dormant) for one in started] == [
+        (["-d", "arm.rviz"], False),
+        (["-d", "arm.rviz", "--debug"], True),
+    ]
