@@ -183,3 +183,38 @@ def test_a_library_that_the_workspace_builds_is_read():
 def test_a_class_of_that_name_in_another_package_is_not_the_library_s():
     node = server_with({"include/nav2_util/lifecycle_node.hpp": UTILITIES})
     assert node["class"] == "LifecycleNode", "what derives from the library's is not known to be this"
+
+
+IN_TWO_FILES = {
+    "src/camera.hpp": """
+#pragma once
+#include "rclcpp/rclcpp.hpp"
+class Camera : public rclcpp::Node {
+public:
+  Camera();
+  template <typename T> void param(std::string name, T initial, T & value, std::string text = std::string());
+  std::string param(std::string name, std::vector<float> & value);
+  int gpu_ = -1;
+  std::vector<float> region_;
+};
+template <typename T> void Camera::param(std::string name, T initial, T & value, std::string text) {
+  declare_parameter(name, rclcpp::ParameterValue(initial));
+  get_parameter(name, value);
+}
+""",
+    "src/camera.cpp": """
+#include "camera.hpp"
+Camera::Camera() : Node("camera") { param("gpu", -1, gpu_); param("region", region_); }
+std::string Camera::param(std::string name, std::vector<float> & value) {
+  declare_parameter(name, rclcpp::ParameterValue("[]"));
+  return "";
+}
+int main(int argc, char ** argv) { rclcpp::init(argc, argv); rclcpp::spin(std::make_shared<Camera>()); }
+""",
+}
+
+
+def test_methods_that_share_a_name_in_a_header_and_a_source() -> None:
+    [node] = graph(IN_TWO_FILES)["nodes"]
+    types = {row["name"]: row["type"] for row in node["parameters"]}
+    assert types["region"] == "string" and types["gpu"] != "string"

@@ -20,7 +20,7 @@ def note(overloads: Overloads, owner: int, name: str, value: Value) -> None:
         known = overloads.setdefault((owner, name), [])
         if all(function.ir is not value.ir for function in _functions(known)):
             known.append(value)
-            overloads.setdefault(_of_function(value), known)
+            overloads[_of_function(value)] = known  # of the class, where a file defines a method outside of it
 
 
 def all_of(overloads: Overloads, function: FunctionValue) -> list[FunctionValue]:
@@ -40,7 +40,8 @@ def _functions(row: list[object]) -> list[FunctionValue]:
 
 
 def meant(overloads: Overloads, function: FunctionValue, site: CallSite) -> FunctionValue:
-    """The one that takes as many arguments as are given; where none does, the one that takes the fewest.
+    """The one that takes as many arguments as are given; where none does, the shortest that could with the defaults of
+    its declaration, which a definition outside of the class does not repeat; else the one that takes the fewest.
 
     Types are not compared: of several that fit it is the one that was found by the name.
     """
@@ -50,7 +51,8 @@ def meant(overloads: Overloads, function: FunctionValue, site: CallSite) -> Func
     given = len(site.args)
     fitting = [other for other in functions if _required(other) <= given <= _accepted(other)]
     if not fitting:
-        return min(functions, key=_required)
+        with_defaults = [other for other in functions if given <= _accepted(other)]
+        return min(with_defaults, key=_accepted) if with_defaults else min(functions, key=_required)
     return next((other for other in fitting if other.ir is function.ir), fitting[-1])
 
 

@@ -132,6 +132,20 @@ def test_a_class_with_its_fields_and_constructor() -> None:
                 rclcpp::Node.__init__(self)""")
 
 
+@pytest.mark.parametrize(
+    ("member", "value"),
+    [
+        ("Helper helper_;", "?Helper(self)"),
+        ("Helper<rclcpp::Node> helper_;", "?Helper(self)"),
+        ("Helper * helper_;", "__member__(self)"),
+        ("", "__member__(self)"),
+    ],
+)
+def test_a_member_that_is_given_its_node_is_another_object(member: str, value: str) -> None:
+    source = f'class Arm : public rclcpp::Node {{\npublic:\n  Arm() : Node("arm"), helper_(this) {{}}\n  {member}\n}};'
+    assert f"        self.helper_ = {value}\n" in in_python(source)
+
+
 def test_a_constructor_outside_of_its_class_makes_the_bases_that_it_does_not_name() -> None:
     assert in_python('Arm::Arm() : name_("arm") {}') == dedent("""\
         def Arm::Arm(self):

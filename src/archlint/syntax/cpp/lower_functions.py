@@ -150,14 +150,30 @@ class FunctionLowering(StatementLowering):
             called = facts.Attribute(base, "__init__", span)
             return facts.Expression(facts.Call(called, [facts.Argument(itself), *listed], span), span)
         target = facts.Attribute(itself, last.name, span)
-        return facts.Assign([target], self._member_value(arguments, span), span)
+        return facts.Assign([target], self._member_value(name, arguments, span), span)
 
-    def _member_value(self, arguments: Node | None, span: Span) -> Expr:
-        """What ``member(…)`` of a constructor's list sets; the type of the member is not known here."""
+    def _member_value(self, name: Node, arguments: Node | None, span: Span) -> Expr:
+        """What ``member(…)`` of a constructor's list sets.  The type of the member is hardly known here; the object
+        itself makes another one of it, such as a helper that is given its node."""
         nodes = [] if arguments is None else [child for child in arguments.named_children if child.type != "comment"]
-        if len(nodes) == 1:
+        is_given_itself = len(nodes) == 1 and self.source.text(nodes[0]) in ("this", "*this")
+        if is_given_itself and (kind := self._type_of_member(name)) is not None:
+            return self.construct(kind, arguments, span)
+        if len(nodes) == 1 and not is_given_itself:
             return self.lower(nodes[0])
         return facts.Call(facts.Name("__member__", span), given(self.lower_all(nodes)), span)
+
+    def _type_of_member(self, name: Node) -> Node | None:
+        """The type of a member that is an object, no pointer, where its class is around; None where it is elsewhere."""
+        around: Node | None = name
+        while around is not None and around.type not in ("class_specifier", "struct_specifier"):
+            around = around.parent
+        block = None if around is None else around.child_by_field_name("body")
+        for member in [] if block is None else block.named_children:
+            declarator = member.child_by_field_name("declarator") if member.type == "field_declaration" else None
+            if declarator is not None and declarator.type == "field_identifier" and declarator.text == name.text:
+                return member.child_by_field_name("type")
+        return None
 
     def _method(self, name: str, params: list[Param], body: list[Stmt], span: Span) -> facts.Function:
         of_self = facts.Param("self", "normal")
