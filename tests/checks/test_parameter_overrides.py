@@ -581,3 +581,26 @@ def test_parameters_that_a_loop_declares_as_often_as_another_one_says(
     found = findings(f"{{{given}}},", talker=talker)
     assert [name for name in told if any(name in one.message for one in found)] == told
     assert len(found) == len(told)
+
+
+# ------------------------------------------------------------------------------ a program that is too large to follow
+
+LARGE = """        for a in range(400):
+            for b in range(400):
+                self.get_logger().info('x')
+        {read}
+"""
+
+
+@pytest.mark.parametrize(
+    ("read", "told"),
+    [
+        ("self.get_parameter('gain')", ["maximum_gain"]),
+        ("self.declare_parameter('maximum_gain', 1.0)", []),
+        ("self.declare_parameter(f'{self.get_name()}.maximum_gain', 1.0)", []),
+        ("self.helper('maximum_gain')", []),
+    ],
+)
+def test_a_name_that_no_code_has_is_no_parameter_of_a_program_that_is_cut_short(findings, read: str, told: list[str]):
+    talker = TALKER.replace("\ndef main", f"{LARGE.format(read=read)}\ndef main")
+    assert [row.identity[1] for row in findings("{'maximum_gain': 0.1}", talker=talker)] == told

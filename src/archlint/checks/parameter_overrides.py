@@ -7,7 +7,7 @@ from dataclasses import astuple, replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.chosen_names import executable_is_chosen, executable_is_picked
-from archlint.analysis.declared_parameters import always_declared, declared_by, followed, names_in_package
+from archlint.analysis.declared_parameters import always_declared, declared_by, followed, is_judged, names_in_package
 from archlint.analysis.files_read_in_code import is_read_in_code
 from archlint.analysis.kept import once
 from archlint.analysis.set_parameters import (
@@ -45,7 +45,7 @@ def unknown_parameter_override(system: System, options: Options) -> Iterator[Fin
     for node, settings in set_nodes(system):
         declared = declared_by(node)
         assert node.blueprint is not None
-        if declared is None or not node.blueprint.just_rclpy or not followed(node):
+        if declared is None or not node.blueprint.just_rclpy:
             continue
         siblings = [other for other in system.entries if other.started is node.started and other is not node]
         if _has_unseen_nodes(node) or _is_gone_before(node, siblings):
@@ -57,6 +57,8 @@ def unknown_parameter_override(system: System, options: Options) -> Iterator[Fin
             if _for_another_choice(setting.name, declared, settings) or _by_default(system, node, setting.name):
                 continue
             if any(names is None or setting.name in names for names in others):
+                continue
+            if not is_judged(system, node, setting.name):
                 continue
             if node_meant(system, node, setting, siblings) is not node:
                 continue
