@@ -165,3 +165,30 @@ def generate_launch_description():
     bad = {"config/p.yaml": "talker:\n  rate: 1.0", "launch/it.launch.py": text}
     (told,) = findings("PRM009", **bad)
     assert [(each.place.file, each.place.line) for each in told.related] == [("launch/it.launch.py", 12)]
+
+
+SECTION = "talker:\n  ros__parameters:\n    rate: 1.0\n    gains: {}\n"
+
+
+@pytest.mark.parametrize(
+    ("gains", "types", "help"),
+    [
+        ("[1.0, 2, 3.0]", "double, integer", "write a decimal point in each number of it"),
+        ("[1, 2.5]", "integer, double", "write a decimal point in each number of it"),
+        ("[left, 2]", "string, integer", "give all items of it one type"),
+        ("[true, 1]", "bool, integer", "give all items of it one type"),
+    ],
+)
+def test_a_list_of_several_types(findings, gains, types, help):
+    (told,) = findings("PRM009", LOAD_IT, **{"config/p.yaml": SECTION.format(gains)})
+    assert (told.place.line, told.help) == (4, help)
+    assert told.message == f"the list 'gains' has items of the types {types}: 'talker' stops when it reads this file"
+
+
+@pytest.mark.parametrize("gains", ["[1.0, 2.0]", "[1, 2]", "['1', left]", "[true, false]", "[1e3, 2.0]", "[]"])
+def test_a_list_of_one_type(findings, gains):
+    assert findings("PRM009", LOAD_IT, **{"config/p.yaml": SECTION.format(gains)}) == []
+
+
+def test_a_list_in_a_file_that_no_node_gets(findings):
+    assert findings("PRM009", node("", name="talker"), **{"config/p.yaml": SECTION.format("[1.0, 2]")}) == []

@@ -1,4 +1,8 @@
-"""The parameter files that a launch file gives to nodes, and in which ``ros__parameters`` is not where it has to be."""
+"""The parameter files that a launch file gives to nodes, and in which ``ros__parameters`` is not where it has to be, or
+a list has items of several types.
+
+Source: ``find_parameter_arrays`` and ``parse_value`` of rcl_yaml_param_parser, "Sequence should be of same type".
+"""
 
 from __future__ import annotations
 
@@ -44,6 +48,50 @@ def misplaced_in_files(system: System) -> Iterator[MisplacedIn]:
     yield from by_file.values()
 
 
+@dataclass(frozen=True)
+class MixedList:
+    """A list of a file whose items have several ``types``, in the order in which they come."""
+
+    file: str
+    name: str
+    types: tuple[str, ...]
+    place: Place
+    user: str | None
+    given: Place
+
+
+_TYPES = {bool: "bool", int: "integer", float: "double", str: "string"}
+
+
+def mixed_lists(system: System) -> Iterator[MixedList]:
+    """The first such list of each file that is given to a process as it is: rcl refuses all of the file."""
+    if system.launched is None or system.workspace is None:
+        return
+    seen: set[str] = set()
+    for started in system.launched.started:
+        for use in files_among(started.parameters) if started.kind != StartedKind.COMPONENT else ():
+            file = use.reference.source
+            if file is None or file in seen or use.changes:
+                continue
+            seen.add(file)
+            sections = system.workspace.parameters_of(file).sections
+            for entry in (entry for section in sections for entry in section.entries):
+                types = _types_of(entry.value)
+                if len(types) > 1:
+                    user = (started.name or started.executable).text
+                    place = Place(file, *entry.span)
+                    yield MixedList(file, entry.name, types, place, user, _given_at(started, use.place))
+                    break
+
+
+def _types_of(value: object) -> tuple[str, ...]:
+    """The types of the items of a list, each once; none where some item is of another type."""
+    items = value if isinstance(value, list) else []
+    if any(type(item) not in _TYPES for item in items):
+        return ()
+    return tuple(dict.fromkeys(_TYPES[type(item)] for item in items))
+
+
 def _misplaced(system: System, started: Started, use: ParameterFileUse) -> MisplacedIn | None:
     file = use.reference.source
     if file is None or use.changes or system.workspace is None:
@@ -62,4 +110,4 @@ def _given_at(started: Started, place: Place) -> Place:
     return place if inside or not place.file.endswith(".py") else parameters
 
 
-__all__ = ["ROOT", "Misplaced", "MisplacedIn", "Misplacement", "misplaced_in_files"]
+__all__ = ["ROOT", "Misplaced", "MisplacedIn", "Misplacement", "MixedList", "misplaced_in_files", "mixed_lists"]

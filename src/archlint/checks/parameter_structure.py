@@ -1,4 +1,4 @@
-"""PRM009: parameter files that rcl refuses, since ``ros__parameters`` is not where it has to be."""
+"""PRM009: parameter files that rcl refuses, for their structure or for a list of several types."""
 
 from __future__ import annotations
 
@@ -10,11 +10,14 @@ from archlint.analysis.refused_parameter_files import (
     Misplaced,
     MisplacedIn,
     Misplacement,
+    MixedList,
     misplaced_in_files,
+    mixed_lists,
 )
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
+from archlint.suggestions import listed
 
 if TYPE_CHECKING:
     from archlint.systems.model import System
@@ -32,6 +35,20 @@ def parameter_file_structure(system: System, options: Options) -> Iterator[Findi
             related=(Related(key.given, "this file is given to it here"),),
             identity=(key.file, key.wrong.kind, key.wrong.key),
         )
+    yield from map(_mixed, mixed_lists(system))
+
+
+def _mixed(row: MixedList) -> Finding:
+    whom = f"'{row.user}'" if row.user else "a node"
+    numbers = set(row.types) == {"integer", "double"}
+    return finding(
+        "PRM009",
+        row.place,
+        f"the list '{row.name}' has items of the types {listed(row.types)}: {whom} stops when it reads this file",
+        help="write a decimal point in each number of it" if numbers else "give all items of it one type",
+        related=(Related(row.given, "this file is given to it here"),),
+        identity=(row.file, "mixed", row.name),
+    )
 
 
 def _effect(key: MisplacedIn) -> str:
