@@ -41,9 +41,24 @@ def test_a_substitution_that_is_taken_for_a_path(findings, line, said, help):
     assert one.place.line == 14 and one.severity is Severity.ERROR
 
 
+def test_a_comma_that_makes_a_tuple(findings):
+    line = "folder = get_package_share_directory('robot'),\n    path = os.path.join(folder, 'launch')"
+    source = PERFORMED.format(line=line).replace("import os\n", f"import os\n{IMPORT}\n", 1)
+    (one,) = findings("LCH006", **{"launch/it.launch.py": source})
+    assert one.message == (
+        "os.path.join() is called with a tuple, which is not a string: the launch stops here with a TypeError"
+    )
+    assert one.help == "remove the comma at the end of the line that makes the tuple"
+
+
+IMPORT = "from ament_index_python.packages import get_package_share_directory"
+
+
 @pytest.mark.parametrize(
     "line",
     [
+        "path = os.path.join(*('robots', 'launch'))",
+        "path = os.path.join(('robots', 'launch')[0], 'launch')",
         "path = PathJoinSubstitution([FindPackageShare('robot'), 'launch'])",
         "path = os.path.join(start.__name__, 'launch')",
         "path = os.path.join(FindPackageShare('robot').find('robot'), 'launch')",

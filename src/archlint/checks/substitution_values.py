@@ -64,18 +64,20 @@ def _list_with(what: str) -> str:
 
 
 def _not_a_path(joined: NotAPath) -> Finding:
-    if joined.package is None:
+    what, until = f"a {joined.substitution}", " until launch performs it"
+    if not joined.substitution:
+        what, until, instead = "a tuple", "", "remove the comma at the end of the line that makes the tuple"
+    elif joined.package is None:
         instead = "use PathJoinSubstitution([…]) instead of os.path.join()"
     else:
         instead = f"use get_package_share_directory('{joined.package}'), which returns a path"
     return finding(
         "LCH006",
         joined.place,
-        f"os.path.join() is called with a {joined.substitution}, which is not a string until launch performs it: "
-        "the launch stops here with a TypeError",
+        f"os.path.join() is called with {what}, which is not a string{until}: the launch stops here with a TypeError",
         help=instead,
         identity=("os.path.join", joined.substitution),
-        group=(joined.place.file, "os.path.join"),
+        group=(joined.place.file, "os.path.join", "" if joined.substitution else "tuple"),
     )
 
 

@@ -13,6 +13,7 @@ from archlint.interpreter.values import (
     External,
     Instance,
     Known,
+    ListValue,
     Unknown,
     Value,
     alternatives,
@@ -93,7 +94,8 @@ def _of_package(run: LaunchRun, call: ApiUse, folder_of: Callable[[str], Value])
 
 
 def _path_join(run: LaunchRun, call: ApiUse) -> Value:
-    """``os.path.join(…)``, which raises a TypeError for a substitution: only launch can make a text of that."""
+    """``os.path.join(…)``, which raises a TypeError for a substitution, of which only launch can make a text, and for a
+    tuple, which a comma too many makes."""
     if call.expression is not None and stops_the_launch(run):
         place = run.place(call.expression.span)
         for part in (call.get("path"), *call.rest):
@@ -101,6 +103,9 @@ def _path_join(run: LaunchRun, call: ApiUse) -> Value:
                 case LaunchObject(is_substitution=True, kind=kind):
                     package = known_text(part.argument("package")) if kind == LaunchClass.FIND_PACKAGE_SHARE else None
                     run.note_joined(NotAPath(kind, package, place))
+                    break
+                case ListValue(kind="tuple"):
+                    run.note_joined(NotAPath("", None, place))
                     break
     return path_join(run, call)
 

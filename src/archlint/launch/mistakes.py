@@ -84,7 +84,8 @@ class WithoutContext:
 
 @dataclass(frozen=True)
 class NotAPath:
-    """A ``substitution`` that ``os.path.join()`` is given; ``package`` is the one whose folder it stands for."""
+    """A ``substitution`` (or, empty, a tuple) that ``os.path.join()`` is given; ``package`` is the one whose folder it
+    stands for."""
 
     substitution: str
     package: str | None
