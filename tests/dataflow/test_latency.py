@@ -88,6 +88,32 @@ def test_a_loop_that_sleeps_has_a_period(traced: Traced) -> None:
     assert traced.way("relayed", origin="/talker") == [(0.25, "node of /talker has its turn every 0.25 s")]
 
 
+def test_what_one_loop_sends_to_two_topics_has_the_same_period(traced: Traced) -> None:
+    traced.file(
+        "node.py",
+        """
+        import time
+        import rclpy
+        from std_msgs.msg import String
+
+        rclpy.init()
+        node = rclpy.create_node("talker")
+        first = node.create_publisher(String, "first", 10)
+        second = node.create_publisher(String, "second", 10)
+        while rclpy.ok():
+            first.publish(String())
+            second.publish(String())
+            time.sleep(0.25)
+        """,
+    )
+    traced(
+        **{name: RELAY.replace("chatter", name).replace("relayed", f"{name}_relayed") for name in ("first", "second")}
+    )
+    flow = traced.flow
+    callbacks = [step for step in flow.steps if step.callback is not None and interval(flow, step) is not None]
+    assert [interval(flow, step) for step in callbacks] == [0.25, 0.25]
+
+
 # ------------------------------------------------------------------------------------------------- misfits
 
 

@@ -31,15 +31,15 @@ def _intervals(flow: Flow) -> Mapping[int, float]:
     """The interval of each callback (``id``) that a timer or a sleeping loop starts, over however many topics: the
     shortest first, so that each is looked at once."""
     known: dict[int, float] = {}
+    numbers = {id(step): number for number, step in enumerate(flow.steps)}
     left: list[tuple[float, int, Step]] = []
-    for number, step in enumerate(flow.steps):
+    for step in flow.steps:
         period = timer_period(flow.system, step) if _role(step) == Role.TIMER else None
         if period is not None:
-            left.append((period, number, step))
+            left.append((period, numbers[id(step)], step))
         elif _role(step) in (*SCRIPT, Role.THREAD):
             links = [(_regular_interval(link), link.head) for link in flow.out_of(step)]
-            left += [(seconds, number, head) for seconds, head in links if seconds is not None]
-    numbers = {id(step): number for number, step in enumerate(flow.steps)}
+            left += [(seconds, numbers[id(head)], head) for seconds, head in links if seconds is not None]
     heapify(left)
     while left:
         seconds, _, step = heappop(left)
