@@ -72,7 +72,7 @@ def _sent(flow: Flow, link: Link) -> _Sent | None:
     call = next((call for call in step.calls if call.place == place), None)
     role, when = step.callback.role, occasion_words(step.callback)
     if role == Role.TIMER and not link.conditional:
-        return _Sent(Use.STREAM, None, Evidence(place, f"{who} publishes in a timer whose period is not known"))
+        return _Sent(Use.STREAM, None, Evidence(place, f"{who} publishes {when}"))
     if role in _WITH_DATA and not link.conditional:
         return _Sent(Use.STREAM, None, Evidence(place, f"{who} publishes {when}"))
     if role in (*SCRIPT, Role.THREAD) and call is not None and call.looped:
