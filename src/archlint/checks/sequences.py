@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.blocking import AWAIT
 from archlint.analysis.callback_roles import callback_words, runs_in_executor
+from archlint.analysis.client_loops import clients_in_turn
 from archlint.analysis.dependent_waits import build_on_answers
 from archlint.analysis.loop_times import is_retried
 from archlint.analysis.reach import endpoint_words, node_name, one_for_each_place
@@ -22,7 +23,7 @@ from archlint.model import (
 )
 
 if TYPE_CHECKING:
-    from archlint.model import Creation, Frame
+    from archlint.model import ApiCall, Creation, Frame
     from archlint.systems.model import System
 
 
@@ -41,12 +42,28 @@ class _Step:
 @rule("SRV005", scope=Scope.CODE, limit=3)
 def sequential_sync_calls(system: System, options: Options) -> Iterator[Finding]:
     """Callbacks and loop bodies that wait for several servers in turn."""
-    limit, code = int(options.number("limit")), source_code(system)
+    limit, code = max(2, int(options.number("limit"))), source_code(system)
     yield from one_for_each_place(
         _in_turn(system, steps)
         for steps in _runs(system)
-        if _servers(steps) >= max(2, limit) and not _build_on_answers(code, steps)
+        if _servers(steps) >= limit and not _build_on_answers(code, steps)
     )
+    yield from one_for_each_place(
+        _in_loop(system, wait, servers)
+        for wait in waits(system)
+        if _is_judged(code, wait) and wait.client.type not in _COMMANDS and wait.client.kind == EntityKind.CLIENT
+        for servers in [clients_in_turn(code, wait)]
+        if servers >= limit
+    )
+
+
+def _is_judged(code: SourceCode, wait: Wait) -> bool:
+    """Whether a wait in a loop over clients is one of a callback, or of what a program repeats."""
+    call = wait.call
+    if not call.loops or call.context.role == Role.SERVICE or (wait.kind != AWAIT and is_retried(code, call)):
+        return False
+    repeated = len(call.enclosing_loops) > 1 and call.context.role in (Role.MAIN, Role.THREAD)
+    return runs_in_executor(call.context) or repeated
 
 
 def _servers(steps: Sequence[_Step]) -> int:
@@ -110,10 +127,29 @@ def _sequences(steps: list[_Step]) -> Iterator[list[_Step]]:
         yield [sequence[key] for key in sorted(sequence)]
 
 
+def _in_loop(system: System, wait: Wait, servers: int) -> Finding:
+    """The finding for a loop over clients."""
+    call = wait.call
+    return finding(
+        "SRV005",
+        call.place,
+        f"{_who(call)} waits for the responses of {servers} servers, one in each round of a loop: the waits add up, "
+        "and one slow server delays all",
+        help="send all the requests with call_async() first, and wait for their futures after the loop",
+        related=[Related(wait.client.place, "the clients are created here")],
+        node=node_name(system, call.node),
+        identity=(call.context.name, str(servers)),
+    )
+
+
+def _who(call: ApiCall) -> str:
+    callback = call.context
+    return callback_words(callback) if runs_in_executor(callback) else f"a loop of {callback.name}()"
+
+
 def _in_turn(system: System, steps: list[_Step]) -> Finding:
     first = steps[0].wait.call
-    callback = first.context
-    who = callback_words(callback) if runs_in_executor(callback) else f"a loop of {callback.name}()"
+    callback, who = first.context, _who(first)
     lines = {step.wait.call.place for step in steps}
     awaits = all(step.wait.kind == AWAIT for step in steps)
     return finding(

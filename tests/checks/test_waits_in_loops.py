@@ -1,0 +1,91 @@
+"""SRV005: loops over clients that wait for each response before they send the next request."""
+
+from __future__ import annotations
+
+import pytest
+
+from checks.callbacks import Run, source
+
+GROUPS = "self.create_timer(5.0, self.tick, callback_group=MutuallyExclusiveCallbackGroup())\n"
+THREE = "self.parts = [self.create_client(Trigger, name) for name in ('arm', 'base', 'head')]\n"
+THREADS = """
+def main():
+    rclpy.init()
+    executor = MultiThreadedExecutor()
+    executor.add_node(Robot())
+    executor.spin()
+
+
+if __name__ == '__main__':
+    main()
+"""
+
+
+def sequences(run: Run, setup: str, body: str, main: str = THREADS) -> list[str]:
+    method = "def tick(self):\n" + "".join(f"    {line}\n" for line in body.strip("\n").splitlines())
+    found = run(source(GROUPS + setup, method, main))
+    return [finding.message.partition(" waits for ")[2] for finding in found if finding.code == "SRV005"]
+
+
+ASK = "part.call(Trigger.Request(), timeout_sec=1.0)"
+NEXT = "part.call(request, timeout_sec=1.0)"
+SAID = "the responses of 3 servers, one in each round of a loop: the waits add up, and one slow server delays all"
+
+
+@pytest.mark.parametrize(
+    ("setup", "body"),
+    [
+        (THREE, f"for part in self.parts:\n    {ASK}"),
+        (THREE, f"for number, part in enumerate(self.parts):\n    print(number, {ASK})"),
+        (THREE.replace("[", "{name: ").replace("]", "}"), f"for name, part in self.parts.items():\n    {ASK}"),
+        ("".join(f"self.{name} = self.create_client(Trigger, '{name}')\n" for name in ("arm", "base", "head")),
+         f"for part in (self.arm, self.base, self.head):\n    {ASK}"),
+    ],
+    ids=["a list", "enumerated", "a dict", "written out"],
+)  # fmt: skip
+def test_each_round_waits_for_another_server(run: Run, setup: str, body: str):
+    assert sequences(run, setup, body) == [SAID]
+
+
+@pytest.mark.parametrize(
+    ("setup", "body"),
+    [
+        (THREE.replace("'arm', 'base', 'head'", "'arm', 'base'"), f"for part in self.parts:\n    {ASK}"),
+        (THREE, f"for part in self.parts:\n    if {ASK} is None:\n        return"),
+        (THREE, f"for part in self.parts:\n    if part.service_is_ready() and wanted(part):\n        {ASK}"),
+        (THREE, "for part in self.parts:\n    part.call_async(Trigger.Request())"),
+        (THREE.replace("Trigger", "SetBool"), f"for part in self.parts:\n    {ASK.replace('Trigger', 'SetBool')}"),
+        ("self.part = self.create_client(Trigger, 'arm')\n",
+         f"for name in ('a', 'b', 'c'):\n    self.{ASK}"),
+        (THREE, f"answer = None\nfor part in self.parts:\n    request = after(answer)\n    answer = {NEXT}"),
+    ],
+    ids=["two", "ends early", "under a condition", "does not wait", "commands", "one server", "needs the last answer"],
+)  # fmt: skip
+def test_loops_that_are_right(run: Run, setup: str, body: str):
+    assert sequences(run, setup, body) == []
+
+
+LOOP = """
+def main():
+    rclpy.init()
+    robot = Robot()
+    threading.Thread(target=rclpy.spin, args=(robot,), daemon=True).start()
+    while rclpy.ok():
+        robot.work()
+        time.sleep(5.0)
+
+
+if __name__ == '__main__':
+    main()
+"""
+
+
+def test_a_program_that_repeats_it_and_one_that_does_it_once(run: Run):
+    method = f"def tick(self):\n    pass\n\n\ndef work(self):\n    for part in self.parts:\n        {ASK}\n"
+
+    def codes(main: str) -> list[str]:
+        return [finding.code for finding in run(source(THREE, method, main)) if finding.code == "SRV005"]
+
+    assert codes(LOOP) == ["SRV005"]
+    once = LOOP.replace("    while rclpy.ok():\n        robot.work()\n        time.sleep(5.0)\n", "    robot.work()\n")
+    assert codes(once) == []
