@@ -525,6 +525,52 @@ def test_an_error_in_code_that_is_put_aside_is_nobodys(tmp_path, monkeypatch, pa
     assert [finding.code for finding in rows if finding.code == "EXE004"] == told
 
 
+USES_WHAT_IS_OLD = """
+import os
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch.actions import IncludeLaunchDescription
+from launch.launch_description_sources import PythonLaunchDescriptionSource
+from launch_ros.actions import Node
+
+HERE = get_package_share_directory('robot')
+
+def generate_launch_description():
+    return LaunchDescription([
+        Node(package='robot', executable='driver', parameters=[os.path.join(HERE, 'old', 'p.yaml')]),
+        IncludeLaunchDescription(PythonLaunchDescriptionSource(os.path.join(HERE, 'old', 'it.launch.py'))),
+    ])
+"""
+
+
+@pytest.mark.parametrize(
+    ("launch", "told"),
+    [(USES_WHAT_IS_OLD, [("LCH001", "old/it.launch.py"), ("PRM004", "old/p.yaml")]), ("", [])],
+    ids=["a launch file uses them", "nothing uses them"],
+)
+def test_old_launch_and_parameter_files_that_something_uses(tmp_path, monkeypatch, launch: str, told: list[str]):
+    setup = "from setuptools import setup\nsetup(name='robot', packages=['robot'], data_files=[\n"
+    setup += "('share/robot/launch', ['launch/robot.launch.py']),\n"
+    setup += "('share/robot/old', ['old/p.yaml', 'old/it.launch.py'])],\n"
+    setup += "entry_points={'console_scripts': ['driver = robot.driver:main']})\n"
+    files = {
+        "package.xml": MANIFEST.strip(),
+        "setup.py": setup,
+        "robot/__init__.py": "",
+        "robot/driver.py": NODE.replace("'talker'", "'driver'"),
+        "launch/robot.launch.py": launch,
+        "old/it.launch.py": LAUNCH,
+        "old/p.yaml": "driver:\n  ros__parameters:\n    rate: 1.0\n",
+        "archlint.toml": 'select = ["LCH001", "PRM004"]',
+    }
+    for name, text in files.items():
+        (tmp_path / name).parent.mkdir(exist_ok=True, parents=True)
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    rows = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+    assert [(finding.code, finding.place.file) for finding in rows] == told
+
+
 @pytest.mark.parametrize(
     ("change", "places"),
     [

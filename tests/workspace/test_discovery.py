@@ -527,6 +527,13 @@ def test_a_link_to_nothing_is_told(tmp_path):
     )
 
 
+def test_a_link_to_nothing_among_sources_of_c_is_told_in_packages(tmp_path):
+    plant(tmp_path, {"firmware/a.cpp": "", "robot/package.xml": "<package><name>robot</name></package>"})
+    for folder in ("firmware", "robot"):
+        (tmp_path / folder / "gone.hpp").symlink_to("nowhere.hpp")
+    assert [problem.file for problem in look(tmp_path).problems if "link" in problem.message] == ["robot/gone.hpp"]
+
+
 def test_a_pipe_is_told_and_not_waited_for(tmp_path):
     os.mkfifo(tmp_path / "pipe.py")
     os.mkfifo(tmp_path / "pipe")

@@ -6,7 +6,7 @@ import os
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
-from archlint.analysis.aside import is_left_alone
+from archlint.analysis.aside import is_disused, is_left_alone
 from archlint.checks.registry import registered
 from archlint.checks.scope import Scope
 
@@ -25,10 +25,16 @@ def without_left_alone(index: WorkspaceIndex, findings: Iterable[Finding], paths
     for finding in findings:
         file = finding.place.file
         if file not in alone:
-            alone[file] = os.path.abspath(file) not in named and is_left_alone(index, file)
+            put_aside = is_left_alone(index, file) and is_disused(index, file)
+            alone[file] = put_aside and os.path.abspath(file) not in named and _is_code(index, file)
         if not (alone[file] and _is_of_what_runs(finding)):
             kept.append(finding)
     return kept
+
+
+def _is_code(index: WorkspaceIndex, file: str) -> bool:
+    """Whether a file is code, a launch file or an interface: others are judged where something in use reads them."""
+    return not file.endswith((".yaml", ".yml")) or file in index.launch_files.all()
 
 
 def _is_of_what_runs(finding: Finding) -> bool:

@@ -154,7 +154,8 @@ class Walk:
         try:
             status = entry.stat()
         except OSError as error:
-            if kind is not None and not folder.context and (why := _why_unreadable(entry, error)):
+            stray = kind == "cpp" and not self._is_in_package(os.path.dirname(entry.path))  # of a firmware, say
+            if kind is not None and not folder.context and not stray and (why := _why_unreadable(entry, error)):
                 self._problem(shown, *why)
             return
         if kind is None:
