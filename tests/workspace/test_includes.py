@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from archlint.workspace.includes import Includes
+from archlint.workspace.includes import SOURCE, Includes
 from archlint.workspace.model import SourceFile
 
 FILES = (
@@ -37,3 +37,12 @@ def test_an_include_is_found_by_the_end_of_its_path(importer: str, written: str,
         includes.add(of(path))
     file = includes.find(of(importer), written)
     assert (None if file is None else file.relative) == meant
+
+
+@pytest.mark.parametrize("number", ["x", "-1", "²", "٣", "99", "9" * 5000, "", "0/joint.hpp"])
+def test_a_file_that_writes_the_name_of_a_source_itself_includes_nothing(number: str) -> None:
+    includes = Includes()
+    for path in FILES:
+        includes.add(of(path))
+    assert includes.find(of("arm/src/joint.cpp"), f"{SOURCE}{number}") is None
+    assert includes.find(of("arm/src/joint.cpp"), f"{SOURCE}0") is not None  # as we write it

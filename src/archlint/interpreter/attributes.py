@@ -280,8 +280,8 @@ def _set_one(machine: Machine, target: Value, name: str, value: Value) -> None:
     else:
         machine.library.assigned(target, name, value)
     if isinstance(target, ModuleValue):
-        assert target.module.scope is not None
-        machine.store.set(target.module.scope.key, name, value)
+        if target.module.scope is not None:
+            machine.store.set(target.module.scope.key, name, value)
     elif target.heap_key:
         machine.store.set(target.heap_key, name, value)
 

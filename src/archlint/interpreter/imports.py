@@ -61,7 +61,8 @@ def _import_star(machine: Machine, module: Module | None, dotted: str) -> None:
             machine.activation.module.star_externals.append(dotted)
         return
     machine.import_module(module)
-    assert module.scope is not None
+    if module.scope is None:
+        return
     exports = module.facts.exports
     for name, value in machine.store.variables(module.scope.key):
         if name in exports if exports is not None else not name.startswith("_"):

@@ -23,7 +23,7 @@ from archlint.interpreter.caught import Raised
 from archlint.interpreter.heap import Layer, Slot, Store
 from archlint.interpreter.implementations import sources_to_run
 from archlint.interpreter.library import Library
-from archlint.interpreter.limits import COMPREHENDED, NESTED_CALLS, PROGRAM_STEPS, RUNS, STEPS, WORK_OF_A_STEP
+from archlint.interpreter.limits import COMPREHENDED, IMPORTS, NESTED_CALLS, PROGRAM_STEPS, RUNS, STEPS, WORK_OF_A_STEP
 from archlint.interpreter.modules import Module, ModuleIndex, Scope, ScopeKind
 from archlint.interpreter.values import External, Instance, Known, ModuleValue, Unknown, Value, reason
 from archlint.reasons import Uninformative
@@ -219,7 +219,9 @@ class Machine(ABC):
     # -------------------------------------------------------------------------------------------- modules
 
     def import_module(self, module: Module) -> ModuleValue:
-        """Run a module's body once for all programs, and return it."""
+        """Run a module's body once for all programs, and return it; one that is imported too deep is not run."""
+        if module.state == "new" and self.index.running >= IMPORTS:
+            return ModuleValue(module)
         self.index.note_use(module)
         if module.state == "new" and self.index.import_earlier is not None:
             self.index.import_earlier(module)
@@ -251,13 +253,11 @@ class Machine(ABC):
                 self.index.note_writes(module, older)
                 self.store.set(module.scope.key, "__name__", Known(module.name))
                 self.store.set(module.scope.key, "__file__", self.path_of(module))
-                self.activations.append(
-                    Activation(module.name, module, module.scope, module.facts.body, self.store.depth)
-                )
-                self.execute(module.facts.body)
+                body = module.facts.body
+                self.activations.append(Activation(module.name, module, module.scope, body, self.store.depth))
+                self.execute(body)
         except Exception as error:  # of what statements do not keep to themselves: code that is nested too deep
-            place = Place(module.path, 1, 1, 1, 1)
-            self.note_fault(f"following the module {module.name}", error, place)
+            self.note_fault(f"following the module {module.name}", error, Place(module.path, 1, 1, 1, 1))
 
     @contextmanager
     def importing(self, module: Module) -> Iterator[None]:
@@ -271,9 +271,9 @@ class Machine(ABC):
     def module_attribute(self, module: Module, name: str) -> Value | None:
         """``module.name``: a variable, or a submodule."""
         self.import_module(module)
-        assert module.scope is not None
-        value = self.store.get(module.scope.key, name)
-        if value is not None:
+        if module.scope is None:
+            return Unknown("more imports inside each other than Python follows")
+        if (value := self.store.get(module.scope.key, name)) is not None:
             return value
         if module.is_package:
             below = self.index.find(module, name, level=1)

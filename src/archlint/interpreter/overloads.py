@@ -13,12 +13,15 @@ Overloads = dict[tuple[int, str], list[object]]
 """The functions of each class or file, by its key and their name, in the order of their definitions; the same by the
 ``id`` of the facts of each."""
 
+MOST = 100
+"""How many functions of one name are told apart."""
+
 
 def note(overloads: Overloads, owner: int, name: str, value: Value) -> None:
     """A class or a file of C++ gets one more function."""
     if isinstance(value, FunctionValue) and value.scope.module.file.kind == "cpp":
         known = overloads.setdefault((owner, name), [])
-        if all(function.ir is not value.ir for function in _functions(known)):
+        if len(known) < MOST and all(function.ir is not value.ir for function in _functions(known)):
             known.append(value)
             overloads[_of_function(value)] = known  # of the class, where a file defines a method outside of it
 

@@ -35,8 +35,7 @@ class Includes:
     def find(self, importer: SourceFile, name: str) -> SourceFile | None:
         """The file that an include in another means; None for what is not here."""
         if name.startswith(SOURCE):
-            sources, number = self.sources_beside(importer), int(name.removeprefix(SOURCE))
-            return sources[number] if number < len(sources) else None
+            return self._source(importer, name.removeprefix(SOURCE))
         candidates = self._by_name.get(name.rpartition("/")[2], [])
         if not candidates:
             return None
@@ -53,6 +52,13 @@ class Includes:
             return path != beside, file.package != importer.package, -near, path
 
         return min(fitting, key=rank)
+
+    def _source(self, importer: SourceFile, number: str) -> SourceFile | None:
+        """The so manyth source; None where a file writes such a name itself, with anything for a number."""
+        sources = self.sources_beside(importer)
+        if not number.isdecimal() or len(number) > len(str(len(sources))):
+            return None
+        return sources[int(number)] if int(number) < len(sources) else None
 
     def is_header(self, file: SourceFile) -> bool:
         """Whether a file is a header of C++."""
