@@ -12,12 +12,22 @@ from archlint.checks import near_misses, unmatched
 from archlint.config.options import options_for
 from archlint.config.settings import Settings
 from archlint.engine.judging import judge
-from archlint.finding import Finding
+from archlint.finding import Finding, Place
 from archlint.ros.qos import Qos
 from archlint.systems.model import System
 from systems.builders import node, partial, publisher, subscriber, system
 
 REAL = near_misses.MOST_PAIRS, coexistence.MOST_ENDS
+CROWDED = """\
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import String
+
+class Talker(Node):
+    def __init__(self):
+        super().__init__('talker')
+{lines}
+"""
 BEST_EFFORT = Qos(reliability="best_effort")
 
 
@@ -117,3 +127,26 @@ def test_types_and_owners_of_one_topic_are_held_against_each_other_up_to_a_limit
     for code, pairs in (("TOP001", 12 * 12 / 4), ("OWN001", 12 * 11 / 2)):
         many, _ = counted(coexistence, "coexist", code, typed(60))
         assert many == pairs
+
+
+def test_a_profile_is_looked_for_at_its_create_call_and_not_at_all_others(
+    judge: Callable[..., list[Finding]], monkeypatch: pytest.MonkeyPatch
+):
+    compared = 0
+    equal = Place.__eq__
+
+    def counted_equal(self: Place, other: object) -> bool:
+        nonlocal compared
+        compared += 1
+        return equal(self, other)
+
+    monkeypatch.setattr(Place, "__eq__", counted_equal)
+
+    def of(many: int) -> int:
+        nonlocal compared
+        lines = "".join(f"        self.create_publisher(String, 't{number}', 10)\n" for number in range(many))
+        compared = 0
+        judge("QOS004", CROWDED.format(lines=lines))
+        return compared
+
+    assert of(80) < 3 * of(40) + 100  # not the square of it

@@ -207,3 +207,9 @@ def test_inside_of_a_workspace_the_whole_is_offered(
     monkeypatch.chdir(workspace)
     main(["check"])
     assert "The rest" not in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("path", ["a" * 5000, "/".join(["a"] * 3000)])
+def test_a_path_that_is_too_long_for_the_system_is_one_that_does_not_exist(path: str, capsys):
+    assert main(["check", path]) == 2
+    assert capsys.readouterr().err.startswith("archlint: error: no such file or directory: a")

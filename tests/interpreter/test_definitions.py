@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import pytest
 
+from archlint.interpreter.limits import CLASSES
+from archlint.interpreter.values import ClassValue
 from interpreting import OUTSIDE, assert_like_python, interpret
 
 
@@ -452,3 +454,21 @@ def test_methods_that_a_body_defines_in_a_try_know_their_class():
         it = Robot().name()
         """
     )
+
+
+def test_the_end_of_a_long_chain_of_classes_is_unknown():
+    links = "".join(f"class C{number}(C{number - 1}): pass\n" for number in range(1, CLASSES + 50))
+    interpreted = interpret(f"class C0: pass\n{links}")
+    for number, known in ((CLASSES - 1, True), (CLASSES + 49, False)):
+        cls = interpreted.value(f"C{number}")
+        assert isinstance(cls, ClassValue)
+        assert all(isinstance(base, ClassValue) for base in cls.mro) is known
+        assert len(cls.mro) == (CLASSES if known else CLASSES + 1)
+
+
+def test_so_is_that_of_classes_with_two_bases_each():
+    row = "class L{0}(A{0}): pass\nclass R{0}(A{0}): pass\nclass A{1}(L{0}, R{0}): pass\n"
+    rows = "".join(row.format(number, number + 1) for number in range(60))
+    cls = interpret(f"class A0: pass\n{rows}").value("A60")
+    assert isinstance(cls, ClassValue)
+    assert len(cls.mro) == CLASSES + 1

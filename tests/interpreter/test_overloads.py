@@ -9,9 +9,7 @@ from archlint.interpreter import overloads
 
 
 @pytest.mark.parametrize(("functions", "compared"), [(20, 20), (400, 0)])
-def test_a_call_is_held_against_a_hundred_at_most(
-    functions: int, compared: int, monkeypatch: pytest.MonkeyPatch
-):
+def test_a_call_is_held_against_a_hundred_at_most(functions: int, compared: int, monkeypatch: pytest.MonkeyPatch):
     asked = 0
     accepted = overloads._accepted
 

@@ -229,3 +229,10 @@ def test_what_is_not_there_or_no_text(tmp_path: Path):
     for path, said in ((tmp_path / "gone.json", "No such file"), (tmp_path / "bag.mcap", "is not text")):
         with pytest.raises(CannotRead, match=said):
             read(str(path))
+
+
+def test_a_number_of_too_many_digits_is_no_fault_of_ours(tmp_path: Path) -> None:
+    file = tmp_path / "graph.json"
+    file.write_text('{"version": ' + "9" * 10_000 + "}")
+    with pytest.raises(CannotRead, match=r"graph\.json: a number in it has too many digits"):
+        read(str(file))

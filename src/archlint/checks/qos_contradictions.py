@@ -22,10 +22,12 @@ if TYPE_CHECKING:
 def qos_contradiction(system: System, options: Options) -> Iterator[Finding]:
     """Profiles whose parts do not go together, one finding a profile, at the first create call that uses it."""
     profiles: dict[tuple[Place, str], dict[Place, Endpoint]] = {}
+    creations = _Creations()
     for end in sorted(system.endpoints, key=lambda end: end.place):
-        for qos in _profiles(end):
+        given = creations.profiles(end)
+        for qos in given:
             contradiction = _contradiction(qos)
-            if contradiction is not None and not _may_be_sound(end, qos):
+            if contradiction is not None and not _may_be_sound(given, qos):
                 profiles.setdefault((qos.place or end.place, contradiction), {}).setdefault(end.place, end)
     for (written, contradiction), uses in profiles.items():
         (place, end), *others = uses.items()
@@ -53,22 +55,35 @@ def _of_one_class(findings: Sequence[Finding]) -> Finding:
     return with_others(findings, "another profile does", "more profiles do", same, "the same again")
 
 
-def _profiles(end: Endpoint) -> list[Qos]:
-    """The profiles that the create call of a topic's endpoint may be given: several where a branch decides."""
-    if end.kind not in (EntityKind.PUBLISHER, EntityKind.SUBSCRIBER):
-        return []
-    creations = [end.creation] if end.node.blueprint is None else end.node.blueprint.creations
-    given = [
-        end.qos,
-        *(creation.qos for creation in creations if creation.place == end.place and creation.kind == end.kind),
-    ]
-    return [qos for qos in dict.fromkeys(given) if qos is not None]
+class _Creations:
+    """The profiles that create calls are given, by the node class and the place."""
+
+    def __init__(self) -> None:
+        self._known: dict[int, dict[tuple[Place, EntityKind], list[Qos | None]]] = {}
+
+    def profiles(self, end: Endpoint) -> list[Qos]:
+        """Those that the create call of a topic's endpoint may be given: several where a branch decides."""
+        if end.kind not in (EntityKind.PUBLISHER, EntityKind.SUBSCRIBER):
+            return []
+        given = [end.qos, *self._at(end)]
+        return [qos for qos in dict.fromkeys(given) if qos is not None]
+
+    def _at(self, end: Endpoint) -> list[Qos | None]:
+        blueprint = end.node.blueprint
+        if blueprint is None:
+            return [end.creation.qos]
+        by_place = self._known.get(id(blueprint))
+        if by_place is None:
+            by_place = self._known[id(blueprint)] = {}
+            for creation in blueprint.creations:
+                by_place.setdefault((creation.place, creation.kind), []).append(creation.qos)
+        return by_place.get((end.place, end.kind), [])
 
 
-def _may_be_sound(end: Endpoint, qos: Qos) -> bool:
+def _may_be_sound(profiles: Sequence[Qos], qos: Qos) -> bool:
     """Whether one profile is filled in in several ways, by a function that makes a policy of a text say, and nobody
     knows which of them is taken: one is sound."""
-    return any(profile.place == qos.place and _contradiction(profile) is None for profile in _profiles(end))
+    return any(profile.place == qos.place and _contradiction(profile) is None for profile in profiles)
 
 
 def _contradiction(qos: Qos) -> str | None:

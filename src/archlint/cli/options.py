@@ -218,7 +218,7 @@ def paths_of(arguments: argparse.Namespace) -> tuple[str, ...]:
     for path in paths:
         if not path:
             raise UsageError("an empty word is no path: is a variable of the shell unset?")
-        if not Path(path).exists():
+        if not os.path.exists(path):  # of a name that is too long, Path.exists raises an error
             from archlint.cli.near_paths import no_such_path  # looks around, and most paths are right
 
             words = getattr(arguments, "words", [])

@@ -10,6 +10,7 @@ import os
 import shutil
 import subprocess
 import tempfile
+import threading
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -34,6 +35,15 @@ _QUIET = {
 
 
 _PARTIAL = r"^(remote\..*\.promisor|extensions\.partialclone)$"
+
+
+MOST_FILES = 500_000
+"""Files of a revision: a tree of a few kilobytes can name any number, each folder many times."""
+DEEPEST = 200
+"""Folders inside each other: what lies deeper is left out, as every walk over it would be too deep."""
+_LONGEST_ROW = 1_000_000
+_PATIENCE = 600.0
+"""Seconds that git may take: where a pipe stands for a file of it, it waits forever."""
 
 
 class GitError(Exception):
@@ -95,8 +105,17 @@ class Repository:
 
     def tree(self, commit: str) -> list[TreeEntry]:
         """All that a commit has, by path from the root."""
-        rows = self._said("ls-tree", "-r", "-z", "--full-tree", commit).split(b"\0")
-        return [entry for row in rows if row and (entry := _entry(row)) is not None]
+        entries: list[TreeEntry] = []
+        with self._started("ls-tree", "-r", "-z", "--full-tree", commit) as process:
+            for number, row in enumerate(_rows(_output(process))):
+                if number == MOST_FILES:
+                    raise GitError(f"the revision has more than {MOST_FILES:,} files")
+                entry = _entry(row)
+                if entry is not None:
+                    entries.append(entry)
+            if process.wait() != 0:
+                raise GitError("git does not have all folders of the revision: `git fsck` says more")
+        return entries
 
     def missing(self, commit: str) -> frozenset[str]:
         """The files of a commit whose content is not in this clone, which is a partial one then."""
@@ -111,24 +130,24 @@ class Repository:
         with tempfile.TemporaryFile() as wanted:
             wanted.write("".join(f"{name}\n" for name in objects).encode())
             wanted.seek(0)
-            with self._started(wanted) as stream:
+            with self._started("cat-file", "--batch", given=wanted) as process:
                 for _ in objects:
-                    yield _content(stream, most)
+                    yield _content(_output(process), most)
 
     @contextmanager
-    def _started(self, wanted: IO[bytes]) -> Iterator[IO[bytes]]:
+    def _started(self, *words: str, given: IO[bytes] | int = subprocess.DEVNULL) -> Iterator[subprocess.Popen[bytes]]:
+        """A process of git while its output is read."""
         process = subprocess.Popen(
-            self._words("cat-file", "--batch"),
-            stdin=wanted,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.DEVNULL,
-            env=_environment(),
+            self._words(*words), stdin=given, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, env=_environment()
         )
-        assert process.stdout is not None
+        timer = threading.Timer(_PATIENCE, process.kill)
+        timer.daemon = True
+        timer.start()
         try:
-            yield process.stdout
+            yield process
         finally:
-            process.stdout.close()
+            timer.cancel()
+            _output(process).close()
             process.kill()
             process.wait()
 
@@ -142,8 +161,15 @@ class Repository:
     def _run(self, *words: str) -> subprocess.CompletedProcess[bytes]:
         try:
             return subprocess.run(
-                self._words(*words), stdin=subprocess.DEVNULL, capture_output=True, env=_environment(), check=False
+                self._words(*words),
+                stdin=subprocess.DEVNULL,
+                capture_output=True,
+                env=_environment(),
+                check=False,
+                timeout=_PATIENCE,
             )
+        except subprocess.TimeoutExpired:
+            raise GitError(f"git has not answered for {_PATIENCE:.0f} s") from None
         except OSError as error:
             raise GitError(f"git cannot be started: {error.strerror}") from None
 
@@ -167,12 +193,29 @@ def _shown(folder: str) -> str:
     return "this folder" if folder == os.getcwd() else os.path.relpath(folder)
 
 
+def _output(process: subprocess.Popen[bytes]) -> IO[bytes]:
+    assert process.stdout is not None
+    return process.stdout
+
+
+def _rows(stream: IO[bytes]) -> Iterator[bytes]:
+    """What is between the NUL bytes of a stream, each as soon as it is there."""
+    rest = b""
+    while data := stream.read(1 << 16):
+        *rows, rest = (rest + data).split(b"\0")
+        yield from rows
+        if len(rest) > _LONGEST_ROW:
+            raise GitError("a file of the revision has a name that is too long")
+
+
 def _entry(row: bytes) -> TreeEntry | None:
-    """A row of ``ls-tree``; None for a path that no checkout would write."""
+    """A row of ``ls-tree``; None for a path that no checkout would write, and for one that is too deep."""
     about, _, path = row.partition(b"\t")
     mode, _, name = about.decode("ascii", "replace").split()
     decoded = os.fsdecode(path)
-    if any(part in ("", ".", "..") or part.lower() == ".git" for part in decoded.split("/")):
+    if decoded.count("/") > DEEPEST or any(
+        part in ("", ".", "..") or part.lower() == ".git" for part in decoded.split("/")
+    ):
         return None
     if os.sep != "/" and (os.sep in decoded or ":" in decoded):
         return None

@@ -36,11 +36,16 @@ _MOST = TEXT_LIMIT + 1
 """Bytes: a file that has so many is too large to be read, whatever else it has."""
 
 
+_MOST_IN_ALL = 4_000_000_000
+"""Bytes that are written: a revision can name one large file any number of times."""
+
+
 class OldTree:
     """A folder with a revision; ``base`` stands for the root of the disk."""
 
     def __init__(self, base: str) -> None:
         self.base = base
+        self._left = _MOST_IN_ALL
         self.written: list[str] = []
         """The repositories whose content is that of a commit."""
         self.kept: list[str] = []
@@ -68,6 +73,9 @@ class OldTree:
         missing = repository.missing(commit)
         read = [entry for entry in plain if _is_text(entry) and entry.object not in missing]
         for entry, data in zip(read, repository.contents([entry.object for entry in read], _MOST), strict=True):
+            self._left -= len(data)
+            if self._left < 0:
+                raise GitError(f"the files of the revision have more than {_MOST_IN_ALL // 1_000_000_000} GB")
             self._add(repository, entry, data)
         for entry in plain:
             if entry.object in missing and _is_read(entry):
@@ -102,7 +110,7 @@ class OldTree:
             return []
         with contextlib.suppress(GitError):
             submodule = Repository(folder)
-            if submodule.commit(commit) is not None:
+            if submodule.root not in self.written and submodule.commit(commit) is not None:  # no link leads back
                 return self._files(submodule, commit)
         self.kept.append(folder)
         return []

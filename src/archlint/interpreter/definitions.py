@@ -9,6 +9,7 @@ from archlint.interpreter import overloads, refusals, registries
 from archlint.interpreter.activation import Activation
 from archlint.interpreter.call_site import CallSite
 from archlint.interpreter.classes import SETTERS, called
+from archlint.interpreter.limits import CLASSES
 from archlint.interpreter.modules import Scope
 from archlint.interpreter.objects import enums
 from archlint.interpreter.python_classes import ENUM_BASES
@@ -202,7 +203,14 @@ def methods_of(cls: ClassValue) -> list[facts.Function]:
 
 
 def linearize(cls: ClassValue) -> tuple[Value, ...]:
-    """The method resolution order (C3); a broken one falls back to depth first."""
+    """The method resolution order (C3); a broken one falls back to depth first, the end of a long one is unknown."""
+    order = _linearized(cls)
+    if len(order) <= CLASSES:
+        return order
+    return (*order[:CLASSES], Unknown("more base classes inside each other than are followed"))
+
+
+def _linearized(cls: ClassValue) -> tuple[Value, ...]:
     if len(cls.bases) == 1 and isinstance(cls.bases[0], ClassValue):
         return (cls, *cls.bases[0].mro)
     rows = [list(base.mro) if isinstance(base, ClassValue) else [base] for base in cls.bases]

@@ -2,9 +2,11 @@
 
 DEPTH = 48
 """How many calls deep a run follows."""
+CLASSES = 100
+"""How many classes one derives from, itself among them: each is looked through for each attribute of each other."""
 IMPORTS = 200
-"""How many imports deep a module is run.  Python ends with a RecursionError at 140 to 160 modules that import each other
-in a row (tried with 3.10 to 3.13), and g++ refuses more includes inside each other."""
+"""How many imports deep a module is run.  Python raises RecursionError where 140 to 160 modules import each other in a
+row (tried with 3.10 to 3.13), and g++ refuses more includes inside each other."""
 STEPS = 8_000
 """How many statements one callback may run."""
 PROGRAM_STEPS = 80_000

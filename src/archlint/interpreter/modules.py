@@ -114,6 +114,7 @@ class ModuleIndex:
         self.overloads: dict[tuple[int, str], list[object]] = {}  # see overloads.py
         self.running = 0
         """How many modules run their top level, each imported by the one before."""
+        self.including: dict[str, tuple[dict[str, list[Module]], Reads]] = {}  # see implementations.py
         self.unlinked: list[Module] = []
         """Modules that have run, and whose C++ sources have not been looked for."""
 

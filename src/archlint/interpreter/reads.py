@@ -34,6 +34,8 @@ class Reads:
     """What was asked of the disk."""
     everything: bool = False
     """Whether it depends on all that has been imported so far, by whatever program."""
+    of_packages: dict[str, Reads] = field(default_factory=dict)
+    """What all headers of a C++ package have read in the same way: what its sources include."""
 
     def with_imports(self, of_module: Callable[[str], Reads | None]) -> Reads:
         """This, and what the imports of the modules that were used have read in their turn."""
@@ -44,6 +46,8 @@ class Reads:
 
         used = closure(self.used, used_by)
         parts = [self, *(reads for path in sorted(used) if (reads := of_module(path)) is not None)]
+        shared = {package: reads for part in parts for package, reads in part.of_packages.items()}
+        parts.extend(shared.values())
         files = set(used).union(*(reads.files for reads in parts))
         lookups = {lookup: file for reads in parts for lookup, file in reads.lookups.items()}
         everything = any(reads.everything for reads in parts)
@@ -57,6 +61,7 @@ class Reads:
         self.lookups.update(other.lookups)
         self.answers.update(other.answers)
         self.everything |= other.everything
+        self.of_packages.update(other.of_packages)
 
 
 __all__ = ["Lookup", "Reads"]

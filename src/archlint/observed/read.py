@@ -77,3 +77,5 @@ def _json(shown: str, text: str) -> Any:
         raise CannotRead(f"{shown}:{error.lineno}:{error.colno}: malformed JSON: {error.msg}") from None
     except RecursionError:
         raise CannotRead(f"{shown}: nested too deeply") from None
+    except ValueError:
+        raise CannotRead(f"{shown}: a number in it has too many digits") from None

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from archlint import model
 from archlint.interpreter.call_site import CallSite
+from archlint.interpreter.limits import CLASSES
 from archlint.interpreter.modules import Module
 from archlint.interpreter.values import ClassValue, FunctionValue, Value
 from archlint.libraries.interest import interesting
@@ -119,6 +120,8 @@ def _definition(module: Module, variable: str, value: Value | None) -> Definitio
     if place is None or not isinstance(value, (ClassValue, FunctionValue)):
         return None
     mro = value.mro if isinstance(value, ClassValue) else ()
+    if len(mro) > CLASSES:  # the end of it is unknown: too much for each of them to be run
+        return None
     is_node = isinstance(value, ClassValue) and node_classes.is_node(value)
     is_interesting = interesting(value.ir)
     return Definition(

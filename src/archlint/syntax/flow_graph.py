@@ -10,12 +10,13 @@ All questions come down to reaching blocks: one dominates another if nothing rea
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Callable, Collection, Hashable, Iterator, Sequence
+from collections.abc import Callable, Collection, Container, Hashable, Iterator, Sequence
 from enum import Enum, auto
 from functools import cached_property
 from typing import Generic, TypeVar
 
 from archlint.syntax import facts
+from archlint.syntax.cut_edges import edges_on_every_way
 
 State = TypeVar("State", bound=Hashable)
 
@@ -269,11 +270,16 @@ class Graph:
             for edge in block.edges:
                 if edge.test is not None and edge.test.truth is None:
                     groups.setdefault((id(edge.test), edge.holds), []).append(edge)
-        return [edges[0] for edges in groups.values() if self._is_on_every_path(edges, targets)]
+        certain = edges_on_every_way(self.entry, set(targets))
+        if certain is None:
+            return [edges[0] for edges in groups.values()] if targets else []
+        return [edges[0] for edges in groups.values() if self._are_on_every_way(edges, certain, targets)]
 
-    def _is_on_every_path(self, edges: Collection[Edge], targets: Collection[Block]) -> bool:
-        otherwise = reach([self.entry], lambda edge: edge not in edges)
-        return bool(targets) and otherwise.isdisjoint(targets)
+    def _are_on_every_way(self, edges: Sequence[Edge], certain: Container[object], targets: Collection[Block]) -> bool:
+        """Whether every way takes one of some edges."""
+        if len(edges) == 1:
+            return edges[0] in certain
+        return reach([self.entry], lambda edge: edge not in edges).isdisjoint(targets)
 
     def deciders(self, targets: Collection[Block]) -> list[Block]:
         """The blocks that decide whether some blocks are reached, as long as nothing raises, and those that decide

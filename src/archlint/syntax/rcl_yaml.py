@@ -11,6 +11,19 @@ from typing import IO, Any
 import yaml
 from yaml.composer import Composer
 
+DEEPEST = 1_000
+"""Brackets inside each other, as many as libyaml takes."""
+
+
+class LaunchLoader(yaml.SafeLoader):
+    """PyYAML's own scanner, which goes through all open brackets at each token."""
+
+    def fetch_flow_collection_start(self, TokenClass: type[Any]) -> None:
+        if self.flow_level >= DEEPEST:
+            raise RecursionError
+        super().fetch_flow_collection_start(TokenClass)
+
+
 if yaml.__with_libyaml__:
 
     class RclLoader(Composer, yaml.CSafeLoader):
@@ -21,4 +34,4 @@ if yaml.__with_libyaml__:
             Composer.__init__(self)
 
 else:
-    RclLoader = yaml.SafeLoader  # type: ignore[misc,assignment]
+    RclLoader = LaunchLoader  # type: ignore[misc,assignment]

@@ -95,9 +95,9 @@ def in_python(node: yaml.Node) -> Any:
 def _compose(text: str, several: bool, rcl: bool) -> list[yaml.Node]:
     import yaml
 
-    from archlint.syntax.rcl_yaml import RclLoader
+    from archlint.syntax.rcl_yaml import LaunchLoader, RclLoader
 
-    loader = RclLoader if rcl else yaml.SafeLoader
+    loader = RclLoader if rcl else LaunchLoader
     try:
         if several:
             return list(yaml.compose_all(text, Loader=loader))
