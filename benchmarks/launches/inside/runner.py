@@ -44,6 +44,7 @@ def _load(settings: dict[str, Any]) -> None:
     settings["environment"] = dict(os.environ)
     stand_ins.packages(places)
     stand_ins.modules()
+    stand_ins.descriptions(places)
     import launch_xml
     import launch_yaml
     from inside import recorder  # noqa: F401

@@ -93,17 +93,36 @@ def modules() -> None:
 
     class Document(str):
         def toxml(self, *_: object, **__: object) -> str:
-            return OUTPUT
+            return str(self)
 
         toprettyxml = toxml
 
         def __getattr__(self, name: str) -> Any:
             return document
 
-    def document(*_: object, **__: object) -> Document:
-        return Document(OUTPUT)
+    def document(*args: object, **__: object) -> Document:
+        """An SRDF without words of xacro stays as it is; of what else xacro is given, the output is a command's."""
+        path = Path(str(args[0])) if args and str(args[0]).endswith(".srdf") else None
+        text = path.read_text("utf-8") if path is not None and path.is_file() else "$"
+        return Document(OUTPUT if "xacro" in text or "$" in text else text)
 
     _module("xacro", __getattr__=lambda name: document)
+
+
+def descriptions(places: Places) -> None:
+    """A robot's description in a package that is not here is one that xacro makes, too: MoveIt's builder asks whether
+    it is there."""
+    try:
+        from launch_param_builder import utils
+    except ImportError:
+        return
+    kept = utils.raise_if_file_not_found
+
+    def ask(path: Any) -> None:
+        if not (places.is_absent(str(path)) and ".xacro" in str(path)):
+            kept(path)
+
+    utils.raise_if_file_not_found = ask
 
 
 def sort_folders() -> None:

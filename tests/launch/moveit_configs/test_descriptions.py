@@ -7,6 +7,12 @@ import pytest
 from archlint.systems.overrides import overrides_of
 from launching import names
 
+SRDF = """<?xml version='1.0'?>
+<robot name='arm'>
+  <virtual_joint name='fixed' type='fixed' parent_frame='world' child_link='base'/>
+  <virtual_joint name='rail' type='planar' parent_frame='world' child_link='carriage'/>
+</robot>
+"""
 FILES = {
     "setup.py": """
 from glob import glob
@@ -18,7 +24,7 @@ setup(name='arm_moveit_config', data_files=[
 """,
     ".setup_assistant": "moveit_setup_assistant_config: {}\n",
     "config/arm.urdf.xacro": "<robot/>",
-    "config/arm.srdf": "<robot/>",
+    "config/arm.srdf": SRDF,
     "config/kinematics.yaml": "arm:\n  kinematics_solver: kdl/KDL\n",
     "config/joint_limits.yaml": "joint_limits:\n  lift:\n    max_velocity: 0.5\n",
     "config/moveit_controllers.yaml": (
@@ -28,6 +34,7 @@ setup(name='arm_moveit_config', data_files=[
     "config/ompl_planning.yaml": "longest_valid_segment_fraction: 0.1\nplanner_configs: {}\n",
     "config/ros2_controllers.yaml": "controller_manager:\n  ros__parameters:\n    update_rate: 100\n",
 }
+JOINTS = ["static_transform_publisher"] * 2
 FUNCTIONS = (
     "rsp",
     "moveit_rviz",
@@ -72,11 +79,20 @@ def executables(found) -> list[str]:
         ("moveit_rviz", ["rviz2"]),
         ("move_group", ["move_group"]),
         ("spawn_controllers", ["spawner", "spawner", "spawner"]),
-        ("static_virtual_joint_tfs", []),
+        ("static_virtual_joint_tfs", JOINTS),
         ("warehouse_db", ["mongo_wrapper_ros.py"]),
         (
             "demo",
-            ["robot_state_publisher", "move_group", "rviz2", "ros2_control_node", "spawner", "spawner", "spawner"],
+            [
+                *JOINTS,
+                "robot_state_publisher",
+                "move_group",
+                "rviz2",
+                "ros2_control_node",
+                "spawner",
+                "spawner",
+                "spawner",
+            ],
         ),
     ],
 )
@@ -101,9 +117,27 @@ def test_the_controllers_are_named_in_a_file(arm):
     assert words == [["arm_controller"], ["hand_controller"], ["joint_state_broadcaster"]]
 
 
-def test_how_many_virtual_joints_there_are_is_not_known(arm):
-    """xacro makes the SRDF, which has them."""
-    assert [gap.reason for gap in launched(arm, "static_virtual_joint_tfs").not_followed()]
+def test_a_transform_for_each_virtual_joint(arm):
+    started = launched(arm, "static_virtual_joint_tfs").started
+    assert [(one.name.text, one.arguments[1], one.arguments[3]) for one in started] == [
+        ("static_transform_publisher0", "world", "base"),
+        ("static_transform_publisher1", "world", "carriage"),
+    ]
+
+
+def test_the_setup_assistant_names_the_file(arm):
+    arm.file("arm_moveit_config/config/other.srdf", SRDF.replace("carriage", "cart"))
+    named = "moveit_setup_assistant_config:\n  srdf:\n    relative_path: config/other.srdf\n"
+    arm.file("arm_moveit_config/.setup_assistant", named)
+    assert [one.arguments[3] for one in launched(arm, "static_virtual_joint_tfs").started] == ["base", "cart"]
+
+
+@pytest.mark.parametrize("text", ["<robot><xacro:include filename='arm.xacro'/></robot>", "<robot", "${robot}"])
+def test_how_many_virtual_joints_xacro_makes_is_not_known(arm, text: str):
+    arm.file("arm_moveit_config/config/arm.srdf", text)
+    found = launched(arm, "static_virtual_joint_tfs")
+    assert found.started == []
+    assert [gap.reason for gap in found.not_followed()]
 
 
 def test_the_parameters_of_move_group(arm):

@@ -17,6 +17,7 @@ from archlint.interpreter.values import (
     Known,
     Unknown,
     Value,
+    reason,
 )
 from archlint.launch import read_files
 from archlint.launch.objects import known_text
@@ -25,6 +26,10 @@ from archlint.launch.substitutions.paths import package_share
 if TYPE_CHECKING:
     from archlint.interpreter.call_site import CallSite
     from archlint.launch.run import LaunchRun
+
+
+SEMANTIC_FILE = "path of the SRDF"
+"""Where the store has it, of a builder and of what it makes."""
 
 
 class Builder:
@@ -94,6 +99,15 @@ class Builder:
         return None if files is None else [name.removesuffix(ending) for name in files if name.endswith(ending)]
 
 
+def entry(run: LaunchRun, value: Value | None, name: str) -> Value | None:
+    """``value.get(name)``: None where there is none, an unknown value where that is not known."""
+    entries = None if value is None else value.entries(run)
+    if entries is None:
+        return None if value is None else Unknown(reason(value))
+    row = entries.entries.get(Known(name).entry_key() or "")
+    return row[1] if row is not None else Unknown("a dict that is only partly known") if entries.open else None
+
+
 def update(run: LaunchRun, target: DictValue, more: DictValue) -> None:
     """``target.update(more)``."""
     first, second = target.entries(run), more.entries(run)
@@ -113,4 +127,4 @@ def arguments(site: CallSite, *names: str) -> list[Value | None]:
     return given_by({**{str(number): value for number, value in enumerate(site.args)}, **site.keywords}, *names)
 
 
-__all__ = ["Builder", "arguments", "update"]
+__all__ = ["SEMANTIC_FILE", "Builder", "arguments", "entry", "update"]

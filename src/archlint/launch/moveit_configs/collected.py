@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from archlint.interpreter.call_site import CallSite
     from archlint.launch.run import LaunchRun
 
-from archlint.launch.moveit_configs.builder import Builder, arguments, update
+from archlint.launch.moveit_configs.builder import SEMANTIC_FILE, Builder, arguments, entry, update
 
 FOLDER_ORDER = "the order in which a folder lists its files"
 XACRO = "a document that xacro makes"
@@ -53,7 +53,22 @@ def _robot_description(builder: Builder, site: CallSite) -> None:
 
 
 def _semantic(builder: Builder, site: CallSite) -> None:
+    (file,) = arguments(site, "file_path")
+    path = builder.path(file, _named_semantic_file(builder))
+    unknown = Unknown("which SRDF it is")
+    builder.run.store.set(builder.instance.key, SEMANTIC_FILE, unknown if path is None else Known(path))
     builder.keep("robot_description_semantic", builder.prefixed("_semantic", Unknown(XACRO)))
+
+
+def _named_semantic_file(builder: Builder) -> str | None:
+    """The SRDF that ``.setup_assistant`` names, or else the usual one."""
+    assistant = builder.path(None, ".setup_assistant")
+    if builder.is_there(assistant) is False:
+        return f"config/{builder.robot}.srdf"
+    config = entry(builder.run, builder.yaml(assistant), "moveit_setup_assistant_config")
+    named = entry(builder.run, config, "srdf") or entry(builder.run, config, "SRDF")
+    path = entry(builder.run, named, "relative_path")
+    return f"config/{builder.robot}.srdf" if path is None else known_text(path)
 
 
 def _file_under(part: str, suffix: str, default: str) -> Callable[[Builder, CallSite], None]:

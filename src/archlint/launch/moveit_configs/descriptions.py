@@ -22,12 +22,13 @@ from archlint.interpreter.values import (
     Value,
     reason,
 )
-from archlint.launch import read_files
+from archlint.launch import file_texts, read_files
 from archlint.launch.moveit_configs.actions import Actions
-from archlint.launch.moveit_configs.builder import arguments
+from archlint.launch.moveit_configs.builder import SEMANTIC_FILE, arguments, entry
 from archlint.launch.moveit_configs.methods import CONFIGS, configs_to_dict
 from archlint.launch.objects import LaunchObject, known_text
 from archlint.launch.tables import LaunchClass
+from archlint.syntax.srdf import virtual_joints
 
 if TYPE_CHECKING:
     from archlint.interpreter.call_site import CallSite
@@ -99,29 +100,29 @@ def _setup_assistant(description: _Description, site: CallSite) -> None:
 
 
 def _virtual_joints(description: _Description, site: CallSite) -> None:
-    description.actions.append(
-        Unknown("a static_transform_publisher for each virtual joint of an SRDF that xacro makes")
-    )
+    path = description.run.store.get(description.configs.key, SEMANTIC_FILE)
+    text = file_texts.text_of(description.run, path) if isinstance(path, Known) else path
+    joints = virtual_joints(text) if isinstance(text, str) else None
+    if joints is None:
+        description.actions.append(Unknown("a static_transform_publisher for each virtual joint of an SRDF"))
+    for number, joint in enumerate(joints or ()):
+        words = ("--frame-id", joint.parent_frame, "--child-frame-id", joint.child_link)
+        given = {
+            "name": Known(f"static_transform_publisher{number}"),
+            "arguments": description.list(*map(Known, words)),
+        }
+        description.start("tf2_ros", "static_transform_publisher", **given)
 
 
 def _spawners(description: _Description, site: CallSite) -> None:
-    names = _entry(
-        description.run, _entry(description.run, description.part("trajectory_execution"), _SIMPLE), "controller_names"
+    names = entry(
+        description.run, entry(description.run, description.part("trajectory_execution"), _SIMPLE), "controller_names"
     )
     items = Items(()) if names is None else names.items(description.run)
     if items is None or items.open:
         description.actions.append(Unknown("a spawner for each controller of a list that is not known"))
     for name in (*(() if items is None else items.values), Known("joint_state_broadcaster")):
         description.start("controller_manager", "spawner", arguments=description.list(name))
-
-
-def _entry(run: LaunchRun, value: Value | None, name: str) -> Value | None:
-    """``value.get(name)``: None where there is none, an unknown value where that is not known."""
-    entries = None if value is None else value.entries(run)
-    if entries is None:
-        return None if value is None else Unknown(reason(value))
-    row = entries.entries.get(Known(name).entry_key() or "")
-    return row[1] if row is not None else Unknown("a dict that is only partly known") if entries.open else None
 
 
 def _warehouse(description: _Description, site: CallSite) -> None:
@@ -152,7 +153,7 @@ def _move_group(description: _Description, site: CallSite) -> None:
     capabilities = description.part("move_group_capabilities")
     texts = {}
     for name in ("capabilities", "disable_capabilities"):
-        description.declare(name, _entry(description.run, capabilities, name) or Known(""))
+        description.declare(name, entry(description.run, capabilities, name) or Known(""))
         given = {"value": description.says(name), "value_type": Builtin("str")}
         texts[name] = description.object(LaunchClass.PARAMETER_VALUE, given)
     description.boolean("monitor_dynamics")

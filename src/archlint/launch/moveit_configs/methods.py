@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from archlint.interpreter.call_site import CallSite
     from archlint.launch.run import LaunchRun
 
-from archlint.launch.moveit_configs.builder import Builder, arguments, update
+from archlint.launch.moveit_configs.builder import SEMANTIC_FILE, Builder, arguments, update
 from archlint.launch.moveit_configs.collected import COLLECT
 
 _BUILDER, CONFIGS = "MoveItConfigsBuilder", "moveit_configs_utils.MoveItConfigs"
@@ -77,6 +77,8 @@ def _to_configs(run: LaunchRun, receiver: Value, site: CallSite) -> Value:
         run.store.set(configs.key, name, builder.part(name) or builder.dict_of({}))
     empty: dict[str, Value] = {"capabilities": Known(""), "disable_capabilities": Known("")}
     run.store.set(configs.key, "move_group_capabilities", builder.dict_of(empty))
+    file = run.store.get(builder.instance.key, SEMANTIC_FILE)
+    run.store.set(configs.key, SEMANTIC_FILE, file or Unknown("which SRDF it is"))
     share = builder.share
     run.store.set(configs.key, "package_path", Unknown("a package") if share is None else Known(share, kind="path"))
     return configs
