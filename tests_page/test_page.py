@@ -54,8 +54,9 @@ class Reader:
         findings: tuple[Finding, ...] = (),
         fragment: str = "",
         link: SourceLink | None = None,
+        collapse: tuple[str, ...] = (),
     ) -> Reader:
-        self.file.write_text(page_text(PageContents(systems, findings, link)), encoding="utf-8")
+        self.file.write_text(page_text(PageContents(systems, findings, link, collapse=collapse)), encoding="utf-8")
         self.browser.open(self.file, fragment)
         return self
 
@@ -215,6 +216,14 @@ def test_groups_close_and_open(at_robot: Reader):
     at_robot.presses_button("reset")
     assert len(at_robot.listed()) == 12
     assert at_robot.browser.complaints() == []
+
+
+def test_a_group_that_is_closed_at_first(reader: Reader):
+    reader.opens(PageSystem(robot()), collapse=("/left",))
+    assert "/left/driver" not in reader.listed()
+    assert "/right/driver" in reader.listed()
+    reader.clicks("document.querySelector('[aria-label=\"expand /left\"]')")
+    assert "/left/driver" in reader.listed()
 
 
 def test_what_only_closed_groups_talk_over_is_a_line_between_them(reader: Reader):

@@ -39,7 +39,7 @@ def page(inputs: Inputs, facts: FactsOfFiles, view: View, link: SourceLink | Non
     shown = [_seen(first, view, distro), *_where_there(others, view, distro)]
     compared = first.system.compared
     return Drawn(
-        page_text(PageContents(shown, judged.findings, link, view.group)),
+        page_text(PageContents(shown, judged.findings, link, view.group, view.collapse)),
         b"",
         [*argument_notices(first.system)],
         [*comparison_words(compared)],

@@ -136,3 +136,17 @@ def test_the_title_of_a_system_has_its_arguments():
 def test_nothing_to_show():
     [shown] = data_of(system())["systems"]
     assert (shown["vertices"], shown["edges"], shown["drawing"]) == ([], [], None)
+
+
+@pytest.mark.parametrize(
+    ("group", "closed"),
+    [(None, ["/arm"]), ("package", ["arm_driver"])],
+)
+def test_groups_that_are_closed_at_first(group, closed):
+    made = system(
+        node("/arm/driver", publisher("state"), package="arm_driver"),
+        node("/base/driver", publisher("state"), package="base_driver"),
+        node("/camera", package="vision"),
+    )
+    data = page_data(PageContents([PageSystem(made)], group=group, collapse=("*arm*",)))
+    assert data["systems"][0]["collapsed"] == closed

@@ -51,8 +51,12 @@ def _several(shapes: Iterable[Shape], by: GroupBy) -> bool:
 
 def titled(diagram: Diagram, patterns: Sequence[str]) -> frozenset[str]:
     """The titles of groups that have one of the patterns."""
-    every = {*diagram.groups.values()}
-    return frozenset(title for title in every if any(fnmatchcase(title, pattern) for pattern in patterns))
+    return titles_of({*diagram.groups.values()}, patterns)
+
+
+def titles_of(titles: Iterable[str], patterns: Sequence[str]) -> frozenset[str]:
+    """Those that have one of the patterns; what is in no group has no title."""
+    return frozenset(title for title in titles if title and any(fnmatchcase(title, pattern) for pattern in patterns))
 
 
 def collapsed(diagram: Diagram, titles: Set[str]) -> Diagram:
@@ -149,4 +153,4 @@ def _joined(lines: Sequence[Line]) -> Line:
     )
 
 
-__all__ = ["boxes_alone", "collapsed", "grouped", "titled"]
+__all__ = ["boxes_alone", "collapsed", "grouped", "titled", "titles_of"]

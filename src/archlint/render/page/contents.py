@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from archlint.render import look
 from archlint.render.definitions import interfaces, launch_arguments
+from archlint.render.diagram.grouping import titles_of
 from archlint.render.diagram.marks import marked
 from archlint.render.diagram.parts import parts_of
 from archlint.render.json import endpoint_data, node_data, unresolved
@@ -35,10 +36,14 @@ _ENDS = ("publishers", "subscribers", "services", "clients", "action_servers", "
 def page_data(contents: PageContents) -> dict[str, Any]:
     """All that the scripts of the page work with."""
     systems = [_system(shown, FindingIndex(contents.findings, shown)) for shown in contents.systems]
+    group = None if contents.group is None else _GROUPS.get(contents.group, contents.group)
+    for system in systems:
+        titles = {str(vertex.get(group or "group", "")) for vertex in system["vertices"]}
+        system["collapsed"] = sorted(titles_of(titles, contents.collapse))
     return {
         "version": VERSION,
         "source_link": None if contents.link is None else asdict(contents.link),
-        "group": None if contents.group is None else _GROUPS.get(contents.group, contents.group),
+        "group": group,
         "systems": systems,
         "findings": [finding_data(finding) for finding in contents.findings],
         "interfaces": _used_interfaces(contents, systems),

@@ -48,6 +48,8 @@ class PageContents:
     link: SourceLink | None = None
     group: GroupBy | None = None
     """What groups are made of at first; None for what the places were worked out for."""
+    collapse: Sequence[str] = ()
+    """The groups, by patterns of their titles, that are closed at first."""
 
 
 __all__ = ["PageContents", "PageSystem", "SourceLink"]

@@ -13,8 +13,8 @@ export function newState(model) {
 export function stateOfSystem(model, number) {
   const system = model.systems[number];
   const state = {
-    number, system, grouping: model.group ?? "drawn", collapsed: new Set(), hidden: new Set(), focus: null, onlyFound: false,
-    onlyConnected: false, arranged: false, selected: null, path: null,
+    number, system, grouping: model.group ?? "drawn", collapsed: new Set(system.collapsed), hidden: new Set(), focus: null,
+    onlyFound: false, onlyConnected: false, arranged: false, selected: null, path: null,
   };
   if (!system.drawing && system.vertices.length > OPEN_AT_MOST) {
     state.collapsed = new Set(groupsOf(system, "drawn").filter(Boolean));
