@@ -236,6 +236,19 @@ def test_what_only_closed_groups_talk_over_is_a_line_between_them(reader: Reader
     assert reader.browser.run("document.querySelectorAll('#paper path[transform]').length") == 1, "one arrow"
 
 
+def test_a_large_picture_is_moved_as_it_is_and_then_painted_anew(reader: Reader):
+    nodes = [node(f"/n{n}", *(publisher(f"/t{n}_{k}") for k in range(3)), package=f"p{n % 5}") for n in range(120)]
+    reader.opens(PageSystem(system(*nodes)))
+    before = reader.pixels()
+    reader.browser.run("document.getElementById('canvas').focus()")
+    reader.browser.press("ArrowLeft")
+    assert "translate(" in reader.browser.run("document.querySelector('#moving canvas').style.transform")
+    reader.browser.run("new Promise((done) => setTimeout(done, 400))")
+    assert reader.browser.run("document.getElementById('moving').hidden"), "it is painted anew"
+    assert reader.pixels() != before
+    assert reader.browser.complaints() == []
+
+
 @pytest.mark.parametrize("by", ["package", "none", "launched_by"])
 def test_other_groups(at_robot: Reader, by: str):
     before = at_robot.pixels()

@@ -31,7 +31,8 @@ def add_view(parser: argparse.ArgumentParser) -> None:
         "--group",
         choices=get_args(GroupBy),
         metavar="BY",
-        help="frame nodes by namespace, package, launch file or process (default: by namespace, else by package)",
+        help="frame nodes by namespace, package, folder (of packages), launch file or process (default: by namespace, "
+        "else by package)",
     )
     shown.add_argument(
         "--collapse", action="append", metavar="GLOB", help="draw the groups with such a title as one box; repeatable"

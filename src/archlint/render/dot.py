@@ -21,7 +21,8 @@ if TYPE_CHECKING:
     from archlint.render.diagram.model import ShapeKind
 
 CAREFUL_LAYOUT = 300
-"""Shapes up to which ``dot`` takes all the time it wants (0.2 s for 200, 27 s for 1000 on one machine)."""
+"""Shapes that hang together up to which ``dot`` takes all the time it wants (0.2 s for 200, 27 s for 1000 on one
+machine)."""
 CAREFUL_LINES = 600
 """And lines, which a picture with few shapes may have in plenty."""
 
@@ -83,8 +84,32 @@ def write(diagram: Diagram, attributes: Mapping[str, str] | None = None, hurry: 
 
 
 def is_large(diagram: Diagram) -> bool:
-    """Whether a careful layout would take too long."""
-    return len(diagram.shapes) > CAREFUL_LAYOUT or len(diagram.lines) > CAREFUL_LINES
+    """Whether a careful layout would take too long: each part that nothing ties to others has its own."""
+    return len(diagram.lines) > CAREFUL_LINES or _largest_part(diagram) > CAREFUL_LAYOUT
+
+
+def _largest_part(diagram: Diagram) -> int:
+    """Shapes that lines or frames hold together."""
+    frames = diagram.frames
+    if len(diagram.shapes) <= CAREFUL_LAYOUT:
+        return len(diagram.shapes)
+    around: dict[Key, list[Key]] = {key: [("frame", frames[key])] if key in frames else [] for key in diagram.shapes}
+    for key, title in frames.items():
+        around.setdefault(("frame", title), []).append(key)
+    for line in diagram.lines:
+        around[line.tail].append(line.head)
+        around[line.head].append(line.tail)
+    largest, seen = 0, set[Key]()
+    for start in around:
+        part, todo = 0, [start]
+        while todo:
+            key = todo.pop()
+            if key not in seen:
+                seen.add(key)
+                part += key in diagram.shapes
+                todo += around[key]
+        largest = max(largest, part)
+    return largest
 
 
 def quote(text: str) -> str:

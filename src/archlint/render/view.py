@@ -8,9 +8,9 @@ from typing import Final, Literal
 Style = Literal["nodes", "topics", "full"]
 """``nodes``: nodes alone, with what connects them written on the lines; ``topics``: nodes and topics; ``full``: also
 services and actions."""
-GroupBy = Literal["namespace", "package", "launch", "process"]
-"""What nodes that are drawn in one frame have in common: ``launch`` is the launch file that starts them, ``process``
-the executable or the container that they run in."""
+GroupBy = Literal["namespace", "package", "folder", "launch", "process"]
+"""What nodes that are drawn in one frame have in common: ``folder`` is the one that their packages lie in, ``launch``
+the launch file that starts them, ``process`` the executable or the container that they run in."""
 
 
 @dataclass(frozen=True)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from archlint.render.diagram.crowded import MANY_LINES
 from archlint.render.diagram.large import MOST_NODES, OPENED
 from archlint.render.diagram.model import Diagram
@@ -157,3 +159,28 @@ def test_words_on_a_line_of_a_crowded_picture_are_a_shape_on_it() -> None:
     assert "best effort offered" in written.partition("words_0 [")[2].partition("];")[0]
     assert "-> words_0 [" in written
     assert "words_0 -> " in written
+
+
+def in_folders(packages: int) -> System:
+    """Two nodes in each package, and two folders of packages."""
+    return system(
+        *(
+            in_file(node(f"/{side}{number}", publisher(f"/x{number % 2}"), package=f"p{number}"), file)
+            for number in range(packages)
+            for side in ("a", "b")
+            for file in [f"src/{'sensing' if number % 2 else 'planning'}/p{number}/src/{side}.py"]
+        )
+    )
+
+
+def in_file(made: Node, file: str) -> Node:
+    assert made.blueprint is not None
+    return replace(made, blueprint=replace(made.blueprint, place=replace(made.blueprint.place, file=file)))
+
+
+def test_of_very_many_packages_their_folders_are_boxes() -> None:
+    assert boxes(diagram(in_folders(MOST_NODES + 1))) == {"sensing", "planning"}
+
+
+def test_frames_of_folders() -> None:
+    assert {*diagram(in_folders(2), View(group="folder")).frames.values()} == {"sensing", "planning"}

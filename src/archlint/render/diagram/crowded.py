@@ -36,13 +36,14 @@ def thinned(diagram: Diagram, keep_frames: bool) -> Diagram:
 
 
 def _without_torn_frames(diagram: Diagram) -> Diagram:
-    """Without those that more lines leave than stay inside."""
+    """Without those that more lines leave than stay inside, or that have one node alone."""
     inside: Counter[str] = Counter()
     for line in diagram.lines:
         titles = {diagram.groups.get(key, "") for key in line.ends}
         inside.update({title: 1 if len(titles) == 1 else -1 for title in titles})
-    torn = {title for title in diagram.groups.values() if inside[title] < 0 and title != UNOWNED}
-    return replace(diagram, unframed=frozenset(torn))
+    nodes = Counter(title for key, title in diagram.groups.items() if key[0] == NODE)
+    torn = {title for title in diagram.groups.values() if inside[title] < 0 or nodes[title] < 2}
+    return replace(diagram, unframed=frozenset(torn - {UNOWNED}))
 
 
 def _named(diagram: Diagram) -> Diagram:

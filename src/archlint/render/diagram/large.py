@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 MOST_NODES = 60
 """Nodes up to which each is drawn, unless another is asked for."""
-_BY: tuple[GroupBy | None, ...] = (None, "package")
+_BY: tuple[GroupBy | None, ...] = (None, "package", "folder")
 OPENED = "groups are boxes, as there are too many nodes: --expand '*' draws each, --expand GLOB those of some groups"
 
 

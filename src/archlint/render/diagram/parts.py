@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import posixpath
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from archlint.observed.model import MISSING
@@ -34,7 +36,7 @@ def parts_of(system: System, graph: networkx.MultiDiGraph) -> Diagram:
     bundles = look.bundles(graph)
     lines = [_line(graph, bundle, len(bundles) <= FEW_LINES) for bundle in bundles]
     lines += [_remapped(node, interface) for node, interface in graph.graph["remapped"]]
-    return Diagram(shapes, tuple(lines), cut=graph.graph["cut"])
+    return Diagram(_from_common_folder(shapes), tuple(lines), cut=graph.graph["cut"])
 
 
 def _edges_at(graph: networkx.MultiDiGraph, key: Key) -> Iterable[dict[str, Any]]:
@@ -68,8 +70,29 @@ def _groups(node: Node) -> Mapping[GroupBy, str]:
     return {
         "namespace": (node.name or "").rpartition("/")[0],
         "package": node.package or "",
+        "folder": _folder(node),
         "launch": node.launched_by or "",
         "process": f"{node.package}/{process}" if node.package and process and container is None else process or "",
+    }
+
+
+def _folder(node: Node) -> str:
+    """The folder that its package lies in, where the package's own folder is called as it is."""
+    parts = node.blueprint.place.file.split("/") if node.blueprint is not None else []
+    return "/".join(parts[: parts.index(node.package)]) if node.package in parts else ""
+
+
+def _from_common_folder(shapes: Mapping[Key, Shape]) -> dict[Key, Shape]:
+    """The shapes with the folders of nodes as they are seen from the one that all of these are in."""
+    folders = {shape.groups["folder"] for shape in shapes.values() if shape.groups.get("folder")}
+    common = posixpath.commonpath(folders) if len(folders) > 1 else ""
+    if not common:
+        return {**shapes}
+    return {
+        key: replace(shape, groups={**shape.groups, "folder": posixpath.relpath(shape.groups["folder"], common)})
+        if shape.groups.get("folder")
+        else shape
+        for key, shape in shapes.items()
     }
 
 

@@ -116,8 +116,9 @@ def _label(data: dict[str, Any], shape: DrawnShape) -> list[str]:
 
 
 def _marks(shape: DrawnShape) -> dict[str, Any]:
-    """What other pictures say of it, too: that it is a hub, and in which process it runs."""
-    return known_keys({"remarks": list(shape.remarks), "process": shape.groups.get("process", "")})
+    """What other pictures say of it, too: that it is a hub, where its package lies, and in which process it runs."""
+    groups = {"folder": shape.groups.get("folder", ""), "process": shape.groups.get("process", "")}
+    return known_keys({"remarks": list(shape.remarks), **groups})
 
 
 def _edges(graph: networkx.MultiDiGraph, numbers: dict[Key, int], index: FindingIndex) -> list[dict[str, Any]]:

@@ -21,7 +21,20 @@ if TYPE_CHECKING:
 
     from archlint.render.page.model import PageContents
 
-SCRIPTS = ("elements", "model", "state", "arrange", "scene", "paint", "svg", "details", "sidebar", "marks", "page")
+SCRIPTS = (
+    "elements",
+    "model",
+    "state",
+    "arrange",
+    "scene",
+    "paint",
+    "snapshot",
+    "svg",
+    "details",
+    "sidebar",
+    "marks",
+    "page",
+)
 """In the order in which they need each other.  Each is a module; in the page they are one."""
 LIBRARIES = (
     *("d3-dispatch", "d3-selection", "d3-drag", "d3-color", "d3-interpolate"),

@@ -10,7 +10,7 @@
  */
 
 /** What a group may be made of, and what to call it. */
-export const GROUPINGS = { drawn: "", namespace: "namespace", package: "package", launched_by: "launch file", process: "process", none: "" };
+export const GROUPINGS = { drawn: "", namespace: "namespace", package: "package", folder: "folder", launched_by: "launch file", process: "process", none: "" };
 
 /** @returns {{systems: System[], findings: any[], interfaces: any}} */
 export function readModel(text) {

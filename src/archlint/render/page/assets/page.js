@@ -4,7 +4,8 @@ import { byId, element } from "./elements.js";
 import { GROUPINGS, groupsOf, matching, nameOf, readModel, shortestPath } from "./model.js";
 import { isFiltered, newState, stateOfSystem } from "./state.js";
 import { makeScene } from "./scene.js";
-import { paint, readColours, thingAt } from "./paint.js";
+import { readColours, thingAt } from "./paint.js";
+import { moved, paintAnew } from "./snapshot.js";
 import { svgOf } from "./svg.js";
 import { groupDetails, lineDetails, pathDetails, systemDetails, vertexDetails } from "./details.js";
 import { lineOf, marksOf, membersOf, statusWords, vertexOf } from "./marks.js";
@@ -20,7 +21,7 @@ let scene, colours, view = { x: 0, y: 0, k: 1 }, marks = { lit: null, marked: ne
 
 const zoom = d3.zoom().scaleExtent([0.02, 4]).on("zoom", ({ transform }) => {
   view = transform;
-  repaint();
+  if (!moved(canvas, scene, view, repaint)) repaint();
 });
 d3.select(canvas).call(zoom).on("dblclick.zoom", null);
 
@@ -29,7 +30,7 @@ function repaint() {
   waiting = true;
   requestAnimationFrame(() => {
     waiting = false;
-    paint(canvas, scene, view, marks, colours);
+    paintAnew(canvas, scene, view, marks, colours);
   });
 }
 
