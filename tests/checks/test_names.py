@@ -391,6 +391,12 @@ class TestHardcodedNamesOfOneClass:
         [alone] = judge("NME001", robot(f"{other}  # here"))
         assert alone.severity is Severity.WARNING
 
+    def test_a_name_that_a_helper_goes_on_with_is_told_where_it_begins(self, judge: Judge):
+        wrapper = "def ask(name):\n                return self.create_client(Trigger, f'{name}/get_state')"
+        judge("NME001", robot(wrapper, "ask('/left')  # here", "ask('right')"))
+        whole = wrapper.replace("f'{name}", "f'/{name}").replace("get_state')", "get_state')  # here")
+        judge("NME001", robot(whole, "ask('left')"))
+
     def test_a_copy_of_tf_is_a_topic_for_all_robots_too(self, judge: Judge):
         judge("NME001", robot(f"{TRANSFORMS}; self.create_subscription(TFMessage, '/tf_static_old', print, 10)"))
         judge("NME001", robot("self.create_subscription(String, '/tf_static_old', print, 10)  # here"))

@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING
 from archlint.analysis.completeness import enclosing_function
 from archlint.analysis.kept import once
 from archlint.analysis.source_code import code_of
+from archlint.analysis.surrounding_code import tree_of
+from archlint.finding import Place
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in
 from archlint.syntax.walk import called_name, calls_in, parts_of, statements_of
@@ -36,6 +38,22 @@ def must_be_absolute(workspace: WorkspaceIndex | None, endpoint: Endpoint) -> bo
         _demands(body) or any(_demands(called_body) for called_body in _called(workspace, file, body))
         for file, body in bodies
     )
+
+
+def passed_from(workspace: WorkspaceIndex | None, endpoint: Endpoint) -> Place | None:
+    """The call that gives a helper the beginning of a name, where the helper writes down only how it goes on:
+    ``f'{robot}/get_state'``; None where the name begins at the place that it has."""
+    origin, chain = endpoint.creation.name.origin, endpoint.creation.chain
+    if workspace is None or origin is None or not chain:
+        return None
+    tree = tree_of(workspace, origin.file)
+    if tree is None:
+        return None
+    texts = (text for text in tree.of_kind(facts.FormatString) if Place.of(origin.file, text.span) == origin)
+    first = next((text.parts[0] for text in texts if text.parts), "")
+    function = code_of(workspace).function_at(origin) if isinstance(first, facts.Field) else None
+    given = [] if function is None else [param.name for param in function.params]
+    return chain[-1].place if isinstance(first, facts.Field) and first.value.variable in given else None
 
 
 def _kept_by(workspace: WorkspaceIndex, file: str, body: Sequence[facts.Stmt]) -> Iterator[Sequence[facts.Stmt]]:
@@ -100,4 +118,4 @@ def _topics_of_models(workspace: WorkspaceIndex) -> frozenset[str]:
     return frozenset(bridged & named)
 
 
-__all__ = ["is_of_a_model", "must_be_absolute"]
+__all__ = ["is_of_a_model", "must_be_absolute", "passed_from"]

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_not_installed
 from archlint.analysis.completeness import enclosing_class
-from archlint.analysis.fixed_names import is_of_a_model, must_be_absolute
+from archlint.analysis.fixed_names import is_of_a_model, must_be_absolute, passed_from
 from archlint.analysis.kept import once
 from archlint.analysis.name_sites import sites_of_name
 from archlint.branches import exclusive
@@ -157,7 +157,7 @@ def _conventional(endpoint: Endpoint, name: str, allowed: tuple[str, ...]) -> bo
 def _hardcoded(system: System, endpoint: Endpoint, reason: Reason) -> Finding:
     creation, name, word = endpoint.creation, endpoint.written or "", NAMED[endpoint.kind]
     given = creation.name_place or endpoint.place
-    place = creation.name.origin or given
+    place = passed_from(system.workspace, endpoint) or creation.name.origin or given
     home = _home(system, place, endpoint.place)
     owner = _package(system.workspace, place.file) if reason.by_package else home
     diagnostic = finding(
