@@ -103,6 +103,7 @@ def test_a_test_dependency_is_not_installed_with_the_node(judge: Judge):
 def test_what_pip_is_asked_for(judge: Judge):
     assert judge("import serial", pip="'setuptools', 'pyserial'") == []
     assert judge("import serial", **{"requirements.txt": "pyserial==3.5\n"}) == []
+    assert judge("import serial", **{"docker/Dockerfile": "FROM ros:jazzy\nRUN pip install pyserial\n"}) == []
 
 
 def test_tests_and_loose_files_are_not_installed(judge: Judge):

@@ -23,7 +23,7 @@ class Follower(Node):
         super().__init__('follower')
         self.distance = None
         self.publisher = self.create_publisher({type}, 'out', 10)
-        self.create_subscription(LaserScan, 'scan', self.on_scan, 10)
+        self.create_subscription(LaserScan, '{topic}', self.on_scan, 10)
         self.create_timer(0.1, self.drive)
 
     def on_scan(self, msg):
@@ -46,8 +46,8 @@ STORE = "self.distance = min(msg.ranges)"
 DRIVE = "if self.distance is None:\n    return\ncommand.linear.x = self.distance\nself.publisher.publish(command)"
 
 
-def node(on_scan: str = STORE, drive: str = DRIVE, type: str = "Twist") -> str:
-    return NODE.format(type=type, on_scan=indent(on_scan, " " * 8), drive=indent(drive, " " * 8))
+def node(on_scan: str = STORE, drive: str = DRIVE, type: str = "Twist", topic: str = "scan") -> str:
+    return NODE.format(type=type, topic=topic, on_scan=indent(on_scan, " " * 8), drive=indent(drive, " " * 8))
 
 
 def test_a_command_from_the_last_message(judge: Judge):
@@ -78,3 +78,8 @@ def test_an_input_whose_age_counts(judge: Judge, on_scan: str, drive: str):
 
 def test_what_commands_nothing_may_be_old(judge: Judge):
     judge("TOP007", node(drive="command.data = str(self.distance)\nself.publisher.publish(command)", type="String"))
+
+
+@pytest.mark.parametrize("topic", ["goal", "planner/target_scan", "enabled"])
+def test_what_counts_until_the_next_message(judge: Judge, topic: str):
+    judge("TOP007", node(topic=topic))

@@ -333,3 +333,44 @@ def more(self, request, response):
     return response
 """
     assert not judge("TMO006", node(methods))
+
+
+# ------------------------------------------------------------------------------- what a spin returns
+
+RETURNED = """
+import rclpy
+from rclpy.executors import SingleThreadedExecutor
+from somewhere import helper
+
+
+def ask(node, future, executor):
+    {line}
+"""
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "if rclpy.spin_until_future_complete(node, future, timeout_sec=1.0):  # here\n        return future.done()",
+        "if not rclpy.spin_until_future_complete(node, future):  # here\n        return None",
+        "while rclpy.spin_until_future_complete(node, future) is None:  # here\n        pass",
+        "if future.done() or executor.spin_until_future_complete(future):  # here\n        return True",
+        "return 1 if rclpy.spin_until_future_complete(node, future) else 2  # here",
+    ],
+)
+def test_what_a_spin_returns_decides_nothing(judge: Judge, line: str):
+    (finding,) = judge("TMO006", RETURNED.format(line=line))
+    assert finding.help == "call it, and then ask future.done()"
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "rclpy.spin_until_future_complete(node, future)\n    return future.done()",
+        "if helper.spin_until_future_complete(node, future):\n        return None",  # one of another library
+        "if helper.check(rclpy.spin_until_future_complete(node, future)):\n        return None",
+        "return rclpy.spin_until_future_complete(node, future)",
+    ],
+)
+def test_a_spin_whose_result_nobody_asks_for(judge: Judge, line: str):
+    judge("TMO006", RETURNED.format(line=line))

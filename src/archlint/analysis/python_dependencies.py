@@ -110,9 +110,12 @@ def _declared(workspace: WorkspaceIndex, package: Package, brought_by: Callable[
 
 @once
 def _requirements(workspace: WorkspaceIndex) -> list[str]:
-    """The files of the whole workspace that ask pip for modules."""
+    """The files of the whole workspace that ask pip for modules, or may do so."""
     tree = workspace.tree
-    named = re.compile(r"(?:\w+[-_])*requirements(?:[-_]\w+)*\.txt|environment\.ya?ml|Pipfile|pyproject\.toml")
+    named = re.compile(
+        r"(?:\w+[-_])*requirements(?:[-_]\w+)*\.txt|environment\.ya?ml|Pipfile|pyproject\.toml"
+        r"|(?:[\w-]+\.)?Dockerfile(?:[.-]\w+)*|(?:install|setup)[\w-]*\.sh"
+    )
     return [tree.text(path) or "" for path in tree.files_below(tree.top) if named.fullmatch(posixpath.basename(path))]
 
 

@@ -22,6 +22,32 @@ if TYPE_CHECKING:
 _PUBLISH = "rclpy.publisher.Publisher.publish"
 _OF_TIME = ("age", "alive", "clock", "deadline", "elapsed", "expire", "fresh", "heartbeat", "last_seen", "liveliness")
 _ALSO_OF_TIME = ("monotonic", "now", "perf_counter", "recent", "stale", "stamp", "time", "timeout", "watchdog")
+_EVENTS = frozenset(
+    {
+        "nav_msgs/msg/OccupancyGrid",
+        "nav_msgs/msg/Path",
+        "std_msgs/msg/Bool",
+        "std_msgs/msg/Empty",
+        "std_msgs/msg/String",
+    }
+)
+_OF_EVENTS = frozenset(
+    {
+        "config",
+        "enable",
+        "enabled",
+        "goal",
+        "map",
+        "mode",
+        "path",
+        "plan",
+        "target",
+        "trajectory",
+        "waypoint",
+        "waypoints",
+    }
+)
+"""Types and words of topics whose messages count until the next one comes, however long that takes."""
 
 
 @dataclass(frozen=True)
@@ -61,7 +87,7 @@ def _stored_by_subscription(
     """The first of some attributes that subscriptions alone set, and that none of them notes the time of."""
     for creation in node.creations:
         callback = creation.callbacks.get(Role.SUBSCRIPTION)
-        if creation.kind != EntityKind.SUBSCRIBER or callback is None:
+        if creation.kind != EntityKind.SUBSCRIBER or callback is None or _is_event(creation):
             continue
         methods = _methods(code, callback)
         if any(_is_about_time(method) for method in methods):
@@ -71,6 +97,11 @@ def _stored_by_subscription(
                 if name in attributes and _comes_of_the_message(statement, method):
                     return name, creation, Place.of(callback.file, statement.span)
     return None
+
+
+def _is_event(subscription: Creation) -> bool:
+    words = (subscription.name.text or "").replace("/", "_").lower().split("_")
+    return subscription.type in _EVENTS or not _OF_EVENTS.isdisjoint(words)
 
 
 def _methods(code: SourceCode, callback: Callback) -> list[Method]:

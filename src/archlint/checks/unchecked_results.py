@@ -17,12 +17,13 @@ from archlint.analysis.reach import (
     one_for_each_place,
     related_creation,
 )
+from archlint.analysis.spin_results import tested_spins
 from archlint.analysis.unchecked_results import UncheckedResult, unchecked_results
 from archlint.checks.folding import folds, with_others
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.wait_words import name_of, related_path
-from archlint.finding import Finding, Related
+from archlint.finding import Finding, Place, Related
 
 if TYPE_CHECKING:
     from archlint.model import ApiCall, MistakenFuture, Program
@@ -37,7 +38,18 @@ def unchecked_result(system: System, options: Options) -> Iterator[Finding]:
             *(_unchecked(system, use) for use in unchecked_results(system) if _runs(system, use.program, use.spin)),
             *(_too_early(system, early) for early in early_results(system) if _is_of_rule(system, early)),
             *(_mistaken(system, use) for use in mistaken_futures(system)),
+            *(map(_tested, tested_spins(system.workspace)) if system.workspace is not None else ()),
         )
+    )
+
+
+def _tested(place: Place) -> Finding:
+    return finding(
+        "TMO006",
+        place,
+        "spin_until_future_complete() returns None, whatever becomes of the future: asking for it decides nothing",
+        help="call it, and then ask future.done()",
+        identity=("spin", "tested"),
     )
 
 
