@@ -59,7 +59,8 @@ _CARRIERS = (
 """Kinds of values that can lead to a node."""
 _OWN = (
     *("rclpy.", "tf2_", "message_filters.", "logging.", "types.SimpleNamespace", "argparse.Namespace"),
-    *("rclcpp.AsyncParametersClient", "rclcpp.SyncParametersClient", "rclcpp.ParameterEvent"),
+    *("rclcpp.AsyncParametersClient", "rclcpp.SyncParametersClient", "rclcpp.ParameterEvent", "rclcpp.TimeSource"),
+    *("image_transport.TransportHints", "image_transport.ImageTransport"),
 )
 """Libraries that do nothing with a node which the tables do not say, and plain bags of attributes."""
 _LOGS = frozenset({"debug", "info", "warn", "warning", "error", "fatal", "critical", "exception", "log"})

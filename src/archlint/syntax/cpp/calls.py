@@ -28,11 +28,21 @@ METHODS = {
 
 WITH_TYPE = frozenset({"create_publisher", "create_subscription", "create_service", "create_client"})
 
+GENERIC = {
+    "create_generic_publisher": "create_publisher",
+    "create_generic_subscription": "create_subscription",
+    "create_generic_client": "create_client",
+}
+"""Methods that take the name of a type, as a text, behind the name of the topic or service."""
+
 FREE = {
     "rclcpp.create_publisher": "create_publisher",
     "rclcpp.create_subscription": "create_subscription",
     "rclcpp.create_service": "create_service",
     "rclcpp.create_client": "create_client",
+    "rclcpp.create_generic_publisher": "create_generic_publisher",
+    "rclcpp.create_generic_subscription": "create_generic_subscription",
+    "rclcpp.create_generic_client": "create_generic_client",
 }
 """Functions that take the node first, and then what its method takes."""
 
@@ -143,6 +153,7 @@ def free_timer(path: str, values: Sequence[Expr], span: Span) -> Expr:
 
 __all__ = [
     "FREE",
+    "GENERIC",
     "METHODS",
     "NODE_INTERFACES",
     "WITH_TYPE",

@@ -71,7 +71,7 @@ class CallLowering(ObjectLowering):
         if name in calls.NODE_INTERFACES:
             return value
         types = [self.lower(argument) for argument in part.arguments]
-        created = calls.method(value, name, types, values, span)
+        created = self._created(value, name, types, values, span)
         if created is not None:
             return created
         if not values:
@@ -87,6 +87,17 @@ class CallLowering(ObjectLowering):
             return facts.Subscript(value, values[0], span)
         own = calls.template_arguments(types) if isinstance(value, (facts.Name, facts.Implicit)) else []
         return facts.Call(method, [*given(values), *own], span)
+
+    def _created(
+        self, node: Expr, name: str, types: Sequence[Expr], values: Sequence[Expr], span: Span
+    ) -> facts.Call | None:
+        """A create call on a node; None for what is no such call."""
+        if name not in calls.GENERIC:
+            return calls.method(node, name, types, values, span)
+        if len(values) < 2:
+            return None
+        interface = self.names.interface_called(values[1].text or "", span)
+        return calls.method(node, calls.GENERIC[name], [interface], [values[0], *values[2:]], span)
 
     def _without_arguments(self, value: Expr, name: str, span: Span) -> Expr | None:
         if name in _PARAMETER_VALUES:
@@ -148,7 +159,7 @@ class CallLowering(ObjectLowering):
         if last.name in ("make_shared", "make_unique") and len(parts) > 1:
             return self.construct_parts(parts[:-1], arguments, span)
         if len(parts) == 1 and not self.names.is_variable(last.name):
-            if self.names.is_in_method and (last.name in calls.METHODS or last.name in _OF_NODE):
+            if self.names.is_in_method and _is_of_node(last.name):
                 return self._on(facts.Name("self", span), last, arguments, span, self.source.span(function))
             if last.name in calls.NODE_INTERFACES:
                 return facts.Name("self", span)
@@ -159,7 +170,7 @@ class CallLowering(ObjectLowering):
         values = self.lower_all(arguments.named_children)
         called = self.names.resolve(parts, self.source.span(function))
         if isinstance(called, facts.Attribute) and len(parts) > 1:  # Base::method(…), on this very object
-            if last.name in calls.METHODS or last.name in _OF_NODE:
+            if _is_of_node(last.name):
                 return self._on(facts.Name("self", span), last, arguments, span, self.source.span(function))
             values = [self._itself(span), *values]
         return facts.Call(called, [*given(values), *calls.template_arguments(types)], span)
@@ -184,7 +195,7 @@ class CallLowering(ObjectLowering):
             return _seconds(values, DURATIONS.get(path, 1.0), span)
         types = [self.lower(argument) for argument in last.arguments]
         if path in calls.FREE and values:
-            created = calls.method(values[0], calls.FREE[path], types, values[1:], span)
+            created = self._created(values[0], calls.FREE[path], types, values[1:], span)
             return created or facts.Opaque(path, span)
         if path in ("rclcpp.init", "rclcpp.shutdown"):
             return facts.Call(self.names.library(path, span), [], span)
@@ -261,6 +272,11 @@ _PARAMETER_TYPES = {
 def _is_placeholder(value: Expr) -> bool:
     name = value.last_name or getattr(value, "name", "")
     return name.startswith("_") and name[1:].isdigit()
+
+
+def _is_of_node(name: str) -> bool:
+    """Whether a method is one that a node has."""
+    return name in calls.METHODS or name in calls.GENERIC or name in _OF_NODE
 
 
 def _seconds(values: Sequence[Expr], unit: float, span: Span) -> Expr:

@@ -207,6 +207,14 @@ class Names:
                 return value
         return None
 
+    def interface_called(self, name: str, span: Span) -> Expr:
+        """The interface that a text such as ``std_msgs/msg/String`` names."""
+        package, _, rest = name.partition("/")
+        kind, _, last = rest.partition("/")
+        if kind not in INTERFACE_KINDS or not package.isidentifier() or not last.isidentifier():
+            return facts.Opaque("a type that a text names", span)
+        return self._imported(f"{package}.{kind}.{last}", f"{package}::{kind}::{last}", span)
+
     def _opened_package(self, kind: str) -> str:
         """The one package that ``using namespace`` opens, where ``msg::String`` stands without one."""
         packages = {opened[-1] for opened in self.opened if len(opened) == 1 and opened[0] not in LIBRARIES}
