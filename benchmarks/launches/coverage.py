@@ -10,7 +10,8 @@ The text search takes, in each launch file, what looks like a node action: ``Nod
 ``ComposableNode(``, ``ComposableNodeContainer(`` and ``ExecuteProcess(`` of ``ros2 run`` in Python, ``<node``,
 ``<lifecycle_node``, ``<composable_node`` and ``<node_container`` in XML, ``node:`` and its relatives in YAML, comments
 left out.  An action is accounted for where a launch starts a node at its place: as one whose code is in the checkout
-(*here*), one whose code is elsewhere (*external*), or one under a condition that the defaults do not meet (*not
+(*here*), one whose code is elsewhere and that archlint knows all the same, whole or in part (*known*), another whose
+code is elsewhere (*external*), or one under a condition that the defaults do not meet (*not
 taken*).  *Not reached* are those in code that the launch files do not run with their defaults, *unresolved* those in
 a file with something that was not followed, *put nowhere* those that a run came past and that no description holds.
 """
@@ -35,8 +36,9 @@ from archlint.finding import Place
 from archlint.launch.files import LaunchFiles
 from archlint.launch.model import Launched
 from archlint.systems.model import System
+from archlint.systems.nodes import Node
 
-KINDS = ("here", "external", "not taken", "unresolved", "not reached", "put nowhere")
+KINDS = ("here", "known", "external", "not taken", "unresolved", "not reached", "put nowhere")
 PYTHON = re.compile(r"(?<![\w])(?:Lifecycle)?(?:Node|ComposableNode|ComposableNodeContainer)\s*\(")
 NO_ACTION = re.compile(r"^\s*(?:class|def|from|import)\b")
 XML = re.compile(r"<(?:node|lifecycle_node|composable_node|node_container)\b")
@@ -100,10 +102,18 @@ def accounted(systems: list[System]) -> dict[tuple[str, int], str]:
 
     for system in systems:
         for node in system.nodes:
-            note(node.launch_place, "external" if node.external and node.unfollowed is None else "here")
+            note(node.launch_place, _kind(node))
         for started in system.launched.started if system.launched is not None else ():
             note(started.place, "not taken" if started.dormant else "external")
     return found
+
+
+def _kind(node: Node) -> str:
+    """Whether the code of a node is here, or what it has is known all the same, from the table of well-known nodes."""
+    if not node.external or node.unfollowed is not None:
+        return "here"
+    known = node.known is not None and (node.known.complete or bool(node.endpoints))
+    return "known" if known else "external"
 
 
 def level(launched: Launched) -> tuple[str, list[str]]:
@@ -149,7 +159,7 @@ def measure(root: Path) -> tuple[Counter[str], Counter[str], list[str]]:
                 came_past = (path, line) in made or not path.endswith(".py")
                 kind = "unresolved" if path in unfollowed else "put nowhere" if came_past else "not reached"
             kinds[kind] += 1
-            if kind in KINDS[3:]:
+            if kind in KINDS[4:]:
                 told.append(f"{kind}: {path}:{line}")
     return files, kinds, told
 
