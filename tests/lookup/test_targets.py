@@ -133,5 +133,6 @@ def test_parameters_of_lists_and_constants_of_other_files(robot: Path):
     assert editor.references("names.py", "'chat^ter'") == ["names.py:1 'chatter'", "talker.py:12 CHATTER"]
 
 
-def test_nothing_is_known_of_a_name_from_elsewhere(launched: Editor):
-    assert launched.definition("fleet.launch.py", "'events^/write_split'") == []
+def test_a_name_of_a_node_from_elsewhere_leads_to_where_that_is_started(launched: Editor):
+    [place] = launched.definition("fleet.launch.py", "'events^/write_split'")
+    assert place.startswith("fleet.launch.py:31 Node(")

@@ -65,10 +65,17 @@ def named_by_library(endpoint: Endpoint) -> bool:
     return endpoint.creation.api.startswith("tf2_ros.")
 
 
+def are_both_external(end: Endpoint, other: Endpoint) -> bool:
+    """Whether neither end is made by code of the workspace: what is wrong between them is for others to mend."""
+    return end.external and other.external
+
+
 def in_source_order(endpoints: Iterable[Endpoint]) -> list[Endpoint]:
+    """Ends in the order of the source; those of nodes whose source is not here come first, so that what is said of
+    several is said at code of the workspace, where it ends."""
     ends = list(endpoints)
     if len(ends) > 1:
-        ends.sort(key=lambda end: (end.place, end.node.name or "", end.type or ""))
+        ends.sort(key=lambda end: (not end.external, end.place, end.node.name or "", end.type or ""))
     return ends
 
 
@@ -80,7 +87,7 @@ def first_in_source(endpoints: Iterable[Endpoint]) -> list[Endpoint]:
 def coexisting_pairs(system: System, endpoints: Iterable[Endpoint]) -> Iterator[tuple[Endpoint, Endpoint]]:
     """Pairs of certain endpoints that run together; in each, the second comes later in the source."""
     for end, other in combinations(first_in_source(e for e in endpoints if certain(e)), 2):
-        if coexist(system, end, other) and _under_one_name(system, end, other):
+        if not are_both_external(end, other) and coexist(system, end, other) and _under_one_name(system, end, other):
             yield end, other
 
 
@@ -98,12 +105,14 @@ def conflicting_pairs(
     for end in ends:
         of_node.setdefault((id(end.node), end.kind), []).append(end)
     for endpoint, other in combinations(ends, 2):
-        if agree(endpoint, other) or not sure & {id(endpoint), id(other)}:
+        if agree(endpoint, other) or not sure & {id(endpoint), id(other)} or are_both_external(endpoint, other):
             continue
         fixed, chosen = (endpoint, other) if id(endpoint) in sure else (other, endpoint)
         choices = [] if id(chosen) in sure else of_node[id(chosen.node), chosen.kind]
         if any(agree(fixed, end) for end in choices) or not coexist(system, endpoint, other):
             continue
+        if chosen.external and choices and chosen is not choices[0]:
+            continue  # one of several types that it may have is enough to be told
         if _under_one_name(system, endpoint, other):
             yield endpoint, other
 

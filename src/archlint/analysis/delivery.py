@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.coexistence import (
     are_alternatives,
+    are_both_external,
     certain,
     coexist,
     first_in_source,
@@ -68,7 +69,7 @@ def mistyped_on(system: System, connection: Connection) -> Iterator[Mistyped]:
     offers = first_in_source(end for end in connection.providers if certain(end) and end.type is not None)
     for request in first_in_source(end for end in connection.users if certain(end) and end.type is not None):
         for offer in offers:
-            if offer.type != request.type and _meet(system, offer, request):
+            if offer.type != request.type and not are_both_external(offer, request) and _meet(system, offer, request):
                 yield Mistyped(offer, request)
 
 
@@ -89,7 +90,7 @@ def undelivered_on(system: System, topic: Connection) -> Iterator[Undelivered]:
     for request in first_in_source(end for end in topic.users if _judged(end)):
         for offer in offers:
             errors = tuple(_errors(offer, request))
-            if errors and _meet(system, offer, request):
+            if errors and not are_both_external(offer, request) and _meet(system, offer, request):
                 yield Undelivered(offer, request, errors)
 
 

@@ -45,6 +45,8 @@ def several_owners(system: System, connection: Connection) -> Iterator[list[Endp
 
 def _owns(system: System, end: Endpoint) -> bool:
     """Whether a publisher or server says something of its own, in code that is in use."""
+    if end.external:
+        return True
     idle = named_by_library(end) or is_left_over(system.workspace, end) or speaks_once(system, end)
     if system.name is not None and end.kind == EntityKind.PUBLISHER:
         idle = idle or never_speaks(end)  # a launch file says which program it is

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Mapping
 from typing import Any
 
 import msgspec
@@ -93,6 +94,16 @@ class Remapping(_Part, frozen=True, kw_only=True):
     to: str | None
 
 
+class KnownFrom(_Part, frozen=True, kw_only=True):
+    """Where it is known from what a node has whose source is not in the workspace."""
+
+    source: str
+    versions: Mapping[str, str]
+    """The version that was read, by distribution."""
+    open: tuple[str, ...]
+    """Why it may have more; empty where it does not."""
+
+
 class Node(_Part, frozen=True, kw_only=True):
     """A node, or with ``is_node`` false what is created on a node that is not known."""
 
@@ -108,6 +119,7 @@ class Node(_Part, frozen=True, kw_only=True):
     executor: str | None
     launched_by: str | None
     external: bool
+    known_from: KnownFrom | None
     condition: str | None
     remappings: tuple[Remapping, ...]
     test: bool

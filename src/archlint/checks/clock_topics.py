@@ -10,7 +10,7 @@ from archlint.analysis.kept import once
 from archlint.analysis.set_parameters import called, set_nodes
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
-from archlint.checks.unmatched import is_complete
+from archlint.checks.sight import is_complete
 from archlint.finding import Finding, Related
 from archlint.model import EntityKind
 
@@ -28,7 +28,9 @@ _SIMULATED = "use_sim_time"
 def clock_topic(system: System, options: Options) -> Iterator[Finding]:
     """Publishers of a clock on another topic, and nodes of a closed system that wait for a clock nobody publishes."""
     for connection in system.topics.values():
-        ends = in_source_order([end for end in connection.providers if end.type == _TYPE and certain(end)])
+        ends = in_source_order(
+            [end for end in connection.providers if end.type == _TYPE and certain(end) and not end.external]
+        )
         heard = [end for end in ends if end.place in _places_of_clocks(system)]
         if ends and not heard and not connection.users and _is_elsewhere(system, options, connection.name):
             yield _elsewhere(ends[0])
@@ -81,7 +83,7 @@ def _has_clock(system: System) -> bool:
     """Whether something publishes the clock, or may do so under a name that is not known."""
     return any(
         end.type in (_TYPE, None) and (not end.resolved or end.name == _CLOCK or end.type == _TYPE)
-        for end in system.endpoints
+        for end in system.all_endpoints
         if end.kind == EntityKind.PUBLISHER
     )
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
-from archlint.checks.unmatched import in_sight, is_complete
+from archlint.checks.sight import in_sight, is_complete
 from archlint.finding import Finding, Related
 from archlint.model import (
     EntityKind,
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 @rule("GRF001", scope=Scope.SYSTEM)
 def isolated_node(system: System, options: Options) -> Iterator[Finding]:
     """Nodes of a closed system that share no name with another node."""
-    if not is_complete(system) or any(not end.resolved for end in system.endpoints):
+    if not is_complete(system) or any(not end.resolved for end in system.all_endpoints):
         return
     tied = connected(system)
     judged = [node for node in system.nodes if _judged(node)]
@@ -87,7 +87,7 @@ def _rate_of(system: System, end: Endpoint, known: dict[int, float]) -> float:
 def single_point_of_failure(system: System, options: Options) -> Iterator[Finding]:
     """Nodes without which the rest falls into parts."""
     # Somebody unseen, or under a name that is not known, may tie the parts.
-    known = in_sight(system) and all(end.resolved for end in system.endpoints)
+    known = in_sight(system) and all(end.resolved for end in system.all_endpoints)
     for node, parts in splits(system) if known and _runs(system) else ():
         if not _judged(node):
             continue

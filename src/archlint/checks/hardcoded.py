@@ -104,7 +104,7 @@ def hardcoded_name(system: System, options: Options) -> Iterator[Finding]:
     relative, allowed = options.flag("relative"), options.texts("allow")
     varied = {end.place for end in system.endpoints if end.creation.name.resolution != "exact"}
     fixed: list[Endpoint] = []
-    for endpoint in (end for node in system.nodes for end in node.endpoints):
+    for endpoint in (end for node in system.nodes if not node.external for end in node.endpoints):
         name = endpoint.written
         if name is None or not _fixed_in_code(endpoint) or _conventional(endpoint, name, allowed):
             continue
@@ -226,7 +226,11 @@ def _spoken_here(workspace: WorkspaceIndex) -> frozenset[str]:
         connection.name
         for system in workspace.systems
         for connection in (*system.topics.values(), *system.services.values(), *system.actions.values())
-        if any(user.node is not provider.node for user in connection.users for provider in connection.providers)
+        if any(
+            user.node is not provider.node and not (user.external or provider.external)
+            for user in connection.users
+            for provider in connection.providers
+        )
     )
 
 

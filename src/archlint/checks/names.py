@@ -39,6 +39,8 @@ def invalid_name(system: System, options: Options) -> Iterator[Finding]:
     yield from names_given_by_launch(system)
     findings: dict[tuple[Place, str], Finding] = {}
     for node in system.entries:
+        if node.external:
+            continue  # what its remappings say is told where they stand
         own = () if is_renamed(system, node) else _invalid_node(node)
         for diagnostic in (*own, *_invalid_endpoints(system, node)):
             findings.setdefault((diagnostic.place, diagnostic.message), diagnostic)

@@ -5,10 +5,18 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
-from archlint.analysis.coexistence import certain, coexist, in_source_order, known_to_coexist, named_by_library
+from archlint.analysis.coexistence import (
+    are_both_external,
+    certain,
+    coexist,
+    in_source_order,
+    known_to_coexist,
+    named_by_library,
+)
 from archlint.analysis.left_over import is_left_over
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
+from archlint.checks.sight import in_sight
 from archlint.finding import Finding, Related
 from archlint.model import EntityKind
 from archlint.suggestions import OPPOSITES, distance
@@ -47,7 +55,7 @@ def missed(
     system: System, options: Options, connections: Mapping[str, Connection]
 ) -> Iterator[tuple[Endpoint, list[Endpoint]]]:
     """Users of names that nobody provides, each with those who provide almost the same name to nobody."""
-    unread = UsedNames(node for node in system.nodes if node.external)
+    unread = UsedNames(node for node in system.nodes if node.is_stranger)
     alone = [
         connection
         for connection in connections.values()
@@ -96,9 +104,18 @@ def _misses(system: System, provider: Endpoint, user: Endpoint) -> bool:
             or _namespace_slip(system, provider, user)
             or (is_private_of(provider, user) and not _is_renamed(system, provider, user))
         )
+        and _is_for_us(system, provider, user)
         and not is_left_over(system.workspace, provider)  # reads code, where names of most pairs say no
         and coexist(system, provider, user)
     )
+
+
+def _is_for_us(system: System, provider: Endpoint, user: Endpoint) -> bool:
+    """Whether code of the workspace makes both ends, or one of them in a system where nobody unseen may be the other's
+    partner."""
+    if not (provider.external or user.external):
+        return True
+    return not are_both_external(provider, user) and in_sight(system)
 
 
 def _namespace_slip(system: System, provider: Endpoint, user: Endpoint) -> bool:
@@ -185,13 +202,14 @@ def _finding(user: Endpoint, candidates: list[Endpoint]) -> Finding:
     if user.written == nearest.written and _follows_node(user) and _follows_node(nearest):
         hint = f"both write '{user.written}'"
         help = f"give {user.node.name} and {nearest.node.name} the same namespace in the launch file"
+    at = nearest if user.external else user
     return finding(
         "TOP004",
-        user.place,
+        at.place,
         f"no node publishes '{user.name}', and no node subscribes to '{nearest.name}', which {nearest.node.name} "
         f"publishes with the same type; {hint}",
         help=help,
         related=[Related(end.place, f"{end.node.name} publishes '{end.name}'") for end in candidates],
-        node=user.node.name,
+        node=at.node.name,
         identity=(user.name or "", nearest.name or ""),
     )

@@ -18,6 +18,7 @@ from archlint.analysis.set_parameters import (
     others_are_not_run,
     set_nodes,
 )
+from archlint.checks.external_parameters import unknown_to_externals
 from archlint.checks.folding import folds
 from archlint.checks.misspelt_parameters import is_misspelt, misspelt_for_every_node
 from archlint.checks.registry import Options, finding, rule
@@ -38,6 +39,7 @@ if TYPE_CHECKING:
 def unknown_parameter_override(system: System, options: Options) -> Iterator[Finding]:
     """Values for parameters that the node does not declare."""
     yield from misspelt_for_every_node(system)
+    yield from unknown_to_externals(system)
     every: dict[tuple[str, str], set[str] | None] = {}
     said: set[tuple[Place, Place, str]] = set()
     shared = _Bundles(system)

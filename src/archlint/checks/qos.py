@@ -74,16 +74,19 @@ def _mismatch(code: str, system: System, pairs: list[tuple[Undelivered, Verdict]
         both = "; no launch file here starts the two together by default"  # what fits may be the one that is meant
         lost += both if served else ", if they run together: no launch file here starts both by default"
     cause = (str(offer.place), verdict.policy, user.name or "", offer.node.name or "", offered, requested, lost)
+    at = offer if user.external else user
     diagnostic = finding(
         code,
-        user.place,
+        at.place,
         f"{user.node.name} requests {requested} on '{user.name}', but {offer.node.name} offers {offered}: {lost}",
-        help=_ADVICE[verdict.policy],
-        related=[
+        help=_AT_PUBLISHER[verdict.policy] if user.external else _ADVICE[verdict.policy],
+        related=[Related(user.place, f"{user.node.name} requests {requested}")]
+        if user.external
+        else [
             Related(pair.offer.place, f"{pair.offer.node.name} offers {policy_words(mismatch, mismatch.offered)}")
             for pair, mismatch in pairs
         ],
-        node=user.node.name,
+        node=at.node.name,
         identity=(user.name or "", verdict.policy, *(pair.offer.node.name or "" for pair, _ in pairs)),
         group=cause if len(pairs) == 1 else (),
     )

@@ -21,6 +21,7 @@ from archlint.ros import names
 from archlint.ros.well_known import OF_EVERY_NODE, OF_TRANSFORMS
 from archlint.suggestions import did_you_mean, listed
 from archlint.systems.instances import instantiate
+from archlint.systems.resolution import endpoint_name
 
 if TYPE_CHECKING:
     from archlint.finding import Place
@@ -35,7 +36,7 @@ def dead_remapping(system: System, options: Options) -> Iterator[Finding]:
     if system.launched is None:
         return
     for started, nodes in _by_started(system):
-        if all(is_complete(node) for node in nodes):
+        if all(_has_all_names(node) for node in nodes):
             for remap in started.remaps:
                 dead = None if remap.group else _dead(system, remap, nodes, started)
                 if dead is not None and not _live_elsewhere(system, remap):
@@ -46,9 +47,16 @@ def _by_started(system: System) -> list[tuple[Started, list[Node]]]:
     """What a launch file starts of code that is here, each with its nodes, and what they may have in it."""
     by_started: dict[int, tuple[Started, list[Node]]] = {}
     for node in system.entries:
-        if node.started is not None and not node.external:
+        if node.started is not None and not node.is_stranger:
             by_started.setdefault(id(node.started), (node.started, []))[1].append(node)
     return list(by_started.values())
+
+
+def _has_all_names(node: Node) -> bool:
+    """Whether a node has no name but those that are known."""
+    if node.external:
+        return node.known is not None and node.known.complete and all(end.resolved for end in node.endpoints)
+    return is_complete(node)
 
 
 def _live_elsewhere(system: System, remap: Remap) -> bool:
@@ -57,7 +65,7 @@ def _live_elsewhere(system: System, remap: Remap) -> bool:
     for other, other_remap, started, nodes in rows:
         if other is system:
             continue
-        if not all(is_complete(node) for node in nodes) or _dead(other, other_remap, nodes, started) is None:
+        if not all(_has_all_names(node) for node in nodes) or _dead(other, other_remap, nodes, started) is None:
             return True
     return False
 
@@ -175,19 +183,33 @@ def _of_one_node(several: Sequence[Finding]) -> Finding:
 
 def _before_remapping(node: Node, started: Started) -> tuple[set[str], str, str] | None:
     """The names of a node without the launch file's remappings, its own name and its namespace."""
-    if node.blueprint is None or node.name is None:
+    named = _plain_names(node, started)
+    if named is None:
         return None
-    plain = instantiate(node.blueprint, node.program, name=started.name, namespace=started.namespace)
-    if plain.name is None or any(endpoint.name is None for endpoint in plain.endpoints):
-        return None
-    namespace, _, name = plain.name.rpartition("/")
+    full, ends = named
+    namespace, _, name = full.rpartition("/")
     full_names: set[str] = set()
-    for endpoint in plain.endpoints:
-        assert endpoint.name is not None
-        full_names.add(endpoint.name)
-        if endpoint.kind in (EntityKind.ACTION_SERVER, EntityKind.ACTION_CLIENT):
-            full_names.update(names.action_entities(endpoint.name).values())
+    for kind, end in ends:
+        if end is None:
+            return None
+        full_names.add(end)
+        if kind in (EntityKind.ACTION_SERVER, EntityKind.ACTION_CLIENT):
+            full_names.update(names.action_entities(end).values())
     return full_names, name, namespace or "/"
+
+
+def _plain_names(node: Node, started: Started) -> tuple[str, list[tuple[EntityKind, str | None]]] | None:
+    """The full name that a node has, and those of its ends, where nothing is remapped."""
+    if node.name is None:
+        return None
+    if node.blueprint is not None:
+        plain = instantiate(node.blueprint, node.program, name=started.name, namespace=started.namespace)
+        ends = [(end.kind, end.name) for end in plain.endpoints]
+        return None if plain.name is None else (plain.name, ends)
+    own = node.own
+    if own is None or any(end.creation.name.parameter is not None for end in node.endpoints):
+        return None
+    return node.name, [(end.kind, endpoint_name(end.creation.name, end.kind, own, ()).name) for end in node.endpoints]
 
 
 _SERVICES = frozenset(

@@ -190,4 +190,4 @@ def _is_named(contract: Contract, end: Endpoint) -> bool:
 
 def _followed(node: Node, kind: EntityKind | None = None) -> bool:
     """Whether everything that a node has is known, so that what is missing is missing."""
-    return not node.external and all(end.resolved for end in node.endpoints if kind in (None, end.kind))
+    return not node.is_stranger and all(end.resolved for end in node.endpoints if kind in (None, end.kind))

@@ -7,14 +7,13 @@ from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING
 
 from archlint.analysis.coexistence import certain, in_source_order, named_by_library
-from archlint.analysis.completeness import in_sight as followed
 from archlint.analysis.left_out_servers import left_out_server
 from archlint.analysis.own_types import has_no_server_here
 from archlint.checks.near_misses import MOST_PAIRS, is_private_of, missed, nearly_equal
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
+from archlint.checks.sight import in_sight, is_complete
 from archlint.finding import Finding, Related
-from archlint.launch.kinds import StartedKind
 from archlint.model import (
     EntityKind,
 )
@@ -24,7 +23,7 @@ from archlint.systems.implicit import implicit_names
 
 if TYPE_CHECKING:
     from archlint.systems.model import System
-    from archlint.systems.nodes import Connection, Endpoint, Node
+    from archlint.systems.nodes import Connection, Endpoint
 
 _PARTNER = {
     EntityKind.PUBLISHER: EntityKind.SUBSCRIBER,
@@ -108,7 +107,7 @@ def _without_server(
     for connection in connections.values():
         if connection.providers or options.is_external(connection.name):
             continue
-        sure = [end for end in in_source_order(connection.users) if certain(end) and id(end) not in told]
+        sure = [end for end in in_source_order(connection.users) if _is_judged(end) and id(end) not in told]
         if sure and has_no_server_here(system, sure[0]):
             yield sure[0], f", nor any other of {sure[0].type}, which this workspace defines"
             continue
@@ -124,7 +123,7 @@ def _lonely(
     if not is_complete(system):
         return
     implicit = implicit_names(system)
-    unknown = {(end.name, end.type) for end in system.endpoints if end.kind == _PARTNER[kind] and not end.resolved}
+    unknown = {(end.name, end.type) for end in system.all_endpoints if end.kind == _PARTNER[kind] and not end.resolved}
     left = MOST_PAIRS
     for connection in connections.values():
         ends = [end for end in connection.providers + connection.users if end.kind == kind]
@@ -132,7 +131,7 @@ def _lonely(
             continue
         if connection.name in implicit or options.is_external(connection.name):
             continue
-        sure = [end for end in ends if certain(end) and not named_by_library(end)]
+        sure = [end for end in ends if _is_judged(end) and not named_by_library(end)]
         left -= len(sure) * len(unknown)
         if left < 0:
             return  # some of them may be the partners of those that are left
@@ -140,41 +139,9 @@ def _lonely(
             yield in_source_order(sure)[0]
 
 
-def is_complete(system: System) -> bool:
-    """Whether the system is closed, all of it is in sight, and it is no part of another one."""
-    if not system.closed or not in_sight(system):
-        return False
-    others = (
-        [] if system.workspace is None else [other for other in system.workspace.systems if other.launched is not None]
-    )
-    if system.launched is None:
-        return not others  # what runs is what the launch files start
-    included = {i.reference.source for other in others if other.launched is not None for i in other.launched.included}
-    return system.launched.file not in included
-
-
-def in_sight(system: System) -> bool:
-    """Whether the source of everything that runs is here, so that nobody unseen publishes, listens or serves: no
-    node and no included launch file of another workspace, no plain process (``ros2 topic pub``, a simulator), no
-    node that is passed to a library, and no helper of a node that is not known."""
-    if system.unowned or any(node.external or not _seen(node) for node in system.nodes):
-        return False
-    launched = system.launched
-    if launched is None:
-        return True
-    processes = any(started.kind == StartedKind.PROCESS and not started.dormant for started in launched.started)
-    elsewhere = any(include.reference.source is None and not include.dormant for include in launched.included)
-    return not (processes or elsewhere or launched.gaps)
-
-
-def _seen(node: Node) -> bool:
-    """Whether a node's endpoints are those that its own code creates, and all of that code was followed: no base
-    class from elsewhere, no library that is given the node."""
-    if node.doubt is not None or (node.program is not None and node.program.exhausted):
-        return False
-    if not all(followed(blueprint) for blueprint in node.blueprints):
-        return False
-    return all(blueprint.just_rclpy for blueprint in node.blueprints)
+def _is_judged(end: Endpoint) -> bool:
+    """Whether an end exists for sure, and is one that code of the workspace makes."""
+    return certain(end) and not end.external
 
 
 def _may_match(end: Endpoint, name: str | None, type: str | None) -> bool:

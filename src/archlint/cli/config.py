@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 import json
 from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 from archlint import cells
 from archlint.cli import console
@@ -18,6 +18,7 @@ from archlint.visible import visible
 
 if TYPE_CHECKING:
     from archlint.config.settings import Settings
+    from archlint.ros.external_nodes import ExternalNode
 
 
 def parser() -> Parser:
@@ -64,6 +65,8 @@ def _values(settings: Settings) -> Iterator[tuple[str, object]]:
     yield "closed-world", settings.closed_world
     yield "launch", settings.launch
     yield "external", settings.external
+    if settings.external_nodes:
+        yield "external-nodes", [_external(node) for node in settings.external_nodes]
     yield "shared-topics", settings.shared_topics
     yield from _architecture(settings)
     if settings.baseline is not None:
@@ -82,6 +85,16 @@ def _architecture(settings: Settings) -> Iterator[tuple[str, object]]:
         yield "contracts", [contract.as_table() for contract in settings.contracts]
     if settings.node_layers is not None:
         yield "layers", {"order": settings.node_layers.order, **settings.node_layers.members}
+
+
+def _external(node: ExternalNode) -> dict[str, object]:
+    """An external node by the keys of the configuration."""
+    row: dict[str, object] = {"package": node.package, "executable": node.executables, "name": node.name}
+    row["complete"] = not node.open
+    for end in node.ends:
+        key = f"{end.kind.replace('_', '-')}s"
+        row[key] = {**cast("dict[str, str]", row.get(key, {})), end.name: end.type}
+    return row | ({"parameters": {p.name: p.type for p in node.parameters}} if node.parameters else {})
 
 
 def _toml(value: object) -> str:

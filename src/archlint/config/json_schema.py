@@ -30,6 +30,7 @@ DESCRIPTIONS: Mapping[str, str] = {
     "extend": "A configuration file that this one builds on.",
     "extend-select": "Rules that run too, by code, prefix, name or ALL.",
     "external": "Names that other machines or C++ packages provide; globs.",
+    "external-nodes": "What nodes offer whose source is elsewhere, beside the well-known ones that archlint knows.",
     "ignore": "Rules that do not run, by code, prefix, name or ALL.",
     "launch": "Patterns of the launch files that are systems of their own. Without it: all of them.",
     "layers": "The nodes of each layer, and the `order` of the layers from top to bottom (ARC002).",

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from archlint.config import architecture_tables, rule_options
+from archlint.config import architecture_tables, external_tables, rule_options
 from archlint.config import values as read
 from archlint.config.conversion import converted
 from archlint.config.files import is_within, own_table, read_source, repository_of
@@ -19,6 +19,7 @@ _READERS: dict[str, Callable[[Any, Key], object]] = {
     "contracts": architecture_tables.contracts,
     "exclude": read.globs,
     "extend-select": read.selectors,
+    "external-nodes": external_tables.external_nodes,
     "ignore": read.selectors,
     "launch": read.globs,
     "layers": architecture_tables.layers,

@@ -14,6 +14,7 @@ from archlint.architecture import ContractKind
 from archlint.config.preset_names import PresetName
 from archlint.finding import Severity
 from archlint.ros.distros import DISTROS
+from archlint.ros.parameter_types import ParameterType
 
 if TYPE_CHECKING:
     Distro = str
@@ -90,6 +91,28 @@ class ContractTable(Table, frozen=True):
     liveliness_lease: Seconds | None = None
 
 
+class ExternalNodeTable(Table, frozen=True):
+    """An entry of ``[[external-nodes]]``."""
+
+    UNKNOWN: ClassVar[str] = "unknown key of an external node"
+    MISSING: ClassVar[str] = "this external node has no"
+
+    package: str
+    executable: OneOrMore
+    name: str | None = None
+    complete: bool | None = None
+    publishers: dict[str, str] | None = None
+    subscribers: dict[str, str] | None = None
+    services: dict[str, str] | None = None
+    clients: dict[str, str] | None = None
+    action_servers: dict[str, str] | None = None
+    action_clients: dict[str, str] | None = None
+    parameters: dict[str, ParameterType] | None = None
+
+
+_ExternalNodes = Annotated[
+    tuple[ExternalNodeTable, ...], msgspec.Meta(description="a list of tables, each headed by [[external-nodes]]")
+]
 _Contracts = Annotated[
     tuple[ContractTable, ...], msgspec.Meta(description="a list of tables, each headed by [[contracts]]")
 ]
@@ -107,6 +130,7 @@ class ConfigurationFile(Table, frozen=True):
     extend: str | None = None
     extend_select: Texts | None = None
     external: Texts | None = None
+    external_nodes: _ExternalNodes | None = None
     ignore: Texts | None = None
     launch: Texts | None = None
     layers: dict[str, OneOrMore] | None = None

@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from archlint.config.source import Reader, Source
     from archlint.finding import Severity
     from archlint.plugins.model import Plugin
+    from archlint.ros.external_nodes import ExternalNode
 
 __all__ = ["ConfigurationError", "Settings", "load"]
 
@@ -47,6 +48,8 @@ class Settings:
     launch: tuple[Glob, ...] = ()
     """The launch files that are systems; all of them where none is named."""
     external: tuple[str, ...] = ()
+    external_nodes: tuple[ExternalNode, ...] = ()
+    """What nodes offer whose source is elsewhere."""
     shared_topics: tuple[str, ...] = ()
     cache_dir: str | None = None
     baseline: str | None = None

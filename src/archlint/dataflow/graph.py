@@ -145,10 +145,12 @@ def _strangers(builder: Builder) -> None:
     """Nodes whose source is not here, at the names that a launch file gives them."""
     system = builder.system
     named = dict.fromkeys((id(node), name) for node, name in connections_of_externals(system))
-    externals = {id(node): node for node in system.nodes if node.external}
+    externals = {id(node): node for node in system.nodes if node.is_stranger}
     for connection in (*system.topics.values(), *system.services.values(), *system.actions.values()):
         one_sided = not connection.providers or not connection.users
         for node in externals.values():
+            if any(end.node is node for end in (*connection.providers, *connection.users)):
+                continue  # which end of it the node is, is known
             is_named = (id(node), connection.name) in named
             if is_named or (one_sided and may_use(node, connection.name)):
                 words = "a launch file gives it this name" if is_named else "the name is among its parameters"

@@ -19,12 +19,14 @@ from archlint.programs.entry_points import entry_points, read_installs
 from archlint.programs.kept_launches import keep_launches
 from archlint.programs.linker import Linker
 from archlint.programs.scripts import forget_names
+from archlint.ros.external_nodes import by_program
 from archlint.ros.interfaces import InterfaceTable
 from archlint.syntax.interface_declarations import FILE_NAME
 from archlint.syntax.memory import default_processes
 from archlint.syntax.workspace_files import WorkspaceFiles
 from archlint.systems.code import WorkspaceCode
 from archlint.systems.instances import assemble
+from archlint.systems.known_externals import ExternalSources
 from archlint.systems.launches import launch_systems
 from archlint.systems.model import System, WorkspaceIndex
 from archlint.systems.shown import only
@@ -84,6 +86,7 @@ def systems_of(inputs: Inputs, facts: FactsOfFiles) -> list[System]:
         arguments=dict(request.launch_arguments),
         configured=request.settings.launch,
         distro=distro,
+        externals=ExternalSources(by_program(request.settings.external_nodes)),
         memory=inputs.memory,
     )
     cache.save()

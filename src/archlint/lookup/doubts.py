@@ -55,13 +55,19 @@ def _refuse_unknown_ends(index: Index, kind: ConnectionKind, old: str, types: se
 
 
 def _refuse_open_side(index: Index, old: str, ends: Sequence[Instance]) -> None:
-    """One side alone is known, and a node whose source is not here may be the other."""
+    """A node whose source is not here has the name, or one side alone is known and such a node may be the other."""
+    for row in ends:
+        if row.end is not None and row.end.external:
+            words = (
+                f"{code(row.end.node.name or 'a node')}, whose source is not in this workspace, calls it {code(old)}"
+            )
+            raise CannotRename(f"{words}: remap that in the launch file first", row.place)
     if len({row.end.kind in PROVIDERS for row in ends if row.end is not None}) > 1:
         return
     for system, _ in index.systems:
         is_there = any(row.end is not None and row.end.node in system.nodes for row in ends)
         for node in system.nodes if is_there else ():
-            if node.external and node.launch_place is not None:
+            if node.is_stranger and node.launch_place is not None:
                 name = code(node.name or node.executable or "a node")
                 words = (
                     f"only one side of {code(old)} is in this workspace; {name}, whose source is not, may be the other"

@@ -78,9 +78,14 @@ def instances(index: Index) -> list[Instance]:
     for system, rank in index.systems:
         for node in system.entries:
             if best[_key(node)] == rank:
-                rows += (_instance(index, end) for end in node.endpoints if end.resolved and not end.error)
+                rows += (_instance(index, end) for end in node.endpoints if _is_named(end))
                 rows += _of_external(index.texts, node)
     return rows
+
+
+def _is_named(end: Endpoint) -> bool:
+    """Whether an end has a known name; the remappings of nodes whose source is not here are instances themselves."""
+    return end.resolved and not end.error and not (end.external and rule_of(end) is not None)
 
 
 def unknown_ends(index: Index) -> Iterator[Endpoint]:

@@ -19,7 +19,7 @@ from archlint.ros.parameter_types import type_of
 from archlint.ros.qos import Qos
 from archlint.syntax.parameter_files import NotKnown
 from archlint.systems.model import System
-from archlint.systems.nodes import Connection, Endpoint, Node
+from archlint.systems.nodes import Connection, Endpoint, KnownExternal, Node
 
 if TYPE_CHECKING:
     from archlint.observed.model import Comparison, Difference
@@ -114,10 +114,14 @@ def node_data(node: Node) -> dict[str, Any]:
         "executor": node.executor,
         "launched_by": node.launched_by,
         "external": node.external and node.unfollowed is None,
+        "known_from": _known_from(node.known),
         "condition": node.condition,
         "remappings": _remappings(node),
         "test": node.test,
-        "complete": node.unfollowed is None and node.doubt is None and all(b.complete for b in node.blueprints),
+        "complete": node.unfollowed is None
+        and node.doubt is None
+        and all(b.complete for b in node.blueprints)
+        and (node.known is None or node.known.complete),
         "error": node.error,
         **lists,
         "timers": [_timer(timer) for timer in node.timers],
@@ -125,6 +129,13 @@ def node_data(node: Node) -> dict[str, Any]:
         + [*map(_setting, node.settings)],
         "overrides": sorted(node.overrides),
     }
+
+
+def _known_from(known: KnownExternal | None) -> dict[str, Any] | None:
+    """Where it is known from what a node has whose source is not here."""
+    if known is None:
+        return None
+    return {"source": known.source, "versions": dict(known.versions), "open": list(known.open)}
 
 
 def _remappings(node: Node) -> list[dict[str, Any]]:

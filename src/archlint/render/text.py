@@ -114,7 +114,7 @@ def _heading(node: Node) -> Iterator[Cell]:
     if node.is_node:
         yield (node.name, "node") if node.name else ("name not known", "alarm")
     if node.blueprint is None:
-        where = "not followed" if node.unfollowed else "not in this workspace"
+        where = "not followed" if node.unfollowed else f"not in this workspace{_known_from(node)}"
         yield f"{node.package}/{node.executable}, {where}", "quiet"
         yield look.condition_words(node), "quiet"
         return
@@ -126,6 +126,15 @@ def _heading(node: Node) -> Iterator[Cell]:
     yield look.condition_words(node), "quiet"
     yield "test code" if node.test else "", "quiet"
     yield node.error or "", "alarm"
+
+
+def _known_from(node: Node) -> str:
+    """Where it is known from what an external node has."""
+    if node.known is None:
+        return ""
+    versions = list(dict.fromkeys(node.known.versions.values()))
+    read = f"version {' to '.join(dict.fromkeys((versions[0], versions[-1])))}" if versions else node.known.source
+    return f", {'known' if node.known.complete else 'known in part'} from {read}"
 
 
 def _rows(node: Node) -> Iterator[Sequence[Cell]]:

@@ -37,7 +37,13 @@ def connections_of_externals(system: System) -> list[tuple[Node, str]]:
 
     Which end of the name they are, and of what kind, only their source says.
     """
-    links = [(node, name) for node in system.nodes if node.external for _, name in remapped_names(node)]
+    links = [
+        (node, name)
+        for node in system.nodes
+        if node.is_stranger
+        for _, name in remapped_names(node)
+        if all(end.name != name for end in node.endpoints)
+    ]
     links = list(dict.fromkeys(links))
     users: dict[str, set[int]] = {}
     for node, name in links:

@@ -15,6 +15,7 @@ from archlint.ros import names
 from archlint.ros.remapping import RemapRule, rules_of_arguments
 from archlint.systems.command_line import Word, words_of
 from archlint.systems.instances import instantiate
+from archlint.systems.known_externals import NO_EXTERNAL_NODES, ExternalSources, blueprint_of
 from archlint.systems.model import System
 from archlint.systems.nodes import Node, key_of
 from archlint.systems.overrides import applied, overrides_of
@@ -25,6 +26,7 @@ if TYPE_CHECKING:
     from archlint.interpreter.modules import Module
     from archlint.launch.launches import Launches
     from archlint.programs.linker import EntryPoint, Linker
+    from archlint.ros.external_nodes import ExternalNode
     from archlint.syntax.parameter_files import ParameterFacts
     from archlint.systems.resolution import FinalName
 
@@ -45,12 +47,14 @@ class LaunchSystems:
         launches: Launches,
         dependencies: Mapping[str, frozenset[str]],
         distro: str | None = None,
+        externals: ExternalSources = NO_EXTERNAL_NODES,
     ) -> None:
         self.linker = linker
         self.entries = {(entry.package, entry.executable): entry for entry in entries}
         self.parameters_of = launches.files.parameters
         self.dependencies = dependencies
         self.distro = distro
+        self.externals = externals
         self._programs: dict[tuple[object, ...], Program | None] = {
             (*key, program.file): program for key, program in linker.started.items()
         }
@@ -97,7 +101,7 @@ class LaunchSystems:
             again = None if words is None else self.program(started, None, words)
             program = again if again is not None and _has_nodes(again) else program
         if program is None or not _has_nodes(program):
-            return [self._unfollowed(started, program, launch_file)]
+            return self._external_nodes(started, program, launch_file)
         changes = parameter_overrides(started, program, self.parameters_of, _rules(started))
         if changes is not None:
             again = self.program(started, changes, words)
@@ -108,6 +112,43 @@ class LaunchSystems:
             # It starts a node for sure, and all that is known of it is what some helper creates there.
             nodes.append(self._unfollowed(started, program, launch_file))
         return nodes
+
+    def _external_nodes(self, started: Started, program: Program | None, launch_file: str) -> list[Node]:
+        """The nodes of what is not here, as far as they are known from elsewhere."""
+        node = self._unfollowed(started, program, launch_file)
+        rows = self.externals.nodes(started, self.distro) if node.unfollowed is None else ()
+        return [self._known(node, row) for row in rows] or [node]
+
+    def _known(self, node: Node, row: ExternalNode) -> Node:
+        """An external node with what it is known to have."""
+        started = node.started
+        assert started is not None
+        blueprint, known = blueprint_of(row, started, self.distro)
+        name, namespace = (None, _below(started, row.namespace)) if row.own_name else (started.name, started.namespace)
+        instance = instantiate(
+            blueprint,
+            None,
+            name=name,
+            namespace=namespace,
+            remaps=_rules(started),
+            overrides=overrides_of(
+                started, known_name(instantiate(blueprint, None, name=name, namespace=namespace)), self.parameters_of
+            ),
+            distro=self.distro,
+        )
+        instance = _without_uncertain_defaults(_without_unknown_remaps(instance, started), started, self.parameters_of)
+        settings = sorted(applied(started, known_name(instance), self.parameters_of), key=lambda setting: setting.name)
+        return replace(
+            node,
+            name=instance.name,
+            resolution=instance.resolution if instance.name is not None else "unknown",
+            own=instance.own,
+            rules=instance.rules,
+            creations=instance.creations,
+            settings=tuple(settings),
+            known=known,
+            declared=tuple(blueprint.parameters),
+        )
 
     def _unfollowed(self, started: Started, program: Program | None, launch_file: str) -> Node:
         node = _external(started, launch_file, self._why_unfollowed(started, program))
@@ -179,6 +220,14 @@ class LaunchSystems:
         if key not in self._modules:
             self._modules[key] = self.linker.module_of(entry, f"{folder}/")
         return self._modules[key]
+
+
+def _below(started: Started, namespace: str) -> Text:
+    """A namespace below the one that a launch file gives."""
+    given = started.namespace
+    if given is not None and not _known(given):
+        return given
+    return Text(names.join((given.text or "/") if given is not None else "/", namespace), "exact")
 
 
 def _wants_words(program: Program, started: Started) -> bool:

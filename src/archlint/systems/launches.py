@@ -13,6 +13,7 @@ from archlint.launch.launches import Launches
 from archlint.launch.model import Launched
 from archlint.launch.named_files import FileReference
 from archlint.model import Blueprint, Program
+from archlint.systems.known_externals import NO_EXTERNAL_NODES, ExternalSources
 from archlint.systems.launched import LaunchSystems, started_pairs
 from archlint.systems.model import System, WorkspaceIndex
 from archlint.systems.variants import other_choices, undecided_arguments
@@ -34,6 +35,7 @@ def launch_systems(
     arguments: Mapping[str, str] | None = None,
     configured: Sequence[Glob] = (),
     distro: str | None = None,
+    externals: ExternalSources = NO_EXTERNAL_NODES,
     memory: KeptSystems | None = None,
 ) -> list[System]:
     """The open system and one for each launch file (of those that are configured); only the chosen one, where
@@ -42,7 +44,7 @@ def launch_systems(
     All of them share one index: ``workspace`` with what is known of launch files and systems.
     """
     launched = _launched(launches, chosen, arguments)
-    maker = LaunchSystems(linker, entries, launches, opened.package_dependencies, distro)
+    maker = LaunchSystems(linker, entries, launches, opened.package_dependencies, distro, externals)
     making = _Making(maker, launches, _parts(launched), closed, chosen, configured, memory)
     linker.ahead(lambda: [partial(making.systems_of, group) for group in _batches(launched)])
     systems = making.systems_of(launched)
@@ -195,7 +197,7 @@ def _is_complete(launched: Launched, system: System) -> bool:
     included = all(
         include.reference.status not in (FileStatus.UNKNOWN, FileStatus.EXTERNAL) for include in launched.included
     )
-    return included and not launched.gaps and not any(node.external for node in system.nodes)
+    return included and not launched.gaps and not any(node.is_stranger for node in system.nodes)
 
 
 def _by_executable(programs: Sequence[Program]) -> dict[tuple[str, str], list[Blueprint]]:

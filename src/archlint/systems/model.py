@@ -114,6 +114,12 @@ class System:
 
     @property
     def endpoints(self) -> Iterator[Endpoint]:
+        """What the code of the workspace creates."""
+        return (endpoint for node in self.entries if not node.external for endpoint in node.endpoints)
+
+    @property
+    def all_endpoints(self) -> Iterator[Endpoint]:
+        """The same, and what is known of nodes whose source is not here."""
         return (endpoint for node in self.entries for endpoint in node.endpoints)
 
     @cached_property

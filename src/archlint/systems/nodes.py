@@ -69,6 +69,11 @@ class Endpoint:
         return self.creation.kind
 
     @property
+    def external(self) -> bool:
+        """Whether its node is one whose source is not here."""
+        return self.node.external
+
+    @property
     def type(self) -> str | None:
         return self.creation.type
 
@@ -94,12 +99,30 @@ class Endpoint:
         return self.named.final.resolved
 
 
+@dataclass(frozen=True)
+class KnownExternal:
+    """Where it is known from what a node has whose source is not here."""
+
+    source: str
+    """The address of its source, or the file of the configuration."""
+    versions: Mapping[str, str]
+    """The version that was read, by distribution."""
+    open: tuple[str, ...] = ()
+    """Why it may have more than that; empty where it does not."""
+    takes_any_parameter: bool = False
+
+    @property
+    def complete(self) -> bool:
+        """Whether it has nothing else."""
+        return not self.open
+
+
 @dataclass(frozen=True, eq=False)
 class Node:
     """A node of a system.  ``name`` is its fully qualified name, None where unknown.
 
-    Of ``external`` nodes only the launch file that starts them is known: their source is not in this workspace, or
-    ``unfollowed`` says why it was of no use.
+    The source of ``external`` nodes is not in this workspace, or ``unfollowed`` says why it was of no use: of these
+    what the launch file says is known, and what comes from where ``known`` says.
     """
 
     name: str | None
@@ -123,7 +146,11 @@ class Node:
     launch_place: Place | None = None
     overrides: Mapping[str, object] = field(default_factory=dict)
     settings: tuple[Setting, ...] = ()
-    """The parameters that a launch file sets on an external node: what it declares is not known."""
+    """The parameters that a launch file sets on an external node."""
+    known: KnownExternal | None = None
+    """Of an external node whose ends and parameters are known all the same."""
+    declared: tuple[ParameterDeclaration, ...] = ()
+    """The parameters of such a node."""
     resolution: Resolution = "exact"
     """How far ``name`` is known, as for endpoints; a ``partial`` name has holes."""
     error: str | None = None
@@ -155,6 +182,11 @@ class Node:
     def is_node(self) -> bool:
         """False for what only stands for a node that is not known: a helper to which nothing here passes one."""
         return self.blueprint is None or not all(blueprint.caller_unknown for blueprint in self.blueprints)
+
+    @property
+    def is_stranger(self) -> bool:
+        """Whether it may have ends that nothing tells of: its source is not here, nor is all of it known otherwise."""
+        return self.external and (self.known is None or not self.known.complete)
 
     @property
     def domain(self) -> str | None:

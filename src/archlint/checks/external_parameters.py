@@ -1,0 +1,59 @@
+"""PRM004, of nodes whose source is not here and of which all parameters are known all the same."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from archlint.analysis.declared_parameters import always_declared
+from archlint.checks.misspelt_parameters import is_misspelt
+from archlint.checks.registry import finding
+from archlint.finding import Finding
+from archlint.suggestions import did_you_mean, listed
+
+if TYPE_CHECKING:
+    from archlint.place import Place
+    from archlint.systems.model import System
+    from archlint.systems.nodes import Node
+
+
+def unknown_to_externals(system: System) -> Iterator[Finding]:
+    """Values that such a node is given for parameters which it does not declare."""
+    places = Counter(place for node in system.nodes for place in _places(node))
+    processes = Counter(id(node.started) for node in system.nodes)
+    for node in system.nodes:
+        known = node.known
+        if known is None or known.takes_any_parameter or not known.complete or processes[id(node.started)] > 1:
+            continue
+        declared = {row.name.text for row in node.declared if row.name.text is not None}
+        for setting in node.settings:
+            name = setting.name
+            if name in declared or always_declared(name) or setting.shared or is_misspelt(name):
+                continue
+            several = (setting.written is not None and "*" in setting.key) or places[setting.place] > 1
+            if several or any(name.startswith(f"{row}.") for row in declared):
+                continue  # what is for several nodes, each takes its part of
+            yield _finding(node, name, setting.place, declared - {other.name for other in node.settings})
+
+
+def _places(node: Node) -> set[Place]:
+    """Where something is set that is for this node: a line that stands for several is counted once for each."""
+    given = [] if node.started is None else node.started.parameters
+    return {setting.place for setting in node.settings} | {parameter.place for parameter in given}
+
+
+def _finding(node: Node, name: str, place: Place, free: set[str]) -> Finding:
+    read = sorted(dict.fromkeys(node.known.versions.values())) if node.known is not None else []
+    of = f" (as read in {', '.join(read)})" if read else ""
+    return finding(
+        "PRM004",
+        place,
+        f"{node.name} declares no parameter '{name}'{of}, so this value has no effect{did_you_mean(name, free)}",
+        help=f"it declares {listed(sorted(free))}" if free else "remove it; it declares no other",
+        node=node.name,
+        identity=(node.name or "", name),
+    )
+
+
+__all__ = ["unknown_to_externals"]

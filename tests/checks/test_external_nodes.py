@@ -1,0 +1,152 @@
+"""Rules of the graph where one end is a node whose source is not here, and that is known all the same."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from archlint.config.settings import Settings
+from archlint.engine.pipeline import Request, check
+from archlint.ros.external_nodes import ExternalEnd, ExternalNode, ExternalParameter, ExternalQos, OpenQuestion
+from robot_package import write_robot
+
+NODE = """\
+import rclpy
+from rclpy.node import Node
+from rclpy.qos import QoSProfile, ReliabilityPolicy
+from geometry_msgs.msg import Twist, TwistStamped
+from sensor_msgs.msg import LaserScan
+
+class Talker(Node):
+    def __init__(self):
+        super().__init__('talker')
+        {}
+
+    def on(self, message):
+        print(message)
+
+def main():
+    rclpy.init()
+    rclpy.spin(Talker())
+"""
+RELIABLE = ExternalQos("keep_last", 10, "reliable", "volatile")
+BEST_EFFORT = ExternalQos("keep_last", 5, "best_effort", "volatile")
+BASE = ExternalNode(
+    "acme",
+    ("base",),
+    "base",
+    ends=(
+        ExternalEnd("publisher", "scan", "sensor_msgs/msg/LaserScan", BEST_EFFORT),
+        ExternalEnd("subscriber", "cmd_vel", "geometry_msgs/msg/Twist", RELIABLE),
+    ),
+    parameters=(ExternalParameter("wheel_base", "double", 0.3),),
+)
+OPEN = ExternalNode("acme", ("base",), "base", ends=BASE.ends, open=(OpenQuestion("its plug-ins say more"),))
+SHOWS = ExternalNode("acme", ("view",), "view", ends=(ExternalEnd("subscriber", "scan", "nav_msgs/msg/Odometry"),))
+
+
+@pytest.fixture
+def told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    """Code, file and message of what is found in a node with these statements beside external ones."""
+    monkeypatch.chdir(tmp_path)
+
+    def judge(
+        codes: tuple[str, ...],
+        statements: str = "pass",
+        more: str = '<node pkg="acme" exec="base"/>',
+        known: tuple[ExternalNode, ...] = (BASE,),
+        closed: bool = False,
+    ) -> list[tuple[str, str, str]]:
+        write_robot(
+            tmp_path,
+            f'<node pkg="robot" exec="talker"/>{more}',
+            **{"robot/talker.py": NODE.format(statements.replace("\n", "\n        "))},
+        )
+        settings = Settings(external_nodes=known, closed_world=closed)
+        report = check(Request((".",), settings, cached=False, jobs=1))
+        return [(d.code, d.place.file, d.message) for d in report.findings if d.code in codes]
+
+    return judge
+
+
+def test_a_type_that_the_other_node_does_not_take(told):
+    [(code, file, message)] = told(("TOP001",), "self.create_publisher(TwistStamped, 'cmd_vel', 10)")
+    assert (code, file) == ("TOP001", "robot/talker.py")
+    assert message.startswith("/talker publishes '/cmd_vel' as geometry_msgs/msg/TwistStamped, but /base subscribes")
+    assert told(("TOP001",), "self.create_publisher(Twist, 'cmd_vel', 10)") == []
+
+
+def test_a_type_that_only_some_distributions_have_is_no_conflict_where_another_fits(told):
+    either = ExternalNode(
+        "acme",
+        ("base",),
+        "base",
+        ends=(
+            ExternalEnd("subscriber", "cmd_vel", "geometry_msgs/msg/Twist", conditional=True),
+            ExternalEnd("subscriber", "cmd_vel", "geometry_msgs/msg/TwistStamped", conditional=True),
+        ),
+    )
+    assert told(("TOP001",), "self.create_publisher(TwistStamped, 'cmd_vel', 10)", known=(either,)) == []
+    [(_, _, message)] = told(("TOP001",), "self.create_publisher(LaserScan, 'cmd_vel', 10)", known=(either,))
+    assert "but /base subscribes to it as geometry_msgs/msg/Twist:" in message
+
+
+def test_a_request_that_the_other_node_does_not_serve(told):
+    [(_, file, message)] = told(("QOS001",), "self.create_subscription(LaserScan, 'scan', self.on, 10)")
+    assert file == "robot/talker.py"
+    assert message.startswith("/talker requests reliable on '/scan', but /base offers best effort")
+
+
+def test_an_offer_that_does_not_serve_the_other_node(told):
+    unreliable = "QoSProfile(depth=5, reliability=ReliabilityPolicy.BEST_EFFORT)"
+    [(_, file, message)] = told(("QOS001",), f"self.create_publisher(Twist, 'cmd_vel', {unreliable})")
+    assert file == "robot/talker.py", "the launch file cannot mend it"
+    assert message.startswith("/base requests reliable on '/cmd_vel', but /talker offers best effort")
+
+
+def test_what_is_between_two_of_them_is_not_told(told):
+    both = '<node pkg="acme" exec="base"/><node pkg="acme" exec="view"/>'
+    assert told(("TOP001",), more=both, known=(BASE, SHOWS)) == []
+
+
+def test_two_publishers_one_of_which_is_here(told):
+    [(_, file, message)] = told(
+        ("OWN001",),
+        "self.p = self.create_publisher(LaserScan, 'scan', 10)\nself.create_timer(0.1, self.tick)"
+        "\ndef tick(): self.p.publish(LaserScan())",
+    )
+    assert file == "robot/talker.py"
+    assert "/base and /talker both publish the topic '/scan'" in message
+
+
+@pytest.mark.parametrize(("known", "found"), [(BASE, 1), (OPEN, 0)], ids=["all is known", "it may have more"])
+def test_a_remapping_of_a_name_that_it_does_not_have(told, known: ExternalNode, found: int):
+    line = '<node pkg="acme" exec="base"><remap from="cmd_velocity" to="/go"/></node>'
+    assert len(told(("LCH002",), more=line, known=(known,))) == found
+    line = '<node pkg="acme" exec="base"><remap from="cmd_vel" to="/go"/></node>'
+    assert told(("LCH002",), more=line, known=(known,)) == []
+
+
+@pytest.mark.parametrize(("known", "found"), [(BASE, 1), (OPEN, 0)], ids=["all is known", "it may have more"])
+def test_a_parameter_that_it_does_not_declare(told, known: ExternalNode, found: int):
+    line = '<node pkg="acme" exec="base"><param name="{}" value="0.2"/></node>'
+    assert len(told(("PRM004",), more=line.format("wheelbase"), known=(known,))) == found
+    assert told(("PRM004",), more=line.format("wheel_base"), known=(known,)) == []
+    assert told(("PRM004",), more=line.format("use_sim_time"), known=(known,)) == []
+
+
+@pytest.mark.parametrize(("known", "found"), [(BASE, 1), (OPEN, 0)], ids=["all is known", "it may have more"])
+def test_in_a_closed_system_it_counts_as_one_of_its_nodes(told, known: ExternalNode, found: int):
+    both = "self.create_publisher(Twist, 'cmd_vel', 10)\nself.create_publisher(Twist, 'twist', 10)"
+    findings = told(("TOP002",), both, known=(known,), closed=True)
+    assert len(findings) == found
+    assert all("'/twist'" in message for _, _, message in findings)
+
+
+def test_a_name_that_is_almost_its_own(told):
+    line = "self.create_publisher(Twist, 'cmd_vell', 10)"
+    [(_, file, message)] = told(("TOP004",), line)
+    assert file == "robot/talker.py"
+    assert "did you mean '/cmd_vell'?" in message
+    assert told(("TOP004",), line, known=(OPEN,)) == [], "somebody else may have both names"
