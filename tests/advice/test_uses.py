@@ -144,6 +144,22 @@ def test_a_command_that_is_repeated(tmp_path: Path):
     assert told(advised(tmp_path, lamp=node("lamp", setup, tick))["/lamp"]) == ("command", "service")
 
 
+def test_the_answers_of_another_service_of_the_same_type_do_not_count(tmp_path: Path):
+    setup = "self.start = self.create_client(Trigger, 'start')\nself.level = self.create_client(Trigger, 'level')\n"
+    setup += "self.create_subscription(Bool, 'button', self.on_button, 10)"
+    methods = """
+def on_button(self, message):
+    self.start.call_async(Trigger.Request())
+    self.level.call_async(Trigger.Request()).add_done_callback(self.show)
+
+def show(self, future):
+    self.get_logger().info(future.result().message)
+"""
+    advice = advised(tmp_path, panel=node("panel", setup, methods))
+    assert told(advice["/start"]) == ("command", "service")
+    assert told(advice["/level"]) == ("query", "service")
+
+
 def test_nobody_calls_it(tmp_path: Path):
     advice = advised(tmp_path, "motor_node")["/set_motor"]
     assert (told(advice), advice.judged.reason) == (("unknown", None), "no node here calls it")

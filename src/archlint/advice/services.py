@@ -80,7 +80,6 @@ class _Asker:
 
     use: Use
     reason: str
-    client: Creation
     node: str
     rate: float | None
     data: _Data
@@ -90,7 +89,7 @@ class _Asker:
 def _askers(flow: Flow, link: Link) -> Iterator[_Asker]:
     """What calls the service through a link."""
     step = link.tail
-    if link.how != How.SEND or link.broken or step.callback is None or step.program is None:
+    if link.how != How.SEND or link.broken or link.doubt or step.callback is None or step.program is None:
         return
     call = next((call for call in step.calls if call.place == link.place and call.api in REQUESTS), None)
     if call is not None and call.receiver is not None and call.receiver.creations:
@@ -109,7 +108,7 @@ def _asker(flow: Flow, link: Link, call: ApiCall, client: Creation, program: Pro
     if read:
         names = ", ".join(dict.fromkeys(use.name for use in read))
         evidence.append(Evidence(read[0].place, f"{node_name(step.node)} reads {names} of the answer"))
-    return _Asker(use, reason, client, node_name(step.node), rate_of(seconds), data, tuple(evidence))
+    return _Asker(use, reason, node_name(step.node), rate_of(seconds), data, tuple(evidence))
 
 
 def _use(

@@ -56,21 +56,25 @@ def pace_of(system: System, callback: Callback) -> Pace | None:
 
 def _others(system: System, creation: Creation | None, api: str) -> list[Pace]:
     """How often the other ends of a connection send."""
-    ends = _ends(system)
-    mine = ends.get(id(creation))
+    mine = only_end(system, creation)
     if mine is None or mine.name is None or not certain(mine):
         return []
     return [
         Pace(period, call)
         for call, period in _regular_sends(system)
         if call.api == api
-        for other in [ends.get(id(call.creation))]
+        for other in [only_end(system, call.creation)]
         if other is not None and other.name == mine.name and certain(other) and coexist(system, other, mine)
     ]
 
 
+def only_end(system: System, creation: Creation | None) -> Endpoint | None:
+    """The endpoint that a create call stands for; None where it stands for several."""
+    return _only_ends(system).get(id(creation))
+
+
 @once
-def _ends(system: System) -> dict[int, Endpoint]:
+def _only_ends(system: System) -> dict[int, Endpoint]:
     """The endpoints by their create calls (``id``) that stand for one each."""
     by_creation: dict[int, list[Endpoint]] = {}
     for end in system.endpoints:
@@ -94,4 +98,4 @@ def _sends(system: System, apis: Iterable[str]) -> Iterator[tuple[ApiCall, float
             yield call, period
 
 
-__all__ = ["Pace", "pace_of", "runs_beside_itself"]
+__all__ = ["Pace", "only_end", "pace_of", "runs_beside_itself"]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -10,7 +9,7 @@ from archlint.analysis.certain_sleeps import certain_sleep
 from archlint.analysis.coexistence import certain, coexist
 from archlint.analysis.kept import once
 from archlint.analysis.own_types import is_defined
-from archlint.analysis.paces import runs_beside_itself
+from archlint.analysis.paces import only_end, runs_beside_itself
 from archlint.analysis.reach import argument
 from archlint.analysis.request_paces import calls_in
 from archlint.analysis.waits import waits
@@ -24,17 +23,17 @@ if TYPE_CHECKING:
     from archlint.ros.interfaces import MessageClass
     from archlint.syntax.interfaces import FieldType
     from archlint.systems.model import System
-    from archlint.systems.nodes import Endpoint
 
 _WORDS = frozenset({"string", "wstring"})
 
 
 def answer_fields(program: Program, client: Creation) -> list[FieldUse]:
-    """Where a program reads the answers of a service."""
+    """Where a program reads the answers that a client gets, or those of which client is not known."""
     return [
         use
         for use in program.field_uses
         if use.type == client.type and use.section_name == "Response" and use.access == "read"
+        if use.client is None or use.client.place == client.place
     ]
 
 
@@ -100,29 +99,26 @@ def _waits_for(system: System, call: ApiCall) -> bool:
     """Whether the callback that sends a request waits for answers of that service."""
     if not call.api.endswith(".call_async"):
         return True
-    return any(wait.call.context is call.context and wait.client is call.creation for wait in waits(system))
+    return (id(call.context), id(call.creation)) in _awaited(system)
+
+
+@once
+def _awaited(system: System) -> frozenset[tuple[int, int]]:
+    """The callbacks (``id``) that wait for answers, each with the client (``id``)."""
+    return frozenset((id(wait.call.context), id(wait.client)) for wait in waits(system))
 
 
 def _only_handler(system: System, client: Creation | None) -> Callback | None:
     """The callback of the only server of a client, unless it runs beside itself."""
-    ends = _ends_of(system).get(id(client), ())
-    if len(ends) != 1 or not certain(ends[0]):
+    end = only_end(system, client)
+    if end is None or not certain(end):
         return None
-    service = system.services.get(ends[0].name or "")
+    service = system.services.get(end.name or "")
     servers = () if service is None else service.providers
-    if len(servers) != 1 or not certain(servers[0]) or not coexist(system, ends[0], servers[0]):
+    if len(servers) != 1 or not certain(servers[0]) or not coexist(system, end, servers[0]):
         return None
     handlers = [callback for callback in servers[0].creation.callbacks.values() if callback.role == Role.SERVICE]
     return handlers[0] if len(handlers) == 1 and not runs_beside_itself(handlers[0]) else None
-
-
-@once
-def _ends_of(system: System) -> Mapping[int, Sequence[Endpoint]]:
-    """The endpoints that a create call (``id``) became."""
-    by_creation: dict[int, list[Endpoint]] = {}
-    for end in system.endpoints:
-        by_creation.setdefault(id(end.creation), []).append(end)
-    return by_creation
 
 
 __all__ = [

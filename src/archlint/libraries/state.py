@@ -141,6 +141,8 @@ class Messages:
     """Which message a message is a field of."""
     delivered: dict[int, model.Creation] = field(default_factory=dict)
     """Which subscription, server or client calls its callback with a message."""
+    answered: dict[int, model.Creation] = field(default_factory=dict)
+    """Which client a response was sent to."""
     passed_to: dict[int, Place] = field(default_factory=dict)
     """The functions, by the id of their facts, that fields of their parameters are used in."""
     uses: set[tuple[Any, ...]] = field(default_factory=set)

@@ -52,6 +52,8 @@ class FieldUse:
     """The calls that pass the message, or what it is in, to where it is used; the last of them first."""
     certain: bool = False
     """Whether a message that is passed certainly comes to this use, whatever its type."""
+    client: Creation | None = None
+    """Of a response: the client that it was sent to, where that is known."""
 
 
 @dataclass(frozen=True)

@@ -49,7 +49,9 @@ def _answer_of(run: Run, creation: model.Creation, api: str) -> Value:
         return _action_answer(run, creation.type, api)
     if creation.type is None:
         return Unknown("the response of a service of unknown type")
-    return MessageValue(creation.type, "Response", run.store.new_key())
+    response = MessageValue(creation.type, "Response", run.store.new_key())
+    run.messages.answered[response.key] = creation
+    return response
 
 
 def _action_answer(run: Run, type_: str | None, api: str) -> Value:

@@ -34,7 +34,8 @@ def note_use(run: Run, value: Value, name: str, span: Span, access: Access) -> N
         return
     delivered = delivered_by(run, message)
     passed = _passed(run, message)
-    key = (run.activation.module.path, span, message.type, message.section_name, id(delivered), passed)
+    client = run.messages.answered.get(message.key)
+    key = (run.activation.module.path, span, message.type, message.section_name, id(delivered), id(client), passed)
     if key in run.messages.uses:
         return
     known = (
@@ -57,6 +58,7 @@ def note_use(run: Run, value: Value, name: str, span: Span, access: Access) -> N
             inside=run.interfaces.inside(message.type, message.section_name, name) if known is False else None,
             passed=passed,
             certain=known is False and bool(passed) and not run.branch_arms and not guard_of(run),
+            client=client,
         )
     )
 
