@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 from pathlib import Path
 from textwrap import dedent
 
@@ -41,6 +42,18 @@ def drift(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
         (tmp_path / "interface.yaml").write_text(text)
         report = check(Request((".",), load(tmp_path), cached=False, jobs=1))
         return [f"{f.place.file}:{f.place.line} {f.message}" for f in report.findings]
+
+    return find
+
+
+@pytest.fixture
+def nodl_drift(drift, tmp_path: Path):
+    """The same of a NoDL file."""
+
+    def find(declared: str, *lines: str) -> list[str]:
+        head = '<interface version="1"><node name="driver" executable="driver">\n'
+        (tmp_path / "driver.nodl.xml").write_text(f"{head}{declared}\n</node></interface>\n")
+        return drift("# nothing\nnode: {}", *lines)
 
     return find
 
@@ -156,3 +169,59 @@ def test_what_export_writes_agrees(drift, tmp_path, capsys):
     drift("parameters: {}", *lines)
     assert main(["export", "--no-cache", "--format", "interface-yaml"]) == 0
     assert drift(capsys.readouterr().out, *lines) == []
+
+
+SCAN_IN_NODL = '<topic name="scan" type="std_msgs/msg/String" role="publisher" />'
+
+
+def test_nodl_that_agrees(nodl_drift):
+    assert nodl_drift(SCAN_IN_NODL, SCAN) == []
+    assert nodl_drift(f'{SCAN_IN_NODL}<parameter name="rate" type="integer" />', SCAN, RATE) == []
+
+
+def test_nodl_that_says_otherwise(nodl_drift):
+    assert nodl_drift(SCAN_IN_NODL.replace("String", "Bool"), SCAN) == [
+        "driver.nodl.xml:2 the publisher 'scan' is declared as std_msgs/msg/Bool and created as std_msgs/msg/String"
+    ]
+    assert nodl_drift(SCAN_IN_NODL) == [
+        "driver.nodl.xml:2 the publisher 'scan' of /driver is declared here and not in the code"
+    ]
+    assert nodl_drift('<parameter name="rate" type="double" />', RATE) == [
+        "driver.nodl.xml:2 the parameter 'rate' has the type double here and int in the code"
+    ]
+
+
+def test_an_end_that_nodl_does_not_declare(nodl_drift):
+    assert nodl_drift("", SCAN) == ["driver.py:10 the publisher 'scan' is not declared in driver.nodl.xml"]
+
+
+def test_a_topic_of_both_roles(nodl_drift):
+    both = SCAN_IN_NODL.replace("publisher", "both")
+    assert nodl_drift(both, SCAN, "self.create_subscription(String, 'scan', print, 10)") == []
+    assert nodl_drift(both, SCAN) == [
+        "driver.nodl.xml:2 the subscription 'scan' of /driver is declared here and not in the code"
+    ]
+
+
+def test_nodl_that_declares_no_parameters_says_nothing_of_them(nodl_drift):
+    assert nodl_drift(SCAN_IN_NODL, SCAN, RATE) == []
+
+
+@pytest.mark.parametrize("text", ["", "<interface>", "<launch/>", "<!DOCTYPE a [<!ENTITY b 'c'>]><interface/>"])
+def test_what_is_no_nodl(drift, tmp_path: Path, text: str):
+    (tmp_path / "driver.nodl.xml").write_text(text)
+    assert drift(SCAN_DECLARED, SCAN) == []
+
+
+def test_nodl_as_it_is_exported(drift, tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    copy = tmp_path / "lesson"
+    shutil.copytree(Path(__file__).parents[2] / "fixtures" / "lesson", copy)
+    monkeypatch.chdir(copy)
+    declared = copy / "src" / "my_first_package" / "robot.nodl.xml"
+    assert main(["export", "--isolated", "--quiet", "--format", "nodl", "-o", str(declared), "."]) == 0
+    assert main(["check", "--isolated", "--quiet", "--select", "ARC004", "."]) == 0
+    declared.write_text(declared.read_text().replace("SensorReading", "OtherReading"))
+    assert main(["check", "--isolated", "--quiet", "--select", "ARC004", "."]) == 1
+
+
+RATE = "self.declare_parameter('rate', 10)"

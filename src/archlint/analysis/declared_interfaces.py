@@ -13,6 +13,7 @@ from archlint.place import Place
 from archlint.ros import names
 from archlint.ros.well_known import OF_EVERY_NODE
 from archlint.syntax.interface_declarations import FILE_NAME, read_interface_documents
+from archlint.syntax.nodl_declarations import SUFFIX, read_nodl
 
 if TYPE_CHECKING:
     from archlint.model import ParameterDeclaration
@@ -67,8 +68,8 @@ def drifts(system: System) -> Iterator[Drift]:
         if node.blueprint is not None and not node.test and node.blueprint.name.text is not None:
             nodes.setdefault((node.package, node.blueprint.name.text), []).append(node)
     for file in index.declaration_files:
-        text = index.tree.text(file)
-        for document in read_interface_documents(text) if text is not None else ():
+        text = index.tree.text(file) or ""
+        for document in read_nodl(text) if file.endswith(SUFFIX) else read_interface_documents(text):
             package = document.package or index.package_of(file)
             of_name = nodes.get((package, document.name), [])
             if len(of_name) == 1:
@@ -134,8 +135,11 @@ class _Comparison:
                 yield from self._parameter(entry, created[name])
             elif complete and all_known:
                 yield self._stale(f"the parameter '{name}'", entry)
+        unsaid = "parameters" in self.document.open_keys
         for name, parameter in created.items():
-            if name not in declared and not parameter.conditional and "parameters" not in self.document.open_keys:
+            if self.document.typed_only and parameter.type is None:
+                continue
+            if name not in declared and not parameter.conditional and not unsaid:
                 yield self._undeclared(f"the parameter '{name}'", parameter.place)
 
     def _parameter(self, entry: ParameterEntry, parameter: ParameterDeclaration) -> Iterator[Drift]:

@@ -16,14 +16,15 @@ if TYPE_CHECKING:
 
 @rule("ARC004", scope=Scope.CODE)
 def interface_drift(system: System, options: Options) -> Iterator[Finding]:
-    """Interfaces that ``interface.yaml`` declares otherwise than the code creates them."""
+    """Interfaces that ``interface.yaml`` or NoDL declares otherwise than the code creates them."""
     for drift in drifts(system):
+        format = "nodl" if drift.file.endswith(".nodl.xml") else "interface-yaml"
         role = "the node is declared here" if drift.in_code else "it is created here"
         yield finding(
             "ARC004",
             drift.place,
             drift.words,
-            help="make the two agree; `archlint export --format interface-yaml` declares what the code creates",
+            help=f"make the two agree; `archlint export --format {format}` declares what the code creates",
             related=[] if drift.other is None else [Related(drift.other, role)],
             node=drift.node.name,
         )

@@ -23,6 +23,7 @@ from archlint.ros.external_nodes import by_program
 from archlint.ros.interfaces import InterfaceTable
 from archlint.syntax.interface_declarations import FILE_NAME
 from archlint.syntax.memory import default_processes
+from archlint.syntax.nodl_declarations import SUFFIX
 from archlint.syntax.workspace_files import WorkspaceFiles
 from archlint.systems.code import WorkspaceCode
 from archlint.systems.instances import assemble
@@ -100,7 +101,8 @@ def systems_of(inputs: Inputs, facts: FactsOfFiles) -> list[System]:
 
 def declaration_files(workspace: Workspace) -> list[str]:
     """The files that declare the interfaces of nodes."""
-    return sorted(file.relative for file in workspace.files if file.relative.rpartition("/")[2] == FILE_NAME)
+    files = (file.relative for file in workspace.files)
+    return sorted(file for file in files if file.rpartition("/")[2] == FILE_NAME or file.endswith(SUFFIX))
 
 
 def _installs(inputs: Inputs, files: WorkspaceFiles, faults: Faults) -> dict[str, Installs]:

@@ -54,7 +54,7 @@ class ParameterEntry:
 
 @dataclass(frozen=True)
 class InterfaceDocument:
-    """What one document declares.  ``open_keys`` are the lists that hold what only a parameter decides."""
+    """What one document declares of a node.  ``open_keys`` are the lists that hold what only a parameter decides."""
 
     name: str
     package: str | None
@@ -62,6 +62,8 @@ class InterfaceDocument:
     ends: tuple[EndEntry, ...]
     parameters: tuple[ParameterEntry, ...]
     open_keys: frozenset[str]
+    typed_only: bool = False
+    """Whether it can name no parameter that takes values of any type."""
 
 
 def read_interface_documents(text: str) -> tuple[InterfaceDocument, ...]:

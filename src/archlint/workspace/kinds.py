@@ -39,6 +39,8 @@ def kind_of(name: str, folder: str, folder_is_module: bool = False) -> SourceKin
         return None
     if name in _BY_NAME:
         return _BY_NAME[name]
+    if name.endswith(".nodl.xml"):
+        return "declaration"
     in_launch_folder = folder == "launch" and not folder_is_module
     if suffix in CPP_SUFFIXES:
         return "cpp"

@@ -13,6 +13,7 @@ SourceKind = Literal[
     "launch_yaml",
     "parameters",
     "interface",
+    "declaration",
     "package_xml",
     "setup_py",
     "setup_cfg",
