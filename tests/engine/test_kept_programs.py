@@ -5,7 +5,7 @@ from __future__ import annotations
 import random
 import re
 import shutil
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import redirect_stdout
 from io import StringIO
 from pathlib import Path
@@ -382,8 +382,8 @@ EDITS = {
 }
 
 
-def write_all(folder: Path) -> None:
-    for name, text in FILES.items():
+def write_all(folder: Path, files: Mapping[str, str] = FILES) -> None:
+    for name, text in files.items():
         lines = text.split("\n")
         indent = len(lines[0]) - len(lines[0].lstrip())
         written(name, "\n".join(line[indent:] if line[:indent].isspace() else line for line in lines))(folder)
@@ -484,6 +484,79 @@ def test_only_what_an_edit_can_change_is_followed_again(workspace, outputs, foll
     outputs(cached=True)
     files = {key.file for key in followed if isinstance(key, EntryKey)}
     assert files == {"robot/robot/talker.py", "robot/robot/listener.py"}
+
+
+CPP = {
+    "drive/package.xml": """\
+        <package format="3"><name>drive</name><version>1.0.0</version><description>d</description>
+        <maintainer email="a@b.c">m</maintainer><license>MIT</license>
+        <buildtool_depend>ament_cmake</buildtool_depend><depend>rclcpp</depend><depend>std_msgs</depend>
+        <export><build_type>ament_cmake</build_type></export></package>
+        """,
+    "drive/CMakeLists.txt": """\
+        project(drive)
+        include_directories(include)
+        add_executable(drive src/drive.cpp src/ramp.cpp src/names.cpp)
+        install(TARGETS drive DESTINATION lib/${PROJECT_NAME})
+        """,
+    "drive/include/drive/names.hpp": """\
+        #pragma once
+        #include <string>
+        struct Names {
+          static std::string ramp();
+        };
+        """,
+    "drive/src/names.cpp": '#include "drive/names.hpp"\nstd::string Names::ramp() { return "ramp"; }\n',
+    "drive/include/drive/ramp.hpp": """\
+        #pragma once
+        #include <string>
+        struct Ramp {
+          static std::string topic();
+        };
+        """,
+    "drive/src/ramp.cpp": """\
+        #include "drive/ramp.hpp"
+        #include "drive/names.hpp"
+        std::string Ramp::topic() { return Names::ramp(); }
+        """,
+    "drive/src/drive.cpp": """\
+        #include "rclcpp/rclcpp.hpp"
+        #include "std_msgs/msg/string.hpp"
+        #include "drive/ramp.hpp"
+        class Drive : public rclcpp::Node {
+         public:
+          Drive() : Node("drive") {
+            publisher_ = create_publisher<std_msgs::msg::String>(Ramp::topic(), 10);
+          }
+         private:
+          rclcpp::Publisher<std_msgs::msg::String>::SharedPtr publisher_;
+        };
+        int main(int argc, char ** argv) {
+          rclcpp::init(argc, argv);
+          rclcpp::spin(std::make_shared<Drive>());
+        }
+        """,
+}
+"""A package of C++ whose node uses what two sources define, each with a header of its own."""
+
+
+def test_cpp_is_followed_again_where_a_source_of_it_has_changed(workspace, outputs, followed):
+    """Also one that only defines what a header declares."""
+    write_all(workspace, CPP)
+    assert '"/ramp"' in outputs(cached=True)[1]
+
+    for edit, again in (
+        (replaced("robot/robot/talker.py", "0.1", "0.2"), False),
+        (replaced("drive/src/names.cpp", '"ramp"', '"slope"'), True),
+        (replaced("drive/include/drive/ramp.hpp", "topic();", "topic();\n  static int steps();"), True),
+        (written("drive/src/more.cpp", '#include "drive/ramp.hpp"\nint Ramp::steps() { return 1; }\n'), True),
+        (replaced("robot/robot/talker.py", "0.2", "0.3"), False),
+    ):
+        edit(workspace)
+        followed.clear()
+        printed = outputs(cached=True)
+        assert any(key.file == "drive/src/drive.cpp" for key in followed) is again
+        assert printed == outputs(cached=False)
 
 
 def test_only_the_launches_that_an_edit_can_change_run_again(workspace, outputs, monkeypatch):

@@ -227,8 +227,8 @@ class ModuleIndex:
         outermost = self._importing is None
         if self._importing is None:
             self._importing = []
-            if self._readers:
-                self._readers[-1].imports.append(self._importing)
+            if self._readers:  # the program, also where a header has led to a source of its own
+                self._readers[0].imports.append(self._importing)
         self._importing.append(module.file.path)
         self.running += 1
         try:

@@ -49,9 +49,12 @@ class Reads:
         shared = {package: reads for part in parts for package, reads in part.of_packages.items()}
         parts.extend(shared.values())
         files = set(used).union(*(reads.files for reads in parts))
-        lookups = {lookup: file for reads in parts for lookup, file in reads.lookups.items()}
+        lookups: dict[Lookup, str | None] = {}
+        answers: dict[Question, str | None] = {}
+        for reads in parts:
+            lookups.update(reads.lookups)
+            answers.update(reads.answers)
         everything = any(reads.everything for reads in parts)
-        answers = {question: answer for reads in parts for question, answer in reads.answers.items()}
         return Reads(files, set(used), lookups, self.imports, answers, everything)
 
     def add(self, other: Reads) -> None:

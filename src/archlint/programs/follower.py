@@ -49,7 +49,7 @@ class Follower:
             with self.index.reading(Reads()) as reads:
                 followed = act()
             seconds = time.process_time() - began
-            if self.faults.count == faults:
+            if self.kept.keeps and self.faults.count == faults:  # what was read takes long to put together
                 self.kept.put(key, late, followed, self.index.all_read(reads))
             self.monitor.followed(key.text, _words(key, followed.program), seconds)
         self._keys[id(followed.program)] = key

@@ -69,6 +69,11 @@ class KeptResults(ABC, Generic[Result]):
     def __post_init__(self) -> None:
         self._tables: list[Known] = [self.known]
 
+    @property
+    def keeps(self) -> bool:
+        """Whether anybody, in this process or another, will ask for what this run adds."""
+        return self.lasts or self.is_worker
+
     language: ClassVar[Language]
     """What results are made of."""
 
@@ -200,7 +205,7 @@ class KeptResults(ABC, Generic[Result]):
         """Keep what became of a program, if it can stand alone."""
         if any(self._print_of(path) is None for path in reads.files) or (self.is_worker and reads.everything):
             return
-        if not (self.lasts or self.is_worker):
+        if not self.keeps:
             return
         try:
             payload, objects = encode_noting([self.parts_of(result)], self.language)
@@ -272,6 +277,8 @@ class KeptPrograms(KeptResults[Followed]):
 
 class NothingKept:
     """No cache: each program is followed."""
+
+    keeps: ClassVar[bool] = False
 
     def get(self, key: ProgramKey, late: bool) -> Followed | None:
         return None

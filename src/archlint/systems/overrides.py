@@ -16,6 +16,7 @@ from archlint.launch.started import Started
 from archlint.name_paths import NamePattern, matches_names
 from archlint.ros import names
 from archlint.syntax.parameter_files import NotKnown, ParameterFacts, ParameterSection, first_not_known
+from archlint.syntax.parts import Itself
 from archlint.syntax.safe_yaml import plain_scalar, written_and_read
 from archlint.systems.rewritten import rewritten
 
@@ -100,7 +101,7 @@ def _set_by(
             key = _own_key(started) if parameter.in_dict else EVERY_NODE
             yield Setting(key, name, read, parameter.place, None, parameter.shared, parameter.within, None, unquoted)
         case ParameterFileUse(reference=FileReference(source=str(file))):
-            yield from _set_in_file(parameter, file, _sections_for(started, facts_of(file)))
+            yield from _read_from(Itself(parameter), file, Itself(facts_of(file)), in_process)
         case ParameterFileUse(followed=True):
             yield from _set_in_file(parameter, parameter.place.file, ())
 
@@ -148,6 +149,14 @@ def as_launch_writes(value: object) -> tuple[object, str | None]:
     return value, None
 
 
+@lru_cache(maxsize=64)
+def _read_from(
+    use: Itself[ParameterFileUse], file: str, read: Itself[ParameterFacts], in_process: bool
+) -> tuple[Setting, ...]:
+    """What a parameter file of the workspace sets: asked several times in a row for each node of a process."""
+    return tuple(_set_in_file(use.fact, file, _sections_for(read.fact, in_process)))
+
+
 def _set_in_file(use: ParameterFileUse, file: str, sections: Sequence[ParameterSection]) -> Iterator[Setting]:
     """What a parameter file sets, as the launch file uses it."""
     for section in rewritten(sections, use.changes):
@@ -167,10 +176,10 @@ def _set_in_file(use: ParameterFileUse, file: str, sections: Sequence[ParameterS
             )
 
 
-def _sections_for(started: Started, read: ParameterFacts) -> tuple[ParameterSection, ...]:
+def _sections_for(read: ParameterFacts, in_process: bool) -> tuple[ParameterSection, ...]:
     """The sections of a parameter file.  That of a component launch reads itself, with PyYAML, and takes everything of
     one without any (``to_parameters_list`` of launch_ros); a node takes nothing of it."""
-    if started.kind != StartedKind.COMPONENT:
+    if not in_process:
         return read.sections
     plain = () if read.sections or not read.plain else read.plain
     sections = read.sections or ((ParameterSection(EVERY_NODE, "", plain[0].span, plain, ("**",)),) if plain else ())
