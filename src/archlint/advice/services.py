@@ -8,7 +8,7 @@ from enum import Enum, auto
 from typing import TYPE_CHECKING
 
 from archlint.advice.model import Evidence, Judged, Use, unknown
-from archlint.advice.words import asked_words, node_name, occasion_words, pace_evidence, rate_of
+from archlint.advice.words import asked_words, node_name, occasion_words, pace_evidence, rate_of, why_unknown
 from archlint.analysis.polling import sends_the_same
 from archlint.analysis.request_paces import pace_of_request
 from archlint.analysis.request_uses import (
@@ -47,7 +47,6 @@ def judge_service(flow: Flow, step: Step, distros: Sequence[str]) -> Judged:
     """How a service is used, and whether something else fits better; ``distros`` are the distributions it is for."""
     links = flow.into(step)
     askers = [asker for link in links for asker in _askers(flow, link)]
-    doubts = [link.doubt for link in links if link.doubt]
     task = _task(flow, step, distros)
     if task is not None:
         return Judged(Use.TASK, "action", _TASK, _AN_ACTION, evidence=(task, *_evidence(askers)))
@@ -59,8 +58,8 @@ def judge_service(flow: Flow, step: Step, distros: Sequence[str]) -> Judged:
         return Judged(Use.STREAM, "topic", first.reason, instead, sum(rates) or None, _evidence(askers))
     known = [asker for asker in askers if asker.use != Use.UNKNOWN]
     if not known:
-        reason = next((asker.reason for asker in askers), next(iter(doubts), "no node here calls it"))
-        return unknown(reason, _evidence(askers))
+        reasons = (asker.reason for asker in askers)
+        return unknown(next(reasons, why_unknown(links, "calls", "no node here calls it")), _evidence(askers))
     best = next((asker for asker in known if asker.use == Use.QUERY), known[0])
     return Judged(best.use, "service", best.reason, rate=best.rate, evidence=_evidence(askers))
 

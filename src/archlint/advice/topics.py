@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.advice.model import Evidence, Judged, Use, unknown
-from archlint.advice.words import node_name, occasion_words, rate_of
+from archlint.advice.words import node_name, occasion_words, rate_of, why_unknown
 from archlint.dataflow.durations import shortest_time
 from archlint.dataflow.model import How, StepKind
 from archlint.dataflow.pace import sending_interval
@@ -35,7 +35,7 @@ def judge_topic(flow: Flow, step: Step) -> Judged:
     sent = [use for link in links for use in [_sent(flow, link)] if use is not None]
     evidence = tuple(dict.fromkeys(use.evidence for use in sent))
     if not sent:
-        return unknown(next((link.doubt for link in links if link.doubt), "no node here publishes it"))
+        return unknown(why_unknown(links, "publishes", "no node here publishes it"))
     streams = [use for use in sent if use.use == Use.STREAM]
     if streams:
         rates = [use.rate for use in streams if use.rate is not None]

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.advice.model import Evidence
+from archlint.dataflow.model import StepKind
 from archlint.model import Role
 
 if TYPE_CHECKING:
     from archlint.analysis.request_paces import PaceKind, RequestPace
+    from archlint.dataflow.model import Link
     from archlint.model import ApiCall, Callback
     from archlint.systems.nodes import Node
 
@@ -63,6 +65,12 @@ def pace_evidence(pace: RequestPace | None, call: ApiCall) -> Iterator[Evidence]
         yield Evidence(pace.place, _PACES[pace.kind])
 
 
+def why_unknown(links: Sequence[Link], verb: str, nobody: str) -> str:
+    """Why it is not known how a connection is used: nobody uses it, who does is not here, or is not followed."""
+    strangers = (link.doubt for link in links if link.tail.kind == StepKind.STRANGER)
+    return next(strangers, f"the code that {verb} it is not followed" if links else nobody)
+
+
 def asked_words(pace: RequestPace | None, seconds: float | None) -> str:
     """How often something is sent; empty where that is not known."""
     if pace is not None:
@@ -75,4 +83,4 @@ def rate_of(seconds: float | None) -> float | None:
     return None if not seconds else 1 / seconds
 
 
-__all__ = ["asked_words", "node_name", "occasion_words", "pace_evidence", "rate_of"]
+__all__ = ["asked_words", "node_name", "occasion_words", "pace_evidence", "rate_of", "why_unknown"]
