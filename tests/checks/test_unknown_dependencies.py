@@ -38,6 +38,7 @@ def judge(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Judge:
         ("<depend>Eigen3</depend>", "eigen"),
         ("<depend>yaml_cpp</depend>", "yaml-cpp"),
         ("<test_depend>ament_cmake_lint_copyright</test_depend>", "ament_cmake_copyright"),
+        ("<depend>launch-pytest</depend>", "launch_pytest"),
         ("<exec_depend>nav_msg</exec_depend>", "nav_msgs"),
     ],
 )

@@ -68,6 +68,7 @@ MODULES: tuple[str, ...] = (
     "undeclared",
     "wait_loops",
     "contracts",
+    "dashed_options",
     "declared_owners",
     "layers",
     "interface_drift",

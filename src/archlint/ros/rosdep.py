@@ -28,8 +28,9 @@ def meant_by(name: str, packages: Collection[str], *, is_python: bool) -> str | 
     ``is_python`` says whether a module of Python may be meant: otherwise ``serial`` may well be somebody's package."""
     spellings = [*_names_of_system(name), *(_names_of_python(name) if is_python else ())]
     written = next((other for other in spellings if other in keys()), None)
-    if written is None and name.replace("_lint_", "_", 1) in packages:
-        written = name.replace("_lint_", "_", 1)
+    if written is None:
+        others = (name.replace("_lint_", "_", 1), name.replace("-", "_"))
+        written = next((other for other in others if other in packages), None)
     if written is not None or len(name) < _SHORTEST:
         return written
     near = nearest(name, packages)

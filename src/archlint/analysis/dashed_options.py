@@ -1,0 +1,49 @@
+"""Options of a setup.cfg that are written with a dash, in the sections in which ROS packages have some.
+
+Source: ``Distribution._enforce_underscore`` of setuptools, which warns of them since 54.1 and announces their end.
+"""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from archlint.analysis.aside import is_aside
+from archlint.finding import Place
+
+if TYPE_CHECKING:
+    from archlint.systems.model import WorkspaceIndex
+
+_SECTION = re.compile(r"\[(\w[\w.:-]*)\]")
+_OPTION = re.compile(r"([a-z]+(?:-[a-z]+)+)\s*[=:]")
+_JUDGED = frozenset({"develop", "install"})
+
+
+@dataclass(frozen=True)
+class DashedOption:
+    """One option of a file, as it is written."""
+
+    name: str
+    place: Place
+
+
+def dashed_options(workspace: WorkspaceIndex) -> Iterator[DashedOption]:
+    """Those of the packages that setuptools builds."""
+    for folder in sorted(workspace.manifests):
+        package = workspace.manifests[folder]
+        path = posixpath.normpath(posixpath.join(folder, "setup.cfg"))
+        text = workspace.tree.text(path) if workspace.tree.is_file(path) else None
+        if text is None or package.ros1 or is_aside(workspace, package.manifest.relative):
+            continue
+        section = ""
+        for number, line in enumerate(text.splitlines(), 1):
+            head, option = _SECTION.match(line), _OPTION.match(line)
+            section = head[1] if head is not None else section
+            if option is not None and section in _JUDGED:
+                yield DashedOption(option[1], Place(path, number, 1, number, len(option[1]) + 1))
+
+
+__all__ = ["DashedOption", "dashed_options"]

@@ -1,0 +1,44 @@
+"""PKG010: options of a setup.cfg that setuptools no longer wants."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
+
+from archlint.analysis.dashed_options import dashed_options
+from archlint.checks.folding import folds, with_others
+from archlint.checks.packages import workspace_of
+from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
+from archlint.finding import Finding
+
+if TYPE_CHECKING:
+    from archlint.systems.model import System
+
+
+@rule("PKG010", scope=Scope.WORKSPACE, taste=True)
+def dashed_option(system: System, options: Options) -> Iterator[Finding]:
+    """``script-dir`` and ``install-scripts``, as old templates write them."""
+    workspace = workspace_of(system)
+    for option in dashed_options(workspace) if workspace is not None else ():
+        right = option.name.replace("-", "_")
+        yield finding(
+            "PKG010",
+            option.place,
+            f"'{option.name}' has a dash: setuptools warns of it at each build, and says that it will refuse it",
+            help=f"write '{right}'",
+            identity=(option.name,),
+            group=(option.place.file,),
+            meant=right,
+        )
+
+
+@folds("PKG010")
+def _of_one_file(findings: Sequence[Finding]) -> Finding:
+    """One finding for a file."""
+    if len(findings) == 1:
+        return findings[0]
+    return with_others(findings, "another option of the file has", "more options of the file have", "one, too")
+
+
+__all__ = ["dashed_option"]
