@@ -800,3 +800,25 @@ KEPT = """
 def test_a_client_out_of_sight_has_the_group_that_all_of_its_node_have(judge: Judge, group: str, words: str):
     [found] = judge("EXE001", KEPT.format(group=group))
     assert words in found.message
+
+
+ASKS_IN_A_HELPER = """
+def handle(self, request, response):
+    {handler}
+    return response
+
+def tick(self):
+    self.ask()
+
+def ask(self):
+    future = self.client.call_async(Trigger.Request())
+    rclpy.spin_until_future_complete(self, future)
+"""
+
+
+@pytest.mark.parametrize(("handler", "told"), [("self.ask()", ["SRV003"]), ("pass", ["EXE001"])])
+def test_a_spin_that_a_handler_and_a_timer_share_is_told_once(run: Run, handler: str, told: list[str]):
+    create = "self.client = self.create_client(Trigger, 'a')\nself.create_service(Trigger, 'b', self.handle)\n"
+    create += "self.create_timer(1.0, self.tick)\n"
+    found = codes(run(source(create, ASKS_IN_A_HELPER.replace("{handler}", handler))))
+    assert [code for code in found if code in ("SRV003", "EXE001")] == told

@@ -61,13 +61,10 @@ def spoken_of(system: System, distros: Sequence[str]) -> frozenset[Place]:
     return frozenset(wait.call.place for wait, _ in judged_waits)
 
 
-def nested_spins(system: System, distros: Sequence[str]) -> frozenset[tuple[Place, Place]]:
-    """The spins of service handlers that SRV003 speaks of, each with its handler: the call, or the loop around it."""
+def nested_spins(system: System, distros: Sequence[str]) -> frozenset[Place]:
+    """The spins of service handlers that SRV003 speaks of: the calls, and the loops around them."""
     spins = [wait.call for wait, _ in nested_waits(system, distros) if is_spin(wait)]
-    loops = [(call, call.loops[-1]) for call in spins if call.loops]
-    return frozenset(
-        {(call.context.place, call.place) for call in spins} | {(call.context.place, loop) for call, loop in loops}
-    )
+    return frozenset(place for call in spins for place in (call.place, *call.loops[-1:]))
 
 
 def _verdict(wait: Wait, distros: Sequence[str]) -> Verdict:

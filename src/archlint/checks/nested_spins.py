@@ -35,14 +35,14 @@ if TYPE_CHECKING:
 
 @rule("EXE001", scope=Scope.CODE, by_program=True)
 def spin_in_callback(system: System, options: Options) -> Iterator[Finding]:
-    """Spins that a callback reaches; of those of a service handler for an answer, SRV003 speaks."""
+    """Spins that a callback reaches; of a line where a service handler spins for an answer, SRV003 speaks."""
     reported = nested_spins(system, options.distros)
     yield from one_for_each_place(
         diagnostic
         for program, call in judged_calls(system)
         if is_spin_call(call) and runs_in_executor(call.context)
         if not is_while_nobody_spins(source_code(system), call)
-        if reported.isdisjoint((call.context.place, place) for place in (call.place, *call.loops[-1:]))
+        if reported.isdisjoint((call.place, *call.loops[-1:]))
         for diagnostic in _nested_spin(system, program, call, options)
     )
 
