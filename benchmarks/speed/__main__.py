@@ -15,6 +15,7 @@ import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
+from benchmarks.speed.curves import curves
 from benchmarks.speed.growth import growth, slowest_files
 from benchmarks.speed.hostile import stalling
 from benchmarks.speed.processes import Cost
@@ -103,6 +104,17 @@ def stall(arguments: argparse.Namespace) -> None:
         print(f"| {name} | {seconds:.2f} | {share:.2f} |")
 
 
+def draw_curves(arguments: argparse.Namespace) -> None:
+    """Time and memory for so many of one thing, and for twice, four and eight times as many."""
+    print(
+        "| of | n | n: CPU s | 2n | 4n | 8n | growth at the end | n: MB | 8n |\n|---|---|---|---|---|---|---|---|---|"
+    )
+    for curve in curves(arguments.names):
+        seconds = " | ".join(f"{cost.cpu:.2f}" for cost in curve.costs)
+        peaks = f"{curve.costs[0].peak:.0f} | {curve.costs[-1].peak:.0f}"
+        print(f"| {curve.name} | {curve.first} | {seconds} | {curve.growth:.1f} | {peaks} |", flush=True)
+
+
 def serve(arguments: argparse.Namespace) -> None:
     """How long an editor waits for the diagnostics after an edit."""
     from benchmarks.speed.server import waits  # with the extra lsp, which the other commands do without
@@ -137,6 +149,9 @@ def main() -> None:
     command = commands.add_parser("hostile", help=stall.__doc__)
     command.add_argument("--parts", type=int, default=200_000)
     command.set_defaults(run=stall)
+    command = commands.add_parser("curves", help=draw_curves.__doc__)
+    command.add_argument("names", nargs="*", help="words of the names of axes; all without any")
+    command.set_defaults(run=draw_curves)
     command = commands.add_parser("server", help=serve.__doc__)
     command.add_argument("--packages", type=int, default=150)
     command.add_argument("--rounds", type=int, default=7)

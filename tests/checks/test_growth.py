@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from pathlib import Path
 from unittest.mock import patch
 
 import pytest
 
-from archlint.analysis import coexistence, delivery
+from archlint.analysis import coexistence, delivery, unassigned_attributes
 from archlint.checks import near_misses, unmatched
 from archlint.config.options import options_for
 from archlint.config.settings import Settings
 from archlint.engine.judging import judge
+from archlint.engine.pipeline import Request, check
 from archlint.finding import Finding, Place
 from archlint.ros.qos import Qos
 from archlint.systems.model import System
@@ -150,3 +152,26 @@ def test_a_profile_is_looked_for_at_its_create_call_and_not_at_all_others(
         return compared
 
     assert of(80) < 3 * of(40) + 100  # not the square of it
+
+
+def test_what_a_file_assigns_is_collected_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    collected = 0
+    targets_of = unassigned_attributes.targets_of
+
+    def counting(body: object) -> object:
+        nonlocal collected
+        collected += 1
+        return targets_of(body)
+
+    monkeypatch.setattr(unassigned_attributes, "targets_of", counting)
+
+    def of(many: int) -> int:
+        nonlocal collected
+        lines = "".join(f"        self.b{number} = self.a{number}\n" for number in range(many))
+        (tmp_path / "node.py").write_text(CROWDED.format(lines=lines))
+        collected = 0
+        findings = check(Request((str(tmp_path),), Settings(), cached=False, jobs=1)).findings
+        assert {finding.code for finding in findings} == {"API002"}
+        return collected
+
+    assert 0 < of(40) == of(20)

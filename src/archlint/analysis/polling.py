@@ -9,7 +9,7 @@ from archlint.analysis.reach import argument
 from archlint.model.given import Message
 from archlint.syntax import facts
 from archlint.syntax.control_flow import graph_of, loop_of
-from archlint.syntax.flow_graph import Block, reach, without_exceptions
+from archlint.syntax.flow_graph import Block
 from archlint.syntax.walk import called_name, calls_in, statements_of
 
 if TYPE_CHECKING:
@@ -57,7 +57,7 @@ def is_decided(body: Sequence[facts.Stmt], place: Place) -> bool | None:
     blocks = graph.evaluating(place.span)
     if not blocks:
         return None
-    if reach([graph.entry], without_exceptions).isdisjoint(blocks):
+    if graph.without_exceptions.isdisjoint(blocks):
         return True  # only an exception leads there
     loops = {loop for block in blocks for loop in block.loops}
     sure = {loop.head for loop in loops if _runs_for_sure(loop.statement)}

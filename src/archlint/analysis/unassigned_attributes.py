@@ -341,7 +341,7 @@ def _may_get(workspace: WorkspaceIndex, cls: ClassInFile, name: str) -> bool:
         if members is None or any(name in names for names in members):
             return True
     file_facts = workspace.facts_at(cls.file)
-    if file_facts is None or any(target.variable == cls.code.name for target in targets_of(file_facts.body)):
+    if file_facts is None or cls.code.name in _variables_of(file_facts):
         return True  # another class under its name
     return any(_gives(workspace.facts_at(file), name) for file in (cls.file, *files_with(workspace, name)))
 
@@ -356,19 +356,30 @@ def _derived(workspace: WorkspaceIndex, cls: ClassInFile) -> Iterator[ClassInFil
 
 
 def _gives(file_facts: facts.Facts | None, name: str) -> bool:
-    if file_facts is None:
-        return True
+    return file_facts is None or name in _given_by(file_facts)
+
+
+@once_for
+def _variables_of(file_facts: facts.Facts) -> frozenset[str]:
+    """The variables that a file assigns anywhere."""
+    return frozenset(name for target in targets_of(file_facts.body) if (name := target.variable) is not None)
+
+
+@once_for
+def _given_by(file_facts: facts.Facts) -> frozenset[str]:
+    """The attributes that a file assigns to an object that is not ``self``, and all of its texts."""
+    names: set[str] = set()
     for part in everything_in(file_facts.body):
         match part:
-            case facts.Literal(value=str(text)) if text == name:
-                return True
+            case facts.Literal(value=str(text)):
+                names.add(text)
     for target in targets_of(file_facts.body):
         match target:
             case facts.Attribute(value=facts.Name(id="self")):
                 continue
-            case facts.Attribute(attr=attr) if attr == name:
-                return True
-    return False
+            case facts.Attribute(attr=attr):
+                names.add(attr)
+    return frozenset(names)
 
 
 __all__ = ["READ_ONLY", "Overwritten", "Unassigned", "overwritten_properties", "unassigned_attributes"]

@@ -13,12 +13,14 @@ from collections import deque
 from collections.abc import Callable, Collection, Container, Hashable, Iterator, Sequence
 from enum import Enum, auto
 from functools import cached_property
-from typing import Generic, TypeVar
+from typing import Any, Generic, TypeVar
 
 from archlint.syntax import facts
 from archlint.syntax.cut_edges import edges_on_every_way
+from archlint.syntax.flow_facts import covers, ends_of, is_within, sufficient
 
 State = TypeVar("State", bound=Hashable)
+Answer = TypeVar("Answer")
 
 
 class Kind(Enum):
@@ -67,18 +69,7 @@ class Edge:
     @property
     def sufficient(self) -> list[tuple[facts.Expr, bool]]:
         """The conditions each of which is enough that it is taken, with how they come out."""
-        return [] if self.test is None else list(_sufficient(self.test, self.holds))
-
-
-def _sufficient(test: facts.Expr, holds: bool) -> Iterator[tuple[facts.Expr, bool]]:
-    match test:
-        case facts.Unary(op="not", operand=operand):
-            yield from _sufficient(operand, not holds)
-        case facts.Boolean(op=op, values=values) if (op == "or") == holds:
-            for value in values:
-                yield from _sufficient(value, holds)
-        case _:
-            yield test, holds
+        return [] if self.test is None else list(sufficient(self.test, self.holds))
 
 
 Along = Callable[[Edge], bool]
@@ -212,6 +203,7 @@ class Graph:
         self.left = exit_blocks.left
         reached = set(blocks)
         self.returns = [(statement, exit_) for statement, exit_ in exit_blocks.returns if exit_ in reached]
+        self._answers: dict[tuple[object, frozenset[Block]], list[Any]] = {}
 
     @property
     def exits(self) -> list[Block]:
@@ -220,8 +212,10 @@ class Graph:
 
     def at(self, statement: facts.Stmt) -> list[Block]:
         """The blocks of a statement and of what is inside it, as far as they run."""
-        first, last = _ends(statement)
-        return [block for block in self.blocks if block.statement is not None and _within(block.statement, first, last)]
+        first, last = ends_of(statement)
+        return [
+            block for block in self.blocks if block.statement is not None and is_within(block.statement, first, last)
+        ]
 
     def loop(self, statement: facts.While | facts.For) -> Loop | None:
         """The loop that a statement is; None where it never runs."""
@@ -230,11 +224,24 @@ class Graph:
 
     def of(self, statement: facts.Stmt) -> list[Block]:
         """The blocks of a statement itself, without those of what is inside it: of an ``if`` its condition."""
-        return [block for block in self.blocks if block.statement is statement]
+        return list(self._of_statements.get(id(statement), ()))
+
+    @cached_property
+    def _of_statements(self) -> dict[int, list[Block]]:
+        blocks: dict[int, list[Block]] = {}
+        for block in self.blocks:
+            if block.statement is not None:
+                blocks.setdefault(id(block.statement), []).append(block)
+        return blocks
+
+    @cached_property
+    def without_exceptions(self) -> set[Block]:
+        """The blocks that run as long as nothing raises."""
+        return reach([self.entry], without_exceptions)
 
     def evaluating(self, span: facts.Span) -> list[Block]:
         """The blocks that evaluate what stands at a place; a ``finally`` has several."""
-        return [block for block in self.blocks if block.fact is not None and _covers(block.fact, span)]
+        return [block for block in self.blocks if block.fact is not None and covers(block.fact, span)]
 
     def dominates(self, first: Collection[Block], block: Block, along: Along = any_edge) -> bool:
         """Whether every way from the start to a block goes through one of others first."""
@@ -262,9 +269,30 @@ class Graph:
         after = reach([edge.target for block in first for edge in block.edges if along(edge)], along, avoiding=first)
         return after & self.before(last, along, avoiding=[*first, *last])
 
+    def _once(self, ask: Callable[[Collection[Block]], list[Answer]], targets: Collection[Block]) -> list[Answer]:
+        """The answer to a question about blocks, the same for all that run whenever these do."""
+        key = ask, frozenset(self._begins.get(block, block) for block in targets)
+        if key not in self._answers:
+            self._answers[key] = ask(key[1])
+        return list(self._answers[key])
+
+    @cached_property
+    def _begins(self) -> dict[Block, Block]:
+        """For a block in a row of those that run one after the other unless one raises, the first of them."""
+        begins: dict[Block, Block] = {}
+        for block in self.blocks:
+            match self._edges_to.get(block):
+                case [Edge(kind=Kind.NEXT, test=None, source=before)] if before.loops == block.loops:
+                    if sum(edge.kind is not Kind.RAISE for edge in before.edges) == 1:
+                        begins[block] = begins.get(before, before)
+        return begins
+
     def outcomes(self, targets: Collection[Block]) -> list[Edge]:
         """How conditions have come out on every way to some blocks: around them, and in front of them where the other
         outcome leaves.  One edge stands for all copies of a condition."""
+        return self._once(self._outcomes_of, targets)
+
+    def _outcomes_of(self, targets: Collection[Block]) -> list[Edge]:
         groups: dict[tuple[int, bool], list[Edge]] = {}
         for block in self.blocks:
             for edge in block.edges:
@@ -285,6 +313,9 @@ class Graph:
         """The blocks that decide whether some blocks are reached, as long as nothing raises, and those that decide
         about these: one way on leads there for certain, another may not.  Inside a loop each round counts by itself.
         """
+        return self._once(self._deciders_of, targets)
+
+    def _deciders_of(self, targets: Collection[Block]) -> list[Block]:
         heads = {loop.head for block in targets for loop in block.loops}
         deciders: set[Block] = set()
         waiting = [set(targets)]
@@ -364,18 +395,3 @@ def _entering(
         return states
     entered = (branch(state, edge.test, edge.holds) for state in states)
     return frozenset(state for state in entered if state is not None)
-
-
-def _covers(fact: facts.Base, span: facts.Span) -> bool:
-    around: facts.Span = getattr(fact, "span", (0, 0, 0, 0))
-    return around[:2] <= span[:2] and span[2:] <= around[2:]
-
-
-def _ends(statement: facts.Stmt) -> tuple[tuple[int, int], tuple[int, int]]:
-    span: facts.Span = getattr(statement, "span", (0, 0, 0, 0))
-    return span[:2], span[2:]
-
-
-def _within(statement: facts.Stmt, first: tuple[int, int], last: tuple[int, int]) -> bool:
-    begins, ends = _ends(statement)
-    return first <= begins and ends <= last

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Final
 
 from archlint.syntax import facts
 from archlint.syntax.control_flow import always_raises, graph_of
-from archlint.syntax.flow_graph import reach, without_exceptions
+from archlint.syntax.flow_graph import without_exceptions
 from archlint.syntax.parts import Itself
 from archlint.syntax.walk import called_name, calls_in, parts_of, statements_of
 
@@ -52,7 +52,7 @@ def _tests_on_path(body: Sequence[facts.Stmt], wanted: facts.Stmt | None) -> Seq
 def _deciding(body: Itself[Sequence[facts.Stmt]], wanted: Itself[facts.Stmt]) -> tuple[facts.Expr, ...] | None:
     graph = graph_of(body.fact)
     blocks = graph.of(wanted.fact)
-    if reach([graph.entry], without_exceptions).isdisjoint(blocks):
+    if graph.without_exceptions.isdisjoint(blocks):
         return None  # an exception leads there
     tests: list[facts.Expr] = []
     for block in graph.deciders(blocks):

@@ -1,0 +1,38 @@
+"""What a flow graph asks of facts: where they stand, and what of a condition is enough."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from archlint.syntax import facts
+
+
+def sufficient(test: facts.Expr, holds: bool) -> Iterator[tuple[facts.Expr, bool]]:
+    """The conditions each of which is enough that a test comes out so, with how they come out."""
+    match test:
+        case facts.Unary(op="not", operand=operand):
+            yield from sufficient(operand, not holds)
+        case facts.Boolean(op=op, values=values) if (op == "or") == holds:
+            for value in values:
+                yield from sufficient(value, holds)
+        case _:
+            yield test, holds
+
+
+def covers(fact: facts.Base, span: facts.Span) -> bool:
+    """Whether a place is inside of what a fact is written in."""
+    around: facts.Span = getattr(fact, "span", (0, 0, 0, 0))
+    return around[:2] <= span[:2] and span[2:] <= around[2:]
+
+
+def ends_of(statement: facts.Stmt) -> tuple[tuple[int, int], tuple[int, int]]:
+    span: facts.Span = getattr(statement, "span", (0, 0, 0, 0))
+    return span[:2], span[2:]
+
+
+def is_within(statement: facts.Stmt, first: tuple[int, int], last: tuple[int, int]) -> bool:
+    begins, ends = ends_of(statement)
+    return first <= begins and ends <= last
+
+
+__all__ = ["covers", "ends_of", "is_within", "sufficient"]
