@@ -157,3 +157,21 @@ def test_the_loggers_of_a_module_that_is_called_alike(judge: Judge):
                 structlog.get_logger().info('%s', value)
         """,
     )
+
+
+def test_a_text_for_the_node_instead_of_its_logger(judge: Judge):
+    [finding] = judge("API001", NODE.format(call="self.get_logger(f'failed: {e}')  # here"))
+    assert finding.message == "get_logger() fails: it takes no argument"
+    assert finding.help == "write get_logger().info(…)"
+
+
+@pytest.mark.parametrize(
+    "source",
+    [
+        "from rclpy.logging import get_logger\nlogger = get_logger('robot')\n",
+        "import rclpy\nfrom somewhere import Base\n\n\nclass Robot(Base):\n    def report(self):\n"
+        "        self.get_logger('robot')\n",
+    ],
+)
+def test_loggers_by_name(judge: Judge, source: str):
+    judge("API001", source)

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
 
 LOGGER = "rclpy.logging.RcutilsLogger"
+GET_LOGGER = "rclpy.node.Node.get_logger"
 _LEVELS = frozenset({"info", "warn", "warning", "error", "fatal"})
 """Not ``debug``: nobody sees it by default, and what is not logged is not looked at."""
 _KEYWORDS = frozenset({"message", "name", "once", "skip_first", "throttle_duration_sec", "throttle_time_source_type"})
@@ -36,6 +37,9 @@ def refused_logger_calls(workspace: WorkspaceIndex) -> Iterator[RefusedCall]:
         return
     for file, _ in workspace.code.asked_for():
         if not workspace.roles.is_test(file.relative) and workspace.code.mentions(file.relative, "get_logger"):
+            for span in _given_to_node(workspace, file.relative) or ():
+                place = Place(file.relative, *span)
+                yield RefusedCall(place, GET_LOGGER, Misuse.TOO_MANY, distros=distros())
             for refusal in _refused(workspace, file.relative) or ():
                 yield RefusedCall(
                     Place(file.relative, *refusal.call.span),
@@ -73,6 +77,19 @@ def _refused(file_facts: facts.Facts) -> list[_Refusal]:
     calls = everything_in(file_facts.body, facts.Call) if code.uses_rclpy else ()
     refusals = (code.refusal(call) for call in calls if call.func.attribute in _LEVELS)
     return [refusal for refusal in refusals if refusal is not None]
+
+
+@once_for_each_file
+def _given_to_node(file_facts: facts.Facts) -> list[facts.Span]:
+    """The calls ``self.get_logger('failed')`` in classes of nodes: the method takes nothing."""
+    code = _Code(file_facts)
+    nodes = [
+        cls
+        for cls in (classes_of(file_facts) if code.uses_rclpy else ())
+        if any(base.value.last_name in ("Node", "LifecycleNode") for base in cls.bases)
+    ]
+    calls = (call for cls in nodes for call in everything_in(cls.body, facts.Call) if not code.is_tried(call))
+    return [call.span for call in calls if call.func.dotted == "self.get_logger" and call.args]
 
 
 class _Code:
@@ -125,9 +142,12 @@ class _Code:
                 for other in (other for target in part.assigned for other in targets_in(target)):
                     self._assigned.setdefault(other.last_name, []).append(None)
 
+    def is_tried(self, call: facts.Call) -> bool:
+        return Itself(call) in self._tried
+
     def refusal(self, call: facts.Call) -> _Refusal | None:
         starred = any(argument.star for argument in call.args)
-        if starred or Itself(call) in self._tried or not self._is_of_logger(call.func):
+        if starred or self.is_tried(call) or not self._is_of_logger(call.func):
             return None
         given = [argument.value for argument in call.args if argument.keyword is None]
         keywords = [argument.keyword for argument in call.args if argument.keyword is not None]
@@ -182,4 +202,4 @@ def _is_call(value: facts.Expr | None) -> bool:
     return False
 
 
-__all__ = ["LOGGER", "refused_logger_calls"]
+__all__ = ["GET_LOGGER", "LOGGER", "refused_logger_calls"]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from archlint.analysis.logger_calls import LOGGER, refused_logger_calls
+from archlint.analysis.logger_calls import GET_LOGGER, LOGGER, refused_logger_calls
 from archlint.analysis.own_names import is_defined_somewhere
 from archlint.analysis.reach import judged_notes
 from archlint.checks.absent_imports import OF_MODULE, absent_import_findings
@@ -188,6 +188,8 @@ def _what_is_wrong(call: RefusedCall) -> str:
         case Misuse.MISSING:
             return f"{names} {'is' if len(call.parameters) == 1 else 'are'} missing"
         case Misuse.TOO_MANY:
+            if not call.takes:
+                return "it takes no argument"
             return f"it takes at most {call.takes} {'argument' if call.takes == 1 else 'arguments'} by position"
         case Misuse.UNKNOWN_KEYWORD:
             return f"it has no parameter {names}"
@@ -206,6 +208,8 @@ def _what_is_wrong(call: RefusedCall) -> str:
 
 
 def _cure(name: str, call: RefusedCall) -> str:
+    if call.api == GET_LOGGER:
+        return "write get_logger().info(…)"
     if call.api.startswith(LOGGER):
         return _cure_of_logger(name, call)
     if call.misuse is Misuse.NO_FUNCTION:
