@@ -218,3 +218,57 @@ def test_methods_that_share_a_name_in_a_header_and_a_source() -> None:
     [node] = graph(IN_TWO_FILES)["nodes"]
     types = {row["name"]: row["type"] for row in node["parameters"]}
     assert types["region"] == "string" and types["gpu"] != "string"
+
+
+ALIKE = """
+#include "rclcpp/rclcpp.hpp"
+#include "std_msgs/msg/string.hpp"
+namespace left {
+class Arm : public rclcpp::Node {
+public:
+  explicit Arm(const rclcpp::NodeOptions & options) : Node("left", options) { }
+};
+}
+namespace right {
+class Arm : public rclcpp::Node {
+public:
+  explicit Arm(const rclcpp::NodeOptions & options) : Node("right", options) { }
+};
+}
+RCLCPP_COMPONENTS_REGISTER_NODE(left::Arm)
+RCLCPP_COMPONENTS_REGISTER_NODE(right::Arm)
+"""
+CONTAINER = """
+<launch><node_container pkg="rclcpp_components" exec="component_container" name="box" namespace="">
+<composable_node pkg="robot" plugin="{}"/></node_container></launch>
+"""
+
+
+def loaded(plugin: str, files: dict[str, str]) -> dict[str, Any]:
+    [node] = [
+        node
+        for node in graph(
+            {"launch/it.launch.xml": CONTAINER.format(plugin), "CMakeLists.txt": CMAKE.format(more=""), **files},
+            "--launch",
+            "robot/launch/it.launch.xml",
+        )["nodes"]
+        if node["package"] == "robot"
+    ]
+    return node
+
+
+def test_of_two_components_that_are_called_alike_in_one_file_neither_starts_the_other():
+    node = loaded("left::Arm", {"src/arms.cpp": ALIKE})
+    assert (node["name"], node["class"]) == (None, None)
+    alone = ALIKE.replace("RCLCPP_COMPONENTS_REGISTER_NODE(right::Arm)", "")
+    assert loaded("left::Arm", {"src/arms.cpp": alone})["class"] is None, "there is another class of that name"
+    left, right = alone.split("namespace right")
+    other = f"{left}namespace right{right.replace('Arm', 'Leg').replace('left::Leg', 'left::Arm')}"
+    assert loaded("left::Arm", {"src/arms.cpp": other})["name"] == "/left"
+
+
+def test_of_a_component_that_two_files_register_nobody_knows_what_it_starts():
+    arm = ALIKE.partition("namespace right")[0] + "RCLCPP_COMPONENTS_REGISTER_NODE(left::Arm)\n"
+    assert loaded("left::Arm", {"src/arms.cpp": arm})["name"] == "/left"
+    node = loaded("left::Arm", {"src/arms.cpp": arm, "src/older.cpp": arm.replace('"left"', '"older"')})
+    assert (node["name"], node["class"]) == (None, None)

@@ -27,7 +27,7 @@ def cpp_entry_points(
     A component goes by the name of its class (``demo::Talker``), by which launch files and containers load it.
     """
     sources = {file.relative: file for file in files if file.kind == "cpp" and relevant(file)}
-    components = dict(_components(sources.values(), facts_of))
+    components = _certain(list(_components(sources.values(), facts_of)), facts_of)
     entries = [
         EntryPoint(plugin, package, "", _class_of(plugin), file) for (package, plugin), file in components.items()
     ]
@@ -67,6 +67,31 @@ def _components(
                 case facts.Expression(facts.Call(facts.Name(name), [facts.Argument(facts.Literal(str(plugin)))])):
                     if name == REGISTERS:
                         yield (file.package, plugin), file
+
+
+def _certain(
+    registered: Sequence[tuple[tuple[str | None, str], SourceFile]],
+    facts_of: Callable[[SourceFile], facts.Facts | None],
+) -> dict[tuple[str | None, str], SourceFile]:
+    """The components of which it is known what they start: not those that two files register, nor those whose file has
+    two classes, or registers two, that are called alike but for their namespaces."""
+    files: dict[tuple[str | None, str], set[str]] = {}
+    names: dict[tuple[str, str], set[str]] = {}
+    for (package, plugin), file in registered:
+        files.setdefault((package, plugin), set()).add(file.relative)
+        names.setdefault((file.relative, _class_of(plugin)), set()).add(plugin)
+    return {
+        key: file
+        for key, file in registered
+        if len(files[key]) == 1
+        and len(names[file.relative, _class_of(key[1])]) == 1
+        and _classes_called(_class_of(key[1]), facts_of(file)) < 2
+    }
+
+
+def _classes_called(name: str, code: facts.Facts | None) -> int:
+    """How many classes of a file have a name, whatever their namespaces."""
+    return sum(isinstance(row, facts.Class) and row.name == name for row in ([] if code is None else code.body))
 
 
 def _class_of(plugin: str) -> str:
