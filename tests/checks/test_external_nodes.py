@@ -9,7 +9,7 @@ import pytest
 from archlint.config.settings import Settings
 from archlint.engine.pipeline import Request, check
 from archlint.ros.external_nodes import ExternalEnd, ExternalNode, ExternalParameter, ExternalQos, OpenQuestion
-from robot_package import write_robot
+from robot_package import manifest, write_robot
 
 NODE = """\
 import rclpy
@@ -150,3 +150,36 @@ def test_a_name_that_is_almost_its_own(told):
     assert file == "robot/talker.py"
     assert "did you mean '/cmd_vell'?" in message
     assert told(("TOP004",), line, known=(OPEN,)) == [], "somebody else may have both names"
+
+
+BESIDE = """\
+#include "acme/driver.hpp"
+#include "rclcpp/rclcpp.hpp"
+class Follower : public rclcpp::Node {
+public:
+  Follower() : Node("follower") { declare_parameter("speed", 0.2); }
+};
+int main(int argc, char ** argv) {
+  rclcpp::init(argc, argv);
+  rclcpp::executors::MultiThreadedExecutor executor;
+  auto follower = std::make_shared<Follower>();
+  executor.add_node(follower);
+  %s
+  executor.spin();
+}
+"""
+
+
+@pytest.mark.parametrize(
+    ("more", "found"), [("", 1), ("executor.add_node(std::make_shared<acme::Driver>());", 0)], ids=["alone", "beside"]
+)
+def test_a_value_may_be_for_a_node_from_elsewhere_in_the_same_process(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, more: str, found: int
+):
+    monkeypatch.chdir(tmp_path)
+    line = '<node pkg="robot" exec="follower"><param name="counters" value="true"/></node>'
+    build = "add_executable(follower src/follower.cpp)\ninstall(TARGETS follower DESTINATION lib/${PROJECT_NAME})\n"
+    files = {"src/follower.cpp": BESIDE % more, "CMakeLists.txt": f"project(robot)\n{build}"}
+    write_robot(tmp_path, line, **files, **{"package.xml": manifest(build_type="ament_cmake")})
+    report = check(Request((".",), Settings(), cached=False, jobs=1))
+    assert len([finding for finding in report.findings if finding.code == "PRM004"]) == found

@@ -1,4 +1,5 @@
-"""PRM004, of nodes whose source is not here and of which all parameters are known all the same."""
+"""PRM004 and nodes whose source is not here: those of which all parameters are known all the same, and those that run
+beside others."""
 
 from __future__ import annotations
 
@@ -10,12 +11,26 @@ from archlint.analysis.declared_parameters import always_declared
 from archlint.checks.misspelt_parameters import is_misspelt
 from archlint.checks.registry import finding
 from archlint.finding import Finding
+from archlint.model import ExecutorKind
 from archlint.suggestions import did_you_mean, listed
 
 if TYPE_CHECKING:
     from archlint.place import Place
     from archlint.systems.model import System
     from archlint.systems.nodes import Node
+
+
+_MAKES_A_NODE = frozenset({"moveit.planning.MoveItPy"})
+"""Classes that make a node of C++ in the process, which declares parameters of its own."""
+
+
+def has_unseen_nodes(node: Node) -> bool:
+    """Whether the process of a node makes another one, in C++ or of a class from elsewhere that is given to the same
+    executor: what the launch file sets reaches that one as well."""
+    if node.program is None:
+        return False
+    beside = any(use.astray and use.kind != ExecutorKind.NONE for use in node.program.executors)
+    return beside or any(call.api in _MAKES_A_NODE for call in node.program.calls)
 
 
 def unknown_to_externals(system: System) -> Iterator[Finding]:
@@ -56,4 +71,4 @@ def _finding(node: Node, name: str, place: Place, free: set[str]) -> Finding:
     )
 
 
-__all__ = ["unknown_to_externals"]
+__all__ = ["has_unseen_nodes", "unknown_to_externals"]

@@ -18,7 +18,7 @@ from archlint.analysis.set_parameters import (
     others_are_not_run,
     set_nodes,
 )
-from archlint.checks.external_parameters import unknown_to_externals
+from archlint.checks.external_parameters import has_unseen_nodes, unknown_to_externals
 from archlint.checks.folding import folds
 from archlint.checks.misspelt_parameters import is_misspelt, misspelt_for_every_node
 from archlint.checks.registry import Options, finding, rule
@@ -50,7 +50,7 @@ def unknown_parameter_override(system: System, options: Options) -> Iterator[Fin
         if declared is None or not node.blueprint.just_rclpy:
             continue
         siblings = [other for other in system.entries if other.started is node.started and other is not node]
-        if _has_unseen_nodes(node) or _is_gone_before(node, siblings):
+        if has_unseen_nodes(node) or _is_gone_before(node, siblings):
             continue  # what the launch file sets is for the node that the process is there for
         others = [_declared_in_sight(other) for other in siblings]
         for setting in settings:
@@ -121,15 +121,6 @@ def _open_names(workspace: WorkspaceIndex) -> Mapping[object, set[str]]:
             names = (row.name.text for row in blueprint.parameters if row.name.text is not None)
             open_names.setdefault(key_of(blueprint), set()).update(names)
     return open_names
-
-
-_MAKES_A_NODE = frozenset({"moveit.planning.MoveItPy"})
-"""Classes that make a node of C++ in the process, which declares parameters of its own."""
-
-
-def _has_unseen_nodes(node: Node) -> bool:
-    """Whether the process of a node makes another one in C++: what the launch file sets reaches that one as well."""
-    return node.program is not None and any(call.api in _MAKES_A_NODE for call in node.program.calls)
 
 
 def _is_gone_before(node: Node, siblings: Sequence[Node]) -> bool:
