@@ -8,7 +8,9 @@ import pytest
 
 from archlint.config.settings import Settings
 from archlint.engine.pipeline import Request, graph
+from archlint.engine.request import NothingToDo
 from archlint.render.json import document
+from archlint.ros import external_nodes
 from archlint.ros.external_nodes import ExternalEnd, ExternalNode, ExternalParameter
 from archlint.systems.nodes import Node
 from robot_package import write_robot
@@ -144,3 +146,17 @@ def test_the_json_says_where_it_is_known_from(started, tmp_path: Path):
         "open": [],
     }
     assert [end["name"] for end in node["publishers"]] == ["/robot_description", "/tf", "/tf_static"]
+
+
+def test_the_table_is_read_only_where_something_is_started_that_is_not_here(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+):
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(external_nodes, "FILE", tmp_path / "no such table.json")
+    external_nodes.well_known.cache_clear()
+    request = Request((".",), Settings(), cached=False, jobs=1, launch="launch/it.launch.xml")
+    write_robot(tmp_path, '<node pkg="robot" exec="talker"/>')
+    assert [node.name for node in graph(request).nodes] == ["/talker"]
+    write_robot(tmp_path, '<node pkg="acme" exec="camera"/>')
+    with pytest.raises(NothingToDo):
+        graph(request)
