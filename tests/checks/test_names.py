@@ -591,3 +591,8 @@ class TestInvalidName:
                 "node.create_client(Trigger, '~go')  # here",
             ),
         )
+
+
+def test_a_name_that_the_node_resolves_follows_its_namespace(judge: Judge):
+    judge("NME001", script("node.create_publisher(String, node.resolve_topic_name('words'), 10)"))
+    judge("NME001", script("node.create_publisher(String, node.resolve_topic_name('/words'), 10)  # here"))

@@ -66,11 +66,16 @@ def resolve_name(run: Run, call: ApiUse) -> Value:
     if value is not None and text is not None and not text.startswith("/"):
         namespace = get_namespace(run, call)
         if text.startswith("~"):
-            return join_texts((get_fully_qualified_name(run, call), Known(text[1:])))
+            return _of_the_node(join_texts((get_fully_qualified_name(run, call), Known(text[1:]))))
         if namespace.text == "/":
-            return join_texts((Known("/"), value))
-        return join_texts((namespace, Known("/"), value))
+            return _of_the_node(join_texts((Known("/"), value)))
+        return _of_the_node(join_texts((namespace, Known("/"), value)))
     return value if value is not None else Unknown("no name to resolve")
+
+
+def _of_the_node(value: Value) -> Value:
+    """A name that follows the node's: it is absolute, and yet not fixed in the code."""
+    return Known(value.value, value.via, kind="node_name") if isinstance(value, Known) else value
 
 
 __all__ = ["get_fully_qualified_name", "get_name", "get_namespace", "resolve_name"]
