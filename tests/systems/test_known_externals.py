@@ -13,7 +13,7 @@ from archlint.render.json import document
 from archlint.ros import external_nodes
 from archlint.ros.external_nodes import ExternalEnd, ExternalNode, ExternalParameter
 from archlint.systems.nodes import Node
-from robot_package import write_robot
+from robot_package import manifest, write_files, write_robot
 
 TURTLE = ExternalNode(
     "acme_drivers",
@@ -96,6 +96,21 @@ def test_a_component_goes_by_its_class(started):
 def test_what_nothing_knows_stays_a_stranger(started):
     [node] = started('<node pkg="acme_drivers" exec="camera"/>')
     assert (node.known, list(node.endpoints), node.is_stranger) == (None, [], True)
+
+
+def test_a_package_of_the_workspace_is_not_the_one_that_is_known(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.chdir(tmp_path)
+    write_robot(tmp_path / "robot", '<node pkg="acme_drivers" exec="base"/>')
+    request = Request(
+        (".",), Settings(external_nodes=(TURTLE,)), cached=False, jobs=1, launch="robot/launch/it.launch.xml"
+    )
+    [node] = graph(request).nodes
+    assert node.known is not None
+    write_files(
+        tmp_path / "acme_drivers", {"package.xml": manifest("acme_drivers")}
+    )  # a fork, of which nothing is read
+    [node] = graph(request).nodes
+    assert (node.external, node.known) == (True, None)
 
 
 def test_the_arguments_of_a_bridge_say_what_it_has(started):

@@ -116,7 +116,8 @@ class LaunchSystems:
     def _external_nodes(self, started: Started, program: Program | None, launch_file: str) -> list[Node]:
         """The nodes of what is not here, as far as they are known from elsewhere."""
         node = self._unfollowed(started, program, launch_file)
-        rows = self.externals.nodes(started, self.distro) if node.unfollowed is None else ()
+        is_here = node.unfollowed is not None or node.package in self.dependencies  # perhaps a fork of what is known
+        rows = () if is_here else self.externals.nodes(started, self.distro)
         return [self._known(node, row) for row in rows] or [node]
 
     def _known(self, node: Node, row: ExternalNode) -> Node:
