@@ -51,7 +51,8 @@ def _as_written(section: ParameterSection) -> ParameterSection:
 
 
 def _rewritten(sections: Sequence[ParameterSection], change: Rewriting) -> list[ParameterSection]:
-    read = [_read_back(section) for section in sections]
+    loaded = {section.path: section for section in sections}  # of two alike, PyYAML keeps the second
+    read = [_read_back(section) for section in loaded.values()]
     new = {key: _value(text, change.convert_types) for key, text in change.parameters}
     read = [_by_keys(section, new) for section in read if not {*section.path, ROOT} & new.keys()]
     for path, value in new.items():

@@ -204,3 +204,11 @@ def test_a_path_that_is_put_in_is_not_substituted_again(launches):
     (started,) = launched.started
     found = {one.name: one.value for one in applied(started, "/planner", launches.of_workspace().files.parameters)}
     assert found["map"] == "$(find-pkg-share robot)/maps/hall.yaml"
+
+
+def test_of_two_keys_that_are_alike_the_second_is_kept(launches, monkeypatch):
+    """PyYAML makes one dict of them, and what is dumped has nothing of the first; rcl itself reads both."""
+    twice = "planner:\n  ros__parameters:\n    first: 1\n  ros__parameters:\n    second: 2\n"
+    monkeypatch.setattr(f"{__name__}.YAML", twice)
+    assert given(launches, f"RewrittenYaml({FILE}, {{}})") == {"second": 2}
+    assert given(launches, FILE) == {"first": 1, "second": 2}
