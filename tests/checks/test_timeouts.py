@@ -696,6 +696,7 @@ def test_a_daemon_thread_that_is_made_for_one_call_may_wait(judge: Judge, move: 
 UNUSED = """
 import rclpy
 from rclpy.node import Node
+from std_msgs.msg import String
 from std_srvs.srv import Trigger
 
 
@@ -703,6 +704,7 @@ class Panel(Node):
     def __init__(self):
         super().__init__('panel')
         self.lamp = self.create_client(Trigger, 'lamp')
+        self.state = self.create_publisher(String, 'state', 10)
         {line}
 
     def blink(self):
