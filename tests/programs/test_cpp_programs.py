@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
-from tests.cpp_nodes import graph
+import pytest
+from tests.cpp_nodes import NODE, graph
 from tests.robot_package import manifest
+
+from archlint.config.settings import Settings
+from archlint.engine.pipeline import Request, check
 
 TALKER = """
 #ifndef ROBOT__TALKER_HPP_
@@ -272,3 +277,19 @@ def test_of_a_component_that_two_files_register_nobody_knows_what_it_starts():
     assert loaded("left::Arm", {"src/arms.cpp": arm})["name"] == "/left"
     node = loaded("left::Arm", {"src/arms.cpp": arm, "src/older.cpp": arm.replace('"left"', '"older"')})
     assert (node["name"], node["class"]) == (None, None)
+
+
+@pytest.mark.parametrize(
+    ("more", "message"),
+    [
+        ("A<" * 30_000, "too many '<' to analyse (more than 20,000)"),
+        ("// " + "x" * 1_000_000, "the file is too large to analyse: 1000 kB, the limit is 1000 kB"),
+    ],
+)
+def test_a_source_that_is_not_read_is_reported(tmp_path: Path, more: str, message: str):
+    (tmp_path / "src").mkdir()
+    (tmp_path / "package.xml").write_text(manifest(build_type="ament_cmake"))
+    (tmp_path / "src/node.cpp").write_text(NODE % "" + more)
+    (tmp_path / "src/generated.cpp").write_text("int x[] = {1, 2};\n" + "// " + "x" * 1_000_000)  # no word of rclcpp
+    findings = check(Request((str(tmp_path),), Settings(), cached=False, jobs=1)).findings
+    assert [(finding.code, finding.message) for finding in findings] == [("LNT002", message)]

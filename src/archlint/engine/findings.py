@@ -257,7 +257,8 @@ def _problems(workspace: Workspace, files: Sequence[SourceFile], facts: FactsOfF
     for problem in workspace.problems:
         if not problem.file.startswith(old):
             yield unreadable(problem.file, problem.line, problem.column, problem.message, help=problem.help)
-    for file in files:
+    sources = (file for file in workspace.of_kind("cpp") if facts.relevant(file) and not file.context)
+    for file in (*files, *sources):
         read = facts.facts_of(file)
         if read is None or not read.problems:
             continue

@@ -29,6 +29,8 @@ PARALLEL_BYTES = 150_000
 DEADLINE = 30.0
 """Seconds that one file may take.  The slowest that the gate lets through needs a few."""
 
+MOST_ANGLES = 20_000
+"""The most angle brackets of a C++ file: each may open a list of types, and tree-sitter needs 7 kB for each."""
 
 _LASTING, _PASSING = b"+", b"-"
 
@@ -127,6 +129,8 @@ def encoded_cpp(data: bytes) -> bytes:
     """As :func:`encoded`, of a file of C++."""
     from archlint.syntax.cpp.lowering import lower
 
+    if data.count(b"<") - 2 * data.count(b"<<") > MOST_ANGLES:
+        return _LASTING + encode(_failed(f"too many '<' to analyse (more than {MOST_ANGLES:,})"))
     try:
         with recursion_limit(DEEP_LIMIT):
             return _LASTING + encode(lower(data))

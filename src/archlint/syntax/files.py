@@ -277,7 +277,8 @@ class FactsOfFiles:
         """``(digest, bytes)`` of a file that must be compiled; what needs no compiling is settled here."""
         data = self._bytes_of(file)
         if isinstance(data, gate.Refusal):
-            if data.is_large and not gate.mentions_any(file.path, self._words()):
+            words = (_CPP_WORD,) if file.kind == "cpp" else self._words()
+            if data.is_large and not gate.mentions_any(file.path, words):
                 self._payloads[file.path] = _IRRELEVANT
             else:
                 self._refuse(file, data)

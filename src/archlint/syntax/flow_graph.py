@@ -204,6 +204,7 @@ class Graph:
         reached = set(blocks)
         self.returns = [(statement, exit_) for statement, exit_ in exit_blocks.returns if exit_ in reached]
         self._answers: dict[tuple[object, frozenset[Block]], list[Any]] = {}
+        self._decided: dict[tuple[frozenset[Block], frozenset[Block]], set[Block]] = {}
 
     @property
     def exits(self) -> list[Block]:
@@ -320,13 +321,15 @@ class Graph:
         deciders: set[Block] = set()
         waiting = [set(targets)]
         while waiting:
-            for block in self._decide_about(waiting.pop(), heads) - deciders:
+            key = frozenset(waiting.pop()), frozenset(heads)
+            if key not in self._decided:
+                self._decided[key] = self._decide_about(set(key[0]), heads)
+            for block in self._decided[key] - deciders:
                 deciders.add(block)
-                waiting.append(
-                    {sibling for sibling in self.of(block.statement) if sibling.fact is block.fact}
-                    if block.statement
-                    else {block}
+                siblings = (
+                    {row for row in self.of(block.statement) if row.fact is block.fact} if block.statement else ()
                 )
+                waiting.append(siblings or {block})
         return [block for block in self.blocks if block in deciders]
 
     def _decide_about(self, targets: set[Block], heads: set[Block]) -> set[Block]:
