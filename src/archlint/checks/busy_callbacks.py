@@ -27,7 +27,7 @@ _LONG = 0.5
 """Seconds that are too long whatever the callback is for."""
 
 
-@rule("EXE012", scope=Scope.CODE, by_program=True, taste=True)
+@rule("EXE012", scope=Scope.CODE, taste=True)
 def busy_callback(system: System, options: Options) -> Iterator[Finding]:
     """Loops in callbacks whose number of iterations is known and too large."""
     yield from one_for_each_place(
