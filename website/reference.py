@@ -59,6 +59,10 @@ def _cell(text: str) -> str:
     return re.sub(r"(?<![`\w])(--[a-z-]+|ARCHLINT_\w+)", r"`\1`", text).replace("|", "\\|").replace("\n", " ")
 
 
+_TABLES = {"ContractTable": "contracts", "ExternalNodeTable": "external-nodes"}
+"""The keys that hold tables of their own, by what the schema calls these."""
+
+
 def configuration() -> str:
     """Every key and every option of a rule, from the JSON Schema that ``archlint config --schema`` prints."""
     schema = json_schema()
@@ -67,7 +71,7 @@ def configuration() -> str:
     for key, part in sorted(schema["properties"].items()):
         lines.append(f"| `{key}` | {_holds(part)} | {_cell(part['description'])} |")
     for name, table in sorted(schema["definitions"].items()):
-        title = {"ContractTable": "Keys of `[[contracts]]`"}[name]
+        title = f"Keys of `[[{_TABLES[name]}]]`"
         required = set(table["required"])
         lines += ["", f"## {title}", "", "| key | holds | |", "|---|---|---|"]
         lines += [
