@@ -331,6 +331,15 @@ def test_a_wait_in_a_helper_of_another_package_is_told_where_it_is_called(tmp_pa
     assert (slow.place.file, slow.place.line) == ("robot/robot/robot.py", line)
     assert ("pauses/pauses/__init__.py", "it waits here") in [(one.place.file, one.message) for one in slow.related]
 
+    other = {name.replace("robot", "other"): text.replace("robot.robot", "other.other") for name, text in files.items()}
+    other["other/package.xml"] = manifest.format("other", "<depend>pauses</depend>")
+    other["other/setup.py"] = setup.format("other", entry.replace("robot", "other"))
+    for name, text in other.items():
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    found = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+    assert [one.place.file for one in found if one.code == "EXE003"] == ["pauses/pauses/__init__.py"]
+
 
 CHAIN = """
 def go(self, message):

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from archlint.analysis.callback_roles import related_to
-from archlint.analysis.reach import node_name
+from archlint.analysis.callback_roles import related_to, runs_in_executor
+from archlint.analysis.kept import once
+from archlint.analysis.reach import judged_calls, node_name
 from archlint.checks.registry import finding
 from archlint.finding import Related
 
@@ -50,10 +51,10 @@ def finding_in_callback(
 
 def told_at(system: System, call: ApiCall, in_own_file: bool = False) -> tuple[Place, str]:
     """Where a call of a callback is told, with the function around it: at its own line; where that is in a helper of
-    another package, or in another file (``in_own_file``), at the last line of the callback's own that leads there, for
-    that helper serves others, too."""
+    another package, or in another file (``in_own_file``), at the last line of the callback's own that leads there.  A
+    helper to which callbacks of several packages come is told once."""
     workspace = system.workspace
-    if workspace is None:
+    if workspace is None or (not in_own_file and len(_packages_that_come_to(system).get(call.place, ())) > 1):
         return call.place, call.function
     home_of = (lambda file: file) if in_own_file else workspace.package_of
     own = home_of(call.context.place.file)
@@ -62,6 +63,17 @@ def told_at(system: System, call: ApiCall, in_own_file: bool = False) -> tuple[P
             if home_of(frame.place.file) == own:
                 return frame.place, frame.caller
     return call.place, call.function
+
+
+@once
+def _packages_that_come_to(system: System) -> Mapping[Place, set[str | None]]:
+    """The packages of the callbacks that come to each call."""
+    workspace = system.workspace
+    packages: dict[Place, set[str | None]] = {}
+    for _, call in [] if workspace is None else judged_calls(system):
+        if workspace is not None and runs_in_executor(call.context):
+            packages.setdefault(call.place, set()).add(workspace.package_of(call.context.place.file))
+    return packages
 
 
 __all__ = ["finding_in_callback", "told_at"]
