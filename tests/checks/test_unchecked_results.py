@@ -6,6 +6,7 @@ from textwrap import indent
 
 import pytest
 
+from archlint.finding import Severity
 from checks.judging import Judge
 
 SCRIPT = """
@@ -333,6 +334,55 @@ def more(self, request, response):
     return response
 """
     assert not judge("TMO006", node(methods))
+
+
+# --- a result that a callback reads too early
+
+SENT = """
+def tick(self):
+    {use}
+
+def ask(self):
+    self.future = self.client.call_async(AddTwoInts.Request())
+    return self.future.result(){mark}
+
+def more(self, request, response):
+    return response
+"""
+
+
+def sent(use: str, main: str = "pass", mark: str = "  # here") -> str:
+    return node(SENT.format(use=use, mark=mark), main)
+
+
+@pytest.mark.parametrize(
+    ("use", "severity"),
+    [
+        ("self.ask()", Severity.INFO),
+        ("if self.answer is None:\n        self.ask()", Severity.INFO),
+        ("print(self.ask().sum)", Severity.ERROR),
+        ("self.answer = self.ask()", Severity.ERROR),
+        ("self.ask()\n    print(self.ask().sum)", Severity.ERROR),
+    ],
+)
+def test_a_result_that_comes_too_early_is_an_error_where_something_uses_it(judge: Judge, use: str, severity: Severity):
+    [finding] = judge("EXE002", sent(use))
+    assert finding.severity is severity
+    assert ("which nothing uses" in finding.message) is (severity is Severity.INFO)
+
+
+def test_what_a_callback_comes_to_is_told_once_whoever_else_does(judge: Judge):
+    judge("EXE002", sent("self.ask()", "robot.ask()"))
+    judge("TMO006", sent("self.ask()", "robot.ask()", mark=""))
+
+
+def test_where_a_callback_may_come_nobody_is_told_to_spin(judge: Judge):
+    [uncalled] = judge(
+        "TMO006", sent("pass", "keep(robot)").replace("from somewhere import Answer", "from somewhere import keep")
+    )
+    assert uncalled.help.startswith("read it in a done callback")
+    [of_main] = judge("TMO006", sent("pass", "print(robot.ask())"))
+    assert of_main.help.startswith("wait for it first: rclpy.spin_until_future_complete")
 
 
 # ------------------------------------------------------------------------------- what a spin returns

@@ -41,6 +41,11 @@ def runs_in_executor(callback: Callback) -> bool:
     return callback.role in AFTER_A_SPIN
 
 
+def may_run_in_executor(callback: Callback) -> bool:
+    """Whether an executor runs this, or it is a method of which nobody knows who calls it."""
+    return callback.role == Role.METHOD or runs_in_executor(callback)
+
+
 def callback_words(callback: Callback) -> str:
     """``the timer callback Robot.tick``."""
     if callback.role == Role.SERVICE:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -12,6 +13,7 @@ from archlint.analysis.kept import once
 from archlint.analysis.reach import creations_of, judged_calls, same_expression
 from archlint.analysis.source_code import SourceCode, source_code
 from archlint.analysis.straight_after import LOGS, follows_at_once
+from archlint.analysis.unused_results import stands_alone, stands_alone_at
 from archlint.model import ExecutorKind, Role
 from archlint.model.given import Future
 from archlint.syntax import facts
@@ -19,7 +21,7 @@ from archlint.syntax.control_flow import graph_of
 from archlint.syntax.walk import called_name, calls_in, parts_of
 
 if TYPE_CHECKING:
-    from archlint.model import ApiCall, Blueprint, Creation, Program
+    from archlint.model import ApiCall, Blueprint, Creation, Frame, Program
     from archlint.systems.model import System
 
 _RESULT = "rclpy.task.Future.result"
@@ -95,3 +97,26 @@ def _awaits_beside(statement: facts.Base | None, result: facts.Call) -> bool:
 
 def _sends(value: facts.Expr) -> bool:
     return isinstance(value, facts.Call) and value.func.attribute in _SENDS
+
+
+def is_discarded(code: SourceCode, early: EarlyResult) -> bool:
+    """Whether nobody uses what is read: the line does no more, or its function returns it to callers that do not."""
+    call = early.call
+    if stands_alone(code, call):
+        return True
+    chains = (call.chain, *(chain for chain, _, _ in call.call_chains))
+    return _returns(code.statement(call), code.expression(call)) and all(_is_dropped(code, way) for way in chains)
+
+
+def _is_dropped(code: SourceCode, chain: Sequence[Frame]) -> bool:
+    """Whether one of the callers on the way does not use what the function that it calls returns."""
+    for frame in reversed(chain):
+        if stands_alone_at(code, frame.place):
+            return True
+        if not _returns(code.statement_at(frame.place), code.call_at(frame.place)):
+            return False
+    return False
+
+
+def _returns(statement: facts.Stmt | None, call: facts.Call | None) -> bool:
+    return isinstance(statement, facts.Return) and same_expression(statement.value, call)

@@ -11,12 +11,18 @@ from archlint.syntax import facts
 if TYPE_CHECKING:
     from archlint.analysis.source_code import SourceCode
     from archlint.model import ApiCall
+    from archlint.place import Place
 
 
 def stands_alone(code: SourceCode, call: ApiCall) -> bool:
     """Whether a call is a line of its own: ``self.client.call(request)``."""
-    statement = code.statement(call)
-    return isinstance(statement, facts.Expression) and same_expression(statement.value, code.expression(call))
+    return stands_alone_at(code, call.place)
+
+
+def stands_alone_at(code: SourceCode, place: Place) -> bool:
+    """Whether the call at a place is a line of its own."""
+    statement = code.statement_at(place)
+    return isinstance(statement, facts.Expression) and same_expression(statement.value, code.call_at(place))
 
 
 def is_thrown_away(code: SourceCode, call: ApiCall) -> bool:
@@ -46,4 +52,4 @@ def _reads_one(fact: facts.Base, names: Sequence[str]) -> bool:
     return _reads(fact.children(), names)
 
 
-__all__ = ["is_thrown_away", "stands_alone"]
+__all__ = ["is_thrown_away", "stands_alone", "stands_alone_at"]

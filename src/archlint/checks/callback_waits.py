@@ -3,23 +3,25 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis import blocking
 from archlint.analysis.callback_roles import callback_words, runs_in_executor
 from archlint.analysis.deadlock import Verdict, group_relation, threads_of
-from archlint.analysis.early_results import EarlyResult, early_results
+from archlint.analysis.early_results import EarlyResult, early_results, is_discarded
 from archlint.analysis.event_waits import EventWait, event_waits
 from archlint.analysis.reach import (
     endpoint_words,
     one_for_each_place,
 )
+from archlint.analysis.source_code import source_code
 from archlint.analysis.stuck import is_spin, stuck_waits
 from archlint.analysis.waits import Wait
 from archlint.checks.callback_findings import finding_in_callback
 from archlint.checks.registry import Options, rule
 from archlint.checks.scope import Scope
-from archlint.finding import Finding
+from archlint.finding import Finding, Severity
 from archlint.model import EntityKind, Role
 
 if TYPE_CHECKING:
@@ -33,6 +35,7 @@ _GROUP_HELP = (
     + _CONTINUE_WHEN_DONE
 )
 
+_LEAVE_OUT = "leave result() out: the request is sent without it"
 _STORE = "continue in the callback that sets the event"
 _OWN_GROUP = "give the callback that sets the event its own callback group, and wait here with a timeout"
 
@@ -105,16 +108,18 @@ def _stuck(code: str, system: System, wait: Wait, verdict: Verdict, options: Opt
 
 
 def _no_answer_yet(system: System, early: EarlyResult) -> Finding:
-    return finding_in_callback(
+    discarded = is_discarded(source_code(system), early)
+    diagnostic = finding_in_callback(
         "EXE002",
         system,
         early.program,
         early.call,
-        f"{callback_words(early.call.context)} {_reads(early)}",
-        help="future.add_done_callback(...) and read the result there",
+        f"{callback_words(early.call.context)} {_reads(early)}{', which nothing uses' if discarded else ''}",
+        help=_LEAVE_OUT if discarded else "future.add_done_callback(...) and read the result there",
         client=early.client,
         identity=(early.client.name.text or "", "result"),
     )
+    return replace(diagnostic, severity=Severity.INFO) if discarded else diagnostic
 
 
 def _reads(early: EarlyResult) -> str:

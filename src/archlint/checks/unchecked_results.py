@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from archlint.analysis.callback_roles import runs_in_executor
+from archlint.analysis.callback_roles import may_run_in_executor, runs_in_executor
 from archlint.analysis.early_results import EarlyResult, early_results
 from archlint.analysis.left_over import is_dead, is_never_made
 from archlint.analysis.mistaken_futures import function_of, mistaken_futures, returned_at
@@ -30,13 +30,24 @@ if TYPE_CHECKING:
     from archlint.systems.model import System
 
 
+_IN_A_DONE_CALLBACK = "read it in a done callback: future.add_done_callback(…), and there future.result()"
+_WAIT_FIRST = "wait for it first: rclpy.spin_until_future_complete(node, future, timeout_sec=5.0)"
+
+
 @rule("TMO006", scope=Scope.CODE)
 def unchecked_result(system: System, options: Options) -> Iterator[Finding]:
     """Results that may not be there, or cannot be there yet."""
+    early = early_results(system)
+    # EXE002 tells of those that a callback reads, whoever else comes there: a spin would run inside the callback.
+    in_callbacks = {result.call.place for result in early if runs_in_executor(result.call.context)}
     yield from one_for_each_place(
         (
             *(_unchecked(system, use) for use in unchecked_results(system) if _runs(system, use.program, use.spin)),
-            *(_too_early(system, early) for early in early_results(system) if _is_of_rule(system, early)),
+            *(
+                _too_early(system, result)
+                for result in early
+                if result.call.place not in in_callbacks and _runs(system, result.program, result.call)
+            ),
             *(_mistaken(system, use) for use in mistaken_futures(system)),
             *(map(_tested, tested_spins(system.workspace)) if system.workspace is not None else ()),
         )
@@ -51,11 +62,6 @@ def _tested(place: Place) -> Finding:
         help="call it, and then ask future.done()",
         identity=("spin", "tested"),
     )
-
-
-def _is_of_rule(system: System, early: EarlyResult) -> bool:
-    """Whether a result is read outside of callbacks: of those EXE002 tells."""
-    return not runs_in_executor(early.call.context) and _runs(system, early.program, early.call)
 
 
 def _runs(system: System, program: Program, call: ApiCall) -> bool:
@@ -89,7 +95,7 @@ def _too_early(system: System, early: EarlyResult) -> Finding:
         "TMO006",
         call.place,
         _too_early_words(early),
-        help="wait first: rclpy.spin_until_future_complete(node, future, timeout_sec=5.0)",
+        help=_IN_A_DONE_CALLBACK if may_run_in_executor(call.context) else _WAIT_FIRST,
         related=related_path(call, early.client),
         node=node_name(system, call.context.node),
         identity=(call.function, name_of(early.client), "early"),
@@ -146,9 +152,7 @@ def _help(use: MistakenFuture) -> str:
         return f"call it: .result().{use.attribute}"
     if not use.attribute:
         return "make the handler async and await the future; its client needs a callback group of its own"
-    if runs_in_executor(use.context):
-        return "read it in a done callback: future.add_done_callback(…), and there future.result()"
-    return "wait for it first: rclpy.spin_until_future_complete(node, future, timeout_sec=5.0), and use future.result()"
+    return _IN_A_DONE_CALLBACK if may_run_in_executor(use.context) else f"{_WAIT_FIRST}, and use future.result()"
 
 
 @folds("TMO006")
