@@ -457,3 +457,27 @@ def test_a_share_folder_of_no_package(findings, package, end):
 def test_a_share_folder_of_a_package_from_elsewhere(findings, package):
     declared = {"package.xml": manifest(more="<depend>rob</depend>")}
     assert findings("LCH004", include(f"$(find-pkg-share {package})/launch/all.launch.xml"), **declared) == []
+
+
+@pytest.mark.parametrize(
+    ("listed", "file", "count"),
+    [
+        # Without recursive=True two stars mean what one does.
+        ("glob('rviz/**')", "rviz/it.rviz", 0),
+        ("glob('rviz/**.rviz')", "rviz/it.rviz", 0),
+        ("glob('rviz/**/*.rviz')", "rviz/it.rviz", 1),
+        ("glob('rviz/**/*.rviz')", "rviz/deep/it.rviz", 0),
+        ("glob('rviz/**/*.rviz', recursive=True)", "rviz/it.rviz", 0),
+        ("glob('rviz/**/*.rviz', recursive=True)", "rviz/deep/er/it.rviz", 0),
+        ("glob('rviz/**/*.yaml', recursive=True)", "rviz/it.rviz", 1),
+        ("glob('**/*.rviz', recursive=True)", "rviz/.hidden/it.rviz", 1),
+        ("glob('rviz/*/*.rviz')", "rviz/deep/it.rviz", 0),
+        ("glob('rviz/**/*.rviz', recursive=DEEP)", "rviz/it.rviz", 0),
+        ("glob('**/*.rviz', root_dir='rviz', recursive=True)", "rviz/it.rviz", 0),
+    ],
+)
+def test_a_file_that_a_pattern_of_a_setup_py_matches_or_not(findings, listed, file, count):
+    setup = SETUP.replace("data_files=[", f"data_files=[('share/robot/rviz', {listed}), ")
+    setup = f"from elsewhere import DEEP\n{setup}"
+    inner = '<node pkg="rviz2" exec="rviz2" args="-d $(find-pkg-share robot)/rviz/it.rviz"/>'
+    assert len(findings("LCH004", inner, **{"setup.py": setup, file: "", "rviz/other.yaml": ""})) == count

@@ -3,7 +3,11 @@
 from __future__ import annotations
 
 import posixpath
+import re
 from collections.abc import Sequence
+from dataclasses import replace
+from fnmatch import translate
+from glob import has_magic
 from typing import TYPE_CHECKING
 
 from archlint.interpreter import containers
@@ -11,6 +15,7 @@ from archlint.interpreter.values import Known, Unknown, Value
 from archlint.libraries.run import Run
 from archlint.libraries.setuptools import manifest
 from archlint.libraries.setuptools.packages import Listing, found_packages
+from archlint.name_paths import NamePattern, matches_names
 from archlint.syntax.tree import span_of
 
 if TYPE_CHECKING:
@@ -59,10 +64,44 @@ def _written_at(run: Run, site: CallSite, keyword: str) -> Place | None:
 
 
 def glob_pattern(run: Run, site: CallSite) -> Value:
-    """``glob(pattern)`` in a setup.py: the pattern stands for the files."""
-    if isinstance(run, SetupRun) and site.args and isinstance(site.args[0], Known):
-        return containers.new_list(run, [site.args[0]])
-    return Unknown("the files that a pattern matches")
+    """``glob(pattern)`` in a setup.py: a pattern for the files of one folder stands for them, and one for several
+    folders is looked up."""
+    unknown = Unknown("the files that a pattern matches")
+    recursive = site.keywords.get("recursive", Known(False))
+    if not isinstance(run, SetupRun) or not site.args or "root_dir" in site.keywords:
+        return unknown
+    given = site.args[0]
+    if not isinstance(given, Known) or given.text is None or not isinstance(recursive, Known):
+        return unknown
+    pattern = _with_single_stars(given.text, recursive=bool(recursive.value))
+    folder, _, name = pattern.rpartition("/")
+    if not has_magic(folder) and name != "**":
+        return containers.new_list(run, [replace(given, value=pattern)])
+    if run.tree is None or pattern.startswith(("/", "../")):
+        return unknown
+    files = _matching(run.tree, run.folder, pattern)
+    return containers.new_list(run, [replace(given, value=path) for path in files])
+
+
+def _with_single_stars(pattern: str, *, recursive: bool) -> str:
+    """The same pattern with ``**`` only where that means any number of folders; everywhere else it means ``*``."""
+    parts = pattern.split("/")
+    return "/".join(part if recursive and part == "**" else re.sub(r"\*+", "*", part) for part in parts)
+
+
+def _matching(tree: Listing, folder: str, pattern: str) -> list[str]:
+    """The files that a pattern matches, by their paths below the folder of the setup.py."""
+    names: list[NamePattern | None] = [
+        None if part == "**" else _name_pattern(part) for part in posixpath.normpath(pattern).split("/")
+    ]
+    below = (posixpath.relpath(path, folder) for path in tree.files_below(folder))
+    return sorted(path for path in below if matches_names(names, path.split("/")))
+
+
+def _name_pattern(part: str) -> NamePattern:
+    """A pattern for one name, whose wildcards do not stand for the dot of a hidden file."""
+    visible = "" if part.startswith(".") else r"(?!\.)"
+    return re.compile(visible + translate(part)).match
 
 
 def find_packages(run: Run, site: CallSite) -> Value:
