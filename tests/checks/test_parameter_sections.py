@@ -131,3 +131,35 @@ def test_a_section_that_a_launch_file_reads_itself(findings, section, count):
     told = findings("PRM005", **files, **{"config/p.yaml": f"talker: {RATE}\nmap_server: {RATE}\n"})
     # What gets no file is not among those that load it.
     assert [one.help for one in told] == ["nodes that load this file: /talker"] * count
+
+
+READS_BY_A_HELPER = READS_A_SECTION.replace(
+    "def generate",
+    """\
+def section_of(file, key, default=None):
+    with open(file) as stream:
+        content = yaml.safe_load(stream) or {}
+    print(default)
+    return content[key]['ros__parameters']
+
+def generate""",
+)
+
+
+@pytest.mark.parametrize(
+    ("call", "count"),
+    [
+        ("section_of(file, 'map_server')", 0),
+        ("section_of(file, key='map_server')", 0),
+        ("section_of(file, 'talker')", 1),
+        # This text is a value, and no key.
+        ("section_of(file, 'talker', 'map_server')", 1),
+        ("section_of(file, 'talker', default='map_server')", 1),
+    ],
+)
+def test_a_section_that_a_launch_file_reads_through_a_helper(findings, call, count):
+    launch = READS_BY_A_HELPER.replace("yaml.safe_load(open(file))['SECTION']", call)
+    told = findings(
+        "PRM005", **{"launch/read.launch.py": launch, "config/p.yaml": f"talker: {RATE}\nmap_server: {RATE}\n"}
+    )
+    assert [diagnostic.place.line for diagnostic in told] == [2] * count

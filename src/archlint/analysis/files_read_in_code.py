@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once_for_each_file
@@ -37,15 +37,32 @@ def _keys_asked_for(file_facts: facts.Facts) -> frozenset[str] | None:
     """The texts with which a file takes something out of a mapping; None for a file that loads no YAML."""
     if not any(called_name(call) in _LOADERS for call in everything_in(file_facts.body, facts.Call)):
         return None
-    return frozenset(text for key in _keys(file_facts) if (text := key.text) is not None)
+    keys = (*_keys(file_facts.body), *_keys_given_to_helpers(file_facts))
+    return frozenset(text for key in keys if (text := key.text) is not None)
 
 
-def _keys(file_facts: facts.Facts) -> Iterator[facts.Expr]:
-    for part in everything_in(file_facts.body, facts.Subscript):
+def _keys(body: Sequence[facts.Stmt]) -> Iterator[facts.Expr]:
+    for part in everything_in(body, facts.Subscript):
         yield part.index
-    for call in everything_in(file_facts.body, facts.Call):
+    for call in everything_in(body, facts.Call):
         if called_name(call) == "get" and call.args:
             yield call.args[0].value
+
+
+def _keys_given_to_helpers(file_facts: facts.Facts) -> Iterator[facts.Expr]:
+    """What calls give to those parameters of the file's own functions that are keys there:
+    ``section_of(file, 'talker')``."""
+    helpers: dict[str, list[facts.Function]] = {}
+    for function in everything_in(file_facts.body, facts.Function):
+        helpers.setdefault(function.name, []).append(function)
+    for call in everything_in(file_facts.body, facts.Call):
+        for helper in helpers.get(call.func.last_name, ()):
+            asked = {key.variable for key in _keys(helper.body)} - {None}
+            names = [parameter.name for parameter in helper.params]
+            for position, argument in enumerate(call.args):
+                name = argument.keyword or (names[position] if position < len(names) else None)
+                if name in asked:
+                    yield argument.value
 
 
 __all__ = ["is_read_in_code"]
