@@ -28,6 +28,9 @@ def test_the_nearest_word_is_near():
         ("maxspeed", "max_speed"),
         ("robot_maxspeed", "robot_max_speed"),
         ("Camra", "camera"),
+        ("unsubscibe_topic", "unsubscribe_topic"),
+        ("desable_motors", "disable_motors"),
+        ("dstart_mapping", "start_mapping"),
     ],
 )
 def test_a_word_that_is_misspelt_in_a_name(word: str, meant: str):
@@ -45,6 +48,17 @@ def test_a_word_that_is_misspelt_in_a_name(word: str, meant: str):
         ("input_gain", "output_gain"),
         ("RobotGoStraight", "RobotStatus"),
         ("robot_go_home_goal", "robot_stop_goal"),
+        ("unsubscribe_topic", "subscribe_topic"),
+        ("unsubscribeTopic", "subscribeTopic"),
+        ("enable_motors", "disable_motors"),
+        ("disable", "enable"),
+        ("start_mapping", "stop_mapping"),
+        ("deactivate", "activate"),
+        ("disconnect", "connect"),
+        ("attach_arm", "detach_arm"),
+        ("increase_speed", "decrease_speed"),
+        ("import_map", "export_map"),
+        ("inactive_goal", "active_goal"),
     ],
 )
 def test_two_names_of_which_neither_is_misspelt(word: str, other: str):

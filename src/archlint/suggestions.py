@@ -39,8 +39,21 @@ def _without_common_ends(first: str, second: str) -> tuple[str, str]:
     return first[start : len(first) - end], second[start : len(second) - end]
 
 
-OPPOSITES = (("input", "output"), ("upper", "lower"), ("lower", "power"), ("read", "ready"), ("send", "sent"))
+_OPPOSITES = (
+    ("input", "output"),
+    ("lower", "upper"),
+    ("lower", "power"),
+    ("read", "ready"),
+    ("send", "sent"),
+    ("start", "stop"),
+)
 """Words that are near each other and mean different things."""
+_UNDOING = ("un", "de", "dis", "in", "non", "anti")
+"""What makes the opposite of a word: ``unsubscribe``, ``deactivate``, ``disconnect``, ``inactive``."""
+_TURNED = (("en", "dis"), ("ac", "de"), ("at", "de"), ("in", "de"), ("in", "ex"), ("im", "ex"), ("on", "off"))
+"""How two opposites begin that go on alike: ``enable`` and ``disable``, ``attach`` and ``detach``."""
+_SHORTEST_STEM = 4
+"""What is left of a word that has one of these: in ``under`` and ``index`` it is no word."""
 _SHORT = 2
 """Words up to this length that differ in a letter are different words: ``x`` and ``y``, ``kp`` and ``kd``."""
 _PARTS = re.compile(r"[_/.\s-]+|(?<=[a-z])(?=[A-Z])")
@@ -73,6 +86,20 @@ def _are_two_names(first: str, second: str) -> bool:
     return any(left != right and not _is_slip(left, right) for left, right in pairs)
 
 
+def are_opposites(first: str, second: str) -> bool:
+    """Whether two words, in lower case, say that a thing and its contrary are done, or are so."""
+    if tuple(sorted((first, second))) in _OPPOSITES:
+        return True
+    short, long = sorted((first, second), key=len)
+    if len(short) >= _SHORTEST_STEM and any(long == start + short for start in _UNDOING):
+        return True
+    return any(
+        first.startswith(mine) and second.startswith(yours) and first[len(mine) :] == second[len(yours) :] != ""
+        for pair in _TURNED
+        for mine, yours in (pair, pair[::-1])
+    )
+
+
 def _apart(mine: Sequence[str], yours: Sequence[str]) -> tuple[str, str]:
     """What two names consist of besides the words that they begin and end with alike: ``gostraight`` and ``status`` of
     ``RobotGoStraight`` and ``RobotStatus``."""
@@ -85,7 +112,7 @@ def _apart(mine: Sequence[str], yours: Sequence[str]) -> tuple[str, str]:
 
 def _is_slip(first: str, second: str) -> bool:
     """Whether one of two words is probably the other one misspelt."""
-    if tuple(sorted((first, second))) in OPPOSITES or _DIGITS.findall(first) != _DIGITS.findall(second):
+    if are_opposites(first, second) or _DIGITS.findall(first) != _DIGITS.findall(second):
         return False
     short, long = sorted((len(first), len(second)))
     if short <= _SHORT:

@@ -19,7 +19,7 @@ from archlint.checks.scope import Scope
 from archlint.checks.sight import in_sight
 from archlint.finding import Finding, Related
 from archlint.model import EntityKind
-from archlint.suggestions import OPPOSITES, distance
+from archlint.suggestions import are_opposites, distance
 from archlint.systems.externals import UsedNames
 from archlint.systems.nodes import key_of
 
@@ -179,7 +179,7 @@ def _slip(part: str, other: str) -> bool:
 
 def _misspelt(word: str, other: str, alone: bool) -> bool:
     short = min(len(word), len(other))
-    if any(letter.isdigit() for letter in word + other) or tuple(sorted((word, other))) in OPPOSITES:
+    if any(letter.isdigit() for letter in word + other) or are_opposites(word.lower(), other.lower()):
         return False
     if short == _SHORT_STEM and not alone:
         ends_alike = (word[0], word[-1]) == (other[0], other[-1]) and distance(word, other, 1) == 1
