@@ -441,12 +441,12 @@ UNCALLED = """
 
 
 @pytest.mark.parametrize(
-    ("caller", "severity"),
+    ("caller", "severity", "deleted"),
     [
-        ("self.create_timer(1.0, self.tick)", Severity.ERROR),
-        ("self.ready = True", Severity.INFO),
-        ("self.ready = True\n\n        def again(self):\n            self.tick()", Severity.INFO),
-        ("self.again()\n\n        def again(self):\n            self.tick()", Severity.ERROR),
+        ("self.create_timer(1.0, self.tick)", Severity.ERROR, False),
+        ("self.ready = True", Severity.INFO, True),
+        ("self.ready = True\n\n        def again(self):\n            self.tick()", Severity.INFO, False),
+        ("self.again()\n\n        def again(self):\n            self.tick()", Severity.ERROR, False),
     ],
     ids=["a timer", "nothing", "a method that nothing calls", "a method that is called"],
 )
@@ -454,8 +454,21 @@ UNCALLED = """
     ("code", "line"), [("API002", "message = Int32(data=self.total)"), ("MSG001", "message.number = 1")]
 )
 def test_a_method_that_nothing_calls_fails_for_nobody(
-    judge: Judge, caller: str, severity: Severity, code: str, line: str
+    judge: Judge, caller: str, severity: Severity, deleted: bool, code: str, line: str
 ):
     (finding,) = judge(code, UNCALLED.replace("{caller}", caller).replace(line, f"{line}  # here"))
     assert finding.severity is severity
-    assert (finding.help == "delete tick(), which nothing calls") is (severity is Severity.INFO)
+    assert (finding.help == "delete tick(), which nothing calls") is deleted
+
+
+@pytest.mark.parametrize(
+    ("caller", "said"),
+    [
+        ("self.ready = True", "delete tick(), which nothing calls"),
+        ("self.ready = True\n\n        def again(self):\n            self.tick()", "these lines raise AttributeError"),
+    ],
+)
+def test_several_lines_of_a_method_that_nothing_calls(judge: Judge, caller: str, said: str):
+    lines = "message.number = 1  # here\n            message.amount = 1"
+    (finding,) = judge("MSG001", UNCALLED.replace("{caller}", caller).replace("message.number = 1", lines))
+    assert finding.severity is Severity.INFO and finding.help.startswith(said)

@@ -117,6 +117,12 @@ def idle_methods(workspace: WorkspaceIndex, file: str) -> frozenset[str]:
     return frozenset() if uses is None else frozenset(uses.idle)
 
 
+def is_named_nowhere(workspace: WorkspaceIndex, file: str, method: str) -> bool:
+    """Whether a file does not name a method that it defines, not even in another that nothing calls."""
+    uses = _uses(workspace, file)
+    return uses is not None and method in uses.idle and method not in uses.count
+
+
 class _Uses:
     """The attributes that a file names: how often each, and which calls are kept in one of ``self``."""
 

@@ -13,7 +13,7 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.uncalled import mild_if_uncalled
 from archlint.checks.wrong_keywords import outcome_of_keyword
-from archlint.finding import Related, Severity
+from archlint.finding import Related
 from archlint.model import NAMED
 from archlint.suggestions import listed, nearest
 
@@ -135,12 +135,16 @@ def _unknown_field(system: System, use: FieldUse, keyword: str) -> Finding:
         "MSG001",
         use.place,
         f"{of} has no {what} '{use.name}'{hint}",
-        help=f"{_consequence([use.access], keyword, 'this line raises {} when it runs')}; the {what}s are {fields}",
+        help=_help_for_line(use.access, keyword, what, fields),
         node=None if use.node is None else use.node.name.text,
         identity=(use.type, use.section_name, use.name, use.access),
         group=(use.place.file, owner, of, what, inside, fields, keyword),
         meant=near,
     )
+
+
+def _help_for_line(access: str, keyword: str, what: str, fields: str) -> str:
+    return f"{_consequence([access], keyword, 'this line raises {} when it runs')}; the {what}s are {fields}"
 
 
 def _consequence(accesses: Iterable[str], keyword: str, lines: str) -> str:
@@ -185,10 +189,12 @@ def of_one_cause(findings: Sequence[Finding]) -> Finding:
     several = f"s {', '.join(shown[:-1])} and {shown[-1]}" if len(names) > 1 else f" {shown[0]}"
     accesses = [diagnostic.identity[3] for diagnostic in findings]
     help = f"{_consequence(accesses, keyword, 'these lines raise {} when they run')}; the {what}s are {listed}"
+    # Otherwise nothing calls the method, and it is better deleted.
+    is_own = first.help == _help_for_line(accesses[0], keyword, what, listed)
     return replace(
         first,
         message=f"{of} has no {what}{several}, {where}{_did_you_mean(meant, inside)}",
-        help=first.help if first.severity is Severity.INFO else help,  # nothing calls the method
+        help=help if is_own else first.help,
         related=tuple(
             Related(diagnostic.place, f"'{diagnostic.identity[2]}' is used here") for diagnostic in findings[1:]
         ),

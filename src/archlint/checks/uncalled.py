@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from archlint.analysis.left_over import is_named_nowhere
 from archlint.analysis.uncalled_methods import uncalled_method
 from archlint.finding import Severity
 
@@ -14,13 +15,16 @@ if TYPE_CHECKING:
 
 
 def mild_if_uncalled(system: System, diagnostic: Finding) -> Finding:
-    """The same finding; as information, with the advice to delete the method, where the file is a program and nothing
-    calls that method.  What a library offers is for others to call."""
+    """The same finding; as information where the file is a program and nothing calls that method, or only such methods
+    do, with the advice to delete one that nothing calls.  What a library offers is for others to call."""
     is_program = any(program.executable and program.file == diagnostic.place.file for program in system.programs)
     name = uncalled_method(system.workspace, diagnostic.place) if is_program else None
-    if name is None:
+    if name is None or system.workspace is None:
         return diagnostic
-    return replace(diagnostic, severity=Severity.INFO, help=f"delete {name}(), which nothing calls")
+    mild = replace(diagnostic, severity=Severity.INFO)
+    if not is_named_nowhere(system.workspace, diagnostic.place.file, name):
+        return mild  # whoever deletes it breaks its callers
+    return replace(mild, help=f"delete {name}(), which nothing calls")
 
 
 __all__ = ["mild_if_uncalled"]
