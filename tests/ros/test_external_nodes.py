@@ -1,6 +1,8 @@
-"""The table of well-known nodes: whole, and right where it was held against the sources."""
+"""The table of well-known nodes: whole, and right where it was compared with the sources."""
 
 from __future__ import annotations
+
+import pytest
 
 from archlint.ros import external_nodes
 from archlint.ros.distros import DISTROS
@@ -47,6 +49,25 @@ def test_what_parameters_or_plug_ins_decide_is_open():
     ]:
         nodes = external_nodes.well_known().get(program, ())
         assert not nodes or any(node.open for node in nodes), program
+
+
+@pytest.mark.parametrize(
+    "program",
+    [
+        ("spacenav", "spacenav_node"),  # a macro puts the names of six parameters together
+        ("twist_mux", "joystick_relay.py"),  # the defaults of some parameters are the values of others
+    ],
+)
+def test_what_does_not_say_all_that_its_source_does_is_open(program):
+    [node] = external_nodes.well_known()[program]
+    assert node.open
+
+
+def test_rviz_calls_its_node_otherwise_than_its_program():
+    """``VisualizerApp::init`` in ``visualizer_app.cpp``; another node receives the transforms (``tf_wrapper.cpp``)."""
+    [node] = external_nodes.well_known()["rviz2", "rviz2"]
+    assert node.name == "rviz"
+    assert not [end for end in node.ends if end.kind == "subscriber"]
 
 
 def test_robot_state_publisher_as_its_source_has_it():
