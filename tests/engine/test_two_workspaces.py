@@ -19,6 +19,7 @@ from archlint.cli import main
 from archlint.config.settings import Settings, load
 from archlint.engine import findings
 from archlint.engine.pipeline import Request, check
+from learners import learned
 from robot_package import TALKER, write_robot
 
 ROOT = Path(__file__).parents[2]
@@ -198,3 +199,35 @@ def test_what_two_copies_of_a_package_show_is_said_once(tmp_path: Path, monkeypa
     changed = tmp_path / "vendor/robot/robot/talker.py"
     changed.write_text(changed.read_text().replace("/said", "/told"))
     assert [file for file, _ in told()] == ["src/robot/robot/talker.py", "vendor/robot/robot/talker.py"]
+
+
+def test_packages_of_one_name_that_are_no_copies_are_told_apart(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    other = TALKER.replace("String, 'chatter', 10", "String, 'chatter', qos_profile=5")
+    assert other != TALKER
+    for student, text in (("anna", TALKER), ("ben", other)):
+        write_robot(tmp_path / student / "src/robot", **{"robot/talker.py": text.replace("'chatter'", "'/said'")})
+    (tmp_path / "archlint.toml").write_text('select = ["NME001"]')
+    monkeypatch.chdir(tmp_path)
+
+    report = check(Request((".",), load(tmp_path), cached=False, jobs=1))
+
+    assert [(one.place.file, one.related) for one in report.findings] == [
+        ("anna/src/robot/robot/talker.py", ()),
+        ("ben/src/robot/robot/talker.py", ()),
+    ]
+
+
+def test_another_workspace_does_not_know_the_interfaces_of_this_one(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    """Both students define GetSensorData.  Anna calls it, and nobody serves it; Ben only imports it."""
+    name = "nobody_serves_what_the_workspace_defines"
+    workspace = next(workspace for workspace in learned() if workspace.name == name)
+    for student in ("anna", "ben"):
+        workspace.write(tmp_path / student)
+    [control] = (tmp_path / "ben").rglob("control.py")
+    control.write_text("from my_robot_interfaces.srv import GetSensorData\n\nREQUEST = GetSensorData.Request\n")
+    (tmp_path / "archlint.toml").write_text('select = ["SRV001"]')
+    monkeypatch.chdir(tmp_path)
+
+    report = check(Request((".",), load(tmp_path), cached=False, jobs=1))
+
+    assert [one.place.file.partition("/")[0] for one in report.findings] == ["anna"]

@@ -78,8 +78,10 @@ def _ends_of_workspace(workspace: WorkspaceIndex) -> _Ends:
 
 
 def _files_that_name(workspace: WorkspaceIndex, name: str) -> frozenset[str]:
-    """The files with code in which a word stands."""
-    paths = (path for path in workspace.tree.files_below(workspace.tree.top) if path.lower().endswith(_CODE))
+    """The files with code in which a word stands; a package of another workspace does not know this one's types."""
+    elsewhere = tuple(f"{folder}/" for folder in workspace.beside)
+    every = workspace.tree.files_below(workspace.tree.top)
+    paths = (path for path in every if path.lower().endswith(_CODE) and not path.startswith(elsewhere))
     return frozenset(path for path in paths if workspace.code.mentions(path, name))
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from functools import partial
+from functools import cache, partial
 from typing import TYPE_CHECKING
 
 from archlint.checks.idle_contracts import idle_patterns
@@ -78,7 +78,7 @@ def judged_in_parts(
         raise refused
     if shown is not None and refused is None:
         shown.extend(systems)
-    joined = judged[0] if len(judged) == 1 else _joined(judged, inputs.workspace)
+    joined = judged[0] if len(judged) == 1 else _joined(judged, inputs)
     if request.occurrences:
         joined = replace(joined, occurrences=sieve.occurrences)
     return joined if request.baseline is None else _with_stale(joined, inputs, sieve, frozenset.intersection(*ran))
@@ -95,9 +95,9 @@ def _with_stale(judged: Judged, inputs: Inputs, sieve: Sieve, ran: frozenset[str
     return replace(judged, findings=findings, summary=summary, idle=[entry.line for entry in stale])
 
 
-def _joined(judged: Sequence[Judged], workspace: Workspace) -> Judged:
+def _joined(judged: Sequence[Judged], inputs: Inputs) -> Judged:
     every = sorted(dict.fromkeys(f for part in judged for f in part.findings), key=lambda finding: finding.sort_key)
-    findings = once_for_copies(every, workspace.packages)
+    findings = once_for_copies(every, inputs.workspace.packages, cache(inputs.tree.text))
     summary = summarise(
         findings,
         files=sum(part.summary.files for part in judged),

@@ -55,8 +55,7 @@ def systems_of(inputs: Inputs, facts: FactsOfFiles) -> list[System]:
     [opened] = assemble(programs, workspace, request.settings, inputs.nodes)
     if inputs.memory is not None:
         inputs.memory.note_programs(opened.programs, linker.follower.files_read_by)
-    old = frozenset(package.name for package in workspace.packages if package.ros1)
-    distro = request.settings.distro
+    old, distro = frozenset(package.name for package in workspace.packages if package.ros1), request.settings.distro
     launches = Launches(files, installs, faults, old, distro)
     if cache.lasts:
         keep_launches(launches, tree, lambda index, now: cache.open_launches(index, now, installs, sorted(old), distro))
@@ -81,6 +80,7 @@ def systems_of(inputs: Inputs, facts: FactsOfFiles) -> list[System]:
             roles=linker.index.roles,
             cut_short=linker.cut_short,
             declaration_files=declaration_files(workspace),
+            beside=workspace.beside,
         ),
         closed=request.settings.closed_world,
         chosen=request.launch,

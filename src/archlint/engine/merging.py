@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -12,6 +12,7 @@ from archlint.checks.registry import registered, registered_folds
 from archlint.finding import Finding, Related
 
 if TYPE_CHECKING:
+    from archlint.finding import Place
     from archlint.workspace.model import Package
 
 
@@ -70,17 +71,30 @@ def folded(findings: Iterable[Finding]) -> list[Finding]:
     return alone
 
 
-def once_for_copies(findings: Iterable[Finding], packages: Sequence[Package]) -> list[Finding]:
-    """The findings with one for what a file of a package and its twin in a copy of that package both show."""
+def once_for_copies(
+    findings: Iterable[Finding], packages: Sequence[Package], text_of: Callable[[str], str | None]
+) -> list[Finding]:
+    """The findings with one for what a file of a package and its twin in a copy of that package both show.
+
+    Packages of one name need not be copies: what both show stands in the very same lines of code.
+    """
     several = {name for name, count in Counter(package.name for package in packages).items() if count > 1}
     folders = {package.relative: package.name for package in packages if package.name in several}
     rows: dict[tuple[object, ...], list[Finding]] = {}
     for number, finding in enumerate(findings):
         folder = _innermost(folders, finding.place.file)
-        twin = (number,) if folder is None else (folders[folder], finding.place.file[len(folder) :])
+        twin: tuple[object, ...] = (number,)
+        if folder is not None:
+            twin = (folders[folder], finding.place.file[len(folder) :], _code_at(finding.place, text_of))
         rows.setdefault((finding.code, finding.severity, finding.message, *twin), []).append(finding)
     shown = [finding for row in rows.values() for finding in _of_copies(row, folders)]
     return sorted(shown, key=lambda finding: finding.sort_key)
+
+
+def _code_at(place: Place, text_of: Callable[[str], str | None]) -> tuple[str, ...]:
+    """The lines that a place is in, wherever they stand in their file."""
+    lines = (text_of(place.file) or "").splitlines()
+    return tuple(line.strip() for line in lines[place.line - 1 : place.end_line])
 
 
 def once_for_twins(findings: Iterable[Finding], contents: Mapping[str, tuple[str, str]]) -> list[Finding]:

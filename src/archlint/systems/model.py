@@ -203,6 +203,8 @@ class WorkspaceIndex:
     faults: Faults = field(default_factory=Faults)
     """Where archlint itself failed in this run."""
     interfaces: InterfaceTable | None = None
+    beside: Sequence[str] = ()
+    """The folders, by shown paths, of packages of other workspaces: ``tree`` has their files, too."""
     declaration_files: Sequence[str] = ()
     """The files that declare the interfaces of nodes, by their shown paths."""
     explicit: bool = False

@@ -144,6 +144,8 @@ class Workspace:
     idle_exclusions: tuple[str, ...] = ()
     """Patterns to leave out files by that left out none."""
 
+    beside: tuple[str, ...] = ()
+    """The folders, by shown paths, of packages of other workspaces that stand side by side with this one."""
     inside: tuple[str, ...] = field(default=(), compare=False, repr=False)
     """The real paths of the repository and of what was asked for: of a file that a link leads to elsewhere no text is
     shown, and it is not changed.  Empty where nothing is read from the disk."""

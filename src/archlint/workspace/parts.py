@@ -31,7 +31,14 @@ def _part(workspace: Workspace, number: int, packages: Sequence[Package], homes:
     files = [file for file in workspace.files if number in homes[file.path]]
     kept = [file if homes[file.path][0] == number else replace(file, context=True) for file in files]
     problems = workspace.problems if number == 0 else ()
-    return replace(workspace, files=tuple(kept), packages=_sorted(packages), problems=problems)
+    own = {package.root for package in packages}
+    return replace(
+        workspace,
+        files=tuple(kept),
+        packages=_sorted(packages),
+        problems=problems,
+        beside=tuple(package.relative for package in workspace.packages if package.root not in own),
+    )
 
 
 def _sorted(packages: Iterable[Package]) -> tuple[Package, ...]:
