@@ -171,6 +171,57 @@ def test_what_export_writes_agrees(drift, tmp_path, capsys):
     assert drift(capsys.readouterr().out, *lines) == []
 
 
+@pytest.mark.parametrize("format", ["interface-yaml", "nodl"])
+@pytest.mark.parametrize(
+    "lines",
+    [
+        ("self.create_publisher(input(), 'scan', 10)",),
+        ("import vendor_msgs.msg", "self.create_publisher(vendor_msgs.msg.KINDS[0], 'scan', 10)"),
+        ("self.create_publisher(String, 'scan', input())",),
+        ("self.create_publisher(String, 'scan', QoSProfile(depth=int(input())))",),
+        ("self.create_publisher(String, 'scan', 10)", "self.create_publisher(Bool, 'scan', 10)"),
+        ("self.create_publisher(String, 'scan', 10)", "self.create_publisher(String, 'scan', 5)"),
+        ("from vendor.srv import KINDS", "self.create_service(KINDS[0], 'stop', print)"),
+        ("self.declare_parameter('speed', input())",),
+        ("self.declare_parameter('key', [b'a', b'b'])",),
+    ],
+    ids=" ".join,
+)
+def test_what_an_export_has_to_leave_out_is_not_missed(drift, tmp_path: Path, capsys, format, lines):
+    """Beside a publisher that it declares, so that the committed file is about this node."""
+    lines = ("self.create_publisher(Bool, 'alive', 10)", "self.declare_parameter('rate', 10)", *lines)
+    (tmp_path / "package.xml").write_text("<package format='3'><name>robot</name></package>")
+    (tmp_path / "setup.py").write_text(SETUP)
+    drift("# nothing\nnode: {}", *lines)
+    assert main(["export", "--no-cache", "--quiet", "--format", format]) == 0
+    committed = capsys.readouterr().out
+    assert "alive" in committed
+    if format == "nodl":
+        (tmp_path / "driver.nodl.xml").write_text(committed)
+        assert drift("# nothing\nnode: {}", *lines) == []
+        assert drift("# nothing\nnode: {}", *lines, NEW)
+    else:
+        assert drift(committed, *lines) == []
+        assert drift(committed, *lines, NEW)
+
+
+SETUP = """\
+from setuptools import setup
+
+setup(name="robot", py_modules=["driver"], entry_points={"console_scripts": ["driver = driver:main"]})
+"""
+NEW = "self.create_publisher(Bool, 'new', 10)"
+
+
+def test_nodes_of_one_name_that_nodl_tells_apart_by_nothing(drift, tmp_path: Path):
+    """Which of them the code here is, the file does not say."""
+    node = '<node name="driver" executable="{}"><topic name="{}" type="std_msgs/msg/String" role="publisher" /></node>'
+    for nodes in (("a", "scan"), ("b", "scan")), (("a", "left"), ("b", "right")):
+        text = f'<interface version="1">{"".join(node.format(*each) for each in nodes)}</interface>'
+        (tmp_path / "driver.nodl.xml").write_text(text)
+        assert drift("# nothing\nnode: {}", SCAN) == []
+
+
 SCAN_IN_NODL = '<topic name="scan" type="std_msgs/msg/String" role="publisher" />'
 
 

@@ -11,6 +11,7 @@ from archlint.analysis.completeness import is_complete
 from archlint.model import EntityKind
 from archlint.place import Place
 from archlint.ros import names
+from archlint.ros.interface_profiles import profile_of
 from archlint.ros.well_known import OF_EVERY_NODE
 from archlint.syntax.interface_declarations import FILE_NAME, read_interface_documents
 from archlint.syntax.nodl_declarations import SUFFIX, read_nodl
@@ -96,15 +97,26 @@ class _Comparison:
         declared = {self._full(entry): entry for entry in self.document.ends if entry.key == key}
         for name, entry in declared.items():
             if name in created:
-                yield from self._differences(entry, created[name][0], noun)
+                differences = [list(self._differences(entry, end, noun)) for end in created[name]]
+                yield from differences[0] if all(differences) else ()
             elif complete and name is not None:
                 yield self._stale(f"the {noun} '{entry.name}'", entry)
         if key in self.document.open_keys or None in declared:
             return
         for name, ends in created.items():
             first = ends[0]
-            if name not in declared and not first.conditional and name not in OF_EVERY_NODE:
+            if name in declared or first.conditional or name in OF_EVERY_NODE:
+                continue
+            if all(self._can_be_declared(end) for end in ends):
                 yield self._undeclared(f"the {noun} '{first.written}'", first.place)
+
+    def _can_be_declared(self, end: Endpoint) -> bool:
+        """Whether a document has words for an end: its type is known, and its QoS where that has to be said."""
+        if end.type is None:
+            return False
+        if not self.document.has_qos or end.kind not in (EntityKind.PUBLISHER, EntityKind.SUBSCRIBER):
+            return True
+        return end.qos is not None and end.qos.known and profile_of(end.qos) is not None
 
     def _full(self, entry: EndEntry) -> str | None:
         """The full name of a declared end; None where ROS takes none such."""
@@ -137,9 +149,8 @@ class _Comparison:
                 yield self._stale(f"the parameter '{name}'", entry)
         unsaid = "parameters" in self.document.open_keys
         for name, parameter in created.items():
-            if self.document.typed_only and parameter.type is None:
-                continue
-            if name not in declared and not parameter.conditional and not unsaid:
+            can_be_declared = parameter.type in _TYPES
+            if can_be_declared and name not in declared and not parameter.conditional and not unsaid:
                 yield self._undeclared(f"the parameter '{name}'", parameter.place)
 
     def _parameter(self, entry: ParameterEntry, parameter: ParameterDeclaration) -> Iterator[Drift]:

@@ -62,8 +62,8 @@ class InterfaceDocument:
     ends: tuple[EndEntry, ...]
     parameters: tuple[ParameterEntry, ...]
     open_keys: frozenset[str]
-    typed_only: bool = False
-    """Whether it can name no parameter that takes values of any type."""
+    has_qos: bool = True
+    """Whether a publisher or subscription can be declared with its QoS only."""
 
 
 def read_interface_documents(text: str) -> tuple[InterfaceDocument, ...]:

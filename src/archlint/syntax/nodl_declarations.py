@@ -43,11 +43,12 @@ class _Node:
     def document(self) -> InterfaceDocument:
         unsaid = frozenset() if self.parameters else frozenset({"parameters"})
         name = self.name.rpartition("/")[2]
-        return InterfaceDocument(name, None, self.span, tuple(self.ends), tuple(self.parameters), unsaid, True)
+        return InterfaceDocument(name, None, self.span, tuple(self.ends), tuple(self.parameters), unsaid, False)
 
 
 def read_nodl(text: str) -> tuple[InterfaceDocument, ...]:
-    """A document for each node; the first where several executables start it.  Nothing of what is no NoDL."""
+    """A document for each node; the first where several executables start it.  Nothing of what is no NoDL, and of nodes
+    that have a name in common and nothing else: which of them is meant is not known."""
     nodes: list[_Node] = []
     tags: list[str] = []
     parser = expat.ParserCreate()
@@ -74,8 +75,16 @@ def read_nodl(text: str) -> tuple[InterfaceDocument, ...]:
         parser.Parse(text, True)
     except (expat.ExpatError, _Refused):
         return ()
-    documents = [node.document() for node in nodes if node.name]
-    return tuple({document.name: document for document in reversed(documents)}.values())[::-1]
+    of_name: dict[str, list[InterfaceDocument]] = {}
+    for document in (node.document() for node in nodes if node.name):
+        of_name.setdefault(document.name, []).append(document)
+    return tuple(alike[0] for alike in of_name.values() if len({*map(_content, alike)}) == 1)
+
+
+def _content(document: InterfaceDocument) -> tuple[object, ...]:
+    """What a document declares, without its place."""
+    ends = frozenset((end.key, end.name, end.type) for end in document.ends)
+    return ends, frozenset((parameter.name, parameter.type) for parameter in document.parameters)
 
 
 def _note(node: _Node, tag: str, attributes: Mapping[str, str], span: Span) -> None:

@@ -16,12 +16,12 @@ import yaml
 from archlint.model import EntityKind
 from archlint.render.declarations.interface import OF_MESSAGES
 from archlint.render.declarations.rendered import MADE, Rendered
+from archlint.ros.interface_profiles import profile_of
 from archlint.visible import visible
 
 if TYPE_CHECKING:
     from archlint.render.declarations.interface import Declarations, DeclaredEnd, DeclaredParameter, NodeInterface
     from archlint.ros.parameter_types import ParameterType
-    from archlint.ros.qos import Qos
 
 KEYS: Mapping[EntityKind, str] = {
     EntityKind.PUBLISHER: "publishers",
@@ -93,7 +93,7 @@ def _entry(end: DeclaredEnd, notes: list[str]) -> dict[str, Any] | None:
     of_messages = end.kind in OF_MESSAGES
     entry: dict[str, Any] = {"topic" if of_messages else "name": end.name, "type": end.type}
     if of_messages:
-        profile = None if end.qos is None else _profile(end.qos)
+        profile = None if end.qos is None else profile_of(end.qos)
         if profile is None:
             where = f"{end.place.file}:{end.place.line}"
             notes.append(
@@ -102,23 +102,6 @@ def _entry(end: DeclaredEnd, notes: list[str]) -> dict[str, Any] | None:
             return None
         entry["qos"] = profile
     return entry
-
-
-def _profile(qos: Qos) -> dict[str, Any] | None:
-    """A profile, where the format has words for what it says."""
-    history = "ALL" if qos.history == "keep_all" else qos.depth if qos.history == "keep_last" else None
-    if not history or qos.reliability not in ("reliable", "best_effort") or qos.unknown_durations:
-        return None
-    profile: dict[str, Any] = {"history": history, "reliability": qos.reliability.upper()}
-    if qos.durability in ("volatile", "transient_local"):
-        profile["durability"] = qos.durability.upper()
-    elif qos.durability != "system_default":
-        return None
-    bounds = (("deadline_ms", qos.deadline), ("lifespan_ms", qos.lifespan), ("lease_duration_ms", qos.liveliness_lease))
-    profile |= {name: round(seconds * 1000) for name, seconds in bounds if seconds}
-    if qos.liveliness in ("automatic", "manual_by_topic"):
-        profile["liveliness"] = qos.liveliness.upper()
-    return profile
 
 
 def _can_be_declared(parameter: DeclaredParameter, notes: list[str]) -> bool:
