@@ -24,6 +24,7 @@ ASSUMED = (
     "computing and the transport of messages, requests and answers take no time",
     "no message is lost, timers keep their periods, and what is sent under a condition is sent",
     "what a callback sends depends on all that it is called with and on all attributes that it reads",
+    "frames are not told apart: what looks up a transform depends on every node that sends some",
     "what callbacks leave in objects other than their node, by calling methods of these, is not followed",
 )
 """What the figures and ways rest on."""
