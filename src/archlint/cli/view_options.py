@@ -44,6 +44,11 @@ def add_view(parser: argparse.ArgumentParser) -> None:
         help="of more than 60 nodes, draw those of the groups with such a title, '*' for all; repeatable",
     )
     shown.add_argument(
+        "--all-lines",
+        action="store_true",
+        help="of more than 40 lines, draw each: else names at the nodes and lists stand for some",
+    )
+    shown.add_argument(
         "--all", action="store_true", help="include what ROS gives every node, such as /rosout and parameter services"
     )
 
@@ -59,6 +64,7 @@ def view_of(arguments: argparse.Namespace) -> View:
         collapse=tuple(arguments.collapse or ()),
         expand=tuple(arguments.expand or ()),
         matched=arguments.ends,
+        every_line=arguments.all_lines,
         everything=arguments.all,
     )
 

@@ -6,6 +6,7 @@ HTML-like label, so that no name can become markup, a port or an escape of Graph
 
 from __future__ import annotations
 
+from collections import Counter
 from typing import TYPE_CHECKING
 
 from archlint.render import look
@@ -72,12 +73,12 @@ def write(diagram: Diagram, attributes: Mapping[str, str] | None = None, hurry: 
     hurry = hurry or is_large(diagram)
     close = len(diagram.shapes) > FEW_SHAPES and not hurry
     attributes = {**(_HURRY if hurry else _CLOSE if close else {}), **(attributes or {})}
-    words = {number: label for number, line in enumerate(diagram.lines) if (label := _line_label(line)) and close}
+    words = _words_on_lines(diagram, ids) if close else {}
     label = "xlabel" if hurry else "label"
     lines = [
         drawn
         for number, line in enumerate(diagram.lines)
-        for drawn in (_halves(line, ids, number) if number in words else [_edge(line, ids, label)])
+        for drawn in (_halves(line, ids, words[number][0]) if number in words else [_edge(line, ids, label)])
     ]
     body = [*_defaults(attributes, diagram), *_shapes(diagram, ids, words), *lines]
     return "\n".join(["digraph archlint {", *body, "}"]) + "\n"
@@ -167,18 +168,32 @@ def _caption(diagram: Diagram) -> str:
     return _table(rows, "LEFT") if rows else ""
 
 
-def _shapes(diagram: Diagram, ids: Mapping[Key, str], words: Mapping[int, str]) -> Iterator[str]:
+def _words_on_lines(diagram: Diagram, ids: Mapping[Key, str]) -> dict[int, tuple[str, str]]:
+    """The words on lines with their ids, by the numbers of the lines.  An id comes from the ends of the line, so that
+    another line elsewhere changes none."""
+    words: dict[int, tuple[str, str]] = {}
+    lines = Counter[str]()
+    for number, line in enumerate(diagram.lines):
+        id = f"words_{ids[line.tail]}_{ids[line.head]}"
+        lines[id] += 1
+        if label := _line_label(line):
+            words[number] = (id if lines[id] == 1 else f"{id}_{lines[id]}", label)
+    return words
+
+
+def _shapes(diagram: Diagram, ids: Mapping[Key, str], words: Mapping[int, tuple[str, str]]) -> Iterator[str]:
     """All shapes in their frames, and the words on lines that are shapes of their own, by the numbers of the lines."""
     drawn_in = diagram.frames
     members: dict[str, list[str]] = {}
     for key, shape in diagram.shapes.items():
         members.setdefault(drawn_in.get(key, ""), []).append(_shape(shape, ids))
-    for number, label in words.items():
+    for number, (id, label) in words.items():
         line = diagram.lines[number]
         frames = {drawn_in.get(key, "") for key in line.ends}
-        members.setdefault(frames.pop() if len(frames) == 1 else "", []).append(_words(line, number, label))
-    for number, title in enumerate(sorted(members.keys() - {""})):
-        yield f"  subgraph cluster_{number} {{"
+        members.setdefault(frames.pop() if len(frames) == 1 else "", []).append(_words(line, id, label))
+    frames_of = ids_of(("cluster", title) for title in members.keys() - {""})
+    for (_, title), frame in frames_of.items():
+        yield f"  subgraph {frame} {{"
         yield f"    graph {_attributes({'label': title, **_FRAME})};"
         yield from (f"  {shape}" for shape in members[title])
         yield "  }"
@@ -249,17 +264,17 @@ def _edge(line: Line, ids: Mapping[Key, str], label: str) -> str:
     return f"  {ids[line.tail]} -> {ids[line.head]} {_attributes(edge(line), _line_label(line), label)};"
 
 
-def _words(line: Line, number: int, label: str) -> str:
+def _words(line: Line, id: str, label: str) -> str:
     """The words on a line as a shape in the middle of it: Graphviz drops the labels of lines where it packs, and moves
     all ranks apart for a single one."""
     drawn = {"shape": "plain", "style": "", "fontsize": "9", "tooltip": edge(line)["tooltip"]}
-    return f"  words_{number} {_attributes(drawn, label)};"
+    return f"  {id} {_attributes(drawn, label)};"
 
 
-def _halves(line: Line, ids: Mapping[Key, str], number: int) -> Iterator[str]:
+def _halves(line: Line, ids: Mapping[Key, str], words: str) -> Iterator[str]:
     drawn = edge(line)
-    yield f"  {ids[line.tail]} -> words_{number} {_attributes({**drawn, 'arrowhead': 'none'})};"
-    yield f"  words_{number} -> {ids[line.head]} {_attributes(drawn)};"
+    yield f"  {ids[line.tail]} -> {words} {_attributes({**drawn, 'arrowhead': 'none'})};"
+    yield f"  {words} -> {ids[line.head]} {_attributes(drawn)};"
 
 
 def edge(line: Line) -> dict[str, str]:

@@ -33,6 +33,8 @@ class View:
     """The groups whose nodes are drawn where there are so many that each group would be a box."""
     matched: bool = False
     """Whether what has nothing at its other end is left out."""
+    every_line: bool = False
+    """Whether a picture of very many lines is drawn with each of them."""
     everything: bool = False
     """Whether what ROS gives every node is shown, too."""
 

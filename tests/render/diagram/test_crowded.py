@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from archlint.render.diagram.crowded import MANY_LINES
+from archlint.render.diagram.crowded import MANY_LINES, THINNED
 from archlint.render.diagram.large import MOST_NODES, OPENED
 from archlint.render.diagram.model import Diagram
 from archlint.render.view import View
@@ -93,6 +93,19 @@ def test_two_nodes_that_nothing_ties_stand_for_themselves() -> None:
     assert {"/single0", "/single1"} < titles(diagram(system(*(node(f"/single{n}") for n in range(2)), *pairs(1))))
 
 
+def test_a_picture_that_is_thinned_says_so_and_how_to_see_each_line() -> None:
+    crowded = system(node("/tf_node", publisher("/tf")), *listeners("/tf"), *pairs())
+    assert THINNED in diagram(crowded).caption
+    every = diagram(crowded, View(every_line=True))
+    assert THINNED not in every.caption
+    assert len(every.lines) == 10 + 2 * PAIRS
+    assert every.shapes["node", "/tf_node"].named == ()
+
+
+def test_a_crowded_picture_in_which_nothing_is_put_together_does_not_say_so() -> None:
+    assert THINNED not in diagram(system(*pairs())).caption
+
+
 def torn() -> System:
     """A package whose nodes talk to each other, and one whose nodes talk to nodes of other packages only."""
     outside = [node(f"/outside{n}", publisher(f"/o{n}"), package="torn") for n in range(3)]
@@ -155,10 +168,11 @@ def test_words_on_a_line_of_a_crowded_picture_are_a_shape_on_it() -> None:
     )
     assert len(diagram(made).lines) > MANY_LINES
     written = dot(made)
-    assert "words_0 [" in written
-    assert "best effort offered" in written.partition("words_0 [")[2].partition("];")[0]
-    assert "-> words_0 [" in written
-    assert "words_0 -> " in written
+    words = "words_node_cam_topic_scan"
+    assert f"{words} [" in written
+    assert "best effort offered" in written.partition(f"{words} [")[2].partition("];")[0]
+    assert f"-> {words} [" in written
+    assert f"{words} -> " in written
 
 
 def in_folders(packages: int) -> System:

@@ -17,6 +17,11 @@ if TYPE_CHECKING:
 
 MANY_LINES = 40
 """Lines up to which a picture is drawn with all of them."""
+THINNED = (
+    f"more than {MANY_LINES} lines: names at the nodes and lists stand for some, frames that they cross are left out; "
+    "--all-lines draws each"
+)
+"""What the caption says of that."""
 MANY_NODES = 8
 """Nodes up to which lines lead to a topic, service or action in a crowded picture."""
 
@@ -80,4 +85,4 @@ def _tie_in_words(node: Key, title: str, lines: Collection[Line]) -> str:
     return f"{arrow} {title}{condition}"
 
 
-__all__ = ["is_crowded", "thinned"]
+__all__ = ["MANY_LINES", "THINNED", "is_crowded", "thinned"]

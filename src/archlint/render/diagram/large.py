@@ -17,7 +17,10 @@ if TYPE_CHECKING:
 MOST_NODES = 60
 """Nodes up to which each is drawn, unless another is asked for."""
 _BY: tuple[GroupBy | None, ...] = (None, "package", "folder")
-OPENED = "groups are boxes, as there are too many nodes: --expand '*' draws each, --expand GLOB those of some groups"
+OPENED = (
+    f"more than {MOST_NODES} nodes: groups are boxes; --expand '*' draws each node, --expand GLOB those of some groups"
+)
+"""What the caption says of that."""
 
 
 def in_groups(diagram: Diagram, view: View) -> tuple[Diagram, bool]:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from archlint.finding import Severity
 from archlint.render.diagram.captions import captioned, pattern_words
 from archlint.render.diagram.choosing import chosen
-from archlint.render.diagram.crowded import thinned
+from archlint.render.diagram.crowded import THINNED, thinned
 from archlint.render.diagram.gathering import gathered, without_single_nodes
 from archlint.render.diagram.grouping import boxes_alone
 from archlint.render.diagram.large import OPENED, in_groups
@@ -40,9 +40,12 @@ def diagram_of(system: System, view: View = WHOLE, findings: Sequence[Finding] =
     words = [*([OPENED] if boxed else []), *pattern_words(system)]
     if len(diagram.shapes) > EACH_NODE and diagram.groups:
         diagram = boxes_alone(diagram)
-        words.insert(0, "too many to draw each")
+        words.insert(0, f"more than {EACH_NODE} shapes, too many to draw each: --only and --focus draw a part")
     else:
-        diagram = thinned(gathered(diagram), keep_frames=view.group is not None)
+        plain = gathered(diagram)
+        diagram = plain if view.every_line else thinned(plain, keep_frames=view.group is not None)
+        if diagram != plain:
+            words.insert(0, THINNED)
         diagram = without_single_nodes(diagram)
     return captioned(diagram, whole, words, system.compared is not None)
 
