@@ -199,14 +199,102 @@ DRIVER = """
 """
 
 
-def test_the_loops_of_one_constructor_are_one_finding(judge: Judge):
+def test_the_loops_of_one_file_are_one_finding(judge: Judge):
     [found] = judge("TMO004", DRIVER)
 
     assert found.severity is Severity.INFO
     assert "ends only when the service 'left' becomes available" in found.message
-    assert found.message.endswith("; 2 more loops in Driver.__init__() do the same")
+    assert found.message.endswith("; 2 more loops in this file do the same")
     places = [one.place.line - found.place.line for one in found.related if one.message == "another such loop is here"]
     assert places == [2, 4]
+
+
+def test_the_loops_of_one_package_are_one_finding(judge: Judge, tmp_path):
+    (tmp_path / "package.xml").write_text(
+        "<package format='3'><name>robot</name><version>0.0.1</version><description>d</description>"
+        "<maintainer email='a@b.c'>a</maintainer><license>MIT</license></package>"
+    )
+    [found] = judge("TMO004", DRIVER, DRIVER.replace("driver", "other").replace("  # here", ""))
+
+    assert found.message.endswith("; 5 more loops of the package 'robot' do the same")
+    assert len({related.place.file for related in found.related}) == 2
+
+
+@pytest.mark.parametrize(
+    ("test", "said"),
+    [
+        ("not (near.wait_for_service(timeout_sec=1.0) or {far})", "the service 'near' or the service 'far' becomes"),
+        ("not near.wait_for_service(timeout_sec=1.0) and not {far}", "the service 'near' or the service 'far' becomes"),
+        ("not (near.wait_for_service(timeout_sec=1.0) and {far})", "the service 'near' and the service 'far' become"),
+        ("not near.wait_for_service(timeout_sec=1.0) or not {far}", "the service 'near' and the service 'far' become"),
+        ("not (far.service_is_ready() and {far})", "the service 'far' becomes"),
+    ],
+)
+def test_all_servers_that_end_a_loop_are_named(judge: Judge, test: str, said: str):
+    [found] = judge("TMO004", script(f"while {test.format(far=WAIT)}:  # here", "    print('waiting')"))
+    assert found.message.startswith(f"this loop ends only when {said} available:")
+
+
+@pytest.mark.parametrize(
+    "test",
+    [
+        "not (near.wait_for_service(timeout_sec=1.0) or unknown.wait_for_service(timeout_sec=1.0))",
+        f"not (action.wait_for_server(timeout_sec=1.0) or (near.service_is_ready() and {WAIT}))",
+    ],
+    ids=["one that is not known may end it", "not said in a line"],
+)
+def test_servers_of_which_too_little_is_known(judge: Judge, test: str):
+    judge("TMO004", script("from somewhere import unknown", f"while {test}:", "    print('waiting')"))
+
+
+ASKED_TWICE = """
+    import rclpy
+    from rclpy.node import Node
+    from std_srvs.srv import Trigger
+
+
+    class Remote:
+        def __init__(self, node: Node):
+            self.client = node.create_client(Trigger, 'far')
+            self.other = node.create_client(Trigger, 'other')
+            {first}
+
+
+    def main():
+        rclpy.init()
+        node = rclpy.create_node('script')
+        node.create_timer(1.0, print)
+        remote = Remote(node)
+        while not remote.client.wait_for_service(timeout_sec=1.0):{mark}
+            print('waiting')
+        rclpy.spin(node)
+
+
+    if __name__ == '__main__':
+        main()
+"""
+
+
+@pytest.mark.parametrize(
+    ("first", "mark"),
+    [
+        ("while not self.client.wait_for_service(timeout_sec=1.0):  # here\n                print('waiting')", ""),
+        ("self.client.wait_for_service()", ""),
+        ("self.client.wait_for_service(timeout_sec=5.0)", "  # here"),
+        ("self.other.wait_for_service()", "  # here"),
+        ("if input():\n                self.client.wait_for_service()", "  # here"),
+        (
+            "while not (self.client.service_is_ready() or self.other.service_is_ready()):  # here\n"
+            "                print('waiting')",
+            "",  # told with the first
+        ),
+    ],
+    ids=["a loop", "a wait without limit", "a limited wait", "for another", "sometimes", "for one of two"],
+)
+def test_a_loop_after_a_wait_for_the_same_server_never_repeats(judge: Judge, first: str, mark: str):
+    [*found] = judge("TMO004", ASKED_TWICE.format(first=first, mark=mark))
+    again = [related for finding in found for related in finding.related if related.message.startswith("another")]
+    assert len(again) == ("or self" in first)
 
 
 HELPER = """

@@ -6,9 +6,10 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
-from archlint.analysis.order import certainly_true, paths_to
-from archlint.analysis.reach import creations_of, judged_calls
+from archlint.analysis.order import always_comes_before, certainly_true, paths_to
+from archlint.analysis.reach import creations_of, judged_calls, waits_for_ever
 from archlint.analysis.source_code import SourceCode, source_code
+from archlint.analysis.wait_loops import end_of, only_the_server_ends
 from archlint.finding import Place
 from archlint.model import Role
 from archlint.syntax import facts
@@ -46,6 +47,42 @@ def is_there(system: System, call: ApiCall) -> bool:
     if any(client.context is call.context for client in clients):
         return False  # it has not found anybody yet
     return _has_answered(system, call) or all(_was_found(system, path, _places(call)) for path in paths_to(call))
+
+
+def was_waited_for(system: System, call: ApiCall) -> bool:
+    """Whether the same code has waited for the same client's server before, on every way to a call, and until it came:
+    a loop that waits again ends at once."""
+    code, clients = source_code(system), creations_of(call.receiver)
+    return len(clients) == 1 and any(
+        other.context is call.context
+        and other.place != call.place
+        and _until_it_comes(code, other)
+        and always_comes_before(code, other, call)
+        for other in _waits_for(system).get(id(clients[0]), ())
+    )
+
+
+@once
+def _waits_for(system: System) -> dict[int, list[ApiCall]]:
+    """The calls that wait for a server, by the client (``id``) that they are for alone."""
+    waits: dict[int, list[ApiCall]] = {}
+    for _, call in judged_calls(system):
+        clients = creations_of(call.receiver)
+        if call.api in _ASKS and len(clients) == 1:
+            waits.setdefault(id(clients[0]), []).append(call)
+    return waits
+
+
+def _until_it_comes(code: SourceCode, call: ApiCall) -> bool:
+    """Whether the code goes on from a wait only where it has found the server."""
+    loop = code.loop(call)
+    if isinstance(loop, facts.While) and only_the_server_ends(loop):
+        end = end_of(loop)
+        return end is not None and call.place.span in end.spans and (len(end.spans) == 1 or not end.any_of_them)
+    return call.api.endswith(_WAITS) and waits_for_ever(code, call, "timeout_sec", negative=False)
+
+
+_WAITS = (".wait_for_service", ".wait_for_server")
 
 
 def _places(call: ApiCall) -> _Clients:
@@ -133,4 +170,4 @@ def _lists(value: facts.Expr, body: Sequence[facts.Stmt], asked: frozenset[str])
     return False
 
 
-__all__ = ["is_there"]
+__all__ = ["is_there", "was_waited_for"]

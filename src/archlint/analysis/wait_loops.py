@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from archlint.syntax import facts
 from archlint.syntax.control_flow import loop_of
 from archlint.syntax.flow_graph import Block, Edge, Kind, Loop, reach, without_exceptions
@@ -30,6 +32,55 @@ def only_the_server_ends(statement: facts.While | facts.For | None) -> bool:
     if statement.is_endless:
         return _leaves_when_there(loop) and not _may_end(loop, there=False)
     return _asks_a_variable(statement) and not _may_end(loop, there=False)
+
+
+@dataclass(frozen=True)
+class LoopEnd:
+    """The servers whose appearance ends a loop, by the places of the calls that look for them."""
+
+    spans: frozenset[facts.Span]
+    any_of_them: bool
+    """Whether one of them is enough."""
+
+
+def end_of(statement: facts.While | facts.For | None) -> LoopEnd | None:
+    """Which servers end such a loop; None for another loop, where several conditions decide, or where some of the
+    servers are enough, and others are not."""
+    tests = _tests_of(statement) if isinstance(statement, facts.While) else []
+    if len(tests) != 1:
+        return None
+    [(test, there)] = tests
+    asking = _asking(test)
+    enough = True if len(asking) == 1 else _is_one_enough(test, there)
+    return None if enough is None else LoopEnd(frozenset(call.span for call in asking), enough)
+
+
+def _tests_of(statement: facts.While) -> list[tuple[facts.Expr, bool]]:
+    """The conditions about servers that decide on a loop, each with whether it holds while they are there."""
+    if _says(statement.test, there=False):
+        return [(statement.test, False)]
+    if not statement.is_endless:
+        values = [assignment.value for assignment in statements_of(statement.body, facts.Assign)]
+        return [(value, True) for value in values if _says(value, there=True)]
+    tests = [choice.test for choice in statements_of(statement.body, facts.If)]
+    return [(test, there) for test in tests for there in (True, False) if _says(test, there)]
+
+
+def _asking(test: facts.Expr) -> list[facts.Call]:
+    return [call for call in calls_in(test) if call.func.attribute in _ASKS]
+
+
+def _is_one_enough(test: facts.Expr, there: bool) -> bool | None:
+    """Whether one server is enough for a condition that holds while they are there, or (``there`` false) are missing;
+    None where that depends on which."""
+    match test:
+        case facts.Unary(op="not"):
+            return _is_one_enough(test.operand, not there)
+        case facts.Assigned():
+            return _is_one_enough(test.value, there)
+        case facts.Boolean() if all(len(_asking(value)) == 1 for value in test.values):
+            return (test.op == "or") is there
+    return None
 
 
 def _says(test: facts.Expr, there: bool) -> bool:
@@ -97,4 +148,4 @@ def _asks_a_variable(loop: facts.While) -> bool:
     return False
 
 
-__all__ = ["only_the_server_ends"]
+__all__ = ["LoopEnd", "end_of", "only_the_server_ends"]

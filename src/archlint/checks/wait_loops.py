@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING
 from archlint.analysis.asking_scripts import is_seen_to_wait
 from archlint.analysis.callback_roles import runs_in_executor
 from archlint.analysis.left_over import is_dead, is_never_made
-from archlint.analysis.present_servers import is_there
-from archlint.analysis.reach import calls_of, creations_of, has_limit, node_name
+from archlint.analysis.present_servers import is_there, was_waited_for
+from archlint.analysis.reach import calls_of, creations_of, has_limit, node_name, related_creation
 from archlint.analysis.source_code import source_code
 from archlint.analysis.stuck import clients_of_handlers
-from archlint.analysis.wait_loops import only_the_server_ends
-from archlint.checks.folding import folds, of_one_function
+from archlint.analysis.wait_loops import LoopEnd, end_of, only_the_server_ends
+from archlint.checks.folding import folds, with_others
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.wait_words import (
@@ -27,7 +27,7 @@ from archlint.checks.wait_words import (
     related_path,
     server_words,
 )
-from archlint.finding import Finding, Place, Severity
+from archlint.finding import Finding, Place, Related, Severity
 from archlint.model import Role
 
 if TYPE_CHECKING:
@@ -46,36 +46,61 @@ def endless_wait_loop(system: System, options: Options) -> Iterator[Finding]:
             continue
         if is_dead(system.workspace, program, call) or is_never_made(system.workspace, call):
             continue
-        if is_there(system, call) or is_seen_to_wait(system, program, call, creations_of(call.receiver)):
+        if is_there(system, call) or was_waited_for(system, call):
+            continue
+        if is_seen_to_wait(system, program, call, creations_of(call.receiver)):
             continue
         if not program.refused.isdisjoint(code.calls_in(call.loops[-1])):
             continue  # an error ends the loop
         # A handler that asks the server afterwards is SRV003's: this is part of the same wait.
         if asked.isdisjoint((call.context.place, client.place) for client in creations_of(call.receiver)):
             loops.setdefault(call.loops[-1], []).append(call)
-    yield from (_endless(system, loops[key]) for key in sorted(loops))
+    for key in sorted(loops):
+        end = end_of(code.loop_at(key))
+        known = frozenset(call.place.span for call in loops[key])
+        # Of several servers one may be enough: then all of them must be known.
+        if end is not None and (end.spans <= known if end.any_of_them else not end.spans.isdisjoint(known)):
+            yield _endless(system, [call for call in loops[key] if call.place.span in end.spans], end)
 
 
-def _endless(system: System, calls: Sequence[ApiCall]) -> Finding:
+def _endless(system: System, calls: Sequence[ApiCall], end: LoopEnd) -> Finding:
     """A callback that loops blocks its node; a program that starts up has nothing else to do yet."""
     in_callback = [call for call in calls if runs_in_executor(call.context)]
     call = (in_callback or calls)[0]
-    kind = kind_of(call)
-    missing = server_words(system, call.creation, kind)
-    ready = "server_is_ready" if kind == "action" else "service_is_ready"
+    alike = [other for other in calls if other.context is call.context]
+    ready = "server_is_ready" if kind_of(call) == "action" else "service_is_ready"
     stands = "the callback does not return and blocks its thread"
     if not in_callback:
         stands = "this thread does nothing else" if call.context.role == Role.THREAD else "the node does nothing else"
     diagnostic = finding(
         "TMO004",
         call.place,
-        f"this loop ends only when {missing} becomes available: until then {stands}",
-        help=_help(call, ready) if in_callback else "end the loop when ROS shuts down: while rclpy.ok() and not …:",
-        related=related_path(call, call.creation),
+        f"this loop ends only when {_what_comes(system, alike, end)}: until then {stands}",
+        help=_help(call, ready) if in_callback else "end it after some attempts: for _ in range(10):",
+        related=[*related_path(call, call.creation), *_other_clients(call, alike)],
         node=node_name(system, call.node or call.context.node),
         identity=(call.function, "" if call.creation is None else call.creation.name.text or "", "loop"),
     )
-    return diagnostic if in_callback else replace(diagnostic, severity=Severity.INFO, group=(call.file, call.function))
+    if in_callback:
+        return diagnostic
+    package = None if system.workspace is None else system.workspace.package_of(call.file)
+    return replace(diagnostic, severity=Severity.INFO, group=("package", package) if package else ("file", call.file))
+
+
+def _what_comes(system: System, calls: Sequence[ApiCall], end: LoopEnd) -> str:
+    """The servers that end the loop."""
+    missing = list(dict.fromkeys(server_words(system, call.creation, kind_of(call)) for call in calls))
+    if len(missing) == 1:
+        return f"{missing[0]} becomes available"
+    joined = f"{', '.join(missing[:-1])} {'or' if end.any_of_them else 'and'} {missing[-1]}"
+    return f"{joined} {'becomes' if end.any_of_them else 'become'} available"
+
+
+def _other_clients(call: ApiCall, calls: Sequence[ApiCall]) -> list[Related]:
+    creations = [
+        other.creation for other in calls if other.creation is not None and other.creation is not call.creation
+    ]
+    return list(dict.fromkeys(related for creation in creations for related in related_creation(creation)))
 
 
 def _help(call: ApiCall, ready: str) -> str:
@@ -86,6 +111,10 @@ def _help(call: ApiCall, ready: str) -> str:
 
 
 @folds("TMO004")
-def _of_one_function(findings: Sequence[Finding]) -> Finding:
-    """The finding for all such loops that a program comes to one after the other as it starts."""
-    return of_one_function(findings, "loop", "another such loop is here")
+def _of_one_package(findings: Sequence[Finding]) -> Finding:
+    """The finding for all such loops with which the programs of a package start, or of a file in none."""
+    kind, name = findings[0].group
+    inside = f"of the package '{name}'" if kind == "package" else "in this file"
+    return with_others(
+        findings, f"another loop {inside} does", f"more loops {inside} do", "the same", "another such loop is here"
+    )
