@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import posixpath
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING
@@ -16,6 +16,7 @@ from archlint.analysis.kept import once
 from archlint.analysis.name_sites import sites_of_name
 from archlint.branches import exclusive
 from archlint.checks.folding import all_sites, folds
+from archlint.checks.name_conventions import CONVENTION, FixedName, Home, home_of, one_of_package, with_convention
 from archlint.checks.name_reasons import (
     DEMANDED,
     FIXED,
@@ -97,10 +98,10 @@ _NAMES_SHOWN = 3
 """How many names of one place a message lists."""
 
 
-@rule("NME001", scope=Scope.CODE, by_program=True, taste=True, says_if_installed=True, relative=False, allow=())
+@rule("NME001", scope=Scope.CODE, taste=True, says_if_installed=True, relative=False, allow=())
 def hardcoded_name(system: System, options: Options) -> Iterator[Finding]:
     """Absolute names that only an edit of the code can change, one finding a create call and literal; those of one
-    class become one."""
+    class become one, and those of a package whose convention they are."""
     relative, allowed = options.flag("relative"), options.texts("allow")
     varied = {end.place for end in system.endpoints if end.creation.name.resolution != "exact"}
     fixed: list[Endpoint] = []
@@ -110,17 +111,31 @@ def hardcoded_name(system: System, options: Options) -> Iterator[Finding]:
             continue
         if endpoint.creation.name.origin_kind == "format" and endpoint.place in varied:
             continue  # only one of the parts that this call puts together is written in the code
-        if relative or name.startswith("/"):
-            fixed.append(endpoint)
-    users = _files_that_use(fixed)
+        fixed.append(endpoint)
+    wanted = [endpoint for endpoint in fixed if relative or (endpoint.written or "").startswith("/")]
+    users = _files_that_use(wanted)
+    reasons = [(end, _reason(system.workspace, end, len(users.get(_literal(end).file, ())))) for end in fixed]
+    uses = [_use(system, end, reason) for end, reason in reasons if reason is not None and reason.severity is None]
+    packages = with_convention(system.workspace, uses)
     findings: dict[tuple[Place, Place, str], Finding] = {}
-    for endpoint in fixed:
-        place = endpoint.creation.name.origin or endpoint.creation.name_place or endpoint.place
-        reason = _reason(system.workspace, endpoint, len(users.get(place.file, ())))
-        if reason is not None:
-            diagnostic = _hardcoded(system, endpoint, reason)
+    for endpoint, reason in reasons:
+        if reason is not None and (relative or (endpoint.written or "").startswith("/")):
+            diagnostic = _hardcoded(system, endpoint, reason, packages)
             findings.setdefault((diagnostic.place, endpoint.place, endpoint.written or ""), diagnostic)
     yield from (findings[key] for key in sorted(findings))
+
+
+def _literal(endpoint: Endpoint) -> Place:
+    """Where the name of an endpoint is written."""
+    return endpoint.creation.name.origin or endpoint.creation.name_place or endpoint.place
+
+
+def _use(system: System, endpoint: Endpoint, reason: Reason) -> FixedName:
+    """A name with the class that fixes it, to see what the convention of a package is."""
+    place = passed_from(system.workspace, endpoint) or _literal(endpoint)
+    home = _home(system, place, endpoint.place)
+    has_namespace = any(_namespaces_of(system.workspace, endpoint.node) or ())
+    return FixedName(home, place, endpoint.written or "", follows=reason == FIXED and not has_namespace)
 
 
 def _files_that_use(fixed: Sequence[Endpoint]) -> dict[str, set[str]]:
@@ -154,12 +169,16 @@ def _conventional(endpoint: Endpoint, name: str, allowed: tuple[str, ...]) -> bo
     return name in ABSOLUTE | BY_CLICK or is_copy or any(fnmatchcase(name, pattern) for pattern in allowed)
 
 
-def _hardcoded(system: System, endpoint: Endpoint, reason: Reason) -> Finding:
-    creation, name, word = endpoint.creation, endpoint.written or "", NAMED[endpoint.kind]
-    given = creation.name_place or endpoint.place
-    place = passed_from(system.workspace, endpoint) or creation.name.origin or given
+def _hardcoded(system: System, endpoint: Endpoint, reason: Reason, packages: Mapping[Home, tuple[str, str]]) -> Finding:
+    """``packages`` has that of each class which fixes absolute names as all its package does."""
+    name, word = endpoint.written or "", NAMED[endpoint.kind]
+    given = endpoint.creation.name_place or endpoint.place
+    place = passed_from(system.workspace, endpoint) or _literal(endpoint)
     home = _home(system, place, endpoint.place)
     owner = _package(system.workspace, place.file) if reason.by_package else home
+    key = reason.key
+    if home in packages and reason == FIXED:
+        owner, key = packages[home], CONVENTION
     diagnostic = finding(
         "NME001",
         place,
@@ -168,7 +187,7 @@ def _hardcoded(system: System, endpoint: Endpoint, reason: Reason) -> Finding:
         related=[] if given == place else [Related(given, f"the {word} is created under this name here")],
         node=endpoint.node.name,
         identity=(home[1], word, name),
-        group=(*owner, reason.key, reason.state, reason.effect, reason.cure),
+        group=(*owner, key, reason.state, reason.effect, reason.cure),
         sites=sites_of_name(system.workspace, given, name, stays=reason.key != FIXED.key),
     )
     return diagnostic if reason.severity is None else replace(diagnostic, severity=reason.severity)
@@ -252,10 +271,15 @@ def _is_remapped(workspace: WorkspaceIndex | None, endpoint: Endpoint) -> bool:
     return bool(names) and endpoint.written not in names
 
 
+def _namespaces_of(workspace: WorkspaceIndex | None, node: Node) -> frozenset[str] | None:
+    """The namespaces that launch files start a node in; None where none starts it."""
+    return None if workspace is None or node.blueprint is None else workspace.namespaces.get(key_of(node.blueprint))
+
+
 def _by_namespace(workspace: WorkspaceIndex | None, node: Node) -> Reason:
     """What to do about absolute names: where launch files start the node in a namespace that one of them begins with,
     they would have it twice without their '/'."""
-    given = None if workspace is None or node.blueprint is None else workspace.namespaces.get(key_of(node.blueprint))
+    given = _namespaces_of(workspace, node)
     written = [endpoint.written or "" for endpoint in node.endpoints]
     repeated = [
         namespace
@@ -331,6 +355,8 @@ def of_one_cause(findings: Sequence[Finding]) -> Finding:
     """The finding for all names that one class fixes, or the files of a package that nobody installs: at the first
     literal, the others related."""
     first = findings[0]
+    if first.group[2] == CONVENTION and len(set(map(home_of, findings))) > 1:
+        return one_of_package(findings)
     at: dict[Place, dict[str, None]] = {}
     for diagnostic in findings:
         at.setdefault(diagnostic.place, {})[_shown(diagnostic)] = None
