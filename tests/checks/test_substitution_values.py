@@ -195,3 +195,36 @@ def test_a_class_of_another_library_with_the_same_name(findings):
 def test_what_is_wrong_in_the_same_way_in_one_file_is_one_finding(findings):
     (told,) = findings("LCH006", **_written("['a' + lc, lc + 'b']"))
     assert [row.message for row in told.related] == ["here, too"]
+
+
+ACTION = "Node(package='robot', executable='talker', {})"
+
+
+@pytest.mark.parametrize(
+    ("arguments", "help"),
+    [
+        # A condition is an object that launch_ros refuses as the value of a parameter.
+        ("parameters=[{'once': lc == 'false'}]", "use EqualsSubstitution(…, …)"),
+        ("parameters=[{'once': 'false' != lc}]", "use NotEqualsSubstitution(…, …)"),
+        ("arguments=['--once', lc == 'false']", "use EqualsSubstitution(…, …)"),
+        ("condition=IfCondition(lc == 'false')", "use EqualsSubstitution(…, …)"),
+        ("condition=lc == 'false'", "use IfCondition(EqualsSubstitution(…, …))"),
+    ],
+)
+def test_a_comparison_that_is_a_value_needs_no_condition(findings, arguments, help):
+    (told,) = findings("LCH006", **_written(ACTION.format(arguments)))
+    assert told.help == help
+
+
+@pytest.mark.parametrize(
+    ("arguments", "count"),
+    [
+        ("condition=IfCondition(lc), arguments=['-d'] if lc else []", 0),
+        ("condition=IfCondition(LaunchConfiguration('sim')), arguments=['-d'] if lc else []", 0),
+        ("condition=IfCondition(LaunchConfiguration('kind')), arguments=['-d'] if lc else []", 1),
+        ("condition=UnlessCondition(lc), arguments=['-d'] if lc else []", 1),
+        ("arguments=['-d'] if lc else []", 1),
+    ],
+)
+def test_a_test_of_what_the_action_has_as_its_condition(findings, arguments, count):
+    assert len(findings("LCH006", **_written(ACTION.format(arguments)))) == count

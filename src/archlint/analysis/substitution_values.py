@@ -50,6 +50,8 @@ class Misused:
     what: str
     span: facts.Span
     operator: str = ""
+    is_given: bool = False
+    """Whether the result is an argument, or an item of what is one: a parameter's value, say."""
 
 
 def misused_substitutions(system: System) -> Iterator[tuple[str, Misused]]:
@@ -114,6 +116,13 @@ class _Code:
                 return self.classes.get(name, "")
         return ""
 
+    def configuration(self, e: facts.Expr) -> str:
+        """The launch argument of the ``LaunchConfiguration`` that an expression is for certain; empty for anything
+        else."""
+        options = self.assigned.get(e.id, []) if isinstance(e, facts.Name) else [e]
+        names = {_configuration(option) for option in options if self._made(option) == _CONFIGURATION}
+        return names.pop() if len(names) == len(options) == 1 else ""
+
     def text_of(self, e: facts.Expr) -> str:
         """The launch argument whose text an expression is for certain; empty for anything else."""
         match e:
@@ -125,9 +134,7 @@ class _Code:
     def _performed(self, e: facts.Expr) -> str:
         match e:
             case facts.Call(func=facts.Attribute(value=asked, attr="perform")):
-                options = self.assigned.get(asked.id, []) if isinstance(asked, facts.Name) else [asked]
-                names = {_configuration(option) for option in options if self._made(option) == _CONFIGURATION}
-                return names.pop() if len(names) == len(options) == 1 else ""
+                return self.configuration(asked)
             case facts.Subscript(value=facts.Attribute(attr="launch_configurations"), index=index):
                 return index.text or ""
         return ""
@@ -153,6 +160,8 @@ def _argument(call: facts.Call, position: int, keyword: str) -> str:
 
 def _misused(code: _Code) -> Iterator[Misused]:
     printed = {id(argument.value) for argument in _printed(code.body)}
+    given = {id(value) for value in _given(code.body)}
+    decided = {id(choice) for choice in _decided_by_condition(code)}
     for part in everything_in(code.body):
         match part:
             case facts.Binary(op="+", left=left, right=right):
@@ -168,21 +177,29 @@ def _misused(code: _Code) -> Iterator[Misused]:
                 pass  # it asks whether there is a substitution
             case facts.Compare(ops=[op], comparators=[right]) if op in ("==", "!=", "in", "not in"):
                 sides = [part.left] if "in" in op else [part.left, right]
-                yield from _each(code, Misuse.COMPARED, sides, part.span, op)
+                yield from _each(code, Misuse.COMPARED, sides, part.span, op, is_given=id(part) in given)
             case facts.Boolean(values=values, op=op):
                 yield from (m for v in values[:-1] for m in _each(code, Misuse.COMBINED, [v], part.span, op))
             case facts.Unary(op="not", operand=operand):
                 yield from _tested(code, operand)
+            case facts.Conditional() if id(part) in decided:
+                pass  # the action only runs with the outcome that the test has
             case facts.If(test=test) | facts.While(test=test) | facts.Conditional(test=test):
                 yield from _tested(code, test)
 
 
 def _each(
-    code: _Code, kind: Misuse, values: Iterable[facts.Expr], span: facts.Span, operator: str = ""
+    code: _Code,
+    kind: Misuse,
+    values: Iterable[facts.Expr],
+    span: facts.Span,
+    operator: str = "",
+    *,
+    is_given: bool = False,
 ) -> Iterator[Misused]:
     classes = [name for name in map(code.substitution, values) if name]
     if classes:
-        yield Misused(kind, classes[0], span, operator)
+        yield Misused(kind, classes[0], span, operator, is_given)
 
 
 def _tested(code: _Code, test: facts.Expr) -> Iterator[Misused]:
@@ -196,6 +213,32 @@ def _tested(code: _Code, test: facts.Expr) -> Iterator[Misused]:
             name = code.text_of(test)
             if name in code.yes_or_no:
                 yield Misused(Misuse.TEXT_TESTED, name, test.span)
+
+
+def _given(body: list[facts.Stmt]) -> Iterator[facts.Expr]:
+    """What is an argument of a call, or an item of a display; a condition is none of these."""
+    for part in everything_in(body):
+        match part:
+            case facts.Call(args=arguments):
+                yield from (argument.value for argument in arguments if argument.keyword != _CONDITION)
+            case facts.Mapping(values=values) | facts.Sequence(elements=values):
+                yield from values
+
+
+def _decided_by_condition(code: _Code) -> Iterator[facts.Conditional]:
+    """The choices in the arguments of an action that test what its ``condition=IfCondition(…)`` tests."""
+    for call in everything_in(code.body, facts.Call):
+        for argument in call.args:
+            match argument:
+                case facts.Argument(
+                    keyword="condition", value=facts.Call(func=facts.Name(id="IfCondition"), args=[tested])
+                ) if name := code.configuration(tested.value):
+                    for choice in everything_in([each.value for each in call.args], facts.Conditional):
+                        if code.configuration(choice.test) == name:
+                            yield choice
+
+
+_CONDITION = "condition"
 
 
 def _printed(body: list[facts.Stmt]) -> Iterator[facts.Argument]:

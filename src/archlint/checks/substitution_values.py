@@ -49,7 +49,8 @@ def _said(misused: Misused) -> tuple[str, str]:
         case Misuse.COMPARED:
             result = "false" if misused.operator in ("==", "in") else "true"
             instead = "EqualsSubstitution" if misused.operator in ("==", "in") else "NotEqualsSubstitution"
-            return f"a {what} has no value yet, so that this is always {result}", f"use IfCondition({instead}(…, …))"
+            use = f"{instead}(…, …)" if misused.is_given else f"IfCondition({instead}(…, …))"
+            return f"a {what} has no value yet, so that this is always {result}", f"use {use}"
         case Misuse.COMBINED:
             instead = f"{misused.operator.capitalize()}Substitution(…, …)"
             return f"a {what} has no value yet: '{misused.operator}' takes it for true", f"use {instead}"
