@@ -77,7 +77,8 @@ INCLUDES = "".join(f'<include file="$(find-pkg-share robot)/launch/{name}.launch
     ("one", "other", "help"),
     [
         ({}, {}, "remove one of the two: they start the same program in the same way"),
-        ({}, {"args": "--quiet"}, "give each its own name or namespace"),
+        ({}, {"args": "--quiet"}, "start the program once, or give each its own name or namespace"),
+        ({}, {"exec": "other", "name": "talker"}, "give each its own name or namespace"),
     ],
 )
 def test_a_program_that_two_files_start(findings, one, other, help):

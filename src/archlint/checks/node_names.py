@@ -134,6 +134,8 @@ def _of_two_actions(system: System, several: list[Twins]) -> Iterator[Finding]:
         help = "give each action its own namespace: name= would rename all its nodes"
     elif first.launch_place != here and _is_one_too_many(first.started, other.started):
         help = "remove one of the two: they start the same program in the same way"
+    elif _start_one_program(first.started, other.started):
+        help = "start the program once, or give each its own name or namespace"
     diagnostic = finding(
         "NME004",
         here,
@@ -213,6 +215,14 @@ def _is_one_too_many(first: Started | None, other: Started | None) -> bool:
         return False
     way = _way_of(first)
     return way is not None and way == _way_of(other)
+
+
+def _start_one_program(first: Started | None, other: Started | None) -> bool:
+    """Whether two files start one executable: perhaps neither knows of the other."""
+    if first is None or other is None or first.file == other.file:
+        return False
+    texts = (first.package, other.package), (first.executable, other.executable)
+    return all(mine.resolution == "exact" and mine.text == yours.text for mine, yours in texts)
 
 
 def _way_of(started: Started) -> tuple[object, ...] | None:
