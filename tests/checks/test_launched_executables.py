@@ -187,3 +187,28 @@ def test_an_executable_that_several_actions_start_is_one_finding(findings):
 def test_an_absolute_path_is_started_as_it_is(findings):
     assert findings("LCH001", node(exec="/opt/venv/bin/python", args="-m robot.talker")) == []
     assert len(findings("LCH001", node(exec="venv/bin/python", args="-m robot.talker"))) == 1
+
+
+LAUNCH_FILE = """\
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    return LaunchDescription([])
+"""
+
+
+@pytest.mark.parametrize("file", ["launch/view.launch.py", "launch/view_robot.py"])
+def test_a_launch_file_that_is_started_as_a_program_is_to_be_included(findings, file):
+    name = file.rpartition("/")[2]
+    (told,) = findings("LCH001", node(exec=name), **{file: LAUNCH_FILE})
+    assert told.message == f"package 'robot' installs no executable '{name}': {file} is a launch file, and no program"
+    assert told.help == 'include it instead: <include file="…"/>'
+    in_python = LAUNCH_FILE.replace("[]", f"[Node(package='robot', executable='{name}')]")
+    (told,) = findings("LCH001", **{file: LAUNCH_FILE, "launch/all.launch.py": in_python})
+    assert told.help == "include it instead: IncludeLaunchDescription(…)"
+
+
+def test_a_program_of_the_name_that_is_no_launch_file_is_to_be_installed(findings):
+    (told,) = findings("LCH001", node(exec="view_robot.py"), **{"scripts/view_robot.py": TALKER})
+    assert told.help == "install scripts/view_robot.py in setup.py"

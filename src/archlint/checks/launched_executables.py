@@ -47,7 +47,7 @@ def unknown_executable(system: System, options: Options) -> Iterator[Finding]:
         unread = package is None or package.build_type not in ("ament_python", "ament_cmake")
         if unread or installs.open_executables or not installs.build_files or name in installs.mentioned:
             continue
-        hint, help = _instead(installs, name, system.workspace)
+        hint, help = _included(installs, started, name, system.workspace) or _instead(installs, name, system.workspace)
         if entry is not None:
             hint = ": CMake builds it, and its setup.py is not read"
             help = (
@@ -116,6 +116,22 @@ def _no_package(started: Started, name: str, right: str | None, verb: str) -> Fi
         group=(package, name),
         meant=right or "",
     )
+
+
+_INCLUDE = {".py": "IncludeLaunchDescription(…)", ".xml": '<include file="…"/>'}
+
+
+def _included(installs: Installs, started: Started, name: str, workspace: WorkspaceIndex) -> tuple[str, str] | None:
+    """What is said of a launch file of the package that is started as if it were a program."""
+    files = [
+        file
+        for file in workspace.launch_files.all()
+        if posixpath.basename(file) == name and workspace.package_of(file) == installs.package
+    ]
+    if len(files) != 1:
+        return None
+    include = _INCLUDE.get(posixpath.splitext(started.file)[1], "include:")
+    return f": {files[0]} is a launch file, and no program", f"include it instead: {include}"
 
 
 def _instead(installs: Installs, name: str, workspace: WorkspaceIndex) -> tuple[str, str]:
