@@ -599,3 +599,28 @@ def test_what_tests_import(lint: Lint, tags: list[str], needed: list[str]):
         "test/test_robot.py": "import launch_testing\nimport nav_msgs.msg\nimport rclpy\n",
     }
     assert missing(lint(files)) == needed
+
+
+@pytest.mark.parametrize(
+    ("change", "help"),
+    [
+        (str, "remove talk/launch/both.launch.py: it is a copy of this file"),
+        (
+            lambda text: f"{text}# For the arm alone.\n",
+            "move the launch files that use it into a package of their own",
+        ),
+    ],
+)
+def test_a_circle_that_a_copy_of_a_launch_file_closes(lint: Lint, change, help: str):
+    both = "".join(f"Node(package='{package}', executable='it'), " for package in ("arm", "talk"))
+    launch = (
+        "from launch import LaunchDescription\nfrom launch_ros.actions import Node\n"
+        f"def generate_launch_description():\n    return LaunchDescription([{both}])\n"
+    )
+    files = {
+        **{f"{name}/package.xml": manifest(name, *depends("launch", "launch_ros")) for name in ("arm", "talk")},
+        "arm/launch/both.launch.py": launch,
+        "talk/launch/both.launch.py": change(launch),
+    }
+    (found,) = lint(files, code="PKG003")
+    assert found.help.startswith(help)

@@ -9,6 +9,7 @@ from dataclasses import replace
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
+from archlint.analysis.copies import are_copies
 from archlint.checks.dependency_uses import Use, uses_by_package
 from archlint.checks.packages import workspace_of
 from archlint.checks.registry import Options, finding, rule
@@ -53,7 +54,7 @@ def circular_dependency(system: System, options: Options) -> Iterator[Finding]:
         steps = _from_undeclared(circle, needs, used)
         by_user.setdefault(steps[0][0], []).append(steps)
     for circles in by_user.values():
-        diagnostic = _undeclared(circles[0], needs) if len(circles) == 1 else _of_one_package(circles, needs)
+        diagnostic = _undeclared(workspace, circles[0], needs) if len(circles) == 1 else _of_one_package(circles, needs)
         yield replace(diagnostic, severity=Severity.WARNING)
 
 
@@ -102,16 +103,20 @@ def _from_undeclared(circle: list[str], needs: Needs, used: Needs) -> list[Step]
     return steps[at:] + steps[:at]
 
 
-def _undeclared(steps: list[Step], needs: Needs) -> Finding:
+def _undeclared(workspace: WorkspaceIndex, steps: list[Step], needs: Needs) -> Finding:
     """The finding for a circle that colcon does not see, since one package does not declare what it uses."""
     (package, other), *others = steps
     names = [package, *(end for _, end in steps)]
+    here = needs[package][other]
+    copies = [
+        place.file for start, end in others if are_copies(workspace, (place := needs[start][end]).file, here.file)
+    ]
     return finding(
         "PKG003",
-        needs[package][other],
+        here,
         f"packages depend on each other in a circle: {' → '.join(names)}; '{package}' uses '{other}' here without "
         "declaring it",
-        help=_cure(package, [needs[package][other]]),
+        help=f"remove {copies[0]}: it is a copy of this file" if copies else _cure(package, [here]),
         related=[Related(needs[start][end], f"'{start}' depends on '{end}' here") for start, end in others],
         identity=tuple(sorted(names[1:])),
     )
