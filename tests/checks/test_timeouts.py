@@ -273,6 +273,79 @@ def test_a_script_may_wait_for_what_it_needs(judge: Judge):
     assert in_constructor.severity is Severity.WARNING
 
 
+STARTS = """
+    import rclpy
+    from rclpy.node import Node
+    from std_msgs.msg import String
+    from std_srvs.srv import Trigger
+
+
+    class {name}(Node):
+        def __init__(self):
+            super().__init__('{name}')
+            self.create_subscription(String, 'words', self.on_word, 10)
+            self.far = self.create_client(Trigger, 'far')
+            {lines}
+
+        def on_word(self, msg):
+            self.far.call_async(Trigger.Request())
+
+        def answer(self, request, response):
+            return response
+
+
+    def main():
+        rclpy.init()
+        rclpy.spin({name}())
+
+
+    if __name__ == '__main__':
+        main()
+"""
+LOG, WAIT = "self.get_logger().info('waiting')", "self.far.wait_for_service()  # here"
+
+
+@pytest.mark.parametrize(
+    ("lines", "severity"),
+    [
+        ([LOG, WAIT], Severity.INFO),
+        ([LOG, "self.ready = False", WAIT], Severity.INFO),
+        ([f"{LOG[:-1]} if input() else None)", WAIT], Severity.INFO),
+        ([WAIT], Severity.WARNING),
+        ([WAIT, LOG], Severity.WARNING),
+        ([LOG, "self.create_timer(1.0, print)", WAIT], Severity.WARNING),
+        ([f"if input(): {LOG}", WAIT], Severity.WARNING),
+        ([LOG, WAIT, "self.create_service(Trigger, 'near', self.answer)"], Severity.WARNING),
+        ([LOG, "self.create_timer(1.0, lambda: self.far.wait_for_service())  # here"], Severity.WARNING),
+    ],
+    ids=[
+        "announced",
+        "with an assignment between",
+        "whatever the words",
+        "not announced",
+        "announced too late",
+        "said of something else",
+        "said now and then",
+        "a node that serves others",
+        "in a callback",
+    ],
+)
+def test_a_node_that_says_that_it_waits_before_it_starts(judge: Judge, lines: list[str], severity: Severity):
+    [found] = judge("TMO001", STARTS.format(name="Robot", lines="\n            ".join(lines)))
+    assert found.severity is severity
+
+
+def test_the_announced_waits_of_one_package_are_one_finding(judge: Judge, tmp_path):
+    (tmp_path / "package.xml").write_text(
+        "<package format='3'><name>robot</name><version>0.0.1</version><description>d</description>"
+        "<maintainer email='a@b.c'>a</maintainer><license>MIT</license></package>"
+    )
+    lines = f"{LOG}\n            {WAIT}"
+    first, second = (STARTS.format(name=name, lines=lines) for name in ("Robot", "Arm"))
+    [found] = judge("TMO001", first, second.replace("  # here", ""))
+    assert found.message.endswith("; another wait of the package 'robot' does the same")
+
+
 def test_a_method_that_nothing_calls_for_a_client_that_nothing_makes(judge: Judge):
     code = """
         import rclpy
@@ -744,7 +817,8 @@ def test_a_method_that_no_file_of_the_workspace_names_does_not_run(
     assert sorted(one.code for one in found) == expected
 
 
-@pytest.mark.parametrize(("line", "count"), [("# self.blink()", 0), ("self.blink()", 3)])
+# The loop of TMO004 comes after the wait of TMO001, and never repeats.
+@pytest.mark.parametrize(("line", "count"), [("# self.blink()", 0), ("self.blink()", 2)])
 def test_a_method_of_a_script_in_no_package_that_nothing_calls(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, line: str, count: int
 ):

@@ -8,9 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 from archlint.edit_sites import Sites
 from archlint.finding import Finding, Related
+
+if TYPE_CHECKING:
+    from archlint.systems.model import WorkspaceIndex
 
 
 @dataclass(frozen=True)
@@ -81,6 +85,23 @@ def of_one_class(findings: Sequence[Finding], noun: str, beside: str) -> Finding
     owner, functions = findings[0].group[1], {finding.identity[0] for finding in findings}
     inside = f"in {functions.pop()}()" if len(functions) == 1 else f"in the class {owner}"
     return with_others(findings, f"another {noun} {inside} does", f"more {noun}s {inside} do", "the same", beside)
+
+
+def of_one_package(findings: Sequence[Finding], noun: str, beside: str) -> Finding:
+    """The first finding of a package, or of a file in none, for all that do the same in it: ``group`` begins with what
+    :func:`package_around` gives."""
+    kind, name, *_ = findings[0].group
+    inside = f"of the package '{name}'" if kind == _PACKAGE else "in this file"
+    return with_others(findings, f"another {noun} {inside} does", f"more {noun}s {inside} do", "the same", beside)
+
+
+_PACKAGE = "package"
+
+
+def package_around(workspace: WorkspaceIndex | None, file: str) -> tuple[str, str]:
+    """What the findings of a package have in common, or those of a file in none."""
+    package = None if workspace is None else workspace.package_of(file)
+    return ("file", file) if package is None else (_PACKAGE, package)
 
 
 def class_around(function: str) -> str:

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from archlint.analysis.announced_waits import is_announced_start
 from archlint.analysis.asking_scripts import is_launched, is_step_of_asking_script
 from archlint.analysis.callback_roles import runs_in_executor
 from archlint.analysis.called_by_hand import is_driven_by_hand
@@ -19,7 +20,7 @@ from archlint.analysis.reach import (
     waits_for_ever,
 )
 from archlint.analysis.source_code import source_code
-from archlint.checks.folding import class_around, folds, of_one_class
+from archlint.checks.folding import class_around, folds, of_one_class, of_one_package, package_around
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.wait_words import (
@@ -98,7 +99,9 @@ def _limitless_wait(system: System, program: Program, call: ApiCall) -> Finding:
         node=node_name(system, call.node or call.context.node),
         identity=(call.function, name_of(call.creation), function),
     )
-    severity = Severity.INFO if _is_minor(system, program, call) else diagnostic.severity
+    announced = is_announced_start(system, call)
+    severity = Severity.INFO if announced or _is_minor(system, program, call) else diagnostic.severity
+    own = package_around(system.workspace, call.file) if announced else (call.file, class_around(call.function))
     # Whoever waits in a callback had better not wait at all.
     return replace(
         diagnostic,
@@ -106,13 +109,16 @@ def _limitless_wait(system: System, program: Program, call: ApiCall) -> Finding:
         if runs_in_executor(call.context)
         else sites_of_wait(system.workspace, call.place, "" if several else name_of(call.creation)),
         severity=severity,
-        group=(call.file, class_around(call.function), severity.label, cure, function),
+        group=(*own, severity.label, cure, "start" if announced else function),
     )
 
 
 @folds("TMO001")
 def of_one_owner(findings: Sequence[Finding]) -> Finding:
-    """The finding for all such waits of a class or function with which the same is to be done."""
+    """The finding for all such waits of a class or function with which the same is to be done; for all of a package
+    that a node announces as it starts."""
+    if findings[0].group[-1] == "start":
+        return of_one_package(findings, "wait", "it waits without a timeout here, too")
     return of_one_class(findings, "wait", "it waits without a timeout here, too")
 
 

@@ -14,7 +14,7 @@ from archlint.analysis.reach import calls_of, creations_of, has_limit, node_name
 from archlint.analysis.source_code import source_code
 from archlint.analysis.stuck import clients_of_handlers
 from archlint.analysis.wait_loops import LoopEnd, end_of, only_the_server_ends
-from archlint.checks.folding import folds, with_others
+from archlint.checks.folding import folds, of_one_package, package_around
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.wait_words import (
@@ -83,8 +83,7 @@ def _endless(system: System, calls: Sequence[ApiCall], end: LoopEnd) -> Finding:
     )
     if in_callback:
         return diagnostic
-    package = None if system.workspace is None else system.workspace.package_of(call.file)
-    return replace(diagnostic, severity=Severity.INFO, group=("package", package) if package else ("file", call.file))
+    return replace(diagnostic, severity=Severity.INFO, group=package_around(system.workspace, call.file))
 
 
 def _what_comes(system: System, calls: Sequence[ApiCall], end: LoopEnd) -> str:
@@ -113,8 +112,4 @@ def _help(call: ApiCall, ready: str) -> str:
 @folds("TMO004")
 def _of_one_package(findings: Sequence[Finding]) -> Finding:
     """The finding for all such loops with which the programs of a package start, or of a file in none."""
-    kind, name = findings[0].group
-    inside = f"of the package '{name}'" if kind == "package" else "in this file"
-    return with_others(
-        findings, f"another loop {inside} does", f"more loops {inside} do", "the same", "another such loop is here"
-    )
+    return of_one_package(findings, "loop", "another such loop is here")

@@ -1,0 +1,47 @@
+"""Waits at start-up of which the code first says that it waits."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from archlint.analysis.source_code import SourceCode, source_code
+from archlint.model import EntityKind, Role
+from archlint.syntax import facts
+from archlint.syntax.control_flow import graph_of
+from archlint.syntax.walk import called_name
+
+if TYPE_CHECKING:
+    from archlint.model import ApiCall
+    from archlint.systems.model import System
+
+_SAYS = frozenset({"info", "warn", "warning", "error", "print"})
+_SERVES = frozenset({EntityKind.SERVICE, EntityKind.ACTION_SERVER})
+
+
+def is_announced_start(system: System, call: ApiCall) -> bool:
+    """Whether a node that serves nobody starts with a wait of which the line before tells: whoever reads its log knows
+    what is missing, and nobody waits for the node but those who would get nothing from it yet."""
+    node = call.node or call.context.node
+    if node is None or call.context.role not in (Role.INIT, Role.MAIN, Role.MODULE):
+        return False
+    serves = any(creation.kind in _SERVES for creation in node.creations)
+    return not serves and _is_announced(source_code(system), call)
+
+
+def _is_announced(code: SourceCode, call: ApiCall) -> bool:
+    """Whether on every way to a call a line says something, and since then there are only assignments."""
+
+    def step(said: bool, fact: facts.Base) -> bool:
+        match fact:
+            case facts.Expression(value=facts.Call() as called):
+                return called_name(called) in _SAYS
+            case facts.Assign():
+                return said
+        return False
+
+    graph = graph_of(code.body(call))
+    waits, states = graph.evaluating(call.place.span), graph.states(False, step)
+    return bool(waits) and all(states.get(block) == frozenset({True}) for block in waits)
+
+
+__all__ = ["is_announced_start"]
