@@ -14,6 +14,7 @@ from archlint.render.page.model import PageContents, PageSystem
 from archlint.ros.qos import Qos
 from archlint.systems.model import System
 from render.lesson import READING, lesson
+from render.pictures import diagram
 from systems.builders import node, parameter, publisher, subscriber, system
 
 
@@ -98,6 +99,19 @@ def test_a_related_place_counts_too():
     [end] = [end for end in sensor.endpoints if end.name == "/sensor_data"]
     found = finding(at("else.py", 3), related=(Related(end.place, "published here"),))
     assert vertex(data_of(shown, found), "/sensor_data")["findings"] == [0]
+
+
+def test_a_finding_is_where_other_pictures_have_its_badge():
+    """One in the file of a node, below its class, names no node and is about nothing that is created."""
+    shown = lesson()
+    node = next(node for node in shown.nodes if node.name == "/motor_node")
+    assert node.blueprint is not None
+    told = finding(replace(node.blueprint.place, line=node.blueprint.place.line + 90))
+    badges = {shape.title for shape in diagram(shown, findings=[told]).shapes.values() if shape.badges}
+    data = data_of(shown, told)
+    assert badges == {"/motor_node"}
+    assert vertex(data, "/motor_node")["findings"] == [0]
+    assert data["systems"][0]["findings"] == []
 
 
 def test_a_finding_about_nothing_in_the_picture_is_listed_apart():

@@ -9,6 +9,7 @@ from archlint.finding import Severity
 from archlint.render.diagram.captions import captioned, pattern_words
 from archlint.render.diagram.choosing import chosen
 from archlint.render.diagram.crowded import THINNED, thinned
+from archlint.render.diagram.findings import attached
 from archlint.render.diagram.gathering import gathered, without_single_nodes
 from archlint.render.diagram.grouping import boxes_alone
 from archlint.render.diagram.large import OPENED, in_groups
@@ -54,7 +55,7 @@ def marked_whole(system: System, findings: Sequence[Finding]) -> Diagram:
     """All of a system with its marks; what is only informative has none."""
     graph = graph_of(system)
     shown = [finding for finding in findings if finding.severity > Severity.INFO]
-    return marked(parts_of(system, graph), system, graph, shown)
+    return marked(parts_of(system, graph), system, attached(graph, shown))
 
 
 __all__ = ["diagram_of", "marked_whole"]

@@ -6,7 +6,6 @@ from collections import Counter
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.render.diagram.findings import attached
 from archlint.render.diagram.model import Badge
 from archlint.render.look import counted
 from archlint.systems.graph import NODE, node_keys
@@ -17,9 +16,8 @@ from archlint.visible import visible
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping, Sequence
 
-    import networkx
-
     from archlint.finding import Finding
+    from archlint.render.diagram.findings import Attached
     from archlint.render.diagram.model import Diagram, Key, Line
     from archlint.systems.model import System
     from archlint.systems.pattern import Figures, Hub
@@ -32,9 +30,8 @@ _SHARE = 0.25
 """And the share of all other connected nodes."""
 
 
-def marked(diagram: Diagram, system: System, graph: networkx.MultiDiGraph, findings: Sequence[Finding]) -> Diagram:
+def marked(diagram: Diagram, system: System, at: Attached) -> Diagram:
     """The diagram with badges, hubs, single points of failure and circles of requests."""
-    at = attached(graph, findings)
     remarks = _remarks(diagram, system, at.shapes)
     circles = _circles(diagram.lines)
     shapes = {

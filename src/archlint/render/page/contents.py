@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from archlint.render import look
 from archlint.render.definitions import interfaces, launch_arguments
+from archlint.render.diagram.findings import attached
 from archlint.render.diagram.grouping import titles_of
 from archlint.render.diagram.marks import marked
 from archlint.render.diagram.parts import parts_of
@@ -55,11 +56,15 @@ def _system(shown: PageSystem, index: FindingIndex) -> dict[str, Any]:
     graph = graph_of(system)
     numbers = {key: number for number, key in enumerate(graph.nodes)}
     titles = look.groups(graph)
-    marks = marked(parts_of(system, graph), system, graph, index.here).shapes
+    badges = attached(graph, index.here)
+    marks = marked(parts_of(system, graph), system, badges).shapes
     vertices = [
         {**_vertex(data, index), **_marks(marks[key]), "group": titles.get(key, ""), "label": _label(data, marks[key])}
         for key, data in graph.nodes(data=True)
     ]
+    for key, findings in badges.shapes.items():
+        vertex = vertices[numbers[key]]
+        vertex["findings"] = sorted({*vertex.get("findings", ()), *index.of_badges(findings)})
     edges = _edges(graph, numbers, index)
     for edge in edges:
         interface = vertices[edge["head"] if vertices[edge["tail"]]["kind"] == NODE else edge["tail"]]

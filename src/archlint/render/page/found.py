@@ -1,4 +1,6 @@
-"""Which findings belong to what is drawn: to the node that they name, and to what their places create."""
+"""Which findings belong to what is drawn: those whose badge other pictures have there, those that name a node, and
+those about what a place creates.  A picture has a badge once; here each thing has all that is about it.
+"""
 
 from __future__ import annotations
 
@@ -23,6 +25,7 @@ class FindingIndex:
         self._of_node: dict[str, list[int]] = {}
         self._of_line: dict[tuple[str, int], list[int]] = {}
         self._shown: set[int] = set()
+        self._number_of = {id(finding): number for number, finding in enumerate(findings)}
         for number in self._here:
             finding = findings[number]
             if finding.node is not None:
@@ -43,6 +46,10 @@ class FindingIndex:
     def of_end(self, endpoint: Endpoint) -> list[int]:
         """Those about the line that creates an end."""
         return self._noted(self._at(endpoint.place))
+
+    def of_badges(self, findings: Iterable[Finding]) -> list[int]:
+        """Those whose badge a picture has at one thing."""
+        return self._noted(self._number_of[id(finding)] for finding in findings)
 
     def elsewhere(self) -> list[int]:
         """Those that belong to nothing that was asked for."""
