@@ -119,6 +119,45 @@ def test_a_path_without_the_response(run: Run, body: str, lines: list[int]):
     assert [one.place.line - first + 1 for one in found] == lines
 
 
+OTHERS = {
+    "at once": "return SetBool.Response(success=True)",
+    "by a variable": "answer = SetBool.Response()\nanswer.success = True\nreturn answer",
+}
+
+
+@pytest.mark.parametrize("body", OTHERS.values(), ids=OTHERS)
+def test_the_response_of_another_service(run: Run, body: str):
+    [told] = [one for one in run(handler(body)) if one.code == "SRV007"]
+    assert told.message == (
+        "the handler of the service 'start' returns a response of std_srvs/srv/SetBool here, which is not one of "
+        "std_srvs/srv/Trigger: rclpy raises a TypeError, and the caller never gets a response"
+    )
+    assert told.help == "return the response that the handler is given"
+
+
+RIGHT = {
+    "its own": "answer = Trigger.Response()\nreturn answer",
+    "its own, made of another's": "other = SetBool.Response()\nresponse.success = other.success\nreturn response",
+    "a variable that is set again": "answer = SetBool.Response()\nanswer = Trigger.Response()\nreturn answer",
+    "a variable of a loop": "answer = SetBool.Response()\nfor answer in self.answers:\n    pass\nreturn answer",
+    "a name that means something else here": "from robot import Trigger as SetBool\nreturn SetBool.Response()",
+    "a class that is not known": "return Unknown.Response()",
+}
+
+
+@pytest.mark.parametrize("body", RIGHT.values(), ids=RIGHT)
+def test_a_response_that_may_be_the_right_one(run: Run, body: str):
+    assert "SRV007" not in codes(run(handler(body)))
+
+
+def test_a_handler_of_several_services_may_know_which_one_asks(run: Run):
+    """It may tell them apart by the request."""
+    text = handler("if hasattr(request, 'data'):\n    return SetBool.Response()\nreturn response")
+    assert "SRV007" in codes(run(text))
+    enable = "self.create_service(SetBool, 'enable', self.handle)"
+    assert "SRV007" not in codes(run(text.replace(SERVICE, f"{SERVICE}        {enable}\n")))
+
+
 def test_a_lambda_gives_its_value(run: Run):
     create = "self.create_service(Trigger, 'a', lambda request, response: {})\n"
     assert codes(run(source(create.format("response"), "pass"))) == []

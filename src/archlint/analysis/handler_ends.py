@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
 from archlint.analysis.assumptions import Known, asked, proven, within
+from archlint.analysis.other_responses import other_response
 from archlint.analysis.raising_helpers import NeverReturns, never_returns
 from archlint.analysis.source_code import SourceCode, source_code
 from archlint.finding import Place
@@ -31,6 +32,8 @@ class HandlerEnd:
     """A ``return``, the end of the function, or the value of a lambda."""
     gives: str = ""
     """What is returned instead, in words."""
+    serves: str = ""
+    """The service whose response it should be, where it is that of another one."""
 
 
 def handlers_of(system: System, role: Role) -> Iterator[tuple[Callback, facts.Function]]:
@@ -89,7 +92,7 @@ def _ends_without_answer(system: System, role: Role) -> Iterator[HandlerEnd]:
     code = source_code(system)
     for callback, function in handlers_of(system, role):
         if not is_stub(function.body):
-            yield from _ends_of(code, callback, function, never_returns(system.workspace, callback.file, function))
+            yield from _ends_of(system, callback, function, never_returns(system.workspace, callback.file, function))
     for callback in _callbacks(system, role):
         written = code.function(callback)
         gives = _no_answer(written.body) if isinstance(written, facts.Lambda) else None
@@ -98,13 +101,15 @@ def _ends_without_answer(system: System, role: Role) -> Iterator[HandlerEnd]:
 
 
 def _ends_of(
-    code: SourceCode, callback: Callback, function: facts.Function, raises: NeverReturns
+    system: System, callback: Callback, function: facts.Function, raises: NeverReturns
 ) -> Iterator[HandlerEnd]:
-    ends = _ends_as_created(code, callback, function, raises)
+    ends = _ends_as_created(source_code(system), callback, function, raises)
     for end in {id(end): end for end, states in ends.returns if states - {None}}.values():
-        gives = _no_answer(end.value)
+        gives, place = _no_answer(end.value), Place.of(callback.file, end.span)
         if gives is not None:
-            yield HandlerEnd(callback, Place.of(callback.file, end.span), "return", gives)
+            yield HandlerEnd(callback, place, "return", gives)
+        elif other := other_response(system, callback, end.value):
+            yield HandlerEnd(callback, place, "return", f"a response of {other[0]}", serves=other[1])
     if ends.falls - {None}:
         yield HandlerEnd(callback, callback.place, "end")
 

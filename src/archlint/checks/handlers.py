@@ -22,13 +22,16 @@ def missing_response(system: System, options: Options) -> Iterator[Finding]:
 
 
 def _missing(system: System, end: HandlerEnd) -> Finding:
-    what = "can reach its end without a response" if end.how == "end" else f"{_returns(end)}, which is not a response"
+    needed = f"one of {end.serves}" if end.serves else "a response"
+    what = "can reach its end without a response" if end.how == "end" else f"{_returns(end)}, which is not {needed}"
     handler = f"the handler of {endpoint_words(end.callback.creation)}"
     return finding(
         "SRV007",
         end.place,
         f"{handler} {what}: rclpy raises a TypeError, and the caller never gets a response",
-        help="return the response on every path, also when something goes wrong",
+        help="return the response that the handler is given"
+        if end.serves
+        else "return the response on every path, also when something goes wrong",
         related=related_handler(end),
         node=node_name(system, end.callback.node),
         identity=(end.callback.name, end.how),
