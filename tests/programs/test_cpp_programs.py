@@ -149,6 +149,15 @@ def test_a_component_is_made_by_the_constructor_that_takes_the_options_alone() -
     assert (node["name"], ends(node)) == ("/left/camera", ["/left/camera/image"])
 
 
+def test_a_component_is_not_made_by_the_constructors_that_copy_or_move_it() -> None:
+    copied = "  explicit Talker(const Talker &) = default;\n  explicit Talker(Talker &&) = default;\n"
+    header = TALKER.replace("private:", copied + "private:")
+    sources = {"include/robot/talker.hpp": header, "src/talker.cpp": SOURCE}
+    cmake = CMAKE.format(more="add_executable(talker src/main.cpp)\ntarget_link_libraries(talker talker_component)")
+    made = graph({**sources, "src/main.cpp": MAIN, "CMakeLists.txt": cmake})["nodes"]
+    assert {node["name"] for node in made} == {"/talker"}
+
+
 UTILITIES = """
 #include "rclcpp_lifecycle/lifecycle_node.hpp"
 namespace nav2_util {

@@ -65,7 +65,8 @@ class FunctionLowering(StatementLowering):
             inner.append(function)
 
     def _defined(self, node: Node, owner: str | None, part: Part, name: str) -> facts.Function | None:
-        """A function with its body; None for one that is deleted, and for destructors and operators."""
+        """A function with its body; None for one that is deleted, for destructors and operators, and for constructors
+        that copy or move as the compiler has it: they make no node."""
         declarator, block = function_declarator(node), node.child_by_field_name("body")
         is_default = any(child.type == "default_method_clause" for child in node.named_children)
         if declarator is None or part.name.startswith(("~", "operator")) or (block is None and not is_default):
@@ -77,6 +78,8 @@ class FunctionLowering(StatementLowering):
         with self.names.function(FunctionScope(owner)) as scope:
             scope.variables.update(self._template_parameters)
             params = self.parameters(declarator)
+            if block is None and params:
+                return None
             body = self._initialised(node, owner, span) if owner is not None and part.name == owner else []
             body += [] if block is None else self.block(block.named_children)
         first = [facts.Param("self", "normal")] if owner is not None else []
