@@ -667,6 +667,32 @@ class TestIgnoredWaitResult:
     def test_looked_at(self, judge: Judge, line: str):
         judge("TMO005", script(line))
 
+    @pytest.mark.parametrize(
+        ("before", "after", "count"),
+        [
+            ("node.create_service(Trigger, 'near', serve)", "pass", 0),
+            ("node.create_service(Trigger, 'other', serve)", "pass", 1),
+            ("pass", "node.create_service(Trigger, 'near', serve)", 1),
+            ("if random() > 0.5:\n            node.create_service(Trigger, 'near', serve)", "pass", 1),
+        ],
+    )
+    def test_a_service_that_the_node_serves_itself(self, judge: Judge, before: str, after: str, count: int):
+        lines = (
+            "from random import random",
+            "serve = lambda request, response: response",
+            before,
+            "near = node.create_client(Trigger, 'near')",
+            f"near.wait_for_service(timeout_sec=1.0){'  # here' * count}",
+            after,
+        )
+        judge("TMO005", script("\n        ".join(lines)))
+
+    def test_all_waits_of_a_function_are_one_finding(self, judge: Judge):
+        waits = "client.wait_for_service(timeout_sec=1.0)  # here\n        action.wait_for_server(timeout_sec=1.0)"
+        [found] = judge("TMO005", script(waits))
+        assert found.message.endswith("; another wait in main() does the same")
+        assert [row.message for row in found.related[-1:]] == ["the result of this wait is ignored, too"]
+
     def test_a_later_question_about_the_same_client_counts(self, judge: Judge):
         judge(
             "TMO005",

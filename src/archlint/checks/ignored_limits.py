@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from itertools import takewhile
 from typing import TYPE_CHECKING
 
 from archlint.analysis.left_over import is_never_made
@@ -15,6 +16,7 @@ from archlint.analysis.reach import (
 )
 from archlint.analysis.source_code import source_code
 from archlint.analysis.unused_results import is_thrown_away
+from archlint.checks.folding import folds, of_one_function
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.wait_words import (
@@ -27,9 +29,10 @@ from archlint.checks.wait_words import (
     server_words,
 )
 from archlint.finding import Finding, Place
+from archlint.model import EntityKind
 
 if TYPE_CHECKING:
-    from archlint.model import ApiCall
+    from archlint.model import ApiCall, Creation
     from archlint.systems.model import System
 
 
@@ -44,7 +47,32 @@ def ignored_wait_result(system: System, options: Options) -> Iterator[Finding]:
         and not is_never_made(system.workspace, call)
         and has_limit(call, "timeout_sec")
         and asked.isdisjoint(creation.place for creation in creations_of(call.receiver))
+        and not _is_served_by_itself(call)
     )
+
+
+def _is_served_by_itself(call: ApiCall) -> bool:
+    """Whether the node of each client that is waited for has made the server itself, and before the client."""
+    clients = creations_of(call.receiver)
+    return bool(clients) and all(any(_serves(server, client) for server in _made_before(client)) for client in clients)
+
+
+def _made_before(client: Creation) -> Iterator[Creation]:
+    return takewhile(lambda creation: creation is not client, client.node.creations)
+
+
+def _serves(server: Creation, client: Creation) -> bool:
+    name = client.name
+    return (
+        server.kind is _SERVERS.get(client.kind)
+        and name.text is not None
+        and name.resolution == server.name.resolution == "exact"
+        and name.text == server.name.text
+        and not (server.conditional or server.branch_arms or server.destroyed)
+    )
+
+
+_SERVERS = {EntityKind.CLIENT: EntityKind.SERVICE, EntityKind.ACTION_CLIENT: EntityKind.ACTION_SERVER}
 
 
 def _clients_asked_for(system: System) -> set[Place]:
@@ -67,4 +95,11 @@ def _ignored(system: System, call: ApiCall) -> Finding:
         related=related_path(call, call.creation),
         node=node_name(system, call.node or call.context.node),
         identity=(call.function, name_of(call.creation), function),
+        group=(call.file, call.function),
     )
+
+
+@folds("TMO005")
+def _of_one_function(findings: Sequence[Finding]) -> Finding:
+    """One finding for all waits of a function."""
+    return of_one_function(findings, "wait", "the result of this wait is ignored, too")
