@@ -87,3 +87,57 @@ def test_the_configuration_names_one(judge: Judge):
 def test_what_fails_everywhere_needs_no_evidence(judge: Judge):
     [found] = judge("EXE006", LISTENER.replace("message, message_info", "message, info, more"))
     assert found.severity is Severity.ERROR
+
+
+SPINS_INSIDE = """
+    import rclpy
+    from rclpy.node import Node
+    from std_srvs.srv import Trigger
+
+
+    class Job(Node):
+        def __init__(self):
+            super().__init__('job')
+            self.other = rclpy.create_node('other')
+            self.client = self.other.create_client(Trigger, 'far')
+            self.create_service(Trigger, 'job', self.on_job)
+
+        def on_job(self, request, response):
+            future = self.client.call_async(Trigger.Request())
+            rclpy.spin_until_future_complete(self.other, future, timeout_sec=1.0)  # here
+            response.success = future.done()
+            return response
+
+
+    def main():
+        rclpy.init()
+        rclpy.spin(Job())
+
+
+    if __name__ == '__main__':
+        main()
+"""
+
+
+@pytest.mark.parametrize(
+    ("files", "severity", "fails"),
+    [
+        ({}, Severity.ERROR, True),
+        ({"setup.bash": "source /opt/ros/humble/setup.bash\n"}, Severity.WARNING, False),
+        ({"Dockerfile": "FROM ros:humble\n"}, Severity.WARNING, False),
+        ({"Dockerfile": "FROM ros:humble\n", WORKFLOW: "container: 'ros:jazzy'"}, Severity.ERROR, True),
+        ({"Dockerfile": "FROM ros:kilted\n"}, Severity.ERROR, True),
+        ({"setup.bash": "echo humble\n"}, Severity.ERROR, True),
+    ],
+)
+def test_a_handler_that_works_in_the_one_distribution_of_the_workspace(
+    judge: Judge, tmp_path: Path, files: dict[str, str], severity: Severity, fails: bool
+):
+    for name, text in files.items():
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(text)
+
+    [found] = judge("SRV003", SPINS_INSIDE)
+
+    assert found.severity is severity
+    assert ("Executor is already spinning" in found.message) is fails

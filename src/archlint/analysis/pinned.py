@@ -10,13 +10,13 @@ from archlint.analysis.kept import once
 from archlint.ros.distros import DISTROS
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterator, Sequence
 
     from archlint.systems.model import WorkspaceIndex
     from archlint.workspace.tree import Tree
 
 _COMPOSE = tuple(f"{name}.{end}" for name in ("docker-compose", "compose") for end in ("yml", "yaml"))
-PINNING_FILES = (".gitlab-ci.yml", "Dockerfile", "dockerfile", *_COMPOSE)
+PINNING_FILES = (".gitlab-ci.yml", "Dockerfile", "dockerfile", "setup.bash", "setup.sh", *_COMPOSE)
 PINNING_FOLDERS = (".github/workflows", ".devcontainer", "docker", "Docker", "DOCKER")
 _READ = re.compile(r"(?:^|/)(?:[^/]*\.ya?ml|[^/]*[Dd]ockerfile[^/]*|devcontainer\.json)$")
 _OTHERS = ("dashing", "eloquent", "foxy", "galactic", "iron", "noetic", "melodic")
@@ -28,9 +28,16 @@ _OF_ROS = re.compile(
 
 
 def named_distros(workspace: WorkspaceIndex | None) -> frozenset[str]:
-    """The distributions that the files of CI and containers at the top of a workspace name, none where they say nothing
-    certain; a README is no evidence, for nothing runs it."""
+    """The distributions that the files of CI and containers, or a setup script, at the top of a workspace name, none
+    where they say nothing certain; a README is no evidence, for nothing runs it."""
     return frozenset() if workspace is None else _named(workspace)
+
+
+def distros_to_judge(workspace: WorkspaceIndex | None, distros: Sequence[str]) -> tuple[str, ...]:
+    """Of several distributions the one that a workspace is plainly for; all of them where it says nothing, or more than
+    one."""
+    named = named_distros(workspace)
+    return tuple(named) if len(named) == 1 and named.issubset(distros) else tuple(distros)
 
 
 @once

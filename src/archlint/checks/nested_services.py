@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.blocking import ONE
 from archlint.analysis.callback_roles import runs_in_executor
 from archlint.analysis.deadlock import AWAIT, CALL, SPIN, Verdict, related_executor, threads_of
+from archlint.analysis.pinned import distros_to_judge
 from archlint.analysis.reach import (
     endpoint_words,
     node_name,
@@ -72,7 +73,7 @@ def nested_service_call(system: System, options: Options) -> Iterator[Finding]:
     """Waits that the handler of a service reaches: one finding a handler, and a place for the handler that is worst
     off."""
     judged: dict[Place, list[tuple[Wait, Verdict]]] = {}
-    for wait, verdict in nested_waits(system, options.distros):
+    for wait, verdict in nested_waits(system, distros_to_judge(system.workspace, options.distros)):
         judged.setdefault(wait.call.place, []).append((wait, verdict))
     handlers: dict[tuple[Place, str], list[_Row]] = {}
     for place in sorted(judged):
