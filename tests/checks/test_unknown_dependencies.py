@@ -91,3 +91,67 @@ def test_a_build_type_is_no_package(judge: Judge):
 def test_one_finding_for_a_package(judge: Judge):
     (one,) = judge("<depend>Eigen3</depend>", "<depend>nav_msg</depend>")
     assert [related.place.line for related in one.related] == [4]
+
+
+def of_packages(folder: Path, **tags: tuple[str, ...]) -> list[Finding]:
+    """What PKG008 says of packages with these names and dependencies."""
+    for name, lines in tags.items():
+        (folder / name).mkdir()
+        (folder / name / "package.xml").write_text(
+            "\n".join(
+                [
+                    '<package format="3">',
+                    f"<name>{name}</name>",
+                    *lines,
+                    "<export><build_type>ament_python</build_type></export></package>",
+                ]
+            ),
+            encoding="utf-8",
+        )
+    (folder / "archlint.toml").write_text('select = ["PKG008"]', encoding="utf-8")
+    return check(Request((".",), load(folder), cached=False, jobs=1)).findings
+
+
+BUILD_TYPE, EIGEN, YAML = (
+    "<buildtool_depend>ament_python</buildtool_depend>",
+    "<depend>Eigen3</depend>",
+    "<depend>yaml_cpp</depend>",
+)
+
+
+def test_one_finding_for_a_key_of_several_packages(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.chdir(tmp_path)
+    (told,) = of_packages(tmp_path, arm=(BUILD_TYPE,), base=(BUILD_TYPE,), camera=("", BUILD_TYPE))
+
+    assert told.message.endswith("it is a build type; 2 more package.xml files have it, too")
+    assert (told.place.file, told.place.line) == ("arm/package.xml", 3)
+    assert [(other.place.file, other.place.line) for other in told.related] == [
+        ("base/package.xml", 3),
+        ("camera/package.xml", 4),
+    ]
+
+
+def test_different_keys_of_several_packages_are_a_finding_each(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.chdir(tmp_path)
+    told = of_packages(tmp_path, arm=(BUILD_TYPE,), base=(EIGEN,), camera=(YAML,))
+
+    assert [one.place.file for one in told] == ["arm/package.xml", "base/package.xml", "camera/package.xml"]
+    assert all("more" not in one.message for one in told)
+
+
+def test_what_only_one_of_several_packages_has_stays_with_it(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.chdir(tmp_path)
+    several, own = of_packages(tmp_path, arm=(BUILD_TYPE, EIGEN, YAML), base=(BUILD_TYPE,))
+
+    assert several.message.endswith("it is a build type; another package.xml has it, too")
+    assert (own.place.file, own.place.line) == ("arm/package.xml", 4)
+    assert own.message.endswith("'eigen' was probably meant; another dependency of the file is unknown")
+
+
+def test_a_suppression_takes_its_package_out(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.chdir(tmp_path)
+    quiet = f"{BUILD_TYPE}  <!-- archlint: ignore[PKG008] our rosdep file has it -->"
+    (told,) = of_packages(tmp_path, arm=(quiet,), base=(BUILD_TYPE,), camera=(BUILD_TYPE,))
+
+    assert told.place.file == "base/package.xml"
+    assert told.message.endswith("another package.xml has it, too")

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_aside
@@ -28,6 +30,19 @@ def unknown_dependency(system: System, options: Options) -> Iterator[Finding]:
     workspace = workspace_of(system)
     if workspace is None:
         return
+    findings = list(_of_manifests(workspace, options))
+    times = Counter(_mistake(diagnostic) for diagnostic in findings)
+    for diagnostic in findings:
+        mistake = _mistake(diagnostic)
+        yield replace(diagnostic, group=mistake) if times[mistake] > 1 else diagnostic
+
+
+def _mistake(diagnostic: Finding) -> tuple[str, str]:
+    """What several manifests have in common that name the same unknown key: it, and what is to be done about it."""
+    return diagnostic.identity[1], diagnostic.help
+
+
+def _of_manifests(workspace: WorkspaceIndex, options: Options) -> Iterator[Finding]:
     there = packages.table().names | workspace.packages.keys()
     known = there.union(rosdep.keys(), options.external)
     for folder in sorted(workspace.manifests):
@@ -83,6 +98,9 @@ def _finding(package: Package, dependency: Dependency, meant: str, help: str) ->
 
 
 @folds("PKG008")
-def _of_one_manifest(findings: Sequence[Finding]) -> Finding:
-    """One finding for all unknown names of a package.xml."""
+def _of_one_cause(findings: Sequence[Finding]) -> Finding:
+    """One finding for all unknown names of a package.xml, or for one that several of these have."""
+    if len({diagnostic.place.file for diagnostic in findings}) > 1:
+        name = findings[0].identity[1]
+        return with_others(findings, "another package.xml has", "more package.xml files have", "it, too", f"'{name}'")
     return with_others(findings, "another dependency of the file is", "more dependencies of the file are", "unknown")
