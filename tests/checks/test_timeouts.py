@@ -818,6 +818,19 @@ MAIN = "def main():\n    rclpy.init()\n    rclpy.spin(Panel())\n\n\nif __name__ 
 
 
 @pytest.mark.parametrize(
+    ("line", "severity"),
+    [("pass", Severity.INFO), ("self.blink()", Severity.WARNING)],
+    ids=["nothing calls it", "it is called"],
+)
+def test_a_spin_in_a_method_of_a_program_that_nothing_calls(judge: Judge, tmp_path, line: str, severity: Severity):
+    (tmp_path / "package.xml").write_text("<package format='3'><name>panel</name><version>0.0.1</version></package>")
+    text = UNUSED.format(line=f"self.create_timer(1.0, print)\n        {line}", main=MAIN)
+    text = text.replace("Trigger.Request()))", "Trigger.Request()))  # here")
+    [spin] = judge("TMO003", text, "class Lamp:\n    def blink(self):\n        pass\n")
+    assert spin.severity is severity
+
+
+@pytest.mark.parametrize(
     ("line", "main", "other", "expected"),
     [
         pytest.param("pass", MAIN, "", [], id="nothing names it"),

@@ -25,6 +25,7 @@ from archlint.analysis.stuck import spoken_of
 from archlint.checks.folding import class_around, folds, of_one_class
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
+from archlint.checks.uncalled import uncalled_in_program
 from archlint.checks.wait_words import (
     is_at_its_default,
     name_of,
@@ -92,7 +93,8 @@ def _limitless_spin(system: System, program: Program, call: ApiCall, options: Op
         identity=(call.function, name_of(client), "spin_until_future_complete"),
         sites=sites_of_spin(system.workspace, call.place),
     )
-    minor = is_step_of_asking_script(system, program, call)
+    uncalled = call.context.role == Role.METHOD and uncalled_in_program(system, call.place) is not None
+    minor = uncalled or is_step_of_asking_script(system, program, call)
     severity = Severity.INFO if minor else diagnostic.severity
     group = (call.file, class_around(call.function), severity.label, str(is_at_its_default(call)))
     return replace(diagnostic, severity=severity, group=group)

@@ -10,15 +10,14 @@ from archlint.analysis.uncalled_methods import uncalled_method
 from archlint.finding import Severity
 
 if TYPE_CHECKING:
-    from archlint.finding import Finding
+    from archlint.finding import Finding, Place
     from archlint.systems.model import System
 
 
 def mild_if_uncalled(system: System, diagnostic: Finding) -> Finding:
     """The same finding; as information where the file is a program and nothing calls that method, or only such methods
     do, with the advice to delete one that nothing calls.  What a library offers is for others to call."""
-    is_program = any(program.executable and program.file == diagnostic.place.file for program in system.programs)
-    name = uncalled_method(system.workspace, diagnostic.place) if is_program else None
+    name = uncalled_in_program(system, diagnostic.place)
     if name is None or system.workspace is None:
         return diagnostic
     mild = replace(diagnostic, severity=Severity.INFO)
@@ -27,4 +26,10 @@ def mild_if_uncalled(system: System, diagnostic: Finding) -> Finding:
     return replace(mild, help=f"delete {name}(), which nothing calls")
 
 
-__all__ = ["mild_if_uncalled"]
+def uncalled_in_program(system: System, place: Place) -> str | None:
+    """The name of the method of a program that holds a place, where nothing calls it but methods of that kind."""
+    is_program = any(program.executable and program.file == place.file for program in system.programs)
+    return uncalled_method(system.workspace, place) if is_program else None
+
+
+__all__ = ["mild_if_uncalled", "uncalled_in_program"]
