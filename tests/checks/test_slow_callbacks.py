@@ -166,6 +166,36 @@ def test_a_timer_that_has_ended_itself_has_no_next_turn(run: Run, first: str, ex
     assert "EXE003" in codes(run(source(create + beside, START.format(first=first))))
 
 
+@pytest.mark.parametrize(
+    ("body", "severity"),
+    [
+        ("time.sleep(2.0)\n    self.timer.cancel()", Severity.INFO),
+        ("if self.count_publishers('a'):\n        time.sleep(2.0)\n        self.timer.cancel()", Severity.INFO),
+        ("time.sleep(2.0)\n    self.finish()", Severity.INFO),
+        ("time.sleep(2.0)", Severity.WARNING),
+        ("time.sleep(2.0)\n    if self.count_publishers('a'): self.timer.cancel()", Severity.WARNING),
+        ("time.sleep(2.0)\n    self.other.cancel()", Severity.WARNING),
+    ],
+    ids=[
+        "cancelled after",
+        "in the same branch",
+        "in a method",
+        "again and again",
+        "perhaps cancelled",
+        "another timer",
+    ],
+)
+def test_a_timer_that_sleeps_and_ends_itself_sleeps_once(run: Run, body: str, severity: Severity):
+    create = (
+        "self.create_subscription(Empty, 'beside', print, 10)\nself.timer = self.create_timer(0.5, self.tick)\n"
+        "self.other = self.create_timer(9.0, print)\n"
+    )
+    finish = "\ndef finish(self):\n    self.timer.cancel()\n"
+    [sleep] = [row for row in run(source(create, timer(body) + finish)) if row.code == "EXE003"]
+    assert sleep.severity is severity
+    assert ("longer than its period" in sleep.message) is (severity is Severity.WARNING)
+
+
 PATROL = """
 def begin(self):
     {first}

@@ -29,6 +29,27 @@ def always_comes_before(code: SourceCode, first: ApiCall, later: ApiCall) -> boo
     return all(any(_comes_before(code, path, other) for path in paths_to(first)) for other in paths_to(later))
 
 
+def always_comes_after(code: SourceCode, last: ApiCall, earlier: ApiCall) -> bool:
+    """Whether a callback that has come to a call goes on to another one, be that in a function which it then calls,
+    unless something raises."""
+    return all(any(_comes_after(code, path, other) for path in paths_to(last)) for other in paths_to(earlier))
+
+
+def _comes_after(code: SourceCode, last: _Path, earlier: _Path) -> bool:
+    shared = 0
+    while last[shared] == earlier[shared]:
+        shared += 1
+        if shared == min(len(last), len(earlier)):
+            return False
+    here, *inside = last[shared:]
+    if here.file != earlier[shared].file:
+        return False
+    graph = graph_of(code.body_at(here))
+    before, after = graph.evaluating(earlier[shared].span), graph.evaluating(here.span)
+    follows = all(block not in after and graph.post_dominates(after, block, without_exceptions) for block in before)
+    return bool(before and after) and follows and all(_always_runs(code, place) for place in inside)
+
+
 def _comes_before(code: SourceCode, first: _Path, later: _Path) -> bool:
     shared = 0
     while first[shared] == later[shared]:
@@ -80,4 +101,4 @@ def _true_calls(test: facts.Expr, holds: bool) -> Iterator[facts.Call]:
             yield test
 
 
-__all__ = ["always_comes_before", "certainly_true", "paths_to"]
+__all__ = ["always_comes_after", "always_comes_before", "certainly_true", "paths_to"]

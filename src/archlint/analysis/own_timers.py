@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
-from archlint.analysis.order import always_comes_before
+from archlint.analysis.order import always_comes_after, always_comes_before
 from archlint.analysis.reach import calls_of, creations_of
 from archlint.analysis.source_code import source_code
 from archlint.model import Role
@@ -22,13 +22,22 @@ ENDS_TIMER = ("rclpy.timer.Timer.cancel", "rclpy.node.Node.destroy_timer")
 
 def ends_its_timer_before(system: System, call: ApiCall) -> bool:
     """Whether a timer's callback has ended the timer by the time it comes to a call: there is no next turn."""
-    if call.context.role != Role.TIMER or call.context.creation is None:
-        return False
     code = source_code(system)
-    return any(
-        end.context is call.context and _ends(end, call) and always_comes_before(code, end, call)
-        for end in _ends_by_callback(system).get(call.context.place, ())
-    )
+    return any(always_comes_before(code, end, call) for end in _ends_of_timer(system, call))
+
+
+def ends_its_timer_after(system: System, call: ApiCall) -> bool:
+    """Whether a timer's callback that has come to a call ends the timer: it comes there once."""
+    code = source_code(system)
+    return any(always_comes_after(code, end, call) for end in _ends_of_timer(system, call))
+
+
+def _ends_of_timer(system: System, call: ApiCall) -> list[ApiCall]:
+    """The calls with which the timer's callback that comes to a call ends the timer."""
+    if call.context.role != Role.TIMER or call.context.creation is None:
+        return []
+    ends = _ends_by_callback(system).get(call.context.place, ())
+    return [end for end in ends if end.context is call.context and _ends(end, call)]
 
 
 def _ends(end: ApiCall, call: ApiCall) -> bool:
@@ -64,4 +73,4 @@ def _ends_by_callback(system: System) -> dict[Place, list[ApiCall]]:
     return by_callback
 
 
-__all__ = ["ENDS_TIMER", "ends_its_timer_before", "timer_period"]
+__all__ = ["ENDS_TIMER", "ends_its_timer_after", "ends_its_timer_before", "timer_period"]

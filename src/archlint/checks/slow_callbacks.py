@@ -15,7 +15,7 @@ from archlint.analysis.deadlock import threads_of
 from archlint.analysis.kept import once
 from archlint.analysis.kept_waiting import Waiting, blocks_nobody, is_one_chain, who_waits
 from archlint.analysis.loop_times import around_future, in_loops
-from archlint.analysis.own_timers import ends_its_timer_before
+from archlint.analysis.own_timers import ends_its_timer_after, ends_its_timer_before
 from archlint.analysis.present_servers import is_there
 from archlint.analysis.processes import ends_the_machine, ends_with_the_node, is_signalled_to_end, is_soon_over
 from archlint.analysis.reach import argument, creations_of, judged_calls, one_for_each_place
@@ -168,9 +168,10 @@ def _trifle(call: ApiCall) -> bool:
 
 
 def _period(system: System, call: ApiCall) -> float | None:
-    """The seconds after which a callback runs again; None where nobody knows, or where it has ended its own timer."""
+    """The seconds after which a callback runs again; None where nobody knows, or where it ends its own timer."""
     creation = call.context.creation
-    return None if creation is None or ends_its_timer_before(system, call) else creation.period
+    ended = ends_its_timer_before(system, call) or ends_its_timer_after(system, call)
+    return None if creation is None or ended else creation.period
 
 
 @once
@@ -204,6 +205,7 @@ def _slow(system: System, rows: Sequence[_Row]) -> Finding:
     elsewhere = _where_harmless(system)
     mild = all(row[1].place in elsewhere for row in rows)
     mild = mild or Waiting.OTHERS not in waiting or all(_is_minor(row[1], row[2]) for row in rows)
+    mild = mild or all(row[2].kind == "sleep" and ends_its_timer_after(system, row[1]) for row in rows)
     meanwhile = _meanwhile(callback, program)
     if waiting == {Waiting.NOBODY}:
         meanwhile = f"the node has no other callback, but its next {_ITS_NEXT[callback.role]} has to wait"
