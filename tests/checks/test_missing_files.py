@@ -481,3 +481,22 @@ def test_a_file_that_a_pattern_of_a_setup_py_matches_or_not(findings, listed, fi
     setup = f"from elsewhere import DEEP\n{setup}"
     inner = '<node pkg="rviz2" exec="rviz2" args="-d $(find-pkg-share robot)/rviz/it.rviz"/>'
     assert len(findings("LCH004", inner, **{"setup.py": setup, file: "", "rviz/other.yaml": ""})) == count
+
+
+@pytest.mark.parametrize(
+    ("path", "help"),
+    [
+        ("../arm/launch/arm.launch.xml", "start at the share folder of 'arm', which lies beside this one in a merged"),
+        ("config/../launch/deep/it.launch.xml", "install robot/launch/deep/it.launch.xml"),
+    ],
+)
+def test_a_file_of_another_package_beside_this_one(tmp_path, monkeypatch, path, help):
+    monkeypatch.chdir(tmp_path)
+    include = f'<launch><include file="$(find-pkg-share robot)/{path}"/></launch>'
+    for name in ("robot", "arm"):
+        files = {"package.xml": manifest(name), "setup.py": SETUP.replace("robot", name)}
+        files |= {f"resource/{name}": "", "launch/it.launch.xml": include if name == "robot" else "<launch/>"}
+        write_files(tmp_path / name, {**files, f"{name}/__init__.py": "", "launch/deep/it.launch.xml": "<launch/>"})
+    write_files(tmp_path, {"arm/launch/arm.launch.xml": "<launch/>", "archlint.toml": 'select = ["LCH004"]'})
+    (told,) = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+    assert told.help.startswith(help)

@@ -65,7 +65,12 @@ def missing_launch_file(system: System, options: Options) -> Iterator[Finding]:
             help = f"check the path; it is relative to the {start}"
         else:
             message = f"package '{reference.package}' does not install the {what} '{shown}'"
-            help = f"install {reference.source} (data_files in setup.py, install(DIRECTORY …) in CMake)"
+            aside = _package_beside(system, written or "")
+            help = (
+                f"start at the share folder of '{aside}', which lies beside this one in a merged install alone"
+                if aside
+                else f"install {reference.source} (data_files in setup.py, install(DIRECTORY …) in CMake)"
+            )
         uses_of_it = [use for use in (reference, *others) if use.kind != FileKind.ARGUMENT]
         read = dict.fromkeys(use.place for use in uses_of_it if use.place != place)
         yield finding(
@@ -77,6 +82,13 @@ def missing_launch_file(system: System, options: Options) -> Iterator[Finding]:
             identity=(reference.package or "", written or ""),
             group=(reference.status, reference.package or "", _cause(system, reference, shown)),
         )
+
+
+def _package_beside(system: System, written: str) -> str:
+    """The package of the workspace to which a path leads out of the share folder of another one; empty for none."""
+    leads_out, name, *_ = (*posixpath.normpath(_below_package(written)).split("/"), "")
+    known = system.workspace is not None and name in system.workspace.packages
+    return name if leads_out == ".." and known and written.startswith("$(find-pkg-share ") else ""
 
 
 def _relative_paths(system: System) -> Iterator[Finding]:
