@@ -269,7 +269,7 @@ def test_a_node_without_a_known_name_may_be_the_one_that_runs(open_folder):
 
 STARTS = {
     "a process": "<executable cmd='gz sim'/>",
-    "a node of another package": "<node pkg='rviz2' exec='rviz2'/>",
+    "a node of another package": "<node pkg='camera_driver' exec='camera'/>",
     "an included file": "<include file='$(find-pkg-share nav2_bringup)/launch/all.launch.py'/>",
 }
 

@@ -121,8 +121,9 @@ PURE = {
     "checks/registry.py": {"_defined"},
     "engine/own_code.py": {"own_code"},
     "engine/remote.py": {"identity"},
-    "libraries/api_signatures.py": {"_table", "refusing_distros"},
+    "libraries/api_signatures.py": {"_table"},
     "libraries/module_names.py": {"_table"},
+    "ros/external_nodes.py": {"well_known"},
     "ros/packages.py": {"table"},
     "ros/rosdep.py": {"keys"},
     "ros/standard_interfaces.py": {"table"},
@@ -132,9 +133,9 @@ PURE = {
     "syntax/fields_with_facts.py": {"fields_with_facts"},
 }
 """What is kept for the process, since it follows from archlint's own files alone."""
-PURE_KEYS = re.compile(r"str|int|tuple\[str, \.\.\.\]|frozenset\[str\]|Itself\[.*\]")
-"""Of these alone may anything else that is kept for the process be made: texts, numbers, and pieces of source, each
-known by its identity.  What a function says of them is the same in every workspace."""
+PURE_KEYS = re.compile(r"str|int|bool|tuple\[str, \.\.\.\]|frozenset\[str\]|Itself\[.*\]")
+"""Of these alone may anything else that is kept for the process be made: texts, numbers, truth, and pieces of source,
+each known by its identity.  What a function says of them is the same in every workspace."""
 
 
 def sources(words: str = "") -> Iterator[tuple[str, ast.Module]]:

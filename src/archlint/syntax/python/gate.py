@@ -215,11 +215,11 @@ def has_too_many_tokens(text: str) -> bool:
 
 def inspect(text: str) -> Refusal | None:
     """Whether libcst can be trusted with a text; None where it can."""
-    if has_too_many_tokens(text):
-        return Refusal(1, 1, f"the file is too large to analyse: more than {MAX_TOKENS:,} words, numbers and signs")
     chain = longest_chain(text)
     if chain is not None:
         return Refusal(chain[1], 1, f"too many {chain[0]} in one expression to analyse (more than {MAX_CHAIN})")
+    if has_too_many_tokens(text):
+        return Refusal(1, 1, f"the file is too large to analyse: more than {MAX_TOKENS:,} words, numbers and signs")
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
