@@ -4,24 +4,13 @@ from __future__ import annotations
 
 import pytest
 
-from checks.callbacks import Run, source
+from checks.callbacks import ON_SEVERAL_THREADS, Run, source
 
 GROUPS = "self.create_timer(5.0, self.tick, callback_group=MutuallyExclusiveCallbackGroup())\n"
 THREE = "self.parts = [self.create_client(Trigger, name) for name in ('arm', 'base', 'head')]\n"
-THREADS = """
-def main():
-    rclpy.init()
-    executor = MultiThreadedExecutor()
-    executor.add_node(Robot())
-    executor.spin()
 
 
-if __name__ == '__main__':
-    main()
-"""
-
-
-def sequences(run: Run, setup: str, body: str, main: str = THREADS) -> list[str]:
+def sequences(run: Run, setup: str, body: str, main: str = ON_SEVERAL_THREADS) -> list[str]:
     method = "def tick(self):\n" + "".join(f"    {line}\n" for line in body.strip("\n").splitlines())
     found = run(source(GROUPS + setup, method, main))
     return [finding.message.partition(" waits for ")[2] for finding in found if finding.code == "SRV005"]
