@@ -57,6 +57,68 @@ def test_variables_loops_and_functions(text: str, names: list[str]):
     assert [texts[0] for texts in calls(run(text))] == names
 
 
+OF_EACH = """
+    foreach(name talker listener)
+      if({test})
+        set(source src/talk/${{name}}.cpp)
+      {other}
+        set(source src/${{name}}.cpp)
+      endif()
+      add_executable(${{name}} ${{source}})
+    endforeach()
+"""
+
+
+@pytest.mark.parametrize(
+    "test", ['${name} STREQUAL "talker"', '"${name}" STREQUAL talker', "NOT ${name} STREQUAL listener"]
+)
+@pytest.mark.parametrize("other", ["else()", 'elseif(${name} STREQUAL "listener")'])
+def test_a_branch_that_compares_the_value_of_a_loop_runs_for_this_value_alone(test: str, other: str):
+    made = calls(run(OF_EACH.format(test=test, other=other)))
+    assert made == [["talker", "src/talk/talker.cpp"], ["listener", "src/listener.cpp"]]
+
+
+@pytest.mark.parametrize("test", ["WITH_TALK", '${CMAKE_BUILD_TYPE} STREQUAL "Debug"', "${name} MATCHES talk"])
+def test_both_branches_of_any_other_condition_run(test: str):
+    made = calls(run(OF_EACH.format(test=test, other="else()")))
+    assert made == [["talker", "${source}"], ["listener", "${source}"]]
+
+
+def test_a_branch_that_compares_what_a_call_is_given():
+    text = """
+        function(make name kind)
+          if(kind STREQUAL "node")
+            add_executable(unsure_${name})
+          endif()
+          if("${kind}" STREQUAL "node")
+            add_executable(${name})
+          else()
+            add_library(${name})
+          endif()
+        endfunction()
+        make(talker node)
+        make(drivers library)
+    """
+    made = run(text)
+    assert calls(made) == [["unsure_talker"], ["talker"], ["unsure_drivers"]]
+    assert calls(made, "add_library") == [["drivers"]]
+
+
+def test_what_a_build_may_be_configured_with_decides_no_branch():
+    text = """
+        set(BACKEND a CACHE STRING "which driver")
+        function(make name)
+          if("${name}" STREQUAL "a")
+            add_executable(of_a)
+          else()
+            add_executable(of_others)
+          endif()
+        endfunction()
+        make(${BACKEND})
+    """
+    assert calls(run(text)) == [["of_a"], ["of_others"]]
+
+
 def test_other_files_run_in_their_own_folder():
     done = run(
         """

@@ -1,7 +1,7 @@
 """What a CMakeLists.txt comes to: its commands with variables replaced, loops unrolled, other files followed.
 
-Nothing is configured, and conditions are not evaluated: of an ``if`` every branch counts.  A path of the source tree
-is written ``//`` and the shown path, so that it means the same in each folder.
+Nothing is configured: of an ``if`` every branch counts, but where it compares the value of a loop or a call.  A path of
+the source tree is written ``//`` and the shown path, so that it means the same in each folder.
 """
 
 from __future__ import annotations
@@ -10,9 +10,10 @@ import fnmatch
 import posixpath
 import re
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from archlint.workspace.cmake import Argument, Command, parse_cmake
+from archlint.workspace.cmake_branches import Branches
 from archlint.workspace.cmake_values import changed_list, list_mode, numbers, path_component
 
 SOURCE = "//"
@@ -34,7 +35,8 @@ _MODULE_PATH = "CMAKE_MODULE_PATH"
 _WORD = re.compile(r"[\w.-]+")
 _VARIABLE = re.compile(r"\$\{([\w.+/-]+)\}")
 _BLOCKS = {"foreach": "endforeach", "while": "endwhile", "macro": "endmacro", "function": "endfunction"}
-_NO_EFFECT = frozenset({"if", "else", "elseif", "endif", "return", "break", "continue", *_BLOCKS.values()})
+_BRANCHES = frozenset({"if", "else", "elseif", "endif"})
+_NO_EFFECT = frozenset({*_BRANCHES, "return", "break", "continue", *_BLOCKS.values()})
 _OUTPUT = frozenset(
     {"string", "math", "execute_process", "file", "list", "cmake_path", "separate_arguments"}
     | {"get_filename_component", "get_property", "get_target_property", "get_directory_property"}
@@ -51,7 +53,7 @@ class Step:
     file: str
     folder: str
     conditional: bool = False
-    """Whether it is inside an ``if``."""
+    """Whether it is inside an ``if`` that may or may not hold."""
     of_tests: bool = False
     """Whether all that are around it are ``if(BUILD_TESTING)``, which holds unless somebody asks for no tests."""
 
@@ -80,9 +82,11 @@ class _Scope:
     variables: dict[str, list[str] | None]
     folder: str
     around: _Scope | None = None
+    given: set[str] = field(default_factory=set)
+    """The variables of loops and calls: no configuration gives these another value."""
 
     def inner(self, folder: str | None = None) -> _Scope:
-        return _Scope(dict(self.variables), self.folder if folder is None else folder, self)
+        return _Scope(dict(self.variables), self.folder if folder is None else folder, self, set(self.given))
 
 
 class CMakeRun:
@@ -94,8 +98,7 @@ class CMakeRun:
         self._list_files = list_files
         self._functions: dict[str, tuple[list[str], list[Command], str, bool]] = {}
         self._left = STEPS
-        self._conditions: list[str] = []
-        """The conditions of the ``if`` blocks around the command that runs; empty for what is behind an ``else``."""
+        self._branches = Branches()
         self.steps: list[Step] = []
         self.files: list[str] = []
         """The files that were read."""
@@ -126,26 +129,20 @@ class CMakeRun:
         self._block(commands, path, scope, depth)
         return True
 
-    def _enter(self, command: Command) -> None:
-        """Keep book of the ``if`` blocks."""
-        if command.name == "if":
-            self._conditions.append(" ".join(command.texts))
-        elif command.name in ("else", "elseif") and self._conditions:
-            self._conditions[-1] = ""
-        elif command.name == "endif" and self._conditions:
-            self._conditions.pop()
-
     def _block(self, commands: Sequence[Command], file: str, scope: _Scope, depth: int) -> None:
         at = 0
         while at < len(commands):
             command = commands[at]
             end = _end(commands, at)
-            self._enter(command)
+            if command.name in _BRANCHES:
+                self._branches.enter(command, _expanded(command, scope), scope.variables, scope.given)
             self._left -= 1
             if self._left < 0 or depth > _DEPTH:
                 self.open = True
                 return
-            if command.name == "foreach":
+            if self._branches.left_out:
+                pass
+            elif command.name == "foreach":
                 self._loop(command, commands[at + 1 : end], file, scope, depth)
             elif command.name in ("macro", "function"):
                 self._define(command, commands[at + 1 : end], file)
@@ -163,6 +160,7 @@ class CMakeRun:
         values = _loop_values(words, scope)
         for value in [None] if values is None else values:
             scope.variables[words[0].text] = None if value is None else [value]
+            scope.given.add(words[0].text)
             self._block(body, file, scope, depth + 1)
 
     def _define(self, command: Command, body: Sequence[Command], file: str) -> None:
@@ -177,11 +175,15 @@ class CMakeRun:
         known |= {"ARGN": values[len(parameters) :], "ARGV": values, "ARGC": [str(len(values))]}
         known |= {f"ARGV{number}": [value] for number, value in enumerate(values)}
         inner = scope.inner() if own_scope else scope
-        before = {name: scope.variables.get(name) for name in known}
+        before, given = {name: scope.variables.get(name) for name in known}, set(scope.given)
         inner.variables.update(known)
+        inner.given -= known.keys()
+        # A variable that is passed on may have another value when somebody configures the build.
+        inner.given |= {n for n, written in zip(parameters, command.texts, strict=False) if "$" not in written}
         self._block(body, file, inner, depth + 1)
         if not own_scope:
             scope.variables.update(before)
+            scope.given = given
 
     # --------------------------------------------------------------------------------------------- commands
 
@@ -191,7 +193,7 @@ class CMakeRun:
         arguments = _expanded(command, scope)
         texts = [argument.text for argument in arguments]
         ran = Command(command.name, tuple(arguments), command.line, command.column)
-        step = Step(ran, file, scope.folder, bool(self._conditions), set(self._conditions) == {"BUILD_TESTING"})
+        step = Step(ran, file, scope.folder, self._branches.conditional, self._branches.of_tests)
         if command.name in self._functions:
             self._call(command, arguments, scope, depth)
         elif command.name == "add_subdirectory" and texts:
@@ -235,9 +237,9 @@ class CMakeRun:
             scope.variables["PROJECT_SOURCE_DIR"] = [SOURCE + scope.folder]
             scope.variables.setdefault("CMAKE_PROJECT_NAME", [texts[0]])
         elif name == "set" and texts:
-            _set_command(texts, scope, bool(self._conditions))
+            _set_command(texts, scope, self._branches.conditional)
         elif name == "list" and len(texts) > 1 and (mode := list_mode(texts[0])) is not None:
-            scope.variables[texts[1]] = changed_list(mode, scope.variables.get(texts[1], []), texts[2:])
+            _set(scope, texts[1], changed_list(mode, scope.variables.get(texts[1], []), texts[2:]))
         elif name in _OUTPUT:
             result = self._result(step, texts)
             if result is None:
@@ -325,6 +327,7 @@ def _value(variable: re.Match[str], scope: _Scope) -> str:
 
 
 def _set(scope: _Scope, name: str, value: list[str] | None) -> None:
+    scope.given.discard(name)
     small = value is not None and len(value) <= _VALUES and sum(map(len, value)) <= _CHARACTERS
     scope.variables[name] = value if small else None
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import fnmatch
 import posixpath
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -131,7 +131,11 @@ class Installs:
     """True where no command of the build can generate interfaces."""
 
     def add(self, executable: Executable) -> None:
-        self.executables.setdefault(executable.name, executable)
+        """Add an executable.  One that is there counts, but for the sources that only one of several branches has."""
+        known = self.executables.setdefault(executable.name, executable)
+        if known.sources != executable.sources and known.sources and executable.sources:
+            shared = tuple(source for source in known.sources if source in executable.sources)
+            self.executables[known.name] = replace(known, sources=shared)
 
     def may_install(self, file: str) -> bool:
         """Whether a CMake command that is not known here is given a file, by its path below the package's folder, or a
