@@ -155,3 +155,37 @@ def test_a_suppression_takes_its_package_out(tmp_path: Path, monkeypatch: pytest
 
     assert told.place.file == "base/package.xml"
     assert told.message.endswith("another package.xml has it, too")
+
+
+AUTO = """
+project(robot)
+find_package(ament_cmake_auto REQUIRED)
+ament_auto_find_build_dependencies()
+{more}
+ament_auto_package()
+"""
+
+
+def help_for(judge: Judge, tag: str, cmake: str) -> str:
+    (finding,) = judge(tag, build="ament_cmake", **{"CMakeLists.txt": cmake})
+    return finding.help
+
+
+def test_a_name_that_cmake_takes_from_package_xml_is_still_to_be_found(judge: Judge):
+    told = help_for(judge, "<depend>Eigen3</depend>", AUTO.format(more=""))
+    assert told == (
+        "write 'eigen' instead, and add find_package(Eigen3 REQUIRED) to CMakeLists.txt, which takes its packages from "
+        "here"
+    )
+
+
+@pytest.mark.parametrize(
+    ("tag", "cmake"),
+    [
+        ("<depend>Eigen3</depend>", "project(robot)\nfind_package(ament_cmake REQUIRED)\nament_package()\n"),
+        ("<depend>Eigen3</depend>", AUTO.format(more="find_package(Eigen3 REQUIRED)")),
+        ("<exec_depend>Eigen3</exec_depend>", AUTO.format(more="")),  # not looked for
+    ],
+)
+def test_a_name_that_cmake_does_not_take_from_package_xml(judge: Judge, tag: str, cmake: str):
+    assert help_for(judge, tag, cmake) == "write 'eigen' instead"

@@ -64,7 +64,22 @@ def _unknown(
         return
     meant = rosdep.meant_by(name, there, is_python=_is_of_python(workspace, package, name))
     if meant is not None:
-        yield _finding(package, dependency, meant, f"write '{meant}' instead")
+        own = f", and add find_package({name} REQUIRED) to CMakeLists.txt, which takes its packages from here"
+        needed = _is_found_by_name(workspace, package, dependency)
+        yield _finding(package, dependency, meant, f"write '{meant}' instead{own if needed else ''}")
+
+
+_FINDS_DEPENDENCIES = "ament_auto_find_build_dependencies"
+_WHEN_BUILDING = frozenset({"depend", "build", "build_export", "buildtool", "buildtool_export"})
+
+
+def _is_found_by_name(workspace: WorkspaceIndex, package: Package, dependency: Dependency) -> bool:
+    """Whether CMake looks for a package by the name that package.xml has for it, and by no other line."""
+    installs = workspace.installs.get(package.name)
+    if installs is None or _FINDS_DEPENDENCIES not in installs.words:
+        return False
+    found = {required.name for required in installs.required}
+    return dependency.kind in _WHEN_BUILDING and dependency.name not in found
 
 
 def _instead_of_build_type(package: Package) -> str:
