@@ -315,6 +315,16 @@ def test_fields_of_one_type_that_get_the_same_wrong_kind_are_one_finding(judge: 
     assert "'x' of geometry_msgs/msg/Vector3" in other.message
 
 
+def test_values_of_one_line_count_as_this_line(judge: Judge):
+    line = "print(Point(x='a', y='b'))  # here"
+    [alone] = judge("MSG003", NODE.replace("{line}", line).replace("{of_joy}", "pass"))
+    assert "more line" not in alone.message and "another line" not in alone.message
+    assert ["'y'" in row.message for row in alone.related] == [True]
+    lines = f"{line}\n        print(Point(x='c', y='d'))"
+    [both] = judge("MSG003", NODE.replace("{line}", lines).replace("{of_joy}", "pass"))
+    assert both.message.endswith("; another line does the same")
+
+
 def test_a_name_that_no_interface_package_has_comes_from_another_star_import(judge: Judge):
     """visualization_msgs has a Marker, and neither a Pose nor an InteractiveMarkerServer."""
     judge(

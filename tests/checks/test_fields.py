@@ -343,6 +343,19 @@ def test_the_wrong_names_of_one_message_are_one_finding(judge: Judge):
     assert len(judge("MSG001", node(on_scan="\n            ".join(of_two)))) == 2
 
 
+def test_an_interface_of_another_version_is_one_finding(judge: Judge):
+    sent = "self.spin.send_goal_async(Spin.Goal(tempo=1), feedback_callback=self.on_feedback)  # here"
+    on_feedback = "print(message.feedback.state)\n            print(message.feedback.mode)"
+    [found] = judge("MSG001", node(on_scan=sent, on_feedback=on_feedback))
+    assert found.message == (
+        "the goal of nav2_msgs/action/Spin has no field 'tempo'; 2 more uses of it here are wrong, too"
+    )
+    assert [row.message for row in found.related] == [
+        "the feedback of nav2_msgs/action/Spin has no field 'state'",
+        "the feedback of nav2_msgs/action/Spin has no field 'mode'",
+    ]
+
+
 MONITOR = """
     import rclpy
     from nav_msgs.msg import OccupancyGrid

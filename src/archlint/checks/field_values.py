@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.byte_fields import ByteCompared, bytes_compared
@@ -11,6 +12,7 @@ from archlint.analysis.reach import judged_notes
 from archlint.checks.folding import folds, with_others
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
+from archlint.finding import Related
 from archlint.model import ValueEffect, WrongValue
 
 if TYPE_CHECKING:
@@ -85,4 +87,9 @@ def _compared(row: ByteCompared) -> Finding:
 def of_one_message(findings: Sequence[Finding]) -> Finding:
     """The first of a file for all that give fields of one type the same wrong kind of value: whoever writes ``0`` for
     ``0.0`` does so for x, y and z."""
-    return with_others(findings, "another line does", "more lines do", "the same")
+    first, *others = findings
+    same_line = [other for other in others if other.place.line == first.place.line]
+    lines = {other.place.line: other for other in reversed(others) if other not in same_line}
+    rows = [first, *(lines[line] for line in sorted(lines))]
+    told = with_others(rows, "another line does", "more lines do", "the same") if lines else first
+    return replace(told, related=(*(Related(other.place, other.message) for other in same_line), *told.related))

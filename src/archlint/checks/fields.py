@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from archlint import suggestions
 from archlint.analysis.completeness import enclosing_class
-from archlint.checks.folding import folds
+from archlint.checks.folding import folds, with_others
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.uncalled import mild_if_uncalled
@@ -131,6 +131,7 @@ def _unknown_field(system: System, use: FieldUse, keyword: str) -> Finding:
     hint = _did_you_mean({use.name: near}, inside)
     owner = enclosing_class(system.workspace, use.place) or ""
     fields = listed(use.fields, shown=_SHOWN)
+    cause = (use.type,) if use.section_name and not inside and not near else (of, what, inside, fields, keyword)
     return finding(
         "MSG001",
         use.place,
@@ -138,7 +139,7 @@ def _unknown_field(system: System, use: FieldUse, keyword: str) -> Finding:
         help=_help_for_line(use.access, keyword, what, fields),
         node=None if use.node is None else use.node.name.text,
         identity=(use.type, use.section_name, use.name, use.access),
-        group=(use.place.file, owner, of, what, inside, fields, keyword),
+        group=(use.place.file, owner, *cause),
         meant=near,
     )
 
@@ -181,6 +182,8 @@ def _did_you_mean(meant: Mapping[str, str], inside: str) -> str:
 def of_one_cause(findings: Sequence[Finding]) -> Finding:
     """The finding for all fields that one class takes for those of a message: at the first, the others related."""
     first = findings[0]
+    if len(first.group) == len(("file", "owner", "interface")):
+        return with_others(findings, "another use of it here is", "more uses of it here are", "wrong, too")
     _, owner, of, what, inside, listed, keyword = first.group
     meant = {diagnostic.identity[2]: diagnostic.meant for diagnostic in findings}
     names = list(meant)
