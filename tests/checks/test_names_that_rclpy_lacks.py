@@ -216,3 +216,47 @@ def test_a_method_that_another_script_gives_the_class(judge: Judge):
     robot = NODE.replace("{call}", "self.patrol(){mark}")
     judge("API002", robot.replace("{mark}", "  # here"))
     judge("API002", robot.replace("{mark}", ""), "import node\n\nnode.Robot.patrol = print\nnode.main()\n")
+
+
+HINTS = """
+{first}
+import rclpy
+
+
+class Board:
+    pass
+
+
+def board_of(node: {hint}) -> Board:
+    board: Board = Board()
+    return board
+
+
+def main():
+    rclpy.init()
+    kept: {local} = rclpy.create_node('robot')
+    rclpy.spin(kept)
+"""
+EVALUATED_LATER = "from __future__ import annotations"
+
+
+@pytest.mark.parametrize(
+    ("first", "hint", "local"),
+    [
+        ("", "rclpy.Node  # here", "'robot'"),
+        (EVALUATED_LATER, "rclpy.Node", "rclpy.Node"),
+        ("", "'rclpy.Node'", "rclpy.Node"),  # that of a local variable is never evaluated
+    ],
+)
+def test_annotations_that_python_evaluates(judge: Judge, first: str, hint: str, local: str):
+    source = HINTS.format(first=first, hint=hint.partition("  ")[0], local=local)
+    if hint.endswith("# here"):
+        source = source.replace("-> Board:", "-> Board:  # here")
+    judge("API002", source)
+
+
+def test_a_future_that_is_taken_for_the_goal_handle(judge: Judge):
+    source = NODE.format(call="self.goal = self.trigger.call_async(Trigger.Request())")
+    [finding] = judge("API002", source.replace("pass", "self.goal.cancel_goal_async()  # here"))
+    assert finding.message == "Future has no cancel_goal_async()"
+    assert finding.help == "keep the future apart from the goal handle, which is its result()"

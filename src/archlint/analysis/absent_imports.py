@@ -75,6 +75,7 @@ class _Code:
         self._forgiven = {Itself(part) for block in _forgiving(file_facts) for part in everything_in(block)}
         functions = everything_in(file_facts.body, facts.Function)
         self._in_functions = {Itself(part) for function in functions for part in everything_in(function.body)}
+        self._never_run = {Itself(part) for hint in _unread_hints(file_facts) for part in everything_in([hint])}
         self._bound: dict[str, set[str]] = {}
 
     def note_names(self) -> None:
@@ -93,7 +94,8 @@ class _Code:
         """The attributes of modules that the code reads in vain."""
         for part in everything_in(self._body, facts.Attribute):
             module = self._module(part.value.dotted)
-            if module and lacks(module, part.attr) and Itself(part) not in self._forgiven:
+            left_out = Itself(part) in self._forgiven or Itself(part) in self._never_run
+            if module and lacks(module, part.attr) and not left_out:
                 yield Absent(module, part.attr, False, Itself(part) in self._in_functions, part.span)
 
     def _module(self, path: str) -> str:
@@ -148,6 +150,22 @@ def _forgiving(file_facts: facts.Facts) -> Iterator[list[facts.Stmt]]:
                 yield body
             case facts.If(test=test, body=body) if test.last_name == "TYPE_CHECKING":
                 yield body
+
+
+def _unread_hints(file_facts: facts.Facts) -> Iterator[facts.Expr]:
+    """The annotations that Python does not evaluate: those of local variables, and all of a file that says so."""
+    future = any(
+        statement.module == "__future__" and any(name == "annotations" for name, _ in statement.names)
+        for statement in everything_in(file_facts.body, facts.ImportFrom)
+    )
+    for function in everything_in(file_facts.body, facts.Function):
+        yield from (hint.annotation for hint in everything_in(function.body, facts.Annotated))
+    for part in everything_in(file_facts.body) if future else ():
+        match part:
+            case facts.Annotated(annotation=hint):
+                yield hint
+            case facts.Param(annotation=hint) | facts.Function(returns=hint) if hint is not None:
+                yield hint
 
 
 def _is_tolerant(handler: facts.Handler) -> bool:

@@ -16,6 +16,7 @@ from archlint.checks.scope import Scope
 from archlint.checks.time_operators import OPERATOR, time_operator_findings
 from archlint.checks.uncalled import mild_if_uncalled
 from archlint.finding import Finding
+from archlint.libraries.api_signatures import attributes_of
 from archlint.model import Misuse, RefusedCall
 from archlint.ros.distros import DISTROS
 
@@ -72,8 +73,13 @@ UNDEFINED = "undefined"
 """The group of findings about methods that the classes of a file call and do not have."""
 
 
+_GOAL_HANDLE = "rclpy.action.client.ClientGoalHandle"
+
+
 def _define(call: RefusedCall, name: str) -> str:
     """What to do about a method that no distribution has and that has no near name."""
+    if call.given.rpartition(".")[2] == "Future" and name in (attributes_of(_GOAL_HANDLE) or ()):
+        return "keep the future apart from the goal handle, which is its result()"
     return f"define {name}() in the class of the node, or remove the call" if _is_of_node(call) else "remove the call"
 
 
