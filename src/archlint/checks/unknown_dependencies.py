@@ -78,8 +78,8 @@ def _is_found_by_name(workspace: WorkspaceIndex, package: Package, dependency: D
     installs = workspace.installs.get(package.name)
     if installs is None or _FINDS_DEPENDENCIES not in installs.words:
         return False
-    found = {required.name for required in installs.required}
-    return dependency.kind in _WHEN_BUILDING and dependency.name not in found
+    asked_for = {required.name for required in installs.required}
+    return dependency.kind in _WHEN_BUILDING and dependency.name not in asked_for
 
 
 def _instead_of_build_type(package: Package) -> str:

@@ -96,14 +96,14 @@ def _opposite(holds: bool | None) -> bool | None:
     return None if holds is None else not holds
 
 
-def _both(one: bool | None, other: bool | None) -> bool | None:
-    if one is False or other is False:
+def _both(left: bool | None, right: bool | None) -> bool | None:
+    if left is False or right is False:
         return False
-    return None if one is None or other is None else True
+    return None if left is None or right is None else True
 
 
-def _either(one: bool | None, other: bool | None) -> bool | None:
-    return _opposite(_both(_opposite(one), _opposite(other)))
+def _either(left: bool | None, right: bool | None) -> bool | None:
+    return _opposite(_both(_opposite(left), _opposite(right)))
 
 
 __all__ = ["Branches"]
