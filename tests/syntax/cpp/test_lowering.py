@@ -121,7 +121,7 @@ def test_a_class_with_its_fields_and_constructor() -> None:
         class Talker(rclcpp::Node):
             def __init__(self, options):
                 Talker.__fields__(self)
-                ?Node.__init__(self, node_name='talker')
+                ?Node.__init__(self, node_name='talker', rclcpp_options=options)
                 self.count_ = 0
             def __fields__(self):
                 self.prefix_ = 'robot'

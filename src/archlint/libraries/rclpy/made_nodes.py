@@ -121,21 +121,30 @@ def _set_names(run: Run, blueprint: model.Blueprint, call: ApiUse) -> None:
         blueprint.namespace = ROOT
     else:
         blueprint.namespace = text_of_value(namespace, "a namespace")
-    blueprint.allow_undeclared_parameters = call.get("allow_undeclared_parameters") == TRUE
-    blueprint.automatically_declare_parameters = call.get("automatically_declare_parameters_from_overrides") == TRUE
-    blueprint.enable_rosout = call.get("enable_rosout") != Known(False)
-    blueprint.use_global_arguments = call.get("use_global_arguments") != Known(False)
-    blueprint.start_parameter_services = call.get("start_parameter_services") != Known(False)
+    blueprint.allow_undeclared_parameters = _option(run, call, "allow_undeclared_parameters") == TRUE
+    of_overrides = _option(run, call, "automatically_declare_parameters_from_overrides")
+    blueprint.automatically_declare_parameters = of_overrides == TRUE
+    blueprint.enable_rosout = _option(run, call, "enable_rosout") != Known(False)
+    blueprint.use_global_arguments = _option(run, call, "use_global_arguments") != Known(False)
+    blueprint.start_parameter_services = _option(run, call, "start_parameter_services") != Known(False)
     _note_overrides(run, call)
-    arguments = call.get("cli_args")
+    arguments = _option(run, call, "cli_args")
     if isinstance(arguments, ListValue):
         items = arguments.items(run)
         blueprint.cli_arguments = tuple(item.text for item in items.values if item.text is not None)
 
 
+def _option(run: Run, call: ApiUse, name: str) -> Value | None:
+    """An argument of the constructor; one of C++ takes it from its ``rclcpp::NodeOptions``."""
+    options = call.get("rclcpp_options")
+    if isinstance(options, Instance) and name not in call.arguments:
+        return run.store.get(options.key, name)
+    return call.get(name)
+
+
 def _note_overrides(run: Run, call: ApiUse) -> None:
     """``parameter_overrides=[Parameter(…)]``: the constructor wins over every default and the command line."""
-    given = call.get("parameter_overrides")
+    given = _option(run, call, "parameter_overrides")
     items = given.items(run) if given is not None else None
     key = call.receiver.key if isinstance(call.receiver, Instance) else None
     for item in items.values if items is not None else ():

@@ -7,8 +7,9 @@ from archlint.libraries.tables.api import Api
 _NODE_OPTIONS = (
     "* context cli_args namespace use_global_arguments enable_rosout rosout_qos_profile "
     "start_parameter_services parameter_overrides allow_undeclared_parameters "
-    "automatically_declare_parameters_from_overrides enable_logger_service"
+    "automatically_declare_parameters_from_overrides enable_logger_service rclcpp_options"
 )
+"""What rclpy's nodes take, and last the ``rclcpp::NodeOptions`` that those of C++ take in its place."""
 
 ROWS = (
     # ---- nodes

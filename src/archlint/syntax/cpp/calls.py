@@ -96,21 +96,16 @@ def _is_of_node(value: Expr) -> bool:
 
 def node_arguments(arguments: Sequence[Expr], words: str) -> list[Argument]:
     """The arguments of ``rclcpp::Node(name, [namespace], [options])``; ``words`` is the text of the file, which says
-    what options set."""
+    what is set in options that come from outside."""
     given = [Argument(value, keyword) for keyword, value in zip(("node_name",), arguments, strict=False)]
     rest = list(arguments[1:3])
     if len(rest) == 2 or (rest and not _are_options(rest[0])):
-        given.append(Argument(rest[0], "namespace"))
-    for option, keyword in _OPTIONS:
+        given.append(Argument(rest.pop(0), "namespace"))
+    given += [Argument(value, "rclcpp_options") for value in rest]
+    for option in ("allow_undeclared_parameters", "automatically_declare_parameters_from_overrides"):
         if f"{option}(true)" in words:
-            given.append(Argument(facts.Literal(True, _span_of(arguments)), keyword))
+            given.append(Argument(facts.Literal(True, _span_of(arguments)), option))
     return given
-
-
-_OPTIONS = (
-    ("allow_undeclared_parameters", "allow_undeclared_parameters"),
-    ("automatically_declare_parameters_from_overrides", "automatically_declare_parameters_from_overrides"),
-)
 
 
 def _span_of(arguments: Sequence[Expr]) -> Span:
