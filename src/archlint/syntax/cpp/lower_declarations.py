@@ -161,6 +161,7 @@ _DEFAULT_MADE = frozenset(
         *("rclcpp.executors.SingleThreadedExecutor", "rclcpp.executors.MultiThreadedExecutor"),
         *("rclcpp.executors.StaticSingleThreadedExecutor", "rclcpp.SensorDataQoS", "rclcpp.SystemDefaultsQoS"),
         *("rclcpp.ServicesQoS", "rclcpp.NodeOptions"),
+        *("message_filters.Subscriber", "image_transport.SubscriberFilter"),
     }
 )
 

@@ -85,9 +85,11 @@ class ObjectLowering(ExpressionLowering):
 
     def filtered(self, last: Part, values: Sequence[Expr], span: Span) -> Expr:
         """``message_filters::Subscriber<T>(node, "topic", qos)``."""
-        if not last.arguments or len(values) < 2:
-            return facts.Opaque("a subscriber without a topic", span)
+        if not last.arguments:
+            return facts.Opaque("a subscriber without a type", span)
         kind = self.lower(last.arguments[0])
+        if len(values) < 2:  # it subscribes later
+            return facts.Call(self.names.library("message_filters.cpp.Subscriber", span), [Argument(kind)], span)
         words = ("node", "topic", "qos_profile")
         arguments = [Argument(value, word) for word, value in zip(words, values, strict=False)]
         return facts.Call(
