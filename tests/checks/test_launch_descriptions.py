@@ -87,6 +87,7 @@ def test_an_action_that_nothing_adds(findings):
         "return LaunchDescription([\n        # talker,\n    ])",  # somebody has taken it out
         "ld = LaunchDescription()\n    ld.add_action(talker)\n    return ld",
         "return LaunchDescription(list(locals().values()))",
+        '"""Add what you need: Talker, listener."""\n    return LaunchDescription([])',
     ],
 )
 def test_an_action_that_may_be_added_or_is_put_aside(findings, rest):

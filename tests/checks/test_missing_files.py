@@ -391,6 +391,32 @@ def test_a_relative_path(tmp_path, monkeypatch, launch, files, help):
     assert finding.help == help
 
 
+RELATIVE_DEFAULT = """from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument
+from launch.substitutions import LaunchConfiguration
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    params = LaunchConfiguration('params')
+    return LaunchDescription([
+        DeclareLaunchArgument('params', default_value='config/talk.yaml'),
+        Node(package='robot', executable='talker', parameters=[params]),
+    ])
+"""
+
+
+def test_a_relative_path_is_told_where_it_is_written(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    texts = {"src/robot/launch/it.launch.py": RELATIVE_DEFAULT, "src/robot/setup.py": SETUP}
+    texts |= {"src/robot/package.xml": MANIFEST.format(name="robot", type="ament_python", more="")}
+    texts |= {"src/robot/robot/talker.py": TALKER, "src/robot/config/talk.yaml": ""}
+    write_files(tmp_path, texts | {"archlint.toml": 'select = ["LCH004"]'})
+    (finding,) = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+    assert "has a relative path" in finding.message
+    assert finding.place.line == 10
+
+
 @pytest.mark.parametrize("written", ["/opt/talk.yaml", "~/talk.yaml", "speak.yaml", "src/robot/config/talk.yaml"])
 def test_a_path_from_somewhere_that_is_known(tmp_path, monkeypatch, written):
     monkeypatch.chdir(tmp_path)

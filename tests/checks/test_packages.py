@@ -193,8 +193,9 @@ LOOK = "import cv2\ncamera = cv2.VideoCapture(0)\nwhile True:\n    if cv2.waitKe
         LOOK,
         "import rclpy\nrclpy.init()\nrclpy.spin(rclpy.create_node('look'))\n",
         "try:\n    while True:\n        pass\nfinally:\n    pass\n",
+        "import os\nfor name in ('a', 'b'):\n    os.system(name)\n",
     ],
-    ids=["a loop", "a spin", "a loop inside"],
+    ids=["a loop", "a spin", "a loop inside", "a loop over what to start"],
 )
 def test_a_module_that_does_its_work_when_it_is_imported_fails_at_its_end(findings, text):
     (found,) = findings("PKG002", **{"robot/talker.py": text})
@@ -212,8 +213,9 @@ def test_a_module_that_does_its_work_when_it_is_imported_fails_at_its_end(findin
         "def look():\n    while True:\n        pass\n",
         "if __name__ == '__main__':\n    while True:\n        pass\n",
         "import logging\nlogging.basicConfig()\n",
+        "names = []\nfor name in ('a', 'b'):\n    names += [name]\n",
     ],
-    ids=["in a function", "as a script only", "a call that ends"],
+    ids=["in a function", "as a script only", "a call that ends", "a loop that lists names"],
 )
 def test_a_module_that_does_nothing_when_it_is_imported_cannot_start(findings, text):
     (found,) = findings("PKG002", **{"robot/talker.py": text})

@@ -9,7 +9,7 @@ import pytest
 
 from archlint.config.settings import load
 from archlint.engine.pipeline import Request, check
-from archlint.finding import Finding
+from archlint.finding import Finding, Severity
 from archlint.ros.packages import table
 
 Lint = Callable[..., list[Finding]]
@@ -624,3 +624,7 @@ def test_a_circle_that_a_copy_of_a_launch_file_closes(lint: Lint, change, help: 
     }
     (found,) = lint(files, code="PKG003")
     assert found.help.startswith(help)
+    assert found.severity is Severity.INFO  # what a launch file starts is found when it runs
+    code = {"arm/arm/__init__.py": "", "arm/arm/a.py": node("import talk"), "talk/talk/__init__.py": ""}
+    (found,) = lint({**files, **code}, code="PKG003")
+    assert found.severity is Severity.WARNING

@@ -74,7 +74,7 @@ def broken_target(workspace: WorkspaceIndex, executable: Executable) -> NoModule
     names = _bound_names(file_facts.body)
     if head in names or _binds_more(file_facts.body):
         return None
-    return NoFunction(module, head, names, _runs_for_long(file_facts), ros1_module(file_facts) or "")
+    return NoFunction(module, head, names, _works_on_import(file_facts), ros1_module(file_facts) or "")
 
 
 def _functions(file_facts: facts.Facts) -> tuple[str, ...] | None:
@@ -86,11 +86,13 @@ def _functions(file_facts: facts.Facts) -> tuple[str, ...] | None:
     return None if not functions and _binds_more(file_facts.body) else functions
 
 
-def _runs_for_long(file_facts: facts.Facts) -> bool:
-    """Whether importing a module runs a loop that may go on, ``while True`` say, or spins a node."""
+def _works_on_import(file_facts: facts.Facts) -> bool:
+    """Whether importing a module runs a loop that calls something, or one that may go on, or spins a node."""
     guard = main_guard(file_facts)
     body = [statement for statement in file_facts.body if statement is not guard]
     if any(True for _ in statements_of(body, facts.While)):
+        return True
+    if any(True for loop in statements_of(body, facts.For) for _ in calls_in(loop.body)):
         return True
     return any(called_name(call) == "spin" for call in calls_in(body))
 

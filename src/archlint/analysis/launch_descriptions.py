@@ -62,7 +62,7 @@ def wrong_descriptions(system: System) -> Iterator[tuple[str, WrongDescription]]
     for file in launched.sources:
         rows = _of_file(workspace, file) if file.endswith(".py") else None
         for wrong in rows or ():
-            if wrong.kind != Wrong.NOT_ADDED or not _is_put_aside(workspace.tree.text(file) or "", wrong.given):
+            if wrong.kind != Wrong.NOT_ADDED or not _is_put_aside(workspace, file, wrong.given):
                 yield file, wrong
 
 
@@ -121,10 +121,16 @@ def _wanted(function: facts.Function) -> list[str]:
     return [p.name for p in function.params if p.default is None and p.kind not in ("star", "double_star")]
 
 
-def _is_put_aside(text: str, name: str) -> bool:
-    """Whether a comment of a file says the name: somebody has taken the action out of the list."""
-    word = re.compile(rf"(?<!\w){re.escape(name)}(?!\w)")
-    return name in text and any(word.search(line, line.find("#")) for line in text.split("\n") if "#" in line)
+def _is_put_aside(workspace: WorkspaceIndex, file: str, name: str) -> bool:
+    """Whether a comment of a file says the name, or a string that stands there as one: somebody has taken the action
+    out of the list, or offers it there."""
+    word = re.compile(rf"(?<!\w){re.escape(name)}(?!\w)", re.IGNORECASE)
+    text = workspace.tree.text(file) or ""
+    comments = [line[line.find("#") :] for line in text.split("\n") if "#" in line]
+    return any(word.search(comment) for comment in (*comments, *(block[2] for block in _TEXT_BLOCK.finditer(text))))
+
+
+_TEXT_BLOCK = re.compile(r"^[ \t]*(\"{3}|'{3})(.*?)\1", re.DOTALL | re.MULTILINE)
 
 
 ACTIONS = frozenset(

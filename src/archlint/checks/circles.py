@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import posixpath
+import re
 from collections import Counter
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
@@ -55,7 +56,9 @@ def circular_dependency(system: System, options: Options) -> Iterator[Finding]:
         by_user.setdefault(steps[0][0], []).append(steps)
     for circles in by_user.values():
         diagnostic = _undeclared(workspace, circles[0], needs) if len(circles) == 1 else _of_one_package(circles, needs)
-        yield replace(diagnostic, severity=Severity.WARNING)
+        places = [needs[start][end] for steps in circles for start, end in steps]
+        # Launch files that start each other's nodes are found when they run, whatever is built first.
+        yield replace(diagnostic, severity=Severity.INFO if _are_of_launch(places) else Severity.WARNING)
 
 
 def _around_one_package(circles: list[list[str]]) -> Iterator[list[list[str]]]:
@@ -140,9 +143,14 @@ def _of_one_package(circles: list[list[Step]], needs: Needs) -> Finding:
 
 def _cure(package: str, uses: list[Place]) -> str:
     """What to do about uses that a package does not declare: launch files need no home beside a library."""
-    if all("launch" in posixpath.basename(place.file).split(".") for place in uses):
+    if _are_of_launch(uses):
         return f"move the launch files that use it into a package of their own, such as {package}_bringup"
     return "move what both need into a separate package"
+
+
+def _are_of_launch(uses: list[Place]) -> bool:
+    """Whether only launch files say that one package needs another."""
+    return all("launch" in re.split(r"[._]", posixpath.basename(place.file)) for place in uses)
 
 
 def _declared(package: Package, packages: Mapping[str, Package], kinds: frozenset[DependencyKind]) -> dict[str, Place]:

@@ -61,7 +61,7 @@ class LaunchPaths:
             source, status = self._beside(written.removeprefix("$(workspace)/"), package, launch_file)
         else:
             return FileReference(
-                kind, written, None, FileStatus.EXTERNAL, None, place, "a path of the machine", conditional
+                kind, written, None, FileStatus.EXTERNAL, None, place, "a path of the machine", conditional, origin
             )
         optional = conditional and posixpath.normpath(written) in asked
         return FileReference(kind, written, source, status, package, place, None, conditional, origin, optional)
