@@ -37,6 +37,7 @@ class YamlReader:
 
     def __init__(self, text: str, several: bool = False, rcl: bool = False) -> None:
         self.left = NODES
+        self._rcl = rcl
         self.roots = _compose(text, several, rcl)
         self.root = self.roots[0] if self.roots else None
 
@@ -69,7 +70,7 @@ class YamlReader:
         self.spend(node, depth)
         match node:
             case yaml.ScalarNode():
-                return scalar(node)
+                return scalar(node, self._rcl)
             case yaml.SequenceNode(value=items):
                 return [self.value(item, depth + 1) for item in items]
         return {key: self.value(value, depth + 1) for key, _, value in self.pairs(node, depth)}
@@ -141,14 +142,17 @@ def _refuse_tag(node: yaml.Node) -> None:
         raise YamlError(f"the tag {shown} has no meaning in ROS", mark.line + 1, mark.column + 1)
 
 
-def scalar(node: yaml.ScalarNode) -> Scalar:
-    """The value of a scalar.  Raises :class:`YamlError` for a tag that makes an object."""
+def scalar(node: yaml.ScalarNode, rcl: bool = False) -> Scalar:
+    """The value of a scalar, a text where ``rcl`` reads a ``null``.
+
+    Raises :class:`YamlError` for a tag that makes an object.
+    """
     _refuse_tag(node)
     text: str = node.value
     if node.style or node.tag == "tag:yaml.org,2002:binary":  # libyaml says "" of a plain one, PyYAML None
         return text
     if node.tag == "tag:yaml.org,2002:null":
-        return None
+        return text if rcl and text else None
     return plain_scalar(text)
 
 

@@ -87,15 +87,18 @@ def _read(text: str, convert: bool) -> object:
 
 def _read_back(section: ParameterSection) -> ParameterSection:
     """All is dumped anew, with quotes only where PyYAML needs them."""
-    entries = (replace(entry, value=_again(entry.value), quoted=False) for entry in section.entries)
+    entries = (replace(entry, value=_again(entry.value, entry.in_python), quoted=False) for entry in section.entries)
     return replace(section, entries=tuple(entries))
 
 
-def _again(value: Any) -> Any:
-    match value:
-        case list():
-            return [_again(item) for item in value]
-        case str():
+def _again(value: Any, in_python: Any) -> Any:
+    """A value of the file as it is read once it is dumped: PyYAML writes ``null`` for None, which is a text to rcl."""
+    match value, in_python:
+        case list(), list():
+            return [_again(item, there) for item, there in zip(value, in_python, strict=True)]
+        case ((None | "~" | "null" | "Null" | "NULL"), None):
+            return "null"
+        case str(), _:
             return written_and_read(value)
     return value
 

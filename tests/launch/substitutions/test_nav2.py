@@ -212,3 +212,11 @@ def test_of_two_keys_that_are_alike_the_second_is_kept(launches, monkeypatch):
     monkeypatch.setattr(f"{__name__}.YAML", twice)
     assert given(launches, f"RewrittenYaml({FILE}, {{}})") == {"second": 2}
     assert given(launches, FILE) == {"first": 1, "second": 2}
+
+
+def test_a_value_that_is_left_out_is_dumped_as_null_which_rcl_takes_for_a_text(launches, monkeypatch):
+    empty = "planner:\n  ros__parameters:\n    layer:\n    none: ~\n    text: '~'\n    both: [~, 'x']\n"
+    monkeypatch.setattr(f"{__name__}.YAML", empty)
+    dumped = given(launches, f"RewrittenYaml({FILE}, {{}})")
+    assert dumped == {"layer": "null", "none": "null", "text": "~", "both": ["null", "x"]}
+    assert given(launches, FILE) == {"layer": None, "none": "~", "text": "~", "both": ["~", "x"]}
