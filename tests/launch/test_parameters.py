@@ -144,6 +144,16 @@ def test_a_parameter_that_is_not_known_says_why(launches, value, why):
     assert parameters(launched.started[0]) == {"p": NotKnown(why), "rate": 5}
 
 
+def test_what_decides_between_parameter_files_is_named(launches):
+    launched = launches.python(
+        "[Node(package='robot', executable='talker', parameters=[left if os.environ['SIDE'] == 'left' else right])]",
+        before="left, right = (PathJoinSubstitution(['.', name]) for name in ('left.yaml', 'right.yaml'))",
+    )
+    opened, *files = launched.started[0].parameters
+    assert opened.reason == "one of several parameters: the environment variable SIDE"
+    assert [one.reference.written for one in files] == ["./left.yaml", "./right.yaml"]
+
+
 def test_a_file_with_a_variable_of_the_environment_says_so(launches):
     launches.file(
         "robot/config/p.yaml", "/**:\n  ros__parameters:\n    arm: $(env ARM)\n    leg: $(var leg)_$(env LEG)\n"

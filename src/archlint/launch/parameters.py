@@ -51,7 +51,7 @@ def parameters_of(run: LaunchRun, value: Value | None, place: Place) -> list[Par
         case OneOf(values=options):
             with run.perhaps():
                 rows = [row for option in options for row in parameters_of(run, option, place)]
-            return [OpenParameters("one of several lists of parameters", place, of_several=True), *rows]
+            return [_one_of_several("lists of parameters", value, place), *rows]
         case ListValue():
             items = value.items(run)
             rows = [row for item in items.values for row in _of_item(run, item, place)]
@@ -61,11 +61,16 @@ def parameters_of(run: LaunchRun, value: Value | None, place: Place) -> list[Par
     return list(_of_item(run, value, place)) if class_name(value) else [OpenParameters(reason(value), place)]
 
 
+def _one_of_several(what: str, value: Value, place: Place) -> OpenParameters:
+    why = f": {value.why_open}" if value.why_open is not None else ""
+    return OpenParameters(f"one of several {what}{why}", place, of_several=True)
+
+
 def _of_item(run: LaunchRun, item: Value, place: Place) -> Iterator[Parameter]:
     place = place_of(item) or place
     match item:
         case OneOf(values=options):
-            yield OpenParameters("one of several parameters", place, of_several=True)
+            yield _one_of_several("parameters", item, place)
             with run.perhaps():
                 rows = [row for option in options for row in _of_item(run, option, place)]
             yield from rows
