@@ -7,7 +7,7 @@ import posixpath
 import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 
 from archlint.branches import ChoiceOfVisit
 from archlint.config.settings import Settings
@@ -137,7 +137,7 @@ def _file(use: ParameterFileUse, shown: _Shown) -> object:
     reference = use.reference
     if reference.written is None:
         return Unknown(reference.reason or "")
-    return MADE if use.changes else shown(reference.written)
+    return MADE if use.changes else shown(str(PurePosixPath(reference.written)))  # as launch_ros hands it on
 
 
 _WORKSPACE = re.compile(r"\$\(workspace\)/([^\s:;,]*)")
