@@ -14,9 +14,9 @@ from typing import TYPE_CHECKING
 from archlint.analysis.kept import once_for_each_file
 from archlint.analysis.launch_code import names_from_launch
 from archlint.launch.tables import SUBSTITUTIONS, LaunchClass
-from archlint.launch.undefined import bound_by
 from archlint.string_enum import StringEnum
 from archlint.syntax import facts
+from archlint.syntax.bindings import bound_by
 from archlint.syntax.parts import everything_in
 
 if TYPE_CHECKING:

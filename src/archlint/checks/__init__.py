@@ -62,6 +62,7 @@ MODULES: tuple[str, ...] = (
     "stale_inputs",
     "type_mismatches",
     "unanswerable",
+    "undefined_names",
     "unknown_dependencies",
     "unlisted_modules",
     "unchecked_results",

@@ -6,6 +6,7 @@ import builtins
 from collections.abc import Iterator, Sequence
 
 from archlint.syntax import facts
+from archlint.syntax.bindings import bound_by
 from archlint.syntax.control_flow import graph_of
 from archlint.syntax.flow_graph import Block, Kind, reach, without_exceptions
 from archlint.syntax.parts import everything_in
@@ -33,33 +34,6 @@ def _may_bind_anything(body: Sequence[facts.Stmt]) -> bool:
     stars = (name == "*" for statement in everything_in(body, facts.ImportFrom) for name, _ in statement.names)
     makers = (variable.id in _MAKES_NAMES for variable in everything_in(body, facts.Name))
     return any(stars) or any(makers) or any(True for _ in everything_in(body, facts.Opaque))
-
-
-def bound_by(part: facts.Base) -> Sequence[str]:
-    """The names that a part binds, in whichever scope."""
-    match part:
-        case facts.Function(name=name) | facts.Class(name=name) | facts.Param(name=name):
-            return [name]
-        case facts.Handler(name=str(name)) | facts.Pattern(name=str(name)):
-            return [name]
-        case facts.Import(module=module, alias=alias):
-            return [alias or module.partition(".")[0]]
-        case facts.ImportFrom(names=names):
-            return [bound for _, bound in names]
-        case facts.Global(names=names):
-            return names
-        case facts.Assign(targets=targets):
-            return [name.id for name in everything_in(targets, facts.Name)]
-        case (
-            facts.Annotated()
-            | facts.Augmented()
-            | facts.For()
-            | facts.WithItem()
-            | facts.Generator()
-            | facts.Assigned()
-        ):
-            return [name.id for name in everything_in(part.target, facts.Name)]
-    return []
 
 
 def _read(body: Sequence[facts.Stmt]) -> Iterator[facts.Name]:

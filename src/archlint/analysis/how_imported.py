@@ -1,0 +1,66 @@
+"""How the files of a workspace import a name, for those who have forgotten to."""
+
+from __future__ import annotations
+
+import sys
+from collections import Counter, defaultdict
+from typing import TYPE_CHECKING
+
+from archlint.analysis.kept import once
+from archlint.libraries.module_names import modules_with
+from archlint.syntax import facts
+from archlint.syntax.parts import everything_in, once_for
+
+if TYPE_CHECKING:
+    from archlint.systems.model import WorkspaceIndex
+
+_USUAL = {
+    "cv2": "import cv2",
+    "np": "import numpy as np",
+    "pd": "import pandas as pd",
+    "plt": "import matplotlib.pyplot as plt",
+    "rclpy": "import rclpy",
+    "tf2_ros": "import tf2_ros",
+}
+
+
+def import_of(workspace: WorkspaceIndex, name: str) -> str:
+    """The statement that would bind a name: what most other files of the workspace write, or what is usual; empty where
+    neither is known."""
+    counts = _imports(workspace).get(name)
+    if counts:
+        return min(counts, key=lambda statement: (-counts[statement], statement))
+    if name in _USUAL:
+        return _USUAL[name]
+    if name in sys.stdlib_module_names:
+        return f"import {name}"
+    offering = modules_with(name, "rclpy")
+    return f"from {offering[0]} import {name}" if offering else ""
+
+
+@once
+def _imports(workspace: WorkspaceIndex) -> dict[str, Counter[str]]:
+    """By the name that it binds, how many files have each import statement."""
+    counts: dict[str, Counter[str]] = defaultdict(Counter)
+    for _, file_facts in workspace.code.asked_for():
+        for name, statement in _statements(file_facts):
+            counts[name][statement] += 1
+    return counts
+
+
+@once_for
+def _statements(code: facts.Facts) -> frozenset[tuple[str, str]]:
+    rows = set()
+    for statement in everything_in(code.body, facts.Import):
+        if statement.alias is not None:
+            rows.add((statement.alias, f"import {statement.module} as {statement.alias}"))
+        elif "." not in statement.module:
+            rows.add((statement.module, f"import {statement.module}"))
+    for imported in everything_in(code.body, facts.ImportFrom):
+        for name, bound in imported.names if not imported.level else ():
+            alias = "" if name == bound else f" as {bound}"
+            rows.add((bound, f"from {imported.module} import {name}{alias}"))
+    return frozenset(rows)
+
+
+__all__ = ["import_of"]

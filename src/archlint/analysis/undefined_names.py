@@ -1,0 +1,231 @@
+"""Names that Python code reads and that nothing binds: a NameError when the line runs.
+
+Scopes are Python's own.  What is bound anywhere in a scope counts as bound, whichever line comes first, and a file in
+which anything may be bound (a star import of a module that is not known, ``exec``) is left alone.
+"""
+
+from __future__ import annotations
+
+import builtins
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from archlint.place import Place
+from archlint.syntax import facts
+from archlint.syntax.bindings import bound_by
+from archlint.syntax.parts import everything_in, once_for, parts_of
+from archlint.syntax.walk import statements_of
+
+if TYPE_CHECKING:
+    from archlint.systems.model import WorkspaceIndex
+
+_OF_MODULES = frozenset(
+    {"__annotations__", "__builtins__", "__debug__", "__dict__", "__doc__", "__file__", "__loader__", "__name__"}
+    | {"__package__", "__path__", "__spec__"}
+)
+_OF_CLASSES = frozenset({"__class__", "__module__", "__qualname__"})
+_NEWER = frozenset({"BaseExceptionGroup", "EncodingWarning", "ExceptionGroup", "PythonFinalizationError", "aiter"})
+"""Built-in names that not every Python has with which archlint runs."""
+_OF_PYTHON_2 = frozenset(
+    {"basestring", "cmp", "execfile", "file", "long", "raw_input", "reduce", "reload", "unichr", "unicode", "xrange"}
+)
+_ALWAYS = frozenset(dir(builtins)) | _OF_MODULES | _OF_CLASSES | _NEWER | {"WindowsError", "_"}
+_MAKES_NAMES = frozenset({"__builtins__", "exec", "execfile", "globals", "locals", "vars"})
+_CHECKS_VERSION = frozenset({"PY2", "PY3", "six", "version_info"})
+_ROS_1 = frozenset({"rospy", "roslib"})
+_INTERFACES = frozenset({"action", "msg", "srv"})
+_SPHINX = "/conf.py"
+"""The file for which Sphinx defines names of its own."""
+_DEPTH = 8
+"""How many star imports are followed."""
+
+
+@dataclass(frozen=True)
+class Undefined:
+    """A name that is read, and who has one of that name: the class of the method, or nobody."""
+
+    place: Place
+    name: str
+    known: frozenset[str]
+    """All names that the code there can read."""
+    of_self: bool
+    """Whether the class of the method has an attribute or a method of the name."""
+
+
+def undefined_names(workspace: WorkspaceIndex) -> Iterator[Undefined]:
+    """Every such read in the files that were asked for: the first of each name in each function."""
+    for file, file_facts in workspace.code.asked_for():
+        if file.kind != "python" or file.relative.endswith(_SPHINX) or workspace.roles.is_test(file.relative):
+            continue
+        unbound = _unbound(file_facts)
+        starred = _starred(workspace, file.relative, file_facts, _DEPTH) if unbound else None
+        if starred is None:
+            continue
+        for read in unbound:
+            if not starred.has(read.name.id):
+                known = read.known | starred.names
+                yield Undefined(Place(file.relative, *read.name.span), read.name.id, known, read.of_self)
+
+
+# ------------------------------------------------------------------------------------------------- star imports
+
+
+@dataclass(frozen=True)
+class _Starred:
+    """The names that star imports bring; ``classes`` says that those of interfaces are among them, all of which begin
+    with a capital letter."""
+
+    names: frozenset[str] = frozenset()
+    classes: bool = False
+
+    def has(self, name: str) -> bool:
+        return name in self.names or (self.classes and name[:1].isupper())
+
+
+def _starred(workspace: WorkspaceIndex, file: str, code: facts.Facts, depth: int) -> _Starred | None:
+    """What the star imports of a file bring; None where that is not known."""
+    names: set[str] = set()
+    classes = False
+    for statement in _stars(code):
+        imported = workspace.code.imported(file, statement.module, statement.level)
+        path = workspace.code.path_of_import(file, statement.module, statement.level)
+        if imported is None or path is None:
+            if statement.level or statement.module.rpartition(".")[2] not in _INTERFACES:
+                return None
+            classes = True
+            continue
+        further = _starred(workspace, path, imported, depth - 1) if depth > 0 else None
+        if further is None:
+            return None
+        names |= further.names | _offered(imported)
+        classes |= further.classes
+    return _Starred(frozenset(names), classes)
+
+
+@once_for
+def _stars(code: facts.Facts) -> list[facts.ImportFrom]:
+    imports = everything_in(code.body, facts.ImportFrom)
+    return [statement for statement in imports if any(name == "*" for name, _ in statement.names)]
+
+
+@once_for
+def _offered(code: facts.Facts) -> frozenset[str]:
+    """What a star import of a file brings, but for its own star imports; rather too much."""
+    return frozenset(_bound_in(code.body)) | frozenset(code.exports or ())
+
+
+# ------------------------------------------------------------------------------------------------------ scopes
+
+
+@dataclass(frozen=True)
+class _Read:
+    """A read of a name that no scope around it binds."""
+
+    name: facts.Name
+    known: frozenset[str]
+    of_self: bool
+
+
+@dataclass(frozen=True)
+class _Scope:
+    """The names that code can read, and those of the class that a method is of."""
+
+    names: frozenset[str]
+    members: frozenset[str] = frozenset()
+
+    def within(self, names: frozenset[str]) -> _Scope:
+        return _Scope(self.names | names, self.members)
+
+
+@once_for
+def _unbound(code: facts.Facts) -> list[_Read]:
+    """The first read of each such name in each function of a file."""
+    if not _ROS_1.isdisjoint(_modules_of(code)) or not _MAKES_NAMES.isdisjoint(code.names):
+        return []
+    always = _ALWAYS if _CHECKS_VERSION.isdisjoint(code.names) else _ALWAYS | _OF_PYTHON_2
+    declared = {name for part in everything_in(code.body, facts.Global) for name in part.names}
+    scope = _Scope(always | frozenset(_bound_in(code.body)) | declared)
+    return [*_reads(code.body, scope)]
+
+
+def _modules_of(code: facts.Facts) -> set[str]:
+    tops = {part.module.partition(".")[0] for part in everything_in(code.body, facts.Import)}
+    return tops | {part.module.partition(".")[0] for part in everything_in(code.body, facts.ImportFrom)}
+
+
+def _bound_in(body: Sequence[facts.Base]) -> Iterator[str]:
+    """The names that a body binds in its own scope."""
+    for part in parts_of(body):
+        if not isinstance(part, (facts.Generator, facts.Param)):
+            yield from bound_by(part)
+
+
+def _reads(body: Sequence[facts.Base], scope: _Scope) -> Iterator[_Read]:
+    """The first read of each name that code reads and that is not in its scope, in the order of the source."""
+    seen: set[str] = set()
+    stack = list(reversed(body))
+    while stack:
+        part = stack.pop()
+        match part:
+            case facts.Function() | facts.Lambda() | facts.Class():
+                stack += reversed(_evaluated_outside(part))
+                yield from _reads_inside(part, scope)
+            case facts.Comprehension(generators=generators):
+                targets = [name.id for each in generators for name in everything_in(each.target, facts.Name)]
+                yield from _reads(part.children(), scope.within(frozenset(targets)))
+            case facts.Try() if any(_catches(handler) for handler in part.handlers):
+                stack += reversed([*part.handlers, *part.orelse, *part.final])
+            case facts.Annotated(target=target, value=value):
+                stack += [fact for fact in (value, target) if fact is not None]
+            case facts.Name(id=name):
+                if name not in scope.names and name not in seen:
+                    seen.add(name)
+                    yield _Read(part, scope.names, name in scope.members)
+            case _:
+                stack += reversed(part.children())
+
+
+def _evaluated_outside(part: facts.Function | facts.Lambda | facts.Class) -> list[facts.Base]:
+    """What the code around a function or a class evaluates: decorators, bases and defaults.  Annotations are left
+    alone: newer versions of Python do not evaluate them."""
+    match part:
+        case facts.Class(bases=bases, decorators=decorators):
+            return [*decorators, *bases]
+        case facts.Function(params=params, decorators=decorators):
+            return [*decorators, *(param.default for param in params if param.default is not None)]
+        case facts.Lambda(params=params):
+            return [param.default for param in params if param.default is not None]
+
+
+def _reads_inside(part: facts.Function | facts.Lambda | facts.Class, scope: _Scope) -> Iterator[_Read]:
+    match part:
+        case facts.Class(body=body):
+            own = frozenset(_bound_in(body))
+            members = own | {target.attr for target in _set_on_self(body)}
+            for statement in body:
+                if isinstance(statement, facts.Function):  # which does not see what the body of the class binds
+                    yield from _reads(_evaluated_outside(statement), scope.within(own))
+                    yield from _reads_inside(statement, _Scope(scope.names, members))
+                else:
+                    yield from _reads([statement], scope.within(own))
+        case facts.Function(params=params, body=body):
+            yield from _reads(body, scope.within(frozenset((*(param.name for param in params), *_bound_in(body)))))
+        case facts.Lambda(params=params, body=body):
+            yield from _reads([body], scope.within(frozenset((*(param.name for param in params), *_bound_in([body])))))
+
+
+def _set_on_self(body: Sequence[facts.Stmt]) -> Iterator[facts.Attribute]:
+    for function in statements_of(body, facts.Function):
+        for part in everything_in(function.body):
+            for target in part.assigned:
+                match target:
+                    case facts.Attribute(value=facts.Name(id="self")):
+                        yield target
+
+
+def _catches(handler: facts.Handler) -> bool:
+    return handler.type is None or "NameError" in handler.caught
+
+
+__all__ = ["Undefined", "undefined_names"]

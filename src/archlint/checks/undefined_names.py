@@ -1,0 +1,61 @@
+"""API005: names that nothing defines."""
+
+from __future__ import annotations
+
+import builtins
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
+
+from archlint.analysis.how_imported import import_of
+from archlint.analysis.undefined_names import Undefined, undefined_names
+from archlint.checks.folding import folds, with_others
+from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
+from archlint.checks.uncalled import mild_if_uncalled
+from archlint.finding import Finding
+from archlint.suggestions import meant, nearest
+
+if TYPE_CHECKING:
+    from archlint.systems.model import System, WorkspaceIndex
+
+_SHORT = 4
+"""Names of fewer letters resemble too many others."""
+_BUILT_IN = frozenset(dir(builtins))
+
+
+@rule("API005", scope=Scope.CODE)
+def undefined_name(system: System, options: Options) -> Iterator[Finding]:
+    """Names that code reads and that neither the file nor Python defines."""
+    if system.workspace is not None:
+        for read in undefined_names(system.workspace):
+            yield mild_if_uncalled(system, _finding(system.workspace, read))
+
+
+def _finding(workspace: WorkspaceIndex, read: Undefined) -> Finding:
+    near, statement = "", ""
+    if read.of_self:
+        near = f"self.{read.name}"
+    else:
+        statement = import_of(workspace, read.name)
+    if not near and not statement and len(read.name) >= _SHORT:
+        near = nearest(read.name, read.known - _BUILT_IN) or ""
+    cure = f"write `{statement}`" if statement else f"write {near}" if near else "define it, or remove the line"
+    hint = meant(f"'{near}'" if near else "")
+    return finding(
+        "API005",
+        read.place,
+        f"nothing defines '{read.name}': this line fails with a NameError{hint}",
+        help=cure,
+        identity=(read.name,),
+        group=(read.place.file, read.name),
+        meant=near,
+    )
+
+
+@folds("API005")
+def undefined_in_one_file(findings: Sequence[Finding]) -> Finding:
+    """The first read of a name in a file, for all of them."""
+    return with_others(findings, "another line of the file does", "more lines of the file do", "the same")
+
+
+__all__ = ["undefined_in_one_file", "undefined_name"]

@@ -1,0 +1,38 @@
+"""Which names a part of Python code binds."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from archlint.syntax import facts
+from archlint.syntax.parts import everything_in
+
+
+def bound_by(part: facts.Base) -> Sequence[str]:
+    """The names that a part binds, in whichever scope."""
+    match part:
+        case facts.Function(name=name) | facts.Class(name=name) | facts.Param(name=name):
+            return [name]
+        case facts.Handler(name=str(name)) | facts.Pattern(name=str(name)):
+            return [name]
+        case facts.Import(module=module, alias=alias):
+            return [alias or module.partition(".")[0]]
+        case facts.ImportFrom(names=names):
+            return [bound for _, bound in names]
+        case facts.Global(names=names):
+            return names
+        case facts.Assign(targets=targets):
+            return [name.id for name in everything_in(targets, facts.Name)]
+        case (
+            facts.Annotated()
+            | facts.Augmented()
+            | facts.For()
+            | facts.WithItem()
+            | facts.Generator()
+            | facts.Assigned()
+        ):
+            return [name.id for name in everything_in(part.target, facts.Name)]
+    return []
+
+
+__all__ = ["bound_by"]

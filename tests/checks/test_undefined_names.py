@@ -1,0 +1,135 @@
+"""API005: names that nothing defines."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from archlint.finding import Finding, Severity
+from checks.judging import Judge
+
+NODE = """
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import String
+
+
+class Talker(Node):
+    limit = 3
+    numbers = [number for number in range(limit)]
+
+    def __init__(self):
+        super().__init__('talker')
+        self.pub = self.create_publisher(String, 'chatter', 10)
+        self.timer = self.create_timer(1.0, self.talk)
+
+    @property
+    def topic(self):
+        return 'chatter'
+
+    @topic.setter
+    def topic(self, name):
+        pass
+
+    def talk(self):
+{body}
+
+    def helper(self):
+        pass
+
+
+def main():
+    rclpy.init()
+    rclpy.spin(Talker())
+
+
+main()
+"""
+
+
+def _node(*lines: str) -> str:
+    return NODE.format(body="\n".join(f"        {line}" for line in lines))
+
+
+@pytest.mark.parametrize(
+    ("line", "hint", "help"),
+    [
+        ("time.sleep(0.1)", "", "write `import time`"),
+        ("print(np.zeros(3))", "", "write `import numpy as np`"),
+        ("print(ReentrantCallbackGroup())", "", "write `from rclpy.callback_groups import ReentrantCallbackGroup`"),
+        ("self.pub.publish(Sting())", "; did you mean 'String'?", "write String"),
+        ("print(limit)", "; did you mean 'self.limit'?", "write self.limit"),
+        ("helper()", "; did you mean 'self.helper'?", "write self.helper"),
+        ("print(f'{elapsed:.1f} s')", "", "define it, or remove the line"),
+        ("print([part for part in entries])", "", "define it, or remove the line"),
+        ("print(lambda name: name + other)", "", "define it, or remove the line"),
+    ],
+)
+def test_a_name_that_nothing_defines(judge: Judge, line: str, hint: str, help: str) -> None:
+    (finding,) = judge("API005", _node(f"{line}  # here"))
+    assert finding.message.startswith("nothing defines '")
+    assert finding.message.endswith(f"': this line fails with a NameError{hint}")
+    assert finding.help == help
+
+
+def test_all_reads_in_a_file_are_one_finding(judge: Judge) -> None:
+    (finding,) = judge("API005", _node("time.sleep(0.1)  # here") + "\n\ndef wait():\n    time.sleep(1.0)\n")
+    assert finding.message.endswith("; another line of the file does the same")
+    assert len(finding.related) == 1
+
+
+def test_what_other_files_write(judge: Judge) -> None:
+    other = _node("pass").replace("import rclpy\n", "import rclpy\nfrom math import hypot\n", 1)
+    (finding,) = judge("API005", _node("print(hypot(1, 2))  # here"), other)
+    assert finding.help == "write `from math import hypot`"
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        ("later()",),
+        ("for number in range(3):", "    print(number)"),
+        ("with open(__file__) as file:", "    print(file)"),
+        ("try:", "    pass", "except OSError as error:", "    print(error)"),
+        ("try:", "    unicode", "except NameError:", "    pass"),
+        ("if (count := len('ab')):", "    print(count)"),
+        ("match 'ab':", "    case [first, *rest]:", "        print(first, rest)"),
+        ("message: Missing = None", "print(message)"),
+        ("print({key: value for key, value in {}.items() if key})",),
+        ("print((lambda a, *b, c=1, **d: (a, b, c, d)))",),
+        ("global shared", "shared = 1"),
+        ("def inner(given=1):", "    nonlocal kept", "    kept = given", "kept = 0", "inner()"),
+        ("import os.path as path", "print(path, __class__)"),
+        ("print(sorted([], key=len), ExceptionGroup)",),
+    ],
+)
+def test_names_that_are_defined(judge: Judge, lines: tuple[str, ...]) -> None:
+    judge("API005", _node(*lines) + "\n\ndef later():\n    print(shared)\n\n\nshared = 2\n")
+
+
+@pytest.mark.parametrize(
+    "start",
+    [
+        "from unknown_library import *",
+        "import rospy",
+        "exec('value = 1')",
+        "globals()['value'] = 1",
+        "from .beside import *",
+    ],
+)
+def test_files_in_which_anything_may_be_defined(judge: Judge, start: str) -> None:
+    judge("API005", f"{start}\n{_node('print(value)')}")
+
+
+def test_star_imports_that_are_known(judge: Judge) -> None:
+    helpers = "import math\n\nvalue = 3\n\n\ndef scale():\n    return value\n"
+    star = "from node1 import *\nfrom std_msgs.msg import *\n"
+    judge("API005", star + _node("print(value, scale(), math, Int32())", "print(time)  # here"), helpers)
+
+
+def test_a_method_of_a_program_that_nothing_calls_is_information(findings: Callable[..., list[Finding]]) -> None:
+    node = _node("pass").replace("def helper(self):\n        pass", "def helper(self):\n        time.sleep(1)")
+    (finding,) = findings("API005", **{"robot/talker.py": node})
+    assert finding.severity is Severity.INFO
+    assert finding.help == "delete helper(), which nothing calls"
