@@ -55,7 +55,7 @@ def test_an_end_that_nobody_holds_is_dashed() -> None:
     assert "dashed" not in vertex(graph, "/used").attr["style"]
     assert line(graph, "/a", "/unused").attr["style"] == "dashed"
     assert line(graph, "/a", "/used").attr["style"] == "solid"
-    assert "dashed: nothing at the other end" in graph.graph_attr["label"]
+    assert "a dashed topic, service or action: nothing at the other end" in graph.graph_attr["label"]
 
 
 def test_a_conditional_endpoint_is_dotted() -> None:

@@ -21,6 +21,8 @@ from render.pictures import diagram
 from render.pictures import svg as drawn_as_svg
 from systems.builders import client, node, publisher, service, subscriber, system
 
+CAPTION = 1
+"""What is said below a picture is a shape in it."""
 SVG = "{http://www.w3.org/2000/svg}"
 
 
@@ -44,7 +46,7 @@ def count(svg: str, class_: str) -> int:
 def test_svg() -> None:
     drawn = drawn_as_svg(lesson())
     assert {"/sensor_node", "/control_node", "/motor_node", "/sensor_data", "/set_motor"} < set(texts(drawn))
-    assert (count(drawn, "node"), count(drawn, "edge")) == (6, 6)
+    assert (count(drawn, "node"), count(drawn, "edge")) == (6 + CAPTION, 6)
 
 
 def test_png_and_pdf() -> None:
@@ -85,7 +87,7 @@ def test_two_hundred_nodes() -> None:
         )
         for number in range(200)
     ]
-    drawn = drawing.svg(diagram(system(*nodes), View(expand=("*",))))
+    drawn = drawing.svg(diagram(system(*nodes), View(expand=("*",), every_line=True)))
     assert count(drawn, "node") == 200 + 200 + 50
 
 
@@ -104,9 +106,14 @@ def test_a_graph_that_is_too_large_is_drawn_by_package(monkeypatch: pytest.Monke
 
 def test_a_system_dot_comes_first(no_dot: Path) -> None:
     dot = no_dot / "dot"
-    dot.write_text(f"#!{sys.executable}\nimport sys\nprint(sys.argv[1:], len(sys.stdin.read()) > 100)\n")
+    told = no_dot / "told"
+    dot.write_text(
+        f"#!{sys.executable}\nimport sys\nprint(sys.argv[1:], len(sys.stdin.read()) > 100, file=open('{told}', 'a'))\n"
+        "print('{}' if '-Tjson0' in sys.argv else 'drawn')\n"
+    )
     dot.chmod(dot.stat().st_mode | stat.S_IXUSR)
-    assert drawing.draw(diagram(lesson()), "svg") == b"['-Kdot', '-Tsvg'] True\n"
+    assert drawing.draw(diagram(lesson()), "svg") == b"drawn\n"
+    assert told.read_text().splitlines() == ["['-Kdot', '-Tjson0'] True", "['-Knop2', '-Tsvg'] True"]
 
 
 def test_a_dot_that_fails(no_dot: Path) -> None:

@@ -94,11 +94,11 @@ def crowd(nodes: int) -> System:
 
 
 def each_of(made: System) -> Diagram:
-    return diagram(made, View(expand=("*",)))
+    return diagram(made, View(expand=("*",), every_line=True))
 
 
 def test_what_is_too_large_shows_its_groups() -> None:
-    drawn = render(crowd(501), View(expand=("*",)))
+    drawn = render(crowd(501), View(expand=("*",), every_line=True))
     assert drawn.startswith("%% too large for Mermaid: these are the groups; --format markdown draws each\n")
     assert '[("p0<br>251 nodes, 32 topics")]' in drawn
     assert "/n17" not in drawn

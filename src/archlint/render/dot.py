@@ -10,8 +10,10 @@ from collections import Counter
 from typing import TYPE_CHECKING
 
 from archlint.render import look
+from archlint.render.arranging import CAPTION
 from archlint.render.diagram.ids import ids_of
 from archlint.render.diagram.model import Badge, Diagram, Key, Line, Shape, Tone
+from archlint.render.wrapping import SMALL, TITLE, all_wrapped, wrapped
 from archlint.visible import visible
 
 if TYPE_CHECKING:
@@ -19,6 +21,7 @@ if TYPE_CHECKING:
 
     from archlint.architecture import ConnectionKind
     from archlint.finding import SeverityLabel
+    from archlint.render.arranging import Places
     from archlint.render.diagram.model import ShapeKind
 
 CAREFUL_LAYOUT = 300
@@ -28,7 +31,7 @@ CAREFUL_LINES = 600
 """And lines, which a picture with few shapes may have in plenty."""
 
 FEW_SHAPES = 30
-"""Shapes up to which there is room between them."""
+"""Shapes up to which words on a line are its label.  Graphviz moves all ranks apart for each."""
 
 _SHAPES: Mapping[ShapeKind, str] = {
     "node": "box",
@@ -39,8 +42,8 @@ _SHAPES: Mapping[ShapeKind, str] = {
     "group": "box3d",
 }
 _ARROWS: Mapping[ConnectionKind, str] = {"topic": "normal", "service": "vee", "action": "vee"}
-_CLOSE = {"pack": "12", "packmode": "graph", "nodesep": "0.12", "ranksep": "0.35"}
-"""A picture of much: parts that nothing connects side by side, each laid out by itself, and all closer together."""
+_PACKED = {"pack": "12", "packmode": "graph"}
+"""Parts that nothing connects are laid out each by itself; Graphviz drops the labels of lines then."""
 _HURRY = {"nslimit": "1", "nslimit1": "1", "mclimit": "0.1", "splines": "line"}
 BADGES: Mapping[SeverityLabel, tuple[str, str]] = {
     "error": ("#b91c1c", "#ffffff"),
@@ -60,28 +63,54 @@ _FRAME = {
     "labelloc": "t",
 }
 _QUIET = "#64748b"
+_SAID = {"fontsize": "10", "fontcolor": _QUIET}
 
 
 def render(diagram: Diagram) -> str:
     return write(diagram)
 
 
-def write(diagram: Diagram, attributes: Mapping[str, str] | None = None, hurry: bool = False) -> str:
+def write(
+    diagram: Diagram, attributes: Mapping[str, str] | None = None, hurry: bool = False, apart: bool = False
+) -> str:
     """``attributes`` are those of the whole graph, such as ``dpi``; in a ``hurry`` the words on lines have no place of
-    their own in the layout, and lines are straight, as in all that is large."""
+    their own in the layout, and lines are straight, as in all that is large.  What is drawn in parts that are put
+    together afterwards (``apart``) has its caption as a shape."""
     ids = ids_of(diagram.shapes)
     hurry = hurry or is_large(diagram)
-    close = len(diagram.shapes) > FEW_SHAPES and not hurry
-    attributes = {**(_HURRY if hurry else _CLOSE if close else {}), **(attributes or {})}
-    words = _words_on_lines(diagram, ids) if close else {}
+    many = len(diagram.shapes) > FEW_SHAPES and not hurry
+    attributes = {**(_HURRY if hurry else _PACKED if many else {}), **(attributes or {})}
+    words = _words_on_lines(diagram, ids) if many else {}
     label = "xlabel" if hurry else "label"
     lines = [
         drawn
         for number, line in enumerate(diagram.lines)
         for drawn in (_halves(line, ids, words[number][0]) if number in words else [_edge(line, ids, label)])
     ]
-    body = [*_defaults(attributes, diagram), *_shapes(diagram, ids, words), *lines]
+    caption = _caption(diagram)
+    body = [*_defaults(attributes, "" if apart else caption), *_shapes(diagram, ids, words), *lines]
+    if apart and caption:
+        body.append(f"  {CAPTION} {_attributes({'shape': 'plain', 'style': '', **_SAID}, caption)};")
     return "\n".join(["digraph archlint {", *body, "}"]) + "\n"
+
+
+def placed(source: str, places: Places) -> str:
+    """What :func:`write` has written with where everything is."""
+    rest = {name: [*several] for name, several in places.items()}
+    frame = ""
+    lines: list[str] = []
+    for line in source.splitlines():
+        head, bracket, attributes = line.partition(" [")
+        name = head.strip()
+        if name.startswith("subgraph "):
+            frame = name.split()[1]
+        elif name == "graph":
+            name = frame
+        if bracket and rest.get(name):
+            where = ", ".join(f'{key}="{value}"' for key, value in rest[name].pop(0).items())
+            line = f"{head} [{where}, {attributes}"
+        lines.append(line)
+    return "\n".join(lines) + "\n"
 
 
 def is_large(diagram: Diagram) -> bool:
@@ -134,20 +163,19 @@ def _attributes(values: Mapping[str, str], label: str = "", name: str = "label")
     return "[" + ", ".join([*every, *(f"{key}={quote(value)}" for key, value in values.items())]) + "]"
 
 
-def _defaults(attributes: Mapping[str, str], diagram: Diagram) -> Iterator[str]:
+def _defaults(attributes: Mapping[str, str], caption: str) -> Iterator[str]:
     defaults = {
         "rankdir": "LR",
         "bgcolor": "white",
         "pad": "0.3",
-        "nodesep": "0.2",
-        "ranksep": "0.5",
+        "nodesep": "0.14",
+        "ranksep": "0.4",
         "fontname": look.FONT,
-        "fontsize": "10",
-        "fontcolor": _QUIET,
+        **_SAID,
         "labelloc": "b",
         "labeljust": "l",
     }
-    yield f"  graph {_attributes({**defaults, **attributes}, _caption(diagram))};"
+    yield f"  graph {_attributes({**defaults, **attributes}, caption)};"
     shape = {"fontname": look.FONT, "style": "filled", "margin": "0.12,0.06", "height": "0.3"}
     yield f"  node {_attributes(shape)};"
     line = {"fontname": look.FONT, "fontsize": "9", "arrowsize": "0.7", "penwidth": "1.2"}
@@ -165,7 +193,7 @@ def _caption(diagram: Diagram) -> str:
     ]
     if samples:
         rows.append(_cells([(kind, drawn, look.PALETTE[kind].text) for kind, drawn in samples], "LEFT"))
-    return _table(rows, "LEFT") if rows else ""
+    return _table(_rows(rows, "LEFT")) if rows else ""
 
 
 def _words_on_lines(diagram: Diagram, ids: Mapping[Key, str]) -> dict[int, tuple[str, str]]:
@@ -228,17 +256,28 @@ def _told(badges: Iterable[Badge]) -> Iterator[str]:
 
 
 def _label(shape: Shape) -> str:
-    small = [f'<FONT POINT-SIZE="9">{escape(words)}</FONT>' for words in (*shape.lines, *shape.named)]
-    small += [f'<FONT POINT-SIZE="9"><I>{escape(words)}</I></FONT>' for words in shape.remarks]
-    rows = [escape(shape.title), *small]
+    """The title, what is said of it, what it is tied to without a line, and its badges."""
+    rows = [*map(escape, wrapped(shape.title, TITLE)), *map(_small, all_wrapped(shape.lines, SMALL))]
+    named = [*map(_small, all_wrapped(shape.named, SMALL))]
+    last = [f"<I>{words}</I>" for words in map(_small, all_wrapped(shape.remarks, SMALL))]
     if shape.badges:
-        rows.append(_badges(shape.badges))
-    return _table(rows, "LEFT" if shape.kind == "ends" else "CENTER") if len(rows) > 1 else rows[0]
+        last.append(_badges(shape.badges))
+    if len(rows) == 1 and not named and not last:
+        return rows[0]
+    align = "LEFT" if shape.kind == "ends" else "CENTER"
+    return _table("".join((_rows(rows, align), _rows(named, "LEFT"), _rows(last, align))))
 
 
-def _table(rows: Iterable[str], align: str = "CENTER") -> str:
-    body = "".join(f'<TR><TD ALIGN="{align}">{row}</TD></TR>' for row in rows)
-    return f'<TABLE BORDER="0" CELLSPACING="0" CELLPADDING="0">{body}</TABLE>'
+def _small(words: str) -> str:
+    return f'<FONT POINT-SIZE="9">{escape(words)}</FONT>'
+
+
+def _rows(rows: Iterable[str], align: str = "CENTER") -> str:
+    return "".join(f'<TR><TD ALIGN="{align}">{row}</TD></TR>' for row in rows)
+
+
+def _table(rows: str) -> str:
+    return f'<TABLE BORDER="0" CELLSPACING="0" CELLPADDING="0">{rows}</TABLE>'
 
 
 def _badges(badges: Sequence[Badge]) -> str:
@@ -265,8 +304,7 @@ def _edge(line: Line, ids: Mapping[Key, str], label: str) -> str:
 
 
 def _words(line: Line, id: str, label: str) -> str:
-    """The words on a line as a shape in the middle of it: Graphviz drops the labels of lines where it packs, and moves
-    all ranks apart for a single one."""
+    """The words on a line as a shape in the middle of it."""
     drawn = {"shape": "plain", "style": "", "fontsize": "9", "tooltip": edge(line)["tooltip"]}
     return f"  {id} {_attributes(drawn, label)};"
 
@@ -298,11 +336,12 @@ def edge(line: Line) -> dict[str, str]:
 def _line_label(line: Line) -> str:
     wrong = look.PALETTE["wrong"].line
     red = f"✕ {line.broken}".split(", ") if line.broken else [*line.held_back]
-    rows = [f'<FONT COLOR="{look.PALETTE[line.tone].text}">{escape(words)}</FONT>' for words in line.labels]
-    rows += [f'<FONT COLOR="{wrong}">{escape(words)}</FONT>' for words in red]
+    text = look.PALETTE[line.tone].text
+    rows = [f'<FONT COLOR="{text}">{escape(words)}</FONT>' for words in all_wrapped(line.labels, SMALL)]
+    rows += [f'<FONT COLOR="{wrong}">{escape(words)}</FONT>' for words in all_wrapped(red, SMALL)]
     if line.badges:
         rows.append(_badges(line.badges))
-    return _table(rows) if rows else ""
+    return _table(_rows(rows)) if rows else ""
 
 
-__all__ = ["BADGES", "CAREFUL_LAYOUT", "edge", "escape", "is_large", "quote", "render", "vertex", "write"]
+__all__ = ["BADGES", "CAREFUL_LAYOUT", "edge", "escape", "is_large", "placed", "quote", "render", "vertex", "write"]

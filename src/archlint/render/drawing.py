@@ -15,12 +15,14 @@ from importlib.util import find_spec
 from typing import Literal
 
 from archlint.render import dot
+from archlint.render.arranging import places
 from archlint.render.diagram.model import Diagram
 from archlint.render.errors import CannotDraw, NoGraphviz
 
 Picture = Literal["svg", "png", "pdf"]
 Layout = Literal["svg", "png", "pdf", "json0"]
 """What Graphviz is asked for: a picture, or where everything stands (``json0``)."""
+Engine = Literal["dot", "nop2"]
 
 TIME_LIMIT = 30
 """Seconds that a layout may take."""
@@ -30,11 +32,11 @@ SHARP = 200
 
 _BUNDLED = """
 import sys
-format, *path = sys.argv[1:]
+format, engine, *path = sys.argv[1:]
 sys.path[:] = path
 import pygraphviz
 graph = pygraphviz.AGraph(string=sys.stdin.buffer.read().decode())
-sys.stdout.buffer.write(graph.draw(format=format, prog="dot"))
+sys.stdout.buffer.write(graph.draw(format=format, prog=engine))
 """
 """Runs isolated: the folder that is linted must not provide any module of it."""
 
@@ -57,7 +59,10 @@ def draw(diagram: Diagram, format: Picture) -> bytes:
     if format == "png":
         attributes["dpi"] = "144" if len(diagram.shapes) <= SHARP else "96"
     try:
-        return layout(dot.write(diagram, attributes), format)
+        if dot.is_large(diagram):
+            return layout(dot.write(diagram, attributes), format)
+        source = dot.write(diagram, attributes, apart=True)
+        return layout(dot.placed(source, places(layout(source, "json0"))), format, "nop2")
     except NoGraphviz:
         raise
     except CannotDraw:  # some versions of Graphviz cannot place the words on certain lines
@@ -66,14 +71,14 @@ def draw(diagram: Diagram, format: Picture) -> bytes:
     return layout(dot.write(diagram, attributes, hurry=True), format)
 
 
-def layout(source: str, format: Layout) -> bytes:
-    """What Graphviz makes of ``source``.  Raises :class:`CannotDraw`."""
+def layout(source: str, format: Layout, engine: Engine = "dot") -> bytes:
+    """What Graphviz makes of ``source``; ``nop2`` takes the places that are said there.  Raises :class:`CannotDraw`."""
     encoded = source.encode("utf-8", "replace")
     try:
         if shutil.which("dot"):
-            return _with_system_graphviz(encoded, format)
+            return _with_system_graphviz(encoded, format, engine)
         if find_spec("pygraphviz"):
-            return _with_bundled_graphviz(encoded, format)
+            return _with_bundled_graphviz(encoded, format, engine)
     except subprocess.TimeoutExpired as late:
         raise CannotDraw(
             f"Graphviz took more than {TIME_LIMIT} seconds; --format dot, json and mermaid need no layout"
@@ -87,16 +92,16 @@ def layout(source: str, format: Layout) -> bytes:
     )
 
 
-def _with_system_graphviz(source: bytes, format: Layout) -> bytes:
-    from graphviz.backend import dot_command, execute
+def _with_system_graphviz(source: bytes, format: Layout, engine: Engine) -> bytes:
+    from graphviz.backend import execute
 
-    command = dot_command.command("dot", format)
+    command = ["dot", f"-K{engine}", f"-T{format}"]
     done = execute.run_check(command, input=source, capture_output=True, timeout=TIME_LIMIT, quiet=True)
     return bytes(done.stdout)
 
 
-def _with_bundled_graphviz(source: bytes, format: Layout) -> bytes:
-    command = [sys.executable, "-I", "-c", _BUNDLED, format, *filter(None, sys.path)]
+def _with_bundled_graphviz(source: bytes, format: Layout, engine: Engine) -> bytes:
+    command = [sys.executable, "-I", "-c", _BUNDLED, format, engine, *filter(None, sys.path)]
     return subprocess.run(command, input=source, capture_output=True, timeout=TIME_LIMIT, check=True).stdout
 
 

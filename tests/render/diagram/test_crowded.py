@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from archlint.render.diagram.crowded import MANY_LINES, THINNED
 from archlint.render.diagram.large import MOST_NODES, OPENED
 from archlint.render.diagram.model import Diagram
@@ -11,8 +9,8 @@ from archlint.render.view import View
 from archlint.ros.qos import Qos
 from archlint.systems.model import System
 from archlint.systems.nodes import Node
-from render.pictures import diagram, dot, lines, titles
-from systems.builders import node, publisher, subscriber, system
+from render.pictures import diagram, dot, finding, lines, titles
+from systems.builders import client, node, publisher, service, subscriber, system
 
 PAIRS = 21
 
@@ -32,9 +30,11 @@ def named(of: System) -> dict[str, tuple[str, ...]]:
 
 
 def test_what_very_many_nodes_hear_is_named_at_each() -> None:
-    drawn = diagram(system(node("/tf_node", publisher("/tf")), *listeners("/tf"), *pairs()))
+    talker = node("/tf_node", publisher("/tf"), subscriber("/data0"))
+    drawn = diagram(system(talker, *listeners("/tf"), *pairs()))
     assert drawn.shapes["node", "/tf_node"].named == ("→ /tf",)
-    assert drawn.shapes["node", "/listener0"].named == ("← /tf",)
+    [listed] = [shape for shape in drawn.shapes.values() if shape.kind == "ends"]
+    assert listed.label == ("9 nodes, each with", *(f"/listener{n}" for n in range(9)), "← /tf")
     assert drawn.shapes["topic", "/tf"].lines[-1] == "from 1 node, to 9 nodes"
     assert not [line for line in drawn.lines if ("topic", "/tf") in line.ends]
     assert any(words.startswith("→ or ←") for words in drawn.caption)
@@ -132,10 +132,81 @@ def boxes(drawn: Diagram) -> set[str]:
     return {shape.title for shape in drawn.shapes.values() if shape.kind == "group"}
 
 
-def test_very_many_nodes_are_boxes_of_their_groups() -> None:
+def test_of_very_many_nodes_as_many_groups_are_boxes_as_it_takes() -> None:
     drawn = diagram(large())
-    assert boxes(drawn) == {"arm", "base"}
-    assert drawn.caption[:2] == ("80 nodes, 2 topics", OPENED)
+    assert boxes(drawn) == {"arm"}
+    assert OPENED in drawn.caption
+    assert boxes(diagram(large(), View(collapse=("*",)))) == {"arm", "base"}
+
+
+def test_small_groups_are_boxes_first() -> None:
+    groups = {"large": 40, "middle": 15, "small": 10}
+    made = system(*(node(f"/{name}{n}", package=name) for name, number in groups.items() for n in range(number)))
+    assert boxes(diagram(made)) == {"small", "middle"}
+    assert boxes(diagram(made, View(expand=("small",)))) == {"middle"}
+
+
+def test_a_node_more_than_are_drawn_closes_few_groups() -> None:
+    """Ten nodes' worth of the smallest, and nothing else."""
+    most = [node(f"/n{n}", package=f"p{n // 4:02}") for n in range(MOST_NODES)]
+    assert boxes(diagram(system(*most))) == set()
+    more = [*most, node("/more", package="more")]
+    assert boxes(diagram(system(*more))) == {"p00", "p01", "p02", "p03"}
+    assert boxes(diagram(system(*more, node("/one_more", package="more2")))) == {"p00", "p01", "p02", "p03"}
+
+
+def test_a_line_more_than_are_drawn_changes_little() -> None:
+    """Ten lines' worth of what nobody takes is named in its nodes, and all else is drawn as it was."""
+    talkers = [node(f"/talker{n}", publisher(f"/news{n}")) for n in range(MANY_LINES - 20)]
+    few, many = diagram(system(*pairs(10), *talkers)), diagram(system(*pairs(11), *talkers))
+    assert [shape.title for shape in few.shapes.values() if shape.named] == []
+    assert len([shape.title for shape in many.shapes.values() if shape.named]) == 10
+    assert lines(few) - lines(many) == {(f"/talker{n}", f"/news{n}") for n in (0, 1, *range(10, 18))}
+
+
+def test_what_has_nobody_at_its_other_end_is_named_in_its_node() -> None:
+    made = system(
+        node("/a", publisher("/x"), subscriber("/y"), service("/s"), client("/c"), publisher("/both")),
+        node("/b", subscriber("/both")),
+        *pairs(),
+    )
+    drawn = diagram(made)
+    assert drawn.shapes["node", "/a"].named == (
+        "← no client: /s",
+        "← no publisher: /y",
+        "→ no server: /c",
+        "→ no subscriber: /x",
+    )
+    assert {("/a", "/both"), ("/both", "/b")} < lines(drawn)
+    assert drawn.caption[0] == f"{2 + 2 * PAIRS} nodes, {3 + PAIRS} topics, 2 services"
+
+
+def test_many_of_these_are_in_rows() -> None:
+    topics = [publisher(f"/a_rather_long_name_{n}") for n in range(3)]
+    assert diagram(system(node("/a", *topics), *pairs())).shapes["node", "/a"].named == (
+        "→ no subscriber:",
+        "/a_rather_long_name_0,",
+        "/a_rather_long_name_1,",
+        "/a_rather_long_name_2",
+    )
+
+
+def test_what_nobody_takes_and_has_a_finding_keeps_its_shape() -> None:
+    wrong = node("/a", publisher("/x"))
+    drawn = diagram(system(wrong, *pairs()), findings=[finding("TOP001", wrong.endpoints[0].place, "/a")])
+    assert ("/a", "/x") in lines(drawn)
+
+
+def test_words_on_lines_go_first() -> None:
+    """Of 42 lines, those of ten topics say no more what quality of service is asked for."""
+    offered, asked = Qos(reliability="reliable"), Qos(reliability="best_effort")
+
+    def talking(number: int) -> System:
+        senders = [node(f"/from{n}", publisher(f"/data{n}", qos=offered)) for n in range(number)]
+        return system(*senders, *(node(f"/to{n}", subscriber(f"/data{n}", qos=asked)) for n in range(number)))
+
+    assert len([line for line in diagram(talking(20)).lines if line.labels]) == 20
+    assert len([line for line in diagram(talking(21)).lines if line.labels]) == 11
 
 
 def test_a_group_that_is_expanded_has_its_nodes() -> None:
@@ -179,17 +250,12 @@ def in_folders(packages: int) -> System:
     """Two nodes in each package, and two folders of packages."""
     return system(
         *(
-            in_file(node(f"/{side}{number}", publisher(f"/x{number % 2}"), package=f"p{number}"), file)
+            node(f"/{side}{number}", publisher(f"/x{number % 2}"), package=f"p{number}", file=file)
             for number in range(packages)
             for side in ("a", "b")
             for file in [f"src/{'sensing' if number % 2 else 'planning'}/p{number}/src/{side}.py"]
         )
     )
-
-
-def in_file(made: Node, file: str) -> Node:
-    assert made.blueprint is not None
-    return replace(made, blueprint=replace(made.blueprint, place=replace(made.blueprint.place, file=file)))
 
 
 def test_of_very_many_packages_their_folders_are_boxes() -> None:

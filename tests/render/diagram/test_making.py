@@ -8,6 +8,7 @@ from archlint.render.diagram.ids import ids_of
 from archlint.render.view import View
 from archlint.ros.qos import Qos
 from archlint.systems.model import System
+from archlint.systems.nodes import Node
 from render.lesson import lesson
 from render.pictures import diagram, lines, titles
 from systems.builders import action_server, client, node, publisher, service, subscriber, system, timer
@@ -159,3 +160,45 @@ def test_ids_are_different_and_harmless() -> None:
     ids = ids_of([("topic", name) for name in ("/a/b", "/a_b", "/A_b", "größe", "end", '"];', "")])
     assert len(set(ids.values())) == 7
     assert all(id.isascii() and id.replace("_", "a").isalnum() for id in ids.values())
+
+
+def labels(*nodes: Node) -> list[tuple[str, ...]]:
+    return [shape.label for key, shape in diagram(system(*nodes)).shapes.items() if key[0] == "node"]
+
+
+def test_nodes_of_one_name_say_their_packages() -> None:
+    namesakes = [node("/driver", package="left"), node("/driver", package="right"), node("/other", package="left")]
+    assert labels(*namesakes) == [("/driver", "left"), ("/driver", "right"), ("/other",)]
+
+
+def test_nodes_of_one_name_and_package_say_their_files() -> None:
+    assert labels(*(node("/driver", file=f"src/robot/{name}.py") for name in ("sonar", "lidar"))) == [
+        ("/driver", "sonar.py"),
+        ("/driver", "lidar.py"),
+    ]
+
+
+def test_nodes_of_one_name_in_files_of_one_name_say_both() -> None:
+    namesakes = [
+        node("/driver", package=package, file=f"src/{package}/{file}.py")
+        for package in ("left", "right")
+        for file in ("sonar", "lidar")
+    ]
+    assert [label[1] for label in labels(*namesakes)] == [
+        *("left: sonar.py", "left: lidar.py"),
+        *("right: sonar.py", "right: lidar.py"),
+    ]
+
+
+def test_the_same_node_twice_has_nothing_to_tell_it_apart() -> None:
+    assert labels(node("/driver"), node("/driver")) == [("/driver",), ("/driver",)]
+
+
+def test_what_is_grey_and_dashed_is_said() -> None:
+    said = "grey and dashed: test code, no node, or a node whose source is not here"
+    assert said in " · ".join(diagram(system(node("/mock", test=True), node("/driver"))).caption)
+    assert said not in " · ".join(diagram(system(node("/driver"))).caption)
+
+
+def test_a_neighbour_is_not_taken_for_test_code() -> None:
+    assert "grey and dashed" not in " · ".join(diagram(lesson()).caption)

@@ -57,7 +57,7 @@ def _counts(diagram: Diagram, whole: Diagram) -> str:
 
 
 def _kinds(diagram: Diagram) -> Counter[str]:
-    kinds: Counter[str] = Counter()
+    kinds = Counter(diagram.in_nodes)
     for shape in diagram.shapes.values():
         if not shape.helper:
             kinds.update(shape.holds or {"neighbour" if shape.neighbour else shape.kind: 1})
@@ -80,13 +80,15 @@ def _meanings(diagram: Diagram, compared: bool) -> Iterator[str]:
     if any(line.cycle for line in lines):
         yield "thick: requests that lead in a circle"
     if any(shape.named for shape in shapes):
-        yield "→ or ← and a name: sends to it, takes from it; too many nodes do for lines"
+        yield "→ or ← and a name in a node: sends to it, takes from it"
     if compared:
         yield "compared with a running system: red is missing, green unexpected, teal different"
     if any(shape.neighbour for shape in shapes):
         yield "white: a neighbour outside the selection"
+    if any(shape.kind == NODE and shape.tone == "aside" and not shape.neighbour for shape in shapes):
+        yield "grey and dashed: test code, no node, or a node whose source is not here"
     if any(not shape.matched for shape in shapes):
-        yield "dashed: nothing at the other end"
+        yield "a dashed topic, service or action: nothing at the other end"
     if any("*" in shape.title for shape in shapes if shape.kind not in ("node", "group")):
         yield "*: known only at run time"
     if any(not line.directed for line in lines):

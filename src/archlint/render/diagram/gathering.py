@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 from archlint.render.diagram.model import Shape
 from archlint.render.look import UNOWNED, counted
@@ -21,6 +21,8 @@ FEWEST_SHARED = 2
 MOST_NAMES = 12
 """The names that are listed; the others are counted."""
 
+_Name = TypeVar("_Name", str, tuple[str, str])
+
 Tie = tuple["Key", bool, "Stroke", tuple[str, ...]]
 """How a node is tied to something: the node, whether it sends, and how that is drawn and worded."""
 
@@ -31,7 +33,7 @@ def gathered(diagram: Diagram) -> Diagram:
     bundles: dict[tuple[Key, str, bool], list[Key]] = {}
     for key, shape in diagram.shapes.items():
         lines = at.get(key, [])
-        if key[0] != NODE and not shape.matched and len(lines) == 1 and _is_plain(shape, lines):
+        if key[0] != NODE and not shape.matched and len(lines) == 1 and is_plain(shape, lines):
             outwards = lines[0].head == key
             node = lines[0].tail if outwards else lines[0].head
             bundles.setdefault((node, lines[0].kind, outwards), []).append(key)
@@ -43,37 +45,54 @@ def gathered(diagram: Diagram) -> Diagram:
     return _bundled(diagram, at, named)
 
 
-def shared(diagram: Diagram) -> Diagram:
-    """The diagram with one shape for all topics, services or actions that the same nodes have in the same way."""
+def shared(diagram: Diagram, most: int) -> Diagram:
+    """The diagram with ``most`` lines less, or as many as can be saved by one shape for all topics, services or actions
+    that the same nodes have in the same way."""
     at = lines_at(diagram)
     bundles: dict[tuple[str, bool, frozenset[Tie]], list[Key]] = {}
     for key, shape in diagram.shapes.items():
         lines = at.get(key, [])
-        if lines and shape.kind in ("topic", "service", "action") and _is_plain(shape, lines):
+        if lines and shape.kind in ("topic", "service", "action") and is_plain(shape, lines):
             ties = frozenset(_tie(line, key) for line in lines)
             bundles.setdefault((shape.kind, shape.matched, ties), []).append(key)
-    named = {
-        ("ends", f"{members[0][1]} and other {kind}s"): members
-        for (kind, _, _), members in bundles.items()
-        if len(members) >= FEWEST_SHARED
-    }
+    several = {members[0]: members for members in bundles.values() if len(members) >= FEWEST_SHARED}
+    savings = {first: (len(members) - 1) * len(at[first]) for first, members in several.items()}
+    chosen = {first: several[first] for first in sorted(enough(savings, most))}
+    named: dict[Key, Sequence[Key]] = {("ends", f"{key[1]} and other {key[0]}s"): chosen[key] for key in chosen}
     return _bundled(diagram, at, named)
 
 
+def enough(savings: Mapping[_Name, int], most: int) -> Iterator[_Name]:
+    """What saves most lines, one after the other, until ``most`` are saved, in whole tens: so a line more changes
+    something elsewhere one time in ten."""
+    most = in_tens(most)
+    for key in sorted(savings, key=lambda key: (-savings[key], key)):
+        if most <= 0:
+            return
+        yield key
+        most -= savings[key]
+
+
+def in_tens(number: int) -> int:
+    """The next ten that is no smaller; 0 for nothing and less."""
+    return max(0, -(-number // 10) * 10)
+
+
 def without_single_nodes(diagram: Diagram) -> Diagram:
-    """The diagram with one shape for the nodes of a frame that nothing ties to others.  What has a finding stays."""
+    """The diagram with one shape for the nodes of a frame that no line ties to others, and in which the same is named.
+    What has a finding stays."""
     tied = {key for line in diagram.lines for key in line.ends}
-    single: dict[str, list[Key]] = {}
+    single: dict[tuple[str, tuple[str, ...]], list[Key]] = {}
     frames = diagram.frames
     for key, shape in diagram.shapes.items():
-        marked = shape.badges or shape.remarks or shape.named or shape.tone != "node"
+        marked = shape.badges or shape.remarks or shape.tone != "node"
         if key[0] == NODE and shape.kind == "node" and key not in tied and not marked:
-            single.setdefault(frames.get(key, ""), []).append(key)
+            single.setdefault((frames.get(key, ""), shape.named), []).append(key)
     shapes, groups = dict(diagram.shapes), dict(diagram.groups)
-    for title, members in sorted(single.items()):
+    for (title, named), members in sorted(single.items()):
         if len(members) < FEWEST or title == UNOWNED:
             continue
-        key = ("ends", f"{title} single nodes")
+        key = ("ends", f"{title} single nodes{', '.join(['', *named])}")
         shapes[key] = _single_nodes(key, [shapes.pop(member) for member in members])
         if title:
             groups[key] = title
@@ -93,7 +112,7 @@ def is_plain_line(line: Line) -> bool:
     return line.directed and not (line.broken or line.held_back or line.badges or line.differs or line.cycle)
 
 
-def _is_plain(shape: Shape, lines: Iterable[Line]) -> bool:
+def is_plain(shape: Shape, lines: Iterable[Line]) -> bool:
     return not (shape.badges or shape.remarks or shape.tone != shape.kind) and all(map(is_plain_line, lines))
 
 
@@ -140,12 +159,14 @@ def _ends(key: Key, members: Sequence[Shape]) -> Shape:
 
 
 def _single_nodes(key: Key, members: Sequence[Shape]) -> Shape:
-    names = [member.title for member in members]
+    names = [f"{member.title} ({', '.join(member.lines)})" if member.lines else member.title for member in members]
+    named = members[0].named
     return Shape(
         key,
         "ends",
-        f"{counted(len(names), 'node')}, each alone",
+        f"{counted(len(names), 'node')}, {'each with' if named else 'each alone'}",
         _listed(names),
+        named,
         details=tuple(f"{member.title}: {', '.join(member.details)}" for member in members),
         groups=members[0].groups,
         holds={NODE: len(names)},
@@ -176,4 +197,4 @@ def _joined(key: Key, members: Sequence[Key], at: Mapping[Key, Sequence[Line]]) 
         )
 
 
-__all__ = ["gathered", "is_plain_line", "lines_at", "shared", "without_single_nodes"]
+__all__ = ["enough", "gathered", "in_tens", "is_plain", "is_plain_line", "lines_at", "shared", "without_single_nodes"]

@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections import Counter
 from typing import TYPE_CHECKING
 
+from archlint.render.diagram.gathering import in_tens
 from archlint.render.diagram.grouping import collapsed, grouped, titled
 from archlint.systems.graph import NODE
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterator, Mapping
 
     from archlint.render.diagram.model import Diagram
     from archlint.render.view import GroupBy, View
@@ -18,15 +19,16 @@ MOST_NODES = 60
 """Nodes up to which each is drawn, unless another is asked for."""
 _BY: tuple[GroupBy | None, ...] = (None, "package", "folder")
 OPENED = (
-    f"more than {MOST_NODES} nodes: groups are boxes; --expand '*' draws each node, --expand GLOB those of some groups"
+    f"more than {MOST_NODES} nodes: groups are boxes, small ones first; --expand '*' draws each node, "
+    "--expand GLOB those of some groups"
 )
 """What the caption says of that."""
 
 
 def in_groups(diagram: Diagram, view: View) -> tuple[Diagram, bool]:
     """The diagram with the frames of its view, and boxes for the groups that the view collapses.  Of more than
-    :data:`MOST_NODES` nodes, each group of several nodes is a box that the view does not expand; the second value says
-    whether there is such a one."""
+    :data:`MOST_NODES` nodes, so many groups of several nodes are boxes, small ones first, that there are no more; never
+    those that the view expands.  The second value says whether there is such a box."""
     framed = grouped(diagram, view.group)
     asked = collapsed(framed, titled(framed, view.collapse))
     if _nodes(asked) <= MOST_NODES:
@@ -40,9 +42,22 @@ def in_groups(diagram: Diagram, view: View) -> tuple[Diagram, bool]:
 def _boxes(diagram: Diagram, view: View) -> Iterator[Diagram]:
     for by in _BY if view.group is None else (view.group,):
         framed = grouped(diagram, by)
-        members = Counter(title for key, title in framed.groups.items() if key[0] == NODE)
-        several = {title for title, number in members.items() if number > 1}
-        yield collapsed(framed, several - titled(framed, view.expand) | titled(framed, view.collapse))
+        asked = titled(framed, view.collapse)
+        open = titled(framed, view.expand) | asked
+        nodes = (key for key in framed.groups if key[0] == NODE and not framed.shapes[key].helper)
+        members = Counter(framed.groups[key] for key in nodes if framed.groups[key] not in open)
+        too_many = _nodes(collapsed(framed, asked)) - MOST_NODES
+        yield collapsed(framed, asked | {*_smallest(members, too_many)})
+
+
+def _smallest(members: Mapping[str, int], too_many: int) -> Iterator[str]:
+    """Titles of groups of several nodes, until as many nodes have no shape of their own as are too many, in whole tens:
+    so a node more closes or opens another group one time in ten."""
+    too_many = in_tens(too_many)
+    for title, number in sorted(members.items(), key=lambda item: (item[1], item[0])):
+        if too_many > 0 and number > 1:
+            yield title
+            too_many -= number - 1
 
 
 def _nodes(diagram: Diagram) -> int:

@@ -46,7 +46,7 @@ class Shape:
     lines: tuple[str, ...] = ()
     """What is said below the title: types, conditions, quality of service."""
     named: tuple[str, ...] = ()
-    """What it is tied to without a line: ``→ /tf``, where very many nodes are."""
+    """What it is tied to without a line: ``→ /tf``, where very many nodes are, or where nobody else is."""
     remarks: tuple[str, ...] = ()
     """What is remarkable, such as that it is a hub."""
     badges: tuple[Badge, ...] = ()
@@ -108,6 +108,8 @@ class Diagram:
     groups: Mapping[Key, str] = field(default_factory=dict)
     unframed: frozenset[str] = frozenset()
     """Groups that have no frame, which would tear the picture apart."""
+    in_nodes: Mapping[str, int] = field(default_factory=dict)
+    """How many of each kind have no shape and are named in nodes alone."""
     cut: Mapping[tuple[Key, Key, Key], str] = field(default_factory=dict)
     """From which node, over what, to which node nothing ever gets, and why."""
     caption: tuple[str, ...] = ()

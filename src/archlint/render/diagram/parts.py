@@ -9,12 +9,13 @@ from typing import TYPE_CHECKING, Any
 from archlint.observed.model import MISSING
 from archlint.render import look
 from archlint.render.diagram.model import Diagram, Key, Line, Shape, Stroke, Tone
-from archlint.render.diagram.traffic import qos_of_users, traffic_words
+from archlint.render.diagram.namesakes import told_apart
+from archlint.render.diagram.traffic import qos_of_users, qos_offered, traffic_words
 from archlint.systems.graph import NODE, TOPIC
 from archlint.systems.rates import rates
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping
+    from collections.abc import Iterable, Mapping, Sequence
 
     import networkx
 
@@ -22,19 +23,19 @@ if TYPE_CHECKING:
     from archlint.systems.model import System
     from archlint.systems.nodes import Endpoint, Node
 
-FEW_LINES = 40
-"""Lines up to which each says what its end asks of quality of service, where that is not what is offered."""
-
 
 def parts_of(system: System, graph: networkx.MultiDiGraph) -> Diagram:
     """Of :func:`archlint.render.picture.graph_of`."""
     frequency = rates(system)
     shapes: dict[Key, Shape] = {}
+    offered: dict[Key, Sequence[str]] = {}
     for key, data in graph.nodes(data=True):
         ends = [edge["endpoint"] for edge in _edges_at(graph, key)]
         shapes[key] = _node(key, data) if data["kind"] == NODE else _interface(key, data, ends, frequency)
-    bundles = look.bundles(graph)
-    lines = [_line(graph, bundle, len(bundles) <= FEW_LINES) for bundle in bundles]
+        if key[0] == TOPIC:
+            offered[key] = qos_offered(ends)
+    shapes |= told_apart(shapes, {key: graph.nodes[key]["node"] for key in shapes if key[0] == NODE})
+    lines = [_line(graph, bundle, offered) for bundle in look.bundles(graph)]
     lines += [_remapped(node, interface) for node, interface in graph.graph["remapped"]]
     return Diagram(_from_common_folder(shapes), tuple(lines), cut=graph.graph["cut"])
 
@@ -119,17 +120,16 @@ def _stroke(data: dict[str, Any], otherwise: Stroke) -> Stroke:
     return "dashed" if data["observed"] == MISSING else "solid"
 
 
-def _line(graph: networkx.MultiDiGraph, bundle: look.Bundle, few: bool) -> Line:
+def _line(graph: networkx.MultiDiGraph, bundle: look.Bundle, offered: Mapping[Key, Sequence[str]]) -> Line:
     interface = bundle.tail if bundle.tail[0] != NODE else bundle.head
     matched = graph.nodes[interface]["matched"]
     stroke: Stroke = "dotted" if bundle.conditional else "solid" if matched and not bundle.broken else "dashed"
     if bundle.observed:
         stroke = "dashed" if bundle.observed == MISSING else "solid"
     labels = [bundle.remark] if bundle.remark else []
-    if few and interface[0] == TOPIC and bundle.tail == interface and not bundle.broken:
-        ends = [edge["endpoint"] for edge in _edges_at(graph, interface)]
+    if interface[0] == TOPIC and bundle.tail == interface and not bundle.broken:
         users = [edge["endpoint"] for edge in graph.get_edge_data(bundle.tail, bundle.head).values()]
-        labels += qos_of_users(ends, users)
+        labels += qos_of_users(offered[interface], users)
     return Line(
         bundle.tail,
         bundle.head,

@@ -25,9 +25,13 @@ def traffic_words(ends: Sequence[Endpoint], rates: Mapping[int, float]) -> list[
     return [" · ".join(words)] if words else []
 
 
-def qos_of_users(ends: Sequence[Endpoint], users: Sequence[Endpoint]) -> list[str]:
+def qos_offered(ends: Sequence[Endpoint]) -> Sequence[str]:
+    """What all who publish a topic with these ends offer; nothing where they differ, or where it is not known."""
+    return _agreed([end for end in ends if end.kind == EntityKind.PUBLISHER])
+
+
+def qos_of_users(offered: Sequence[str], users: Sequence[Endpoint]) -> list[str]:
     """What subscriptions ask for, as far as it is not what is offered anyway."""
-    offered = _agreed([end for end in ends if end.kind == EntityKind.PUBLISHER])
     asked = [word for word in _agreed(users) if word not in offered]
     return [" · ".join(asked)] if offered and asked else []
 
@@ -50,4 +54,4 @@ _USUAL = ("reliable", "volatile")
 """The defaults of ROS, which are not worth a word."""
 _TOLD = ("reliable", "best_effort", "volatile", "transient_local")
 
-__all__ = ["qos_of_users", "traffic_words"]
+__all__ = ["qos_of_users", "qos_offered", "traffic_words"]
