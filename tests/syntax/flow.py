@@ -6,7 +6,8 @@ import textwrap
 
 from archlint.syntax import facts
 from archlint.syntax.control_flow import graph_of, may_run_again
-from archlint.syntax.flow_graph import Block, Graph, any_edge, without_exceptions
+from archlint.syntax.flow_blocks import Block, any_edge, without_exceptions
+from archlint.syntax.flow_graph import Graph
 from archlint.syntax.python.lowering import lower
 from archlint.syntax.walk import called_name, calls_in, statements_of
 

@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 
 from archlint.syntax import facts
 from archlint.syntax.control_flow import always_raises, graph_of, loop_of, may_run_again
-from archlint.syntax.flow_graph import Block, Edge, Kind, reach
+from archlint.syntax.flow_blocks import Block, Edge, Kind, reach
 from syntax.flow import Flow, body, names_of, names_of_fact
 
 # ------------------------------------------------------------------------------------------- what runs at all

@@ -35,7 +35,7 @@ def test_it_is_the_answer_for_each_block_by_itself(lines: list[str]) -> None:
     graph = Flow("\n".join(lines)).graph
     for block in graph.blocks:
         assert graph.deciders([block]) == graph._deciders_of([block])
-        assert graph.outcomes([block]) == graph._outcomes_of([block])
+        assert graph.outcomes([block]) == graph._outcomes.at([block])
 
 
 def test_a_row_of_statements_is_one_question() -> None:

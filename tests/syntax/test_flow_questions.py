@@ -8,7 +8,7 @@ from __future__ import annotations
 import pytest
 
 from archlint.syntax.control_flow import loop_of
-from archlint.syntax.flow_graph import Block
+from archlint.syntax.flow_blocks import Block
 from syntax.flow import Flow, names_of
 
 

@@ -15,7 +15,7 @@ from archlint.model import (
 )
 from archlint.syntax import facts
 from archlint.syntax.control_flow import graph_of
-from archlint.syntax.flow_graph import Block, Edge, Kind, reach, without_exceptions
+from archlint.syntax.flow_blocks import Block, Edge, Kind, reach, without_exceptions
 from archlint.syntax.parts import everything_in
 from archlint.syntax.walk import called_name, calls_in, parts_of, statements_of
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 
 from archlint.syntax import facts
 from archlint.syntax.control_flow import graph_of
-from archlint.syntax.flow_graph import Block, reach
+from archlint.syntax.flow_blocks import Block, reach
 from archlint.syntax.parts import names_in
 from archlint.syntax.walk import parts_of, statements_of
 

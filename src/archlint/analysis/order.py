@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from archlint.syntax import facts
 from archlint.syntax.control_flow import graph_of
-from archlint.syntax.flow_graph import without_exceptions
+from archlint.syntax.flow_blocks import without_exceptions
 
 if TYPE_CHECKING:
     from archlint.analysis.source_code import SourceCode

@@ -9,7 +9,7 @@ from archlint.analysis.reach import argument
 from archlint.model.given import Message
 from archlint.syntax import facts
 from archlint.syntax.control_flow import graph_of, loop_of
-from archlint.syntax.flow_graph import Block
+from archlint.syntax.flow_blocks import Block
 from archlint.syntax.walk import called_name, calls_in, statements_of
 
 if TYPE_CHECKING:

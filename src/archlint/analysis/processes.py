@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.assumptions import dotted
 from archlint.syntax import facts
 from archlint.syntax.control_flow import graph_of
-from archlint.syntax.flow_graph import Edge, Kind, without_exceptions
+from archlint.syntax.flow_blocks import Edge, Kind, without_exceptions
 from archlint.syntax.parts import everything_in
 from archlint.syntax.walk import calls_in
 

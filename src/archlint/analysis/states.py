@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from archlint.syntax import facts
 from archlint.syntax.control_flow import graph_of
-from archlint.syntax.flow_graph import reach, without_exceptions
+from archlint.syntax.flow_blocks import reach, without_exceptions
 from archlint.syntax.parts import parts_of
 from archlint.syntax.walk import statements_of
 

@@ -9,7 +9,8 @@ from archlint.syntax import facts
 from archlint.syntax.walk import called_name, calls_in, parts_of
 
 if TYPE_CHECKING:
-    from archlint.syntax.flow_graph import Block, Graph
+    from archlint.syntax.flow_blocks import Block
+    from archlint.syntax.flow_graph import Graph
 
 LOGS = frozenset({"get_logger", "debug", "info", "warn", "warning", "error", "print", "format", "str"})
 """Calls that only say something."""

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from archlint.syntax import facts
 from archlint.syntax.control_flow import loop_of
-from archlint.syntax.flow_graph import Block, Edge, Kind, Loop, reach, without_exceptions
+from archlint.syntax.flow_blocks import Block, Edge, Kind, Loop, reach, without_exceptions
 from archlint.syntax.walk import called_name, calls_in, statements_of
 
 _ASKS = frozenset({"wait_for_service", "wait_for_server", "service_is_ready", "server_is_ready"})

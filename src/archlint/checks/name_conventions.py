@@ -15,6 +15,7 @@ from archlint.finding import Finding, Related
 if TYPE_CHECKING:
     from archlint.finding import Place
     from archlint.systems.model import WorkspaceIndex
+    from archlint.workspace.model import Package
 
 Home = tuple[str, str]
 """The file and the class that a name is fixed in; the class is empty where there is none."""
@@ -42,9 +43,12 @@ def with_convention(workspace: WorkspaceIndex | None, names: Iterable[FixedName]
     """The classes that follow the convention of their package to fix absolute names, each with the name and the
     package.xml of that package.  A class that mixes absolute and relative names follows none."""
     by_package: dict[tuple[str, str], dict[Home, set[FixedName]]] = {}
+    packages: dict[str, Package | None] = {}
     for name in names:
         folder = posixpath.dirname(name.home[0])
-        package = None if workspace is None else package_around(workspace, folder)
+        if folder not in packages:
+            packages[folder] = None if workspace is None else package_around(workspace, folder)
+        package = packages[folder]
         if package is not None:
             classes = by_package.setdefault((package.name, package.manifest.relative), {})
             classes.setdefault(name.home, set()).add(name)

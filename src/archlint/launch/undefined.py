@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 from archlint.syntax import facts
 from archlint.syntax.bindings import bound_by
 from archlint.syntax.control_flow import graph_of
-from archlint.syntax.flow_graph import Block, Kind, reach, without_exceptions
+from archlint.syntax.flow_blocks import Block, Kind, reach, without_exceptions
 from archlint.syntax.parts import everything_in
 
 _ALWAYS = frozenset(dir(builtins)) | {"__file__", "__name__", "__doc__", "__package__", "__spec__", "__loader__"}

@@ -9,7 +9,8 @@ from collections.abc import Callable, Sequence
 from functools import lru_cache
 
 from archlint.syntax import facts
-from archlint.syntax.flow_graph import Block, Edge, ExitBlocks, Graph, Kind, Loop, reach
+from archlint.syntax.flow_blocks import Block, Edge, Kind, Loop, reach
+from archlint.syntax.flow_graph import ExitBlocks, Graph
 from archlint.syntax.parts import Itself
 
 _Final = Callable[[Block], Block]

@@ -25,6 +25,12 @@ def covers(fact: facts.Base, span: facts.Span) -> bool:
     return around[:2] <= span[:2] and span[2:] <= around[2:]
 
 
+def lines_of(fact: facts.Base) -> range:
+    """The lines that a fact is written on."""
+    span: facts.Span = getattr(fact, "span", (0, 0, 0, 0))
+    return range(span[0], span[2] + 1)
+
+
 def ends_of(statement: facts.Stmt) -> tuple[tuple[int, int], tuple[int, int]]:
     span: facts.Span = getattr(statement, "span", (0, 0, 0, 0))
     return span[:2], span[2:]
@@ -35,4 +41,4 @@ def is_within(statement: facts.Stmt, first: tuple[int, int], last: tuple[int, in
     return first <= begins and ends <= last
 
 
-__all__ = ["covers", "ends_of", "is_within", "sufficient"]
+__all__ = ["covers", "ends_of", "is_within", "lines_of", "sufficient"]

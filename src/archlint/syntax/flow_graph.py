@@ -10,165 +10,22 @@ All questions come down to reaching blocks: one dominates another if nothing rea
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Callable, Collection, Container, Hashable, Iterator, Sequence
-from enum import Enum, auto
+from collections.abc import Callable, Collection, Hashable
 from functools import cached_property
 from typing import Any, Generic, TypeVar
 
 from archlint.syntax import facts
-from archlint.syntax.cut_edges import edges_on_every_way
-from archlint.syntax.flow_facts import covers, ends_of, is_within, sufficient
+from archlint.syntax.flow_blocks import Along, Block, Edge, Kind, Loop, any_edge, reach, without_exceptions
+from archlint.syntax.flow_deciders import Deciders
+from archlint.syntax.flow_facts import covers, ends_of, is_within, lines_of
+from archlint.syntax.flow_outcomes import Outcomes
 
 State = TypeVar("State", bound=Hashable)
 Answer = TypeVar("Answer")
 
 
-class Kind(Enum):
-    """How an edge leads on."""
-
-    NEXT = auto()
-    BACK = auto()
-    """To the head of a loop around it."""
-    RAISE = auto()
-    """Where an exception goes."""
-
-
-class Block:
-    """One statement or the head of one; ``fact`` is what it evaluates, ``loops`` are those that it is in, outermost
-    first.
-
-    With ``leaves`` it is ``return``, ``raise`` or an end of the program: where that raises, it has not had its effect.
-    """
-
-    __slots__ = ("edges", "fact", "leaves", "loops", "statement")
-
-    def __init__(
-        self, fact: facts.Base | None = None, statement: facts.Stmt | None = None, loops: tuple[Loop, ...] = ()
-    ) -> None:
-        self.fact = fact
-        self.statement = statement
-        self.loops = loops
-        self.leaves = False
-        self.edges: list[Edge] = []
-
-
-class Edge:
-    """A way from one block to another, taken where ``test`` comes out as ``holds``."""
-
-    __slots__ = ("holds", "kind", "source", "target", "test")
-
-    def __init__(
-        self, source: Block, target: Block, kind: Kind, test: facts.Expr | None = None, holds: bool = True
-    ) -> None:
-        self.source = source
-        self.target = target
-        self.kind = kind
-        self.test = test
-        self.holds = holds
-
-    @property
-    def sufficient(self) -> list[tuple[facts.Expr, bool]]:
-        """The conditions each of which is enough that it is taken, with how they come out."""
-        return [] if self.test is None else list(sufficient(self.test, self.holds))
-
-
-Along = Callable[[Edge], bool]
-"""Which edges count."""
-
-
-def any_edge(edge: Edge) -> bool:
-    """Every edge."""
-    return True
-
-
-def without_exceptions(edge: Edge) -> bool:
-    """The edges that code takes as long as nothing raises but ``raise`` itself, or what ends the program."""
-    return edge.kind is not Kind.RAISE or len(edge.source.edges) == 1
-
-
-def reach(starts: Collection[Block], along: Along = any_edge, avoiding: Collection[Block] = ()) -> set[Block]:
-    """The blocks that may run from some blocks on, these included, on ways that keep clear of others."""
-    waiting = [block for block in starts if block not in avoiding]
-    reached = set(waiting)
-    while waiting:
-        for edge in waiting.pop().edges:
-            if edge.target not in reached and edge.target not in avoiding and along(edge):
-                reached.add(edge.target)
-                waiting.append(edge.target)
-    return reached
-
-
-class Loop:
-    """A loop: its ``head`` decides about each round; ``blocks`` are those of its head and its body that run at all."""
-
-    __slots__ = ("blocks", "head", "statement")
-
-    def __init__(self, statement: facts.While | facts.For, head: Block) -> None:
-        self.statement = statement
-        self.head = head
-        self.blocks: list[Block] = []
-
-    @property
-    def exits(self) -> Iterator[Edge]:
-        """The edges that leave it, exceptions among them."""
-        return (edge for block in self.blocks for edge in block.edges if self not in edge.target.loops)
-
-    @property
-    def is_left_early(self) -> bool:
-        """Whether ``break``, ``return`` or ``raise`` in its body may end it."""
-        return self.is_left_by_jump or any(edge.kind is Kind.RAISE and edge.source.leaves for edge in self.exits)
-
-    @property
-    def is_left_by_jump(self) -> bool:
-        """Whether ``break`` or ``return`` in its body may end it."""
-        return any(edge.source is not self.head and edge.kind is not Kind.RAISE for edge in self.exits)
-
-    @property
-    def repeats(self) -> bool:
-        """Whether it may repeat at all."""
-        return self.repeats_after([self.head])
-
-    def repeats_after(self, blocks: Sequence[Block]) -> bool:
-        """Whether it may repeat once some of its blocks have run."""
-        own = [block for block in blocks if self in block.loops]
-        after = [edge for block in own for edge in block.edges if edge.kind is not Kind.RAISE or not block.leaves]
-        inside = reach([edge.target for edge in after if self._stays_within(edge)], along=self._stays_within)
-        after += [edge for block in inside for edge in block.edges]
-        return any(edge.target is self.head for edge in after)
-
-    @property
-    def endings(self) -> list[Edge]:
-        """The edges that end it for certain when they are taken, of conditions that are asked in every round."""
-        return [
-            edge
-            for block in self.blocks
-            for edge in block.edges
-            if edge.test is not None and self._ends_it(edge) and self.is_in_every_round(block)
-        ]
-
-    @property
-    def is_left_otherwise(self) -> bool:
-        """Whether ``break``, ``return`` or ``raise`` in its body may end it where none of its ``endings`` is taken."""
-        endings = self.endings
-        blocks = reach([self.head], lambda edge: edge not in endings and self in edge.target.loops)
-        leaving = (edge for block in blocks - {self.head} for edge in block.edges if self not in edge.target.loops)
-        return any(edge not in endings and (edge.kind is not Kind.RAISE or edge.source.leaves) for edge in leaving)
-
-    def _ends_it(self, edge: Edge) -> bool:
-        inside = reach([edge.target] if self._stays_within(edge) else [], self._stays_within)
-        onward = [edge, *(later for block in inside for later in block.edges)]
-        return all(later.target is not self.head for later in onward)
-
-    def is_in_every_round(self, *blocks: Block) -> bool:
-        """Whether no round that leads to another one goes past all of some blocks."""
-        if self.head in blocks:
-            return True
-        begins = [edge.target for edge in self.head.edges if self._stays_within(edge)]
-        others = reach(begins, self._stays_within, avoiding=blocks)
-        return all(edge.target is not self.head for other in others for edge in other.edges)
-
-    def _stays_within(self, edge: Edge) -> bool:
-        return edge.target is not self.head and self in edge.target.loops
+FEW = 2000
+"""With fewer blocks, all copies of a block are looked at together."""
 
 
 class Ends(Generic[State]):
@@ -242,7 +99,18 @@ class Graph:
 
     def evaluating(self, span: facts.Span) -> list[Block]:
         """The blocks that evaluate what stands at a place; a ``finally`` has several."""
-        return [block for block in self.blocks if block.fact is not None and covers(block.fact, span)]
+        on_line = self._on_lines.get(span[0], ())
+        return [block for block in on_line if block.fact is not None and covers(block.fact, span)]
+
+    @cached_property
+    def _on_lines(self) -> dict[int, list[Block]]:
+        """The blocks that evaluate something that stands on a line, or around it."""
+        blocks: dict[int, list[Block]] = {}
+        for block in self.blocks:
+            if block.fact is not None:
+                for line in lines_of(block.fact):
+                    blocks.setdefault(line, []).append(block)
+        return blocks
 
     def dominates(self, first: Collection[Block], block: Block, along: Along = any_edge) -> bool:
         """Whether every way from the start to a block goes through one of others first."""
@@ -291,24 +159,11 @@ class Graph:
     def outcomes(self, targets: Collection[Block]) -> list[Edge]:
         """How conditions have come out on every way to some blocks: around them, and in front of them where the other
         outcome leaves.  One edge stands for all copies of a condition."""
-        return self._once(self._outcomes_of, targets)
+        return self._once(self._outcomes.at, targets)
 
-    def _outcomes_of(self, targets: Collection[Block]) -> list[Edge]:
-        groups: dict[tuple[int, bool], list[Edge]] = {}
-        for block in self.blocks:
-            for edge in block.edges:
-                if edge.test is not None and edge.test.truth is None:
-                    groups.setdefault((id(edge.test), edge.holds), []).append(edge)
-        certain = edges_on_every_way(self.entry, set(targets))
-        if certain is None:
-            return [edges[0] for edges in groups.values()] if targets else []
-        return [edges[0] for edges in groups.values() if self._are_on_every_way(edges, certain, targets)]
-
-    def _are_on_every_way(self, edges: Sequence[Edge], certain: Container[object], targets: Collection[Block]) -> bool:
-        """Whether every way takes one of some edges."""
-        if len(edges) == 1:
-            return edges[0] in certain
-        return reach([self.entry], lambda edge: edge not in edges).isdisjoint(targets)
+    @cached_property
+    def _outcomes(self) -> Outcomes:
+        return Outcomes(self.entry, self.blocks)
 
     def deciders(self, targets: Collection[Block]) -> list[Block]:
         """The blocks that decide whether some blocks are reached, as long as nothing raises, and those that decide
@@ -317,6 +172,28 @@ class Graph:
         return self._once(self._deciders_of, targets)
 
     def _deciders_of(self, targets: Collection[Block]) -> list[Block]:
+        if self._has_copies and len(self.blocks) < FEW:
+            deciders = self._deciders_with_copies(targets)
+        else:
+            deciders = set[Block]().union(*(self._deciders.of(block) for block in targets))
+        return sorted(deciders, key=self._order.__getitem__)
+
+    @cached_property
+    def _order(self) -> dict[Block, int]:
+        return {block: number for number, block in enumerate(self.blocks)}
+
+    @cached_property
+    def _deciders(self) -> Deciders:
+        return Deciders(self.blocks)
+
+    @cached_property
+    def _has_copies(self) -> bool:
+        """Whether a block is there several times: for each way out of a ``finally``."""
+        rows = [(id(block.statement), id(block.fact)) for block in self.blocks if block.statement is not None]
+        return len(rows) > len(set(rows))
+
+    def _deciders_with_copies(self, targets: Collection[Block]) -> set[Block]:
+        """What decides whether one of some copies is reached, each time held against the whole graph."""
         heads = {loop.head for block in targets for loop in block.loops}
         deciders: set[Block] = set()
         waiting = [set(targets)]
@@ -330,7 +207,7 @@ class Graph:
                     {row for row in self.of(block.statement) if row.fact is block.fact} if block.statement else ()
                 )
                 waiting.append(siblings or {block})
-        return [block for block in self.blocks if block in deciders]
+        return deciders
 
     def _decide_about(self, targets: set[Block], heads: set[Block]) -> set[Block]:
         def goes_on(edge: Edge) -> bool:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from archlint.interpreter.values import Known
 from archlint.syntax import facts
-from archlint.syntax.flow_graph import Loop
+from archlint.syntax.flow_blocks import Loop
 from archlint.syntax.walk import called_name, calls_in, statements_of
 
 if TYPE_CHECKING:

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Final
 
 from archlint.syntax import facts
 from archlint.syntax.control_flow import always_raises, graph_of
-from archlint.syntax.flow_graph import without_exceptions
+from archlint.syntax.flow_blocks import without_exceptions
+from archlint.syntax.flow_deciders import MOST
 from archlint.syntax.parts import Itself
 from archlint.syntax.walk import called_name, calls_in, parts_of, statements_of
 
@@ -55,7 +56,10 @@ def _deciding(body: Itself[Sequence[facts.Stmt]], wanted: Itself[facts.Stmt]) ->
     if graph.without_exceptions.isdisjoint(blocks):
         return None  # an exception leads there
     tests: list[facts.Expr] = []
-    for block in graph.deciders(blocks):
+    deciders = graph.deciders(blocks)
+    if len(deciders) >= MOST:
+        return None  # there may be others
+    for block in deciders:
         match block.statement:
             case facts.If(test):
                 tests.append(test)
@@ -130,8 +134,15 @@ def _about_arguments(tests: Sequence[facts.Expr], activation: Activation) -> boo
     function = activation.function
     if function is None or not isinstance(function.ir, facts.Function):
         return False
-    known = {param.name for param in function.ir.params} - {"self", "cls"}
-    for statement in statements_of(activation.body):
+    known = _from_arguments(Itself(function.ir), Itself(activation.body))
+    return all(_looks_at(test, known) for test in tests)
+
+
+@lru_cache(maxsize=1024)
+def _from_arguments(function: Itself[facts.Function], body: Itself[Sequence[facts.Stmt]]) -> frozenset[str]:
+    """The parameters of a function, and the names of what is made of them alone."""
+    known = frozenset(param.name for param in function.fact.params) - {"self", "cls"}
+    for statement in statements_of(body.fact):
         match statement:
             case facts.Assign(targets, value):
                 names = {target.variable for target in targets}
@@ -140,10 +151,10 @@ def _about_arguments(tests: Sequence[facts.Expr], activation: Activation) -> boo
             case _:
                 continue
         known = known | names if _looks_at(value, known) else known - names
-    return all(_looks_at(test, known) for test in tests)
+    return known
 
 
-def _looks_at(expression: facts.Expr, known: set[str]) -> bool:
+def _looks_at(expression: facts.Expr, known: frozenset[str]) -> bool:
     """Whether an expression is made of known names, literals, constants and classes, and asks at least one of these
     names."""
     names = [part.id for part in parts_of(expression, facts.Name)]
