@@ -8,14 +8,16 @@ from unittest.mock import patch
 
 import pytest
 
-from archlint.analysis import coexistence, delivery, unassigned_attributes
-from archlint.checks import near_misses, unmatched
+from archlint.analysis import class_chains, coexistence, delivery, unassigned_attributes
+from archlint.checks import near_misses, service_cycles, unmatched
+from archlint.config import toml_places
 from archlint.config.options import options_for
 from archlint.config.settings import Settings
 from archlint.engine.judging import judge
 from archlint.engine.pipeline import Request, check
 from archlint.finding import Finding, Place
 from archlint.ros.qos import Qos
+from archlint.syntax import facts
 from archlint.systems.model import System
 from systems.builders import node, partial, publisher, subscriber, system
 
@@ -175,3 +177,62 @@ def test_what_a_file_assigns_is_collected_once(tmp_path: Path, monkeypatch: pyte
         return collected
 
     assert 0 < of(40) == of(20)
+
+
+def test_the_names_that_a_file_binds_are_collected_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    looked = 0
+    bound_by = class_chains._bound_by
+
+    def counting(statement: facts.Base) -> set[str]:
+        nonlocal looked
+        looked += 1
+        return bound_by(statement)
+
+    monkeypatch.setattr(class_chains, "_bound_by", counting)
+
+    def of(many: int) -> int:
+        nonlocal looked
+        method = "    def go(self):\n        return self.unheard_of\n"
+        classes = "".join(f"class C{number}(C{number - 1}):\n{method}" for number in range(1, many))
+        end = f"\nrclpy.init()\nrclpy.spin(C{many - 1}('a'))\n"
+        source = f"import rclpy\nfrom rclpy.node import Node\nclass C0(Node):\n    pass\n{classes}{end}"
+        (tmp_path / "node.py").write_text(source)
+        looked = 0
+        check(Request((str(tmp_path),), Settings(), cached=False, jobs=1))
+        return looked
+
+    assert 0 < of(40) < 2.1 * of(20)
+
+
+def test_the_headers_of_a_configuration_are_read_once(monkeypatch: pytest.MonkeyPatch):
+    read = 0
+    entries = toml_places._entries
+
+    def counting(text: str) -> list[toml_places._Entry]:
+        nonlocal read
+        read += 1
+        return entries(text)
+
+    monkeypatch.setattr(toml_places, "_entries", counting)
+    text = "[[contracts]]\nname = 'a'\n" * 50
+    spans = [toml_places.headers(text, ("contracts",))[number] for number in range(50)]
+    assert (read, spans[:2]) == (1, [(1, 3, 12), (3, 3, 12)])
+
+
+def test_circles_of_services_are_looked_for_up_to_a_limit(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    def found(limit: int) -> set[str]:
+        monkeypatch.setattr(service_cycles, "MOST_STEPS", limit)
+        served = "".join(
+            f"        self.create_service(Trigger, 's{k}', self.on_{k})\n"
+            f"        self.c{k} = self.create_client(Trigger, 's{(k + 1) % 5}')\n"
+            for k in range(5)
+        )
+        handlers = "".join(
+            f"    def on_{k}(self, request, response):\n        return self.c{k}.call(request)\n" for k in range(5)
+        )
+        source = "from std_srvs.srv import Trigger\n" + CROWDED.format(lines=served + handlers)
+        (tmp_path / "node.py").write_text(source)
+        findings = check(Request((str(tmp_path),), Settings(), cached=False, jobs=1)).findings
+        return {finding.code for finding in findings} & {"SRV006"}
+
+    assert (found(1000), found(3)) == ({"SRV006"}, set())

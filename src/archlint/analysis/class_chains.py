@@ -83,7 +83,8 @@ def _class_named(workspace: WorkspaceIndex, file: str, name: str, depth: int) ->
     if file_facts is None or not name or depth <= 0:
         return None
     head, _, rest = name.partition(".")
-    bound = [statement for statement in statements_of(file_facts.body) if _binds(statement, head)]
+    bindings = _bindings(file_facts)
+    bound = bindings.get(head, bindings.get("*", ()))
     if not bound and name == "object":
         return name
     match bound:
@@ -118,17 +119,35 @@ def _is_foreign(workspace: WorkspaceIndex, file: str, module: str) -> bool:
     return top not in workspace.code.top_modules and workspace.code.path_of_import(file, top) is None
 
 
-def _binds(statement: facts.Base, name: str) -> bool:
+@once_for
+def _bindings(file_facts: facts.Facts) -> dict[str, list[facts.Base]]:
+    """The first two statements that bind a name, for each name of a file.  A star may bind any of them; those of names
+    that nothing else binds have the key ``*``."""
+    bindings: dict[str, list[facts.Base]] = {"*": []}
+    bound_once = {"*"}
+    for statement in statements_of(file_facts.body):
+        names = _bound_by(statement)
+        for name in names - bindings.keys():
+            bindings[name] = [*bindings["*"]]
+            bound_once.add(name)
+        for name in bound_once & names if "*" not in names else [*bound_once]:
+            bindings[name].append(statement)
+            if len(bindings[name]) > 1:
+                bound_once.remove(name)
+    return bindings
+
+
+def _bound_by(statement: facts.Base) -> set[str]:
     match statement:
         case facts.Class(name=own) | facts.Function(name=own):
-            return own == name
+            return {own}
         case facts.ImportFrom(names=names):
-            return any(bound in (name, "*") for _, bound in names)
+            return {bound for _, bound in names}
         case facts.Import(module=module, alias=alias):
-            return (alias or module.partition(".")[0]) == name
+            return {alias or module.partition(".")[0]}
         case facts.Assign(targets=targets):
-            return any(target.variable == name for target in targets)
-    return False
+            return {target.variable for target in targets if target.variable}
+    return set()
 
 
 def files_with(workspace: WorkspaceIndex, name: str) -> list[str]:

@@ -61,7 +61,7 @@ def sites_of_name(workspace: WorkspaceIndex | None, given: Place, written: str, 
         return None
     interface = _INTERFACES[called_name(call)]
     place = Place.of(given.file, span_of(statement))
-    *_, last_line, last_column = max(map(span_of, tree.block_from(statement)), key=lambda span: span[2:])
+    *_, last_line, last_column = span_of(tree.last_of_block(statement))
     site = NamedCall(
         name=given,
         node=Place.of(given.file, node.span),

@@ -6,6 +6,7 @@ For fixes, which must know more than a rule does: code that is moved has to mean
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import lru_cache
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once, once_for_each_file
@@ -71,10 +72,15 @@ def own_node(tree: Tree, node: facts.Expr, statement: facts.Stmt) -> bool:
     """Whether a node is ``self``, or one that the same function has just made: nobody else knows it yet."""
     name = node.dotted
     if name == "self":
-        return not any(_declares_itself(call) for call in tree.of_kind(facts.Call))
+        return not _has_declaring_calls(tree)
     function = tree.function_around(statement)
     values = [value for target, value in _assigned_in(tree, function) if target.dotted == name]
     return len(values) == 1 and _makes_node(values[0])
+
+
+@lru_cache(maxsize=256)
+def _has_declaring_calls(tree: Tree) -> bool:
+    return any(_declares_itself(call) for call in tree.of_kind(facts.Call))
 
 
 def _assigned_in(tree: Tree, function: facts.Function | None) -> Iterator[tuple[facts.Expr, facts.Expr]]:

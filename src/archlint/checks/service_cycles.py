@@ -25,6 +25,9 @@ if TYPE_CHECKING:
 _SERVER_OF = {EntityKind.CLIENT: EntityKind.SERVICE, EntityKind.ACTION_CLIENT: EntityKind.ACTION_SERVER}
 _HANDLES = {Role.SERVICE: EntityKind.SERVICE, Role.EXECUTE: EntityKind.ACTION_SERVER}
 
+MOST_STEPS = 1_000_000
+"""Steps of ways that are gone along in the search for circles: enough for one of a hundred services."""
+
 _Key = tuple[str, str]
 """Kind of server and full name."""
 
@@ -43,13 +46,21 @@ def waits_behind(system: System, wait: Wait) -> list[Edge]:
     edges = waits_of_handlers(system)
     return [
         behind
-        for row in edges.values()
-        for edge in row
-        if edge.wait is wait
+        for edge in _edges_of_waits(system).get(id(wait), ())
         for behind in edges.get(edge.target, ())
         if behind.wait.call.context is not wait.call.context
         and _may_coexist(system, behind.server.node, edge.server.node)
     ]
+
+
+@once
+def _edges_of_waits(system: System) -> dict[int, list[Edge]]:
+    """What a handler asks, for each wait of one."""
+    edges: dict[int, list[Edge]] = {}
+    for row in waits_of_handlers(system).values():
+        for edge in row:
+            edges.setdefault(id(edge.wait), []).append(edge)
+    return edges
 
 
 def _may_coexist(system: System, node: Node, other: Node) -> bool:
@@ -62,9 +73,10 @@ def service_call_cycle(system: System, options: Options) -> Iterator[Finding]:
     edges = waits_of_handlers(system)
     seen: set[frozenset[_Key]] = set()
     findings = []
+    steps = _Steps()
     for start in sorted(edges):
         for first in edges[start]:
-            circle = _shortest_circle(first, start, edges, system)
+            circle = _shortest_circle(first, start, edges, system, steps)
             keys = frozenset((edge.server.kind, edge.server.name or "") for edge in circle)
             if circle and keys not in seen:
                 seen.add(keys)
@@ -89,7 +101,16 @@ def waits_of_handlers(system: System) -> dict[_Key, list[Edge]]:
     return edges
 
 
-def _shortest_circle(first: Edge, start: _Key, edges: dict[_Key, list[Edge]], system: System) -> list[Edge]:
+class _Steps:
+    """How many steps may still be gone along, of all ways together."""
+
+    def __init__(self) -> None:
+        self.left = MOST_STEPS
+
+
+def _shortest_circle(
+    first: Edge, start: _Key, edges: dict[_Key, list[Edge]], system: System, steps: _Steps
+) -> list[Edge]:
     """The shortest circle that begins with a wait and comes back to ``start``; empty where there is none.
 
     Each server is reached once, over the way that was found first: there are more circles than anybody can list where
@@ -102,6 +123,9 @@ def _shortest_circle(first: Edge, start: _Key, edges: dict[_Key, list[Edge]], sy
         way = ways[target]
         if target == start:
             return way
+        steps.left -= len(way)
+        if steps.left < 0:
+            return []
         for edge in edges.get(target, ()):
             node = edge.server.node
             together = all(node is step.server.node or system.may_coexist(node, step.server.node) for step in way)

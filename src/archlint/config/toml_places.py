@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import lru_cache
 
 KeyPath = tuple[str, ...]
 TextSpan = tuple[int, int, int]
@@ -47,9 +49,19 @@ def locate(text: str, path: KeyPath, element: str | None = None, after: int = 0)
     return None
 
 
-def headers(text: str, path: KeyPath) -> list[TextSpan]:
+def headers(text: str, path: KeyPath) -> Sequence[TextSpan]:
     """The places of all headers of a table or of a list of tables."""
-    return [(entry.line, *entry.columns) for entry in _entries(text) if entry.path == path and not entry.value]
+    return _headers(text).get(path, ())
+
+
+@lru_cache(maxsize=4)
+def _headers(text: str) -> Mapping[KeyPath, Sequence[TextSpan]]:
+    """All headers of a file, which are asked for once for each table of a list."""
+    spans: dict[KeyPath, list[TextSpan]] = {}
+    for entry in _entries(text):
+        if not entry.value:
+            spans.setdefault(entry.path, []).append((entry.line, *entry.columns))
+    return spans
 
 
 def _inside(entry: _Entry, element: str | None) -> TextSpan | None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left, bisect_right
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
@@ -41,8 +42,10 @@ def apply(findings: Iterable[Finding], by_file: Mapping[str, Sequence[Suppressio
     """Take away the findings whose primary place is covered by a suppression of their code or name."""
     outcome = Outcome()
     used: set[tuple[str, int, int, str]] = set()
-    for candidate in findings:
-        covering = _covering(candidate, by_file.get(candidate.place.file, ()))
+    candidates = list(findings)
+    on_lines = _on_lines(candidates, by_file)
+    for candidate in candidates:
+        covering = _covering(candidate, on_lines.get((candidate.place.file, candidate.place.line), ()))
         used.update(covering)
         (outcome.suppressed if covering else outcome.kept).append(candidate)
     for file, suppressions in sorted(by_file.items()):
@@ -55,6 +58,24 @@ def apply(findings: Iterable[Finding], by_file: Mapping[str, Sequence[Suppressio
     return outcome
 
 
+def _on_lines(
+    findings: Iterable[Finding], by_file: Mapping[str, Sequence[Suppression]]
+) -> dict[tuple[str, int], list[Suppression]]:
+    """The suppressions that cover a line with findings, by file and line."""
+    lines: dict[str, set[int]] = {}
+    for candidate in findings:
+        lines.setdefault(candidate.place.file, set()).add(candidate.place.line)
+    covering: dict[tuple[str, int], list[Suppression]] = {}
+    for file, numbers in lines.items():
+        ordered = sorted(numbers)
+        for suppression in by_file.get(file, ()):
+            first, last = suppression.applies_to
+            whole = suppression.scope == "file"
+            for line in ordered if whole else ordered[bisect_left(ordered, first) : bisect_right(ordered, last)]:
+                covering.setdefault((file, line), []).append(suppression)
+    return covering
+
+
 def _covering(finding: Finding, suppressions: Sequence[Suppression]) -> list[tuple[str, int, int, str]]:
     """Keys of the suppressions that cover a finding: file, line and column of each and the code it names."""
     if finding.code == NEVER_SUPPRESSED:
@@ -62,7 +83,6 @@ def _covering(finding: Finding, suppressions: Sequence[Suppression]) -> list[tup
     return [
         (finding.place.file, suppression.line, suppression.column, code)
         for suppression in suppressions
-        if suppression.covers(finding.place.line)
         for code in suppression.codes
         if code.upper() == finding.code or code.lower() == finding.name
     ]

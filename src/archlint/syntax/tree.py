@@ -68,15 +68,14 @@ class Tree:
     def class_around(self, fact: facts.Base) -> facts.Class | None:
         return next(self.classes_around(fact), None)
 
-    def block_from(self, statement: facts.Base) -> Sequence[facts.Stmt]:
-        """A statement and those that follow it in its block."""
-        parent = self.parent(statement)
-        assert parent is not None
-        for block in _lists(parent):
-            for at, item in enumerate(block):
-                if item is statement:
-                    return cast("Sequence[facts.Stmt]", block[at:])
-        return [cast("facts.Stmt", statement)]
+    def last_of_block(self, statement: facts.Base) -> facts.Base:
+        """The last statement of the block that a statement stands in; the statement itself where it stands in none."""
+        return self._last_of_blocks.get(id(statement), statement)
+
+    @cached_property
+    def _last_of_blocks(self) -> dict[int, facts.Base]:
+        blocks = (block for holder, _ in self._holders for block in _lists(holder))
+        return {id(item): cast("facts.Base", block[-1]) for block in blocks for item in block}
 
     @cached_property
     def given(self) -> dict[facts.Span, tuple[facts.Call, facts.Expr]]:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Final
 
 from archlint.syntax import facts
 from archlint.syntax.control_flow import always_raises, graph_of
-from archlint.syntax.flow_blocks import without_exceptions
+from archlint.syntax.flow_blocks import Block, without_exceptions
 from archlint.syntax.flow_deciders import MOST
 from archlint.syntax.parts import Itself
 from archlint.syntax.walk import called_name, calls_in, parts_of, statements_of
@@ -106,24 +106,33 @@ def is_cleaning_up(run: Run) -> bool:
     )
 
 
-@lru_cache(maxsize=4096)
 def _cleans_up(body: Itself[Sequence[facts.Stmt]], wanted: Itself[facts.Stmt]) -> bool:
-    return any(
-        (handles and always_raises(block)) or any(called_name(call) in _ENDS for call in calls_in(block))
+    return id(wanted.fact) in _in_clean_up(body)
+
+
+@lru_cache(maxsize=1024)
+def _in_clean_up(body: Itself[Sequence[facts.Stmt]]) -> frozenset[int]:
+    return frozenset(
+        id(inner)
         for statement in statements_of(body.fact, facts.Try)
         for block, handles in ((statement.final, False), *((handler.body, True) for handler in statement.handlers))
-        if any(inner is wanted.fact for inner in statements_of(block))
+        if (handles and always_raises(block)) or any(called_name(call) in _ENDS for call in calls_in(block))
+        for inner in statements_of(block)
     )
 
 
-@lru_cache(maxsize=4096)
 def _raises_next(body: Itself[Sequence[facts.Stmt]], wanted: Itself[facts.Stmt]) -> bool:
-    if not any(True for _ in statements_of(body.fact, facts.Raise)):
-        return False
+    blocks = graph_of(body.fact).of(wanted.fact)
+    return bool(blocks) and _raising(body).issuperset(blocks)
+
+
+@lru_cache(maxsize=1024)
+def _raising(body: Itself[Sequence[facts.Stmt]]) -> frozenset[Block]:
+    """The blocks from which every way leads to a ``raise``."""
     graph = graph_of(body.fact)
     raising = [block for block in graph.blocks if isinstance(block.fact, facts.Raise)]
-    blocks = graph.of(wanted.fact)
-    return bool(blocks) and all(graph.post_dominates(raising, block, without_exceptions) for block in blocks)
+    others = graph.before(graph.exits, without_exceptions, avoiding=raising).union(graph.exits) if raising else ()
+    return frozenset(graph.blocks).difference(others) if raising else frozenset()
 
 
 _ENDS = frozenset({"shutdown", "try_shutdown", "destroy_node"})
