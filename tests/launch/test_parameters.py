@@ -144,6 +144,25 @@ def test_a_parameter_that_is_not_known_says_why(launches, value, why):
     assert parameters(launched.started[0]) == {"p": NotKnown(why), "rate": 5}
 
 
+def test_an_empty_path_is_no_parameter_file(launches):
+    """launch_ros makes the current folder of it, says that it is not a file, and leaves it out."""
+    launched = launches.python(
+        "[DeclareLaunchArgument('file', default_value=''), Node(package='robot', executable='talker', "
+        "parameters=[{'rate': 5}, LaunchConfiguration('file')])]"
+    )
+    (started,) = launched.started
+    assert started.parameters[-1].reference.written == "." and not launched.gaps
+    assert {one.name: one.value for one in settings_of(started, None, launches.of_workspace().files.parameters)} == {
+        "rate": 5
+    }
+
+
+def test_a_parameter_file_elsewhere_may_set_what_stands_before_it(launches):
+    launched = launches.python("[Node(package='robot', executable='talker', parameters=[{'rate': 5}, '/etc/it.yaml'])]")
+    (setting,) = settings_of(launched.started[0], None, launches.of_workspace().files.parameters)
+    assert setting.value == NotKnown("'/etc/it.yaml', which is not in this workspace, may set it")
+
+
 def test_what_decides_between_parameter_files_is_named(launches):
     launched = launches.python(
         "[Node(package='robot', executable='talker', parameters=[left if os.environ['SIDE'] == 'left' else right])]",

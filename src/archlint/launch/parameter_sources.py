@@ -11,6 +11,8 @@ from archlint.launch.named_files import FileReference, Replacing, Rewriting, Wri
 from archlint.syntax.parameter_files import ParameterData
 
 PARAMS_FILE = "--params-file"
+CURRENT_FOLDER = "."
+"""What an empty path comes to: launch_ros makes a Path of it, and leaves out what is no file."""
 
 
 @dataclass(frozen=True)
@@ -72,7 +74,7 @@ class ParameterFileUse:
 
     @property
     def sets_anything(self) -> bool:
-        return not self.followed
+        return not self.followed and self.reference.written != CURRENT_FOLDER
 
 
 Parameters = list["ParameterSetting | ParameterFileUse | OpenParameters"]

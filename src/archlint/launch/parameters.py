@@ -23,7 +23,7 @@ from archlint.launch import file_texts, written_files
 from archlint.launch.kinds import FileKind
 from archlint.launch.named_files import FileReference, Written
 from archlint.launch.objects import LaunchObject, class_name, kind_of, known_text, place_of
-from archlint.launch.parameter_sources import OpenParameters, ParameterFileUse, ParameterSetting
+from archlint.launch.parameter_sources import CURRENT_FOLDER, OpenParameters, ParameterFileUse, ParameterSetting
 from archlint.launch.tables import SUBSTITUTIONS, LaunchClass
 from archlint.syntax.parameter_files import NotKnown, ParameterData
 from archlint.syntax.safe_yaml import YamlError, YamlReader, plain_scalar
@@ -100,9 +100,16 @@ def file_use(run: LaunchRun, value: Value | None, place: Place, substitutions: b
         case Known(origin=origin) if made_file is not None:
             path = Known(made_file.source, origin=origin)
     changes = () if made_file is None else made_file.changes
-    reference, written = _of_launch(run, path, place)
+    reference, written = _of_launch(run, _as_launch_has_it(path), place)
     known = sorted(run.launch.known_configurations().items()) if substitutions else ()
     return ParameterFileUse(reference, place, substitutions, configurations=tuple(known), changes=(*written, *changes))
+
+
+def _as_launch_has_it(path: Value) -> Value:
+    match path:
+        case Known(value="", origin=origin):
+            return Known(CURRENT_FOLDER, origin=origin)
+    return path
 
 
 def _of_launch(run: LaunchRun, path: Value, place: Place) -> tuple[FileReference, tuple[Written, ...]]:

@@ -121,7 +121,7 @@ def _doubts(parameters: Parameters) -> list[str | None]:
 def _doubt(parameter: ParameterSetting | ParameterFileUse | OpenParameters) -> str | None:
     """Why a parameter may set any other one: it is not known which it sets."""
     match parameter:
-        case ParameterFileUse(reference=reference, followed=False):
+        case ParameterFileUse(reference=reference, sets_anything=True):
             if reference.status in (FileStatus.MISSING, FileStatus.NOT_INSTALLED):
                 return None  # launch leaves out a file that is not there
             if reference.written is None:
