@@ -220,3 +220,36 @@ given = {{argument.name: LaunchConfiguration(argument.name) for argument in ld.g
 ld.add_action(GroupAction([{node("a", namespace="LaunchConfiguration('ns')")}], launch_configurations=given,
     forwarding=False))"""
     assert names(launches.python("ld.entities", before)) == ["/robot/a"]
+
+
+SUBSTITUTIONS = "from launch.frontend.parse_substitution import parse_substitution\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("$(var robot)_base", "arm_base"),
+        ("base", "base"),
+        ("2.5", 2.5),  # read as YAML, as the text of any substitution
+        ("$(find-pkg-share robot)/x.urdf", "$(find-pkg-share robot)/x.urdf"),
+    ],
+)
+def test_a_text_with_substitutions_in_python(launches, text: str, value: object):
+    launched = launches.python(
+        "[DeclareLaunchArgument('robot', default_value='arm'), "
+        f"Node(package='p', executable='e', parameters=[{{'frame': parse_substitution('{text}')}}])]",
+        SUBSTITUTIONS,
+    )
+    assert parameters(launched.started[0]) == {"frame": value}
+
+
+def test_an_action_that_code_executes_sets_its_configuration(launches):
+    body = (
+        "def made(context):\n"
+        "    SetLaunchConfiguration('robot', parse_substitution('left_arm')).execute(context)\n"
+        "    SetLaunchConfiguration('side', 'left', condition=IfCondition('false')).execute(context)\n"
+        "    return [Node(package='p', executable='e', name=LaunchConfiguration(name).perform(context)) "
+        "for name in ('robot', 'side')]\n"
+    )
+    launched = launches.python("[OpaqueFunction(function=made)]", SUBSTITUTIONS + body)
+    assert names(launched) == ["left_arm", "left"]  # execute() does not ask for the condition

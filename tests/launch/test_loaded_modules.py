@@ -43,3 +43,24 @@ def test_a_file_of_another_package(launches):
     assert [(started.name.text, started.name.reason) for started in launched.started] == [
         (None, "the result of a file that is not followed")
     ]
+
+
+def test_the_description_of_another_launch_file_as_a_value(launches):
+    launches.file(
+        "robot/launch/common.launch.py",
+        "from launch import LaunchDescription\nfrom launch.actions import DeclareLaunchArgument\n"
+        "def generate_launch_description():\n"
+        "    return LaunchDescription([DeclareLaunchArgument('name', default_value='arm')])\n",
+    )
+    load = "from launch.launch_description_sources import get_launch_description_from_python_launch_file as described\n"
+    path = "get_package_share_directory('robot') + '/launch/common.launch.py'"
+    launched = launches.python(
+        f"[described({path}), Node(package='robot', executable='talker', name=LaunchConfiguration('name'))]", load
+    )
+    assert [started.name.text for started in launched.started] == ["arm"] and not launched.gaps
+
+
+def test_the_description_of_a_launch_file_that_is_not_here(launches):
+    load = "from launch.launch_description_sources import get_launch_description_from_python_launch_file as described\n"
+    launched = launches.python("[described('/opt/common.launch.py'), Node(package='p', executable='e')]", load)
+    assert len(launched.started) == 1 and len(launched.gaps) == 1

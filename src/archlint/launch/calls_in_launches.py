@@ -31,6 +31,7 @@ from archlint.launch import (
     robot_poses,
     written_files,
 )
+from archlint.launch.frontends.objects import Frontend
 from archlint.launch.mistakes import NotAPath
 from archlint.launch.moveit_configs import actions as moveit_actions
 from archlint.launch.moveit_configs import descriptions
@@ -42,6 +43,7 @@ from archlint.launch.tables import CONDITIONS, SUBSTITUTIONS, LaunchClass
 from archlint.libraries.python.effects import path_join
 
 if TYPE_CHECKING:
+    from archlint.finding import Place
     from archlint.interpreter.call_site import CallSite
     from archlint.launch.run import LaunchRun
     from archlint.libraries.api_use import ApiUse
@@ -143,8 +145,21 @@ def _logged(run: LaunchRun, site: CallSite) -> Value:
     return NONE
 
 
+_SETTERS = (LaunchClass.SET_LAUNCH_CONFIGURATION, LaunchClass.SET_ENVIRONMENT_VARIABLE)
+"""Actions that do something to the context and return nothing."""
 _LOGGER = "logging.Logger"
 _LOGS = ("critical", "debug", "error", "exception", "info", "log", "warn", "warning")
+
+
+def _execute(run: LaunchRun, receiver: Value, site: CallSite) -> Value:
+    """``SetLaunchConfiguration(name, value).execute(context)``, which does not ask for the condition."""
+    match receiver:
+        case LaunchObject(arguments=arguments):
+            given = {name: value for name, value in arguments.items() if name != "condition"}
+            run.visit(replace(receiver, arguments=given))
+            return NONE
+    return Unknown("an action of a class of its own")
+
 
 METHODS = {
     **{f"{_LOGGER}.{name}": _said for name in (*_LOGS, "setLevel")},
@@ -155,6 +170,7 @@ METHODS = {
     **loaded_modules.METHODS,
     **written_files.METHODS,
     "launch.LaunchContext.perform_substitution": _perform_argument,
+    **{f"launch.{name}.execute": _execute for name in _SETTERS},
     **{f"launch.{name}.perform": perform_method for name in SUBSTITUTIONS},
     **{f"launch.{name}.{method}": _evaluate for name in CONDITIONS for method in ("evaluate", "_predicate_func")},
 }
@@ -162,6 +178,22 @@ METHODS = {
 
 def _perform_all(run: LaunchRun, site: CallSite) -> Value:
     return _perform_argument(run, NONE, site)
+
+
+def _parse(run: LaunchRun, site: CallSite) -> Value:
+    """``parse_substitution('$(var robot)/base')``: a list of substitutions, as XML and YAML have them."""
+    text = known_text(site.values[0]) if site.values else None
+    if text is None:
+        return Unknown(reason(*site.values))
+    frontend = Frontend(run, run.file)
+    place = run.place_now
+    parts = list(frontend.parts(text, place, 0))
+    return frontend.list([_as_substitution(frontend, part, place) for part in parts])
+
+
+def _as_substitution(frontend: Frontend, part: Value, place: Place) -> Value:
+    is_text = known_text(part) is not None
+    return frontend.make(LaunchClass.TEXT_SUBSTITUTION, place, {"text": part}) if is_text else part
 
 
 def _path(run: LaunchRun, site: CallSite) -> Value:
@@ -215,6 +247,7 @@ PLAIN = {
     "launch.logging.get_logger": _logger,
     "ament_index_python.has_resource": _has_resource,
     "ament_index_python.resources.has_resource": _has_resource,
+    "launch.frontend.parse_substitution.parse_substitution": _parse,
     "launch.utilities.perform_substitutions": _perform_all,
     "pathlib.Path": _path,
     "pathlib.PurePath": _path,

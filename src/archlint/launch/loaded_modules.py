@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from archlint.interpreter import containers
 from archlint.interpreter.values import NONE, External, Instance, ModuleValue, Unknown, Value
+from archlint.launch.files import GENERATE
 from archlint.launch.kinds import FileKind
 from archlint.launch.objects import argument
 
@@ -43,6 +44,13 @@ def _run_path(run: LaunchRun, site: CallSite) -> Value:
 def _loaded(run: LaunchRun, site: CallSite) -> Value:
     """``load_python_launch_file_as_module(path)`` of launch."""
     return (_module_at(run, site.values[0]) if site.values else None) or _NOT_FOLLOWED
+
+
+def _description(run: LaunchRun, site: CallSite) -> Value:
+    """``get_launch_description_from_python_launch_file(path)``: what the function of that file returns."""
+    module = _module_at(run, site.values[0]) if site.values else None
+    function = None if module is None else run.module_attribute(module.module, GENERATE)
+    return _NOT_FOLLOWED if function is None else run.call(function)
 
 
 def _named_file(path: str) -> Plain:
@@ -83,6 +91,8 @@ PLAIN = {
     "runpy.run_path": _run_path,
     f"{_UTILITIES}.load_python_launch_file_as_module": _loaded,
     f"{_UTILITIES}.python_launch_file_utilities.load_python_launch_file_as_module": _loaded,
+    f"{_UTILITIES}.get_launch_description_from_python_launch_file": _description,
+    f"{_UTILITIES}.python_launch_file_utilities.get_launch_description_from_python_launch_file": _description,
     "importlib.util.spec_from_file_location": _named_file(SPEC),
     LOADER: _named_file(LOADER),
     "importlib.util.module_from_spec": _of_spec,
