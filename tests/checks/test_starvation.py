@@ -48,6 +48,58 @@ def test_a_limit_helps_where_it_ends_before_the_last_thread_is_taken(run: Run, l
     assert codes(found) == (["EXE014"] if starves else [])
 
 
+GRIPPER = """
+class Caller(Node):
+    def __init__(self):
+        super().__init__('caller')
+        self.client = self.create_client(Trigger, 'close')
+        self.create_timer({period}, self.ask)
+
+    def ask(self):
+        self.client.call_async(Trigger.Request())
+
+
+def main():
+    rclpy.init()
+    executor = MultiThreadedExecutor(num_threads=2)
+    executor.add_node(Robot())
+    executor.add_node(Caller())
+    executor.spin()
+
+
+if __name__ == '__main__':
+    main()
+"""
+
+
+@pytest.mark.parametrize(
+    ("limit", "period", "group", "starves"),
+    [
+        ("0.5", "0.2", "ReentrantCallbackGroup()", True),
+        ("0.1", "0.2", "ReentrantCallbackGroup()", False),  # ends before the next request
+        ("0.5", "5.0", "ReentrantCallbackGroup()", False),  # called seldom
+        ("0.5", "0.2", "MutuallyExclusiveCallbackGroup()", False),  # one request at a time
+    ],
+)
+def test_a_service_that_is_called_while_it_waits(run: Run, limit: str, period: str, group: str, starves: bool):
+    constructor = f"""
+        self.client = self.create_client(SetBool, 'enable', callback_group=ReentrantCallbackGroup())
+        self.create_service(Trigger, 'close', self.close, callback_group={group})
+    """
+    handler = f"""
+    def close(self, request, response):
+        answer = self.client.call(SetBool.Request(data=True), timeout_sec={limit})
+        response.success = answer is not None and answer.success
+        return response
+    """
+    found = run(source(constructor, handler, GRIPPER.format(period=period)), "jazzy")
+    assert [one.code for one in found if one.code in ("EXE014", "SRV003")] == (["EXE014"] if starves else [])
+    for one in found:
+        if one.code == "EXE014":
+            assert "starts again every 0.2 s" in one.message and "every wait then times out" in one.message
+            assert one.help.startswith("give Robot.close its own MutuallyExclusiveCallbackGroup()")
+
+
 def test_how_many_threads_the_default_has_is_not_known(run: Run):
     assert run(source(*reentrant("call(SetBool.Request(data=self.on), timeout_sec=1.0)"), DEFAULT), "jazzy") == []
 
@@ -213,7 +265,7 @@ def test_a_subscription_to_what_a_timer_publishes(run: Run):
 
 
 @pytest.mark.parametrize(
-    ("period", "before"), [("5.0", ""), ("0.2", "if self.count_subscribers('go') > 2: "), ("rate()", "")]
+    ("period", "before"), [("5.0", ""), ("0.2", "if self.count_subscribers('go') > 2: "), ("float(input())", "")]
 )
 def test_a_subscription_to_what_comes_seldom_or_nobody_knows_when(run: Run, period: str, before: str):
     [found] = run(source(LISTENS, ASKS, SENDER.format(period=period, before=before) + BOTH))
@@ -328,7 +380,7 @@ def test_a_rate_that_takes_all_threads_before_its_own_timer_gets_one(run: Run):
         ("2.0", "0.2", FOUR),  # two or three sleep at a time
         ("2.0", "0.2", DEFAULT),  # the machine decides how many threads there are
         ("2.0", "0.5", TWO),  # each is awake before the next one starts
-        ("frequency", "0.2", TWO),
+        ("float(input())", "0.2", TWO),
         ("0.0", "0.2", TWO),
     ],
 )

@@ -26,7 +26,7 @@ _OFTEN_S = 1.0
 def piling_up(system: System) -> list[Wait]:
     """The waits of callbacks that run beside themselves and that a late answer multiplies, until no thread is left.
 
-    Those of service handlers are left to what SRV003 says of them.
+    Those of service handlers that have no limit are left to what SRV003 says of them.
     """
     return [wait for wait in threaded_waits(system) if _outruns(system, wait)]
 
@@ -34,7 +34,7 @@ def piling_up(system: System) -> list[Wait]:
 def _outruns(system: System, wait: Wait) -> bool:
     """Whether the callback starts often enough, for certain, while the first still waits."""
     callback = wait.call.context
-    if callback.role == Role.SERVICE or not runs_beside_itself(callback):
+    if not runs_beside_itself(callback) or (callback.role == Role.SERVICE and not wait.limited):
         return False
     pace = pace_of(system, callback)
     return (

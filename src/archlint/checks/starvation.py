@@ -21,11 +21,15 @@ from archlint.checks.callback_findings import finding_in_callback
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
+from archlint.model import Role
 
 if TYPE_CHECKING:
     from archlint.finding import Place
     from archlint.model import ExecutorUse
     from archlint.systems.model import System
+
+_OWN_GROUP = "give {} its own MutuallyExclusiveCallbackGroup(): it then takes one thread at most"
+_CONTINUE_LATER = "send the request with call_async() and continue in a done callback, which blocks no thread"
 
 
 @rule("EXE014", scope=Scope.CODE)
@@ -52,7 +56,7 @@ def _pile(system: System, wait: Wait) -> Finding:
         f"{callback_words(callback)} starts again every {pace.period:g} s while it still waits for "
         f"{endpoint_words(wait.client)}: if responses are late, {all_}, and no thread is left to process one: "
         f"{end}",
-        help="send the request with call_async() and continue in a done callback, which blocks no thread",
+        help=_OWN_GROUP.format(callback.name) if callback.role == Role.SERVICE else _CONTINUE_LATER,
         client=wait.client,
         further=_sent(pace),
         identity=(wait.client.name.text or "", call.api),
@@ -70,7 +74,7 @@ def _pile_of_events(system: System, wait: PilingEvent) -> Finding:
         wait.call,
         f"{callback_words(callback)} starts again every {wait.pace.period:g} s while it still waits for an event that "
         f"{setter.name} sets: if the event is late, {all_}, and no thread is left to run {setter.name}: {end}",
-        help=f"give {callback.name} its own MutuallyExclusiveCallbackGroup(): it then takes one thread at most",
+        help=_OWN_GROUP.format(callback.name),
         further=_sent(wait.pace),
         identity=(setter.name, "event"),
     )
@@ -86,7 +90,7 @@ def _pile_of_sleeps(system: System, wait: PilingSleep) -> Finding:
         f"{callback_words(callback)} starts again every {wait.pace.period:g} s while it still sleeps for up to "
         f"{wait.longest:g} s in Rate.sleep(): all {wait.threads} threads sleep, and no thread is left to run the "
         f"timer that wakes them: it then deadlocks",
-        help=f"give {callback.name} its own MutuallyExclusiveCallbackGroup(): it then takes one thread at most",
+        help=_OWN_GROUP.format(callback.name),
         further=_sent(wait.pace),
         identity=("Rate.sleep",),
     )
