@@ -48,3 +48,24 @@ def test_a_name_that_is_not_there(capsys: pytest.CaptureFixture[str]) -> None:
 def test_a_style_that_there_is_not(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["graph", LESSON, "--style", "node"]) == 2
     assert "did you mean nodes?" in capsys.readouterr().err
+
+
+LAUNCHED = Path(LESSON).parent / "launched"
+LAUNCH_FILE = next(LAUNCHED.rglob("*.launch.py"))
+NO_FRAME = "--group launch draws no frame: only with --launch FILE is it known which launch file starts a node"
+
+
+@pytest.mark.parametrize(("options", "said"), [(("--launch", str(LAUNCH_FILE)), False), ((), True)])
+def test_frames_of_launch_files_want_a_launch_file(
+    capsys: pytest.CaptureFixture[str], options: tuple[str, ...], said: bool
+) -> None:
+    words = ["graph", str(LAUNCHED), "--isolated", "--no-cache", "--format", "dot", "--group", "launch", *options]
+    assert main(words) == 0
+    shown = capsys.readouterr()
+    assert (NO_FRAME in shown.err) is said
+    assert ("subgraph cluster_" in shown.out) is not said
+
+
+def test_frames_of_namespaces_want_a_namespace(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["graph", LESSON, "--isolated", "--no-cache", "--format", "dot", "--group", "namespace"]) == 0
+    assert "--group namespace draws no frame: no node is in a namespace" in capsys.readouterr().err

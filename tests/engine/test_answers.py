@@ -137,6 +137,11 @@ COMMANDS = [
     ("check", "src/robot", "--color", "always"),
     ("graph",),
     ("graph", "src/robot", "--format", "json"),
+    ("show", "/talker"),
+    ("show", "/talker", "src", "--format", "json"),
+    ("trace", "/talker"),
+    ("trace", "/talker", "--format", "mermaid", "--launch", "src/robot/launch/robot.launch.py"),
+    ("impact", "Talker", "--color", "always"),
 ]
 
 
@@ -162,6 +167,11 @@ def test_an_unchanged_workspace_is_told_of_as_before(said, monkeypatch, words):
         ("check", "--format", "sarif"),
         ("graph", "-o", "graph.dot"),
         ("graph", "--", "src"),
+        ("show", "/talker", "-o", "shown"),
+        ("show", "/nobody"),
+        ("trace", "/talker", "--verbose"),
+        ("trace", "/talker", "--format", "svg"),
+        ("impact", "/talker", "--no-cache"),
     ],
     ids=" ".join,
 )
@@ -223,8 +233,13 @@ ABOVE: dict[str, Callable[[], object]] = {
 
 @pytest.mark.parametrize(
     "words, changes",
-    [(("check",), CHANGES), (("check", "src/robot/robot/node.py"), ABOVE)],
-    ids=["in the workspace", "above what is asked for"],
+    [
+        (("check",), CHANGES),
+        (("check", "src/robot/robot/node.py"), ABOVE),
+        (("trace", "/talker"), CHANGES),
+        (("show", "/talker"), CHANGES),
+    ],
+    ids=["in the workspace", "above what is asked for", "in the workspace of a trace", "in what is shown"],
 )
 def test_each_change_is_seen(workspace, said, monkeypatch, words, changes):
     """One run says which places count; each change is made in a fresh copy of the workspace, at the same path."""

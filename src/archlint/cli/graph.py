@@ -9,6 +9,7 @@ from dataclasses import replace
 from archlint import render
 from archlint.cli import console, exits
 from archlint.cli.exits import UsageError
+from archlint.cli.keeping import keeper_of
 from archlint.cli.options import (
     add_configuration,
     add_facts,
@@ -32,7 +33,6 @@ from archlint.cli.source_links import add_source_links, source_link_of
 from archlint.cli.view_options import add_view, view_of
 from archlint.engine.answers import Answer
 from archlint.engine.drawn import Drawn
-from archlint.engine.keeper import Keeper
 from archlint.engine.pipeline import NothingToDo, Request, draw
 from archlint.render.errors import CannotDraw
 from archlint.render.selection import NothingOfThatName
@@ -59,7 +59,7 @@ def parser() -> Parser:
 def run(arguments: argparse.Namespace) -> int:
     format, view = _format(arguments), view_of(arguments)
     source_link = source_link_of(arguments.source_links, format)
-    keeper = _keeper(arguments, format)
+    keeper = keeper_of(arguments, render.FORMATS[format].drawn)
     launch, launch_arguments = launch_of(arguments)
     linked = linked_of(arguments)
     paths = paths_of(arguments)
@@ -99,21 +99,6 @@ def run(arguments: argparse.Namespace) -> int:
     if keeper is not None:
         keeper.keep(answer)
     return exits.CLEAN
-
-
-def _keeper(arguments: argparse.Namespace, format: render.FormatName) -> Keeper | None:
-    """Who keeps what is said, where that is all that the command does, and each time the same."""
-    does_more = (
-        arguments.file,
-        arguments.observed,
-        arguments.facts,
-        arguments.scheduler,
-        arguments.verbose,
-        arguments.no_cache,
-    )
-    if any(does_more) or render.FORMATS[format].drawn:
-        return None
-    return Keeper(arguments.words, console.terminal(), (arguments.launch or ())[:1])
 
 
 def _warnings(drawn: Drawn) -> str:

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import argparse
 
-from archlint.cli import exits
 from archlint.cli.parser import Parser
-from archlint.cli.tracing import add_output, add_reading, give, not_found, systems_of
+from archlint.cli.tracing import add_output, add_reading, give, not_found, read
 
 
 def parser() -> Parser:
@@ -29,7 +28,8 @@ def run(arguments: argparse.Namespace) -> int:
     from archlint.dataflow.subjects import known_names
     from archlint.render.tracing.impact import IMPACTS
 
-    systems, progress = systems_of(arguments)
+    done = read(arguments)
+    systems = done.systems
     impacts = impacts_of(systems, arguments.name)
     if not impacts:
         known = {name for system in systems for name in known_names(system)}
@@ -37,6 +37,4 @@ def run(arguments: argparse.Namespace) -> int:
             name for system in systems if system.workspace for name in known_interfaces(system.workspace, systems)
         )
         raise not_found(arguments.name, "topic, service, action, node or interface", known)
-    give(arguments, IMPACTS, arguments.name, impacts)
-    progress.note_costs()
-    return exits.CLEAN
+    return give(arguments, IMPACTS, impacts, done)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from archlint.cli import console, exits
 from archlint.cli.exits import UsageError
+from archlint.cli.keeping import keeper_of
 from archlint.cli.options import (
     add_configuration,
     add_launch,
@@ -22,6 +23,7 @@ from archlint.cli.options import (
 from archlint.cli.parser import Parser
 from archlint.cli.progress import Progress
 from archlint.disk import read_regular
+from archlint.engine.answers import Answer
 from archlint.suggestions import name_meant
 from archlint.workspace.tree import TEXT_LIMIT
 
@@ -53,6 +55,7 @@ def run(arguments: argparse.Namespace) -> int:
     from archlint.lookup.summaries import known_names, summaries
     from archlint.render.shown import render_json, render_text
 
+    keeper = keeper_of(arguments, drawn=False)
     launch, launch_arguments = launch_of(arguments)
     paths = paths_of(arguments)
     settings = settings_of(arguments, paths[0])
@@ -63,6 +66,7 @@ def run(arguments: argparse.Namespace) -> int:
         jobs=arguments.jobs,
         launch=launch,
         launch_arguments=launch_arguments,
+        keeper=keeper,
     )
     progress = Progress(sys.stderr, arguments.quiet, arguments.verbose)
     try:
@@ -77,10 +81,11 @@ def run(arguments: argparse.Namespace) -> int:
         raise UsageError(f"no node, topic, service, action or parameter is called `{arguments.name}`{near}")
     color = arguments.file in (None, "-") and console.wants_color(arguments.color, sys.stdout)
     is_json = arguments.format == "json"
-    console.write(
-        render_json(arguments.name, answers) if is_json else render_text(answers, color=color), arguments.file
-    )
+    text = render_json(arguments.name, answers) if is_json else render_text(answers, color=color)
+    console.write(text, arguments.file)
     progress.note_costs()
+    if keeper is not None:
+        keeper.keep(Answer(text, "", "", exits.CLEAN))
     return exits.CLEAN
 
 

@@ -5,10 +5,9 @@ from __future__ import annotations
 import argparse
 from itertools import pairwise
 
-from archlint.cli import exits
 from archlint.cli.exits import UsageError
 from archlint.cli.parser import Parser
-from archlint.cli.tracing import add_output, add_reading, give, not_found, systems_of
+from archlint.cli.tracing import add_output, add_reading, give, not_found, read
 
 
 def parser() -> Parser:
@@ -31,7 +30,8 @@ def run(arguments: argparse.Namespace) -> int:
     from archlint.dataflow.systems import traces_of
     from archlint.render.tracing.by_format import TRACES
 
-    systems, progress = systems_of(arguments)
+    done = read(arguments)
+    systems = done.systems
     known = {name for system in systems for name in known_names(system)}
     traced = traces_of(systems, arguments.name, arguments.origin, arguments.end)
     for name in filter(None, (arguments.name, arguments.origin, arguments.end)):
@@ -39,9 +39,7 @@ def run(arguments: argparse.Namespace) -> int:
             raise not_found(name, "topic, service, action or node", known)
     if not traced:
         raise UsageError(_no_way(arguments))
-    give(arguments, TRACES, arguments.name, traced)
-    progress.note_costs()
-    return exits.CLEAN
+    return give(arguments, TRACES, traced, done)
 
 
 def _no_way(arguments: argparse.Namespace) -> str:

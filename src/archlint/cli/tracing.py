@@ -5,11 +5,12 @@ from __future__ import annotations
 import argparse
 import sys
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, TypeVar
 
-from archlint.cli import console
+from archlint.cli import console, exits
 from archlint.cli.exits import UsageError
+from archlint.cli.keeping import keeper_of
 from archlint.cli.options import (
     add_configuration,
     add_launch,
@@ -22,9 +23,11 @@ from archlint.cli.options import (
 )
 from archlint.cli.output_format import add_format, format_of
 from archlint.cli.progress import Progress
+from archlint.engine.answers import Answer
 from archlint.suggestions import name_meant
 
 if TYPE_CHECKING:
+    from archlint.engine.keeper import Keeper
     from archlint.systems.model import System
 
 FORMATS = ("text", "json", "mermaid", "dot", "svg")
@@ -58,14 +61,20 @@ def add_output(parser: argparse.ArgumentParser) -> None:
     add_format(output, FORMATS)
 
 
-def systems_of(arguments: argparse.Namespace) -> tuple[list[System], Progress]:
-    """The systems that were asked for, open ones first, and who says how long that took.
+@dataclass(frozen=True)
+class Read:
+    """The systems that were asked for, open ones first, who says how long that took, and who keeps the answer."""
 
-    Raises :class:`UsageError`.
-    """
+    systems: list[System]
+    progress: Progress
+    keeper: Keeper | None
+
+
+def read(arguments: argparse.Namespace) -> Read:
+    """Raises :class:`UsageError`."""
     from archlint.engine.pipeline import NothingToDo, Request, systems  # wrong words need none of it
 
-    format_of(arguments, _SUFFIXES)
+    keeper = keeper_of(arguments, drawn=format_of(arguments, _SUFFIXES) == "svg")
     launch, launch_arguments = launch_of(arguments)
     paths = paths_of(arguments)
     request = Request(
@@ -75,11 +84,12 @@ def systems_of(arguments: argparse.Namespace) -> tuple[list[System], Progress]:
         jobs=arguments.jobs,
         launch=launch,
         launch_arguments=launch_arguments,
+        keeper=keeper,
     )
     progress = Progress(sys.stderr, arguments.quiet, arguments.verbose)
     try:
         with progress as monitor:
-            return systems(replace(request, monitor=monitor)), progress
+            return Read(systems(replace(request, monitor=monitor)), progress, keeper)
     except NothingToDo as error:
         raise UsageError(str(error)) from None
 
@@ -90,17 +100,21 @@ def not_found(name: str, what: str, known: Iterable[str]) -> UsageError:
 
 
 def give(
-    arguments: argparse.Namespace, formats: Mapping[str, Render[_Result]], name: str, results: Sequence[_Result]
-) -> None:
-    """Write what was found in the format that was asked for.  Raises :class:`UsageError`."""
+    arguments: argparse.Namespace, formats: Mapping[str, Render[_Result]], results: Sequence[_Result], by: Read
+) -> int:
+    """Write what was found in the format that was asked for; returns the exit status.  Raises :class:`UsageError`."""
     from archlint.render.errors import CannotDraw
 
     color = arguments.file in (None, "-") and console.wants_color(arguments.color, sys.stdout)
     try:
-        drawn = formats[format_of(arguments, _SUFFIXES)](name, results, color)
+        drawn = formats[format_of(arguments, _SUFFIXES)](arguments.name, results, color)
     except CannotDraw as error:
         raise UsageError(str(error)) from None
     console.write(drawn, arguments.file)
+    by.progress.note_costs()
+    if by.keeper is not None:
+        by.keeper.keep(Answer(drawn, "", "", exits.CLEAN))
+    return exits.CLEAN
 
 
-__all__ = ["FORMATS", "add_output", "add_reading", "give", "not_found", "systems_of"]
+__all__ = ["FORMATS", "add_output", "add_reading", "give", "not_found", "read"]

@@ -21,7 +21,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:  # typing takes as long to import as all that is done here
     from collections.abc import Callable, Iterable, Iterator, Sequence
 
-ANSWERED = ("check", "graph")
+ANSWERED = ("check", "graph", "show", "trace", "impact")
 """Those whose answers are kept."""
 _FORM = "1"
 """Of the file of an answer; it changes with the fields."""

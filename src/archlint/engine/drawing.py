@@ -10,7 +10,7 @@ from archlint.observed.words import comparison_notices, comparison_words
 from archlint.render import FORMATS, FormatName, render
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterator, Sequence
 
     from archlint.finding import Finding
     from archlint.render.view import View
@@ -25,11 +25,23 @@ def drawn(system: System, format: FormatName, color: bool, view: View, findings:
     return Drawn(
         text,
         data,
-        [*argument_notices(system)],
+        [*argument_notices(system), *_group_notices(system, view)],
         [*comparison_words(compared)],
         [*comparison_notices(compared)],
         faults_of(system),
     )
+
+
+def _group_notices(system: System, view: View) -> Iterator[str]:
+    """Why there are no frames though they were asked for."""
+    if view.group == "launch" and system.nodes and not any(node.launched_by for node in system.nodes):
+        yield "--group launch draws no frame: only with --launch FILE is it known which launch file starts a node"
+    if (
+        view.group == "namespace"
+        and system.nodes
+        and not any((node.name or "").rpartition("/")[0] for node in system.nodes)
+    ):
+        yield "--group namespace draws no frame: no node is in a namespace"
 
 
 def faults_of(system: System) -> list[str]:

@@ -57,9 +57,9 @@ class Keeper:
         self, workspace: Workspace, asked: Iterable[tuple[str, str, str | None]], store: Store | NullStore
     ) -> None:
         """The result is one that an equal run would have; ``asked`` is what was asked of the disk beside the files of
-        the workspace: question, path, answer."""
+        the workspace, or what will have been when the answer is kept: question, path, answer."""
         if isinstance(store, Store) and not workspace.problems:
-            self._basis = _Basis(workspace, list(asked), store)
+            self._basis = _Basis(workspace, asked, store)
 
     def keep(self, answer: Answer) -> None:
         """Keep an answer, unless something that it depends on has just changed."""
@@ -127,7 +127,7 @@ class _Basis:
     """What a result came from, below the paths of its run."""
 
     workspace: Workspace
-    asked: Sequence[tuple[str, str, str | None]]
+    asked: Iterable[tuple[str, str, str | None]]
     store: Store
 
     def places(self) -> Iterator[str]:

@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from archlint.syntax.files import FactsOfFiles
     from archlint.systems.model import System
     from archlint.workspace.model import Workspace
+    from archlint.workspace.tree import SourceTree
 __all__ = ["NothingToDo", "Request", "asked_for", "check", "draw", "graph", "systems"]
 
 
@@ -150,8 +151,11 @@ def asked_for(request: Request) -> list[System]:
 
 def _systems_of_parts(request: Request) -> list[tuple[Workspace, list[System]]]:
     from archlint.engine.compiling import compiled  # as above
+    from archlint.engine.drawing import faults_of
     from archlint.engine.loading import systems_of
 
+    if request.keeper is not None:
+        request.keeper.starts(request.paths, request.settings)
     workspace = find_files(request)
     inputs = _inputs(request, workspace)
     facts = compiled(request, workspace, inputs.store)
@@ -159,7 +163,15 @@ def _systems_of_parts(request: Request) -> list[tuple[Workspace, list[System]]]:
     parts = parts_of(request, workspace)
     loaded = call_with_deep_stack(lambda: [systems_of(replace(inputs, workspace=part), facts) for part in parts])
     inputs.store.close()
+    faults = [fault for of_part in loaded for system in of_part for fault in faults_of(system)]
+    if request.keeper is not None and facts.lasting and not faults:
+        request.keeper.lasts(workspace, _asked(inputs.tree), inputs.store)
     return list(zip(parts, loaded, strict=True))
+
+
+def _asked(tree: SourceTree) -> Iterator[tuple[str, str, str | None]]:
+    """What was asked of the disk; whoever looks at the systems may ask more, so this is for the end of a command."""
+    yield from ((question, path, answer) for (question, path), answer in tree.asked.items())
 
 
 def draw(request: Request, format: FormatName, color: bool, view: View, source_link: SourceLink | None = None) -> Drawn:
