@@ -30,6 +30,7 @@ LAUNCHES: tuple[tuple[str, str, dict[str, str]], ...] = (
     ("lesson", "src/my_first_package/launch/robot.launch.py", {}),
     ("lesson_extended", "src/my_first_package/launch/robot.launch.py", {}),
     ("lesson_extended", "src/my_first_package/launch/robot.launch.py", {"max_speed_rpm": "80.5"}),
+    ("mixed", "src/arm_bringup/launch/arm.launch.py", {}),
     ("problem_1_service_not_available", "src/motor/launch/robot.launch.py", {}),
 )
 """The fixtures' own launch files, with arguments."""
@@ -70,7 +71,6 @@ CANNOT_RUN = {
     "helper_apis.py": "message_filters and tf2_ros have no wheel",
     "importlib_get_message.py": "rosidl_runtime_py has no wheel",
     "unbounded.py": "running it would take forever",
-    "mixed": "its nodes in C++ are not built here",
 }
 
 FORM_CASES = [Case(name) for name in (*SCRIPTS, *PACKAGES)]

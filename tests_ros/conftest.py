@@ -13,6 +13,7 @@ import pytest
 from tests_ros.cases import CANNOT_RUN, Case, Preparation, Ready
 from tests_ros.environments import Environment
 from tests_ros.judging import counted, problems
+from tests_ros.reading import not_built
 from tests_ros.running import Observed, Servers, observe
 
 DISTROS = ("jazzy", "kilted")
@@ -115,3 +116,5 @@ def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter, config: p
         f"{counted.left_open} more run of which archlint gives no name",
     ):
         terminalreporter.write_line(line)
+    if not_built:
+        terminalreporter.write_line(f"{len(not_built)} nodes in C++ are left out: {', '.join(sorted(not_built))}")

@@ -22,12 +22,16 @@ from archlint.syntax.parameter_files import NotKnown
 
 if TYPE_CHECKING:
     from archlint.systems.model import System
+    from archlint.systems.nodes import Node
 
 Entity = dict[str, Any]
 
+not_built: set[str] = set()
+"""The nodes of this test run that are in C++, and are left out: PyPI has no wheel of rclcpp."""
+
 
 def graph(folder: Path, *paths: str, distro: str | None = None) -> list[Entity]:
-    """The nodes that archlint lists for ``paths``, from ``folder``."""
+    """The nodes in Python that archlint lists for ``paths``, from ``folder``."""
     return _nodes(_system(folder, paths or (".",), distro))
 
 
@@ -43,12 +47,12 @@ class Process:
 def launched(
     folder: Path, launch: str, given: Mapping[str, str], scratch: Path, distro: str | None = None
 ) -> tuple[list[Entity], list[Process]]:
-    """The nodes of a launch file's system, and its processes whose source is here.
+    """The nodes in Python of a launch file's system, and its processes with such a node.
 
     The command lines are those that launch_ros makes; parameters of a dict go to files in ``scratch``, as it does.
     """
     system = _system(folder, (".",), distro, launch, tuple(given.items()))
-    started = {id(node.started): node.started for node in system.nodes if node.started and not node.external}
+    started = {id(node.started): node.started for node in system.nodes if node.started and _can_run(node)}
     processes = [_process(one, folder, scratch / f"{number}.yaml") for number, one in enumerate(started.values())]
     return _nodes(system), processes
 
@@ -94,7 +98,17 @@ def _system(
 
 def _nodes(system: System) -> list[Entity]:
     nodes: list[Entity] = json.loads(render(system))["nodes"]
-    return [node for node in nodes if node["is_node"] and not node["external"]]
+    own = [node for node in nodes if node["is_node"] and not node["external"]]
+    not_built.update(f"{node['name']} ({node['file']})" for node in own if not _in_python(node["file"]))
+    return [node for node in own if _in_python(node["file"])]
+
+
+def _can_run(node: Node) -> bool:
+    return not node.external and node.blueprint is not None and _in_python(node.blueprint.place.file)
+
+
+def _in_python(file: str) -> bool:
+    return file.endswith(".py")
 
 
 @contextmanager
