@@ -39,12 +39,12 @@ CREATE = "self.create_subscription(String, topic, print, 10)\n"
     ("body", "severity"),
     [
         (LOOP + CREATE, Severity.WARNING),
-        (LOOP + CHECK.format(name="topic") + " " * 16 + CREATE, Severity.INFO),
+        (LOOP + CHECK.format(name="topic") + " " * 16 + CREATE, None),
         (LOOP + CHECK.format(name="topic").replace("raise ValueError(topic)", "topic = '/' + topic"), None),
-        ("for topic in checked(topics):\n                " + CREATE, Severity.INFO),
+        ("for topic in checked(topics):\n                " + CREATE, None),
         (
             "self.topics = checked(topics)\n            for topic in self.topics:\n                " + CREATE,
-            Severity.INFO,
+            None,
         ),
     ],
 )
@@ -57,7 +57,6 @@ def test_the_code_refuses_another_form(judge: Judge, tmp_path: Path, body: str, 
     found = judge("NME001", text if severity is not None else text.replace("  # here", ""))
 
     assert [one.severity for one in found] == ([] if severity is None else [severity])
-    assert all("rejects it in any other form" in one.message for one in found if one.severity is Severity.INFO)
 
 
 MOVER = """
@@ -90,20 +89,20 @@ BRIDGE = """
 @pytest.mark.parametrize(
     ("model", "bridged", "severity"),
     [
-        ("/ball/words", "/ball/words", Severity.INFO),
+        ("/ball/words", "/ball/words", None),
         ("words", "/ball/words", Severity.WARNING),
         ("/words", "/words", Severity.WARNING),
         ("/ball/words", "/ball/other", Severity.WARNING),
     ],
 )
-def test_the_topic_of_a_model(judge: Judge, tmp_path: Path, model: str, bridged: str, severity: Severity):
+def test_the_topic_of_a_model(judge: Judge, tmp_path: Path, model: str, bridged: str, severity: Severity | None):
     (tmp_path / "package.xml").write_text("<package format='3'><name>ball</name><version>0.0.1</version></package>")
     (tmp_path / "models").mkdir()
     (tmp_path / "models" / "model.sdf").write_text(f"<sdf><plugin><topic>{model}</topic></plugin></sdf>")
     (tmp_path / "launch").mkdir()
     (tmp_path / "launch" / "bridge.launch.py").write_text(dedent(BRIDGE).format(name=bridged))
 
-    [found] = judge("NME001", MOVER.replace("/ball/words", bridged if model == bridged else "/ball/words"))
+    text = MOVER.replace("/ball/words", bridged if model == bridged else "/ball/words")
+    found = judge("NME001", text if severity is not None else text.replace("  # here", ""))
 
-    assert found.severity is severity
-    assert ("Gazebo prescribes it" in found.message) == (severity is Severity.INFO)
+    assert [one.severity for one in found] == ([] if severity is None else [severity])

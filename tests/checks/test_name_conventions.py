@@ -1,4 +1,4 @@
-"""NME001 in a package where absolute names are the convention: one finding for all its classes."""
+"""NME001 says once what is so in a whole workspace, and alone what does not fit what is around it."""
 
 from __future__ import annotations
 
@@ -10,8 +10,9 @@ import pytest
 from archlint.config.settings import load
 from archlint.engine.known import Baseline, Entry, Older
 from archlint.engine.pipeline import Request, check
-from archlint.finding import Finding
-from robot_package import write_robot
+from archlint.finding import Finding, Severity
+from archlint.report.fingerprint import with_fingerprints
+from robot_package import manifest, write_robot
 
 NODE = """\
 import rclpy
@@ -66,10 +67,11 @@ def places(findings: list[Finding]) -> list[tuple[str, int]]:
     return [(finding.place.file, finding.place.line) for finding in findings]
 
 
-def test_three_classes_with_nothing_else_are_one_finding(folder: Path):
+def test_classes_with_nothing_else_are_one_finding(folder: Path):
     [finding] = check(request(folder, arm=ARM, base=BASE, camera=CAMERA)).findings
 
-    assert finding.message == "package 'robot' fixes 5 absolute names in 3 classes: no namespace applies to any of them"
+    assert finding.message == "3 nodes of package 'robot' fix 5 absolute names: no namespace applies to any of them"
+    assert finding.severity is Severity.WARNING
     assert places([finding]) == [("robot/arm.py", 9)]
     assert [(related.place.file, related.place.line, related.message) for related in finding.related] == [
         ("robot/base.py", 9, "Base fixes the topic '/base/state'"),
@@ -77,6 +79,42 @@ def test_three_classes_with_nothing_else_are_one_finding(folder: Path):
     ]
     assert "`archlint check --fix --unsafe-fixes`" in finding.help
     assert '`ignore = ["NME001"]`' in finding.help
+
+
+def test_so_are_those_of_several_packages(folder: Path):
+    for name, text in {"arms": ARM, "base": BASE}.items():
+        setup = f"from setuptools import setup\nsetup(name='{name}')\n"
+        write_robot(folder / name, **{"package.xml": manifest(name), "setup.py": setup, "robot/talker.py": text})
+    (folder / "archlint.toml").write_text('select = ["NME001"]')
+
+    [finding] = check(Request((".",), load(folder), cached=False, jobs=1)).findings
+    assert finding.message == "2 nodes in 2 packages fix 3 absolute names: no namespace applies to any of them"
+
+
+def test_one_class_alone_is_told_by_its_name(folder: Path):
+    [finding] = check(request(folder, arm=ARM)).findings
+
+    assert finding.message == (
+        "2 names of Arm are absolute and fixed in the code, such as the topic '/arm/state': no namespace applies to "
+        "them"
+    )
+
+
+def test_the_message_counts_more_than_what_is_related(folder: Path):
+    nodes = {f"arm{number}": node(f"Arm{number}", f"/arm{number}") for number in range(20)}
+    [finding] = check(request(folder, **nodes)).findings
+
+    assert finding.message.startswith("20 nodes of package 'robot' fix 20 absolute names")
+    assert len(finding.related) == 10
+
+
+def test_it_stays_the_same_finding_when_a_name_is_added(folder: Path):
+    marks = []
+    for more in ({}, {"drive": node("Drive", "/drive")}):
+        findings = check(request(folder, arm=ARM, base=BASE, **more)).findings
+        marks += [mark for _, mark in with_fingerprints(findings)]
+
+    assert len(marks) == 2 and len(set(marks)) == 1
 
 
 def test_its_fix_is_that_of_all_classes(folder: Path):
@@ -90,41 +128,73 @@ def test_one_name_that_all_classes_use(folder: Path):
     modules = {name.lower(): node(name, "/words") for name in ("Arm", "Base", "Camera")}
     [finding] = check(request(folder, **modules)).findings
 
-    assert finding.message == (
-        "package 'robot' fixes the absolute name '/words' in 3 classes: no namespace applies to it"
-    )
-
-
-def test_two_classes_are_one_finding_each(folder: Path):
-    findings = check(request(folder, arm=ARM, base=BASE)).findings
-
-    assert places(findings) == [("robot/arm.py", 9), ("robot/base.py", 9)]
-    assert findings[0].message.startswith("2 names of Arm are absolute and fixed in the code")
-
-
-def test_a_package_that_has_relative_names_too_has_no_convention(folder: Path):
-    lidar = node("Lidar", "lidar/scan", "lidar/state")
-    findings = check(request(folder, arm=ARM, base=BASE, camera=CAMERA, lidar=lidar)).findings
-
-    assert places(findings) == [("robot/arm.py", 9), ("robot/base.py", 9), ("robot/camera.py", 9)]
+    assert finding.message == ("3 nodes of package 'robot' fix the absolute name '/words': no namespace applies to it")
 
 
 def test_a_class_that_mixes_both_forms_is_told_alone(folder: Path):
     lidar = node("Lidar", "/lidar/scan", "lidar/state")
-    whole, mixed = check(request(folder, arm=ARM, base=BASE, camera=CAMERA, lidar=lidar)).findings
+    whole, mixed = check(request(folder, arm=ARM, base=BASE, lidar=lidar)).findings
 
-    assert "5 absolute names in 3 classes" in whole.message
+    assert "2 nodes of package 'robot' fix 3 absolute names" in whole.message
     assert places([mixed]) == [("robot/lidar.py", 9)]
-    assert mixed.message.startswith("the topic '/lidar/scan' is absolute")
+    assert mixed.message == (
+        "the topic '/lidar/scan' is absolute and fixed in the code, beside relative names of the same node such as "
+        "'lidar/state': in a namespace, only those move"
+    )
 
 
-def test_a_class_whose_node_is_started_in_a_namespace_is_told_alone(folder: Path):
+def test_a_private_name_beside_an_absolute_one_is_no_mixture(folder: Path):
+    [finding] = check(request(folder, arm=ARM, lidar=node("Lidar", "/lidar/scan", "~/state"))).findings
+
+    assert finding.message.startswith("2 nodes of package 'robot' fix 3 absolute names")
+
+
+def test_the_only_absolute_names_of_a_package_are_told_alone(folder: Path):
+    relative = {name.lower(): node(name, f"{name.lower()}/state") for name in ("Base", "Camera")}
+    [finding] = check(request(folder, arm=ARM, **relative)).findings
+
+    assert finding.message.endswith(
+        "unlike those of other nodes of package 'robot', such as 'base/state': no namespace applies to them"
+    )
+
+
+def test_a_name_that_another_node_of_the_package_has_as_a_relative_one_is_told_alone(folder: Path):
+    camera = node("Camera", "arm/state")
+    told, whole = check(request(folder, arm=ARM, base=BASE, drive=node("Drive", "/drive"), camera=camera)).findings
+
+    assert places([told]) == [("robot/arm.py", 9)]
+    assert "such as 'arm/state'" in told.message
+    assert whole.message.startswith("2 nodes of package 'robot' fix 2 absolute names")
+
+
+TWICE = '<node pkg="robot" exec="arm" name="left"/><node pkg="robot" exec="arm" name="right"/>'
+
+
+def test_a_node_that_a_launch_file_starts_twice_is_told_alone(folder: Path):
+    told, whole = check(request(folder, TWICE, arm=ARM, base=BASE, camera=CAMERA)).findings
+
+    assert told.message == (
+        "2 names of Arm are absolute and fixed in the code, such as the topic '/arm/state', and a launch file starts "
+        "the node 2 times: all of them have the same one"
+    )
+    assert whole.message.startswith("2 nodes of package 'robot' fix 3 absolute names")
+
+
+def test_what_several_instances_only_listen_to_may_be_one_for_all(folder: Path):
+    listener = ARM.replace("create_publisher", "create_subscription").replace(", 10)", ", print, 10)")
+    [finding] = check(request(folder, TWICE, arm=listener, base=BASE)).findings
+
+    assert finding.message.startswith("2 nodes of package 'robot' fix 3 absolute names")
+
+
+def test_a_class_whose_namespace_its_names_repeat_is_told_alone(folder: Path):
     launch = '<node pkg="robot" exec="lidar" namespace="left"/>'
-    lidar = node("Lidar", "/lidar/scan")
-    whole, launched = check(request(folder, launch, arm=ARM, base=BASE, camera=CAMERA, lidar=lidar)).findings
+    lidar = node("Lidar", "/left/scan")
+    whole, launched = check(request(folder, launch, arm=ARM, base=BASE, lidar=lidar)).findings
 
-    assert "in 3 classes" in whole.message
+    assert whole.message.startswith("2 nodes")
     assert places([launched]) == [("robot/lidar.py", 9)]
+    assert "repeats the namespace that launch files start the node in" in launched.message
 
 
 def test_a_suppression_takes_its_class_out(folder: Path):
@@ -132,7 +202,7 @@ def test_a_suppression_takes_its_class_out(folder: Path):
     report = check(request(folder, arm=quiet, base=BASE, camera=CAMERA, drive=node("Drive", "/drive")))
 
     [finding] = report.findings
-    assert "fixes 4 absolute names in 3 classes" in finding.message
+    assert "3 nodes of package 'robot' fix 4 absolute names" in finding.message
     assert places([finding]) == [("robot/base.py", 9)]
     assert report.summary.suppressed == 1
 

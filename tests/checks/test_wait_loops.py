@@ -1,9 +1,14 @@
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import partial
+
 import pytest
 
-from archlint.finding import Severity
+from archlint.finding import Finding, Severity
 from checks.judging import Judge
+
+START_UP = "[rules.endless-wait-loop]\nstart-up = true"
 
 SCRIPT = """
     import sys
@@ -28,6 +33,14 @@ SCRIPT = """
     if __name__ == '__main__':
         main()
 """
+
+
+@pytest.fixture
+def judge(judge: Judge) -> Callable[..., list[Finding]]:
+    """A judge of loops that say what they wait for, too."""
+    return partial(judge, config=START_UP)
+
+
 WAIT = "far.wait_for_service(timeout_sec=1.0)"
 
 
@@ -358,19 +371,26 @@ def test_a_class_that_nothing_names(judge: Judge, tmp_path, uses: str, mark: str
 
 
 @pytest.mark.parametrize(
-    ("more", "inside", "mark"),
+    ("inside", "mark"),
     [
-        ("pass", "print('waiting')", ""),
-        ("pass", "node.get_logger().info('waiting')", ""),
-        ("pass", "time.sleep(1.0)", "  # here"),  # nobody sees it
-        ("node.create_publisher(Trigger, 'a', 10)", "print('waiting')", "  # here"),
-        ("node.create_timer(1.0, print)", "print('waiting')", "  # here"),
+        ("print('waiting')", ""),
+        ("node.get_logger().info('waiting')", ""),
+        ("time.sleep(1.0)", "  # here"),  # nobody sees it
     ],
 )
-def test_a_script_that_only_asks_may_wait_where_it_says_so(judge: Judge, more: str, inside: str, mark: str):
-    asks = "far.call_async(Trigger.Request())"
-    judge("TMO004", script(more, f"while not {WAIT}:{mark}", f"    {inside}", asks))
-    judge("TMO004", script(more, f"while not {WAIT}:{mark}", f"    {inside}", asks, "rclpy.spin(node)"))
+def test_a_program_that_starts_up_may_wait_where_it_says_so(judge: Judge, inside: str, mark: str):
+    lines = (f"while not {WAIT}:{mark}", f"    {inside}", "node.create_timer(1.0, print)", "rclpy.spin(node)")
+    judge("TMO004", script(*lines), config="")
+
+
+def test_a_callback_may_not(judge: Judge):
+    lines = (
+        "def tick():",
+        f"    while not {WAIT}:  # here",
+        "        print('waiting')",
+        "node.create_timer(1.0, tick)",
+    )
+    judge("TMO004", script(*lines, "rclpy.spin(node)"), config="")
 
 
 IN_A_THREAD = """

@@ -1,4 +1,4 @@
-"""Waits at start-up of which the code first says that it waits."""
+"""Waits of which the code says that it waits."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from archlint.analysis.source_code import SourceCode, source_code
 from archlint.model import EntityKind, Role
 from archlint.syntax import facts
 from archlint.syntax.control_flow import graph_of
-from archlint.syntax.walk import called_name
+from archlint.syntax.walk import called_name, calls_in
 
 if TYPE_CHECKING:
     from archlint.model import ApiCall
@@ -28,6 +28,11 @@ def is_announced_start(system: System, call: ApiCall) -> bool:
     return not serves and _is_announced(source_code(system), call)
 
 
+def says_something(loop: facts.While | facts.For | None) -> bool:
+    """Whether each round of a loop may write to the log or to the terminal: whoever looks sees what it waits for."""
+    return loop is not None and any(called_name(call) in _SAYS for call in calls_in(loop.body))
+
+
 def _is_announced(code: SourceCode, call: ApiCall) -> bool:
     """Whether on every way to a call a line says something, and since then there are only assignments."""
 
@@ -44,4 +49,4 @@ def _is_announced(code: SourceCode, call: ApiCall) -> bool:
     return bool(waits) and all(states.get(block) == frozenset({True}) for block in waits)
 
 
-__all__ = ["is_announced_start"]
+__all__ = ["is_announced_start", "says_something"]

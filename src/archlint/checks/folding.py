@@ -27,16 +27,19 @@ class Fold:
     """Whether it also folds what several launch files show."""
     across_severities: bool = False
     """Whether it also folds what weighs more with what weighs less."""
+    common: int | None = None
+    """How many of the first parts of a group findings have in common; the others tell the fold more of each.  All of
+    them, if None."""
 
     def __call__(self, findings: Sequence[Finding]) -> Finding:
         return self.function(findings)
 
 
 def folds(
-    code: str, *, across_systems: bool = False, across_severities: bool = False
+    code: str, *, across_systems: bool = False, across_severities: bool = False, common: int | None = None
 ) -> Callable[[Callable[[Sequence[Finding]], Finding]], Fold]:
     """Make the decorated function the fold of the rule with this code."""
-    return lambda function: Fold(code, function, across_systems, across_severities)
+    return lambda function: Fold(code, function, across_systems, across_severities, common)
 
 
 def all_sites(findings: Sequence[Finding]) -> Sites | None:

@@ -3,34 +3,22 @@
 from __future__ import annotations
 
 import posixpath
-import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_not_installed
 from archlint.analysis.completeness import enclosing_class
-from archlint.analysis.fixed_names import is_of_a_model, must_be_absolute, passed_from
-from archlint.analysis.kept import once
+from archlint.analysis.fixed_names import must_be_absolute, passed_from
+from archlint.analysis.manifests import package_around
 from archlint.analysis.name_sites import sites_of_name
 from archlint.branches import exclusive
 from archlint.checks.folding import all_sites, folds
-from archlint.checks.name_conventions import CONVENTION, FixedName, Home, home_of, one_of_package, with_convention
-from archlint.checks.name_reasons import (
-    DEMANDED,
-    FIXED,
-    NOT_INSTALLED,
-    OF_ANOTHER,
-    PARAMETERS,
-    PRIVATE,
-    RELATIVE,
-    REMAPPED,
-    WITHOUT_PACKAGE,
-    Reason,
-    of_others,
-    shared_by,
-)
+from archlint.checks.foreign_names import is_foreign
+from archlint.checks.name_conventions import CONVENTION, home_of, one_of_workspace
+from archlint.checks.name_evidence import FixedName, told_alone
+from archlint.checks.name_reasons import FIXED, PARAMETERS, RELATIVE, REPEATED, WITHOUT_PACKAGE, Reason, shared_by
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
@@ -43,56 +31,6 @@ if TYPE_CHECKING:
     from archlint.systems.model import System, WorkspaceIndex
     from archlint.systems.nodes import Endpoint, Node
 
-FIXED_BY_OTHERS = {
-    "/fmu/": "PX4",
-    "/ap/": "ArduPilot",
-    "/mavros/": "MAVROS",
-    "/world/": "Gazebo",
-    "/gazebo/": "Gazebo",
-    "/pause_physics": "Gazebo",
-    "/unpause_physics": "Gazebo",
-    "/reset_simulation": "Gazebo",
-    "/reset_world": "Gazebo",
-    "/carla/": "CARLA",
-    "/api/sport/": "Unitree",
-    "/lf/lowstate": "Unitree",
-    "/lf/sportmodestate": "Unitree",
-    "/lowcmd": "Unitree",
-    "/lowstate": "Unitree",
-    "/sportmodestate": "Unitree",
-    "/utlidar/": "Unitree",
-}
-"""Systems outside of ROS that one robot or one simulation has one of, and whose bridges choose these names."""
-_OF_A_JOINT = re.compile(r"/model/[^/]+/joint/[^/]+/")
-"""How Gazebo's joint plugins (JointController, JointPositionController, Thruster) begin the topics that nobody names.
-
-Source: gz-sim, ``src/systems``: ``/model/<model>/joint/<joint>/cmd_vel`` and the like.
-"""
-_OF_AUTOWARE = (
-    "/api/",
-    "/awapi/",
-    "/control/",
-    "/localization/",
-    "/perception/",
-    "/planning/",
-    "/sensing/",
-    "/vehicle/",
-)
-"""How the names begin that Autoware's components have in its own launch files."""
-_TYPES_OF_OTHERS = {
-    "carla_msgs/": "CARLA",
-    "gazebo_msgs/srv/": "Gazebo",
-    "linkattacher_msgs/": "Gazebo",
-    "rmf_": "Open-RMF",
-    "ros_gz_interfaces/srv/": "Gazebo",
-    "unitree_api/": "Unitree",
-    "unitree_go/": "Unitree",
-    "unitree_hg/": "Unitree",
-}
-"""Interfaces that only such a system speaks: ``/spawn_entity`` of gazebo_ros is one for all robots, and Open-RMF's
-``/robot_path_requests`` (of ``rmf_fleet_msgs``) one for the whole site.  MAVROS and PX4 are not among them: each
-vehicle has a namespace, which the workspace chooses, unless the name begins as theirs do by default."""
-
 _BY_CODE = frozenset({"literal", "format"})
 _NAMES_SHOWN = 3
 """How many names of one place a message lists."""
@@ -101,8 +39,20 @@ _NAMES_SHOWN = 3
 @rule("NME001", scope=Scope.CODE, taste=True, says_if_installed=True, relative=False, allow=())
 def hardcoded_name(system: System, options: Options) -> Iterator[Finding]:
     """Absolute names that only an edit of the code can change, one finding a create call and literal; those of one
-    class become one, and those of a package whose convention they are."""
+    class become one, and so do those of all classes that have nothing against the convention of their workspace."""
     relative, allowed = options.flag("relative"), options.texts("allow")
+    names = _fixed_names(system, allowed, relative)
+    alone = told_alone(system.workspace, names)
+    findings: dict[tuple[Place, Place, str], Finding] = {}
+    for name in names:
+        if relative or name.text.startswith("/"):
+            diagnostic = _hardcoded(system, name, alone.get(name.home))
+            findings.setdefault((diagnostic.place, name.endpoint.place, name.text), diagnostic)
+    yield from (findings[key] for key in sorted(findings))
+
+
+def _fixed_names(system: System, allowed: tuple[str, ...], relative: bool) -> list[FixedName]:
+    """The names that only an edit of the code can change, without those that are absolute for a reason."""
     varied = {end.place for end in system.endpoints if end.creation.name.resolution != "exact"}
     fixed: list[Endpoint] = []
     for endpoint in (end for node in system.nodes if not node.external for end in node.endpoints):
@@ -115,27 +65,21 @@ def hardcoded_name(system: System, options: Options) -> Iterator[Finding]:
     wanted = [endpoint for endpoint in fixed if relative or (endpoint.written or "").startswith("/")]
     users = _files_that_use(wanted)
     reasons = [(end, _reason(system.workspace, end, len(users.get(_literal(end).file, ())))) for end in fixed]
-    uses = [_use(system, end, reason) for end, reason in reasons if reason is not None and reason.severity is None]
-    packages = with_convention(system.workspace, uses)
-    findings: dict[tuple[Place, Place, str], Finding] = {}
-    for endpoint, reason in reasons:
-        if reason is not None and (relative or (endpoint.written or "").startswith("/")):
-            diagnostic = _hardcoded(system, endpoint, reason, packages)
-            findings.setdefault((diagnostic.place, endpoint.place, endpoint.written or ""), diagnostic)
-    yield from (findings[key] for key in sorted(findings))
+    return [
+        FixedName(_home(system, _begin(system.workspace, end), end.place), end, reason)
+        for end, reason in reasons
+        if reason is not None
+    ]
+
+
+def _begin(workspace: WorkspaceIndex | None, endpoint: Endpoint) -> Place:
+    """Where the name of an endpoint begins."""
+    return passed_from(workspace, endpoint) or _literal(endpoint)
 
 
 def _literal(endpoint: Endpoint) -> Place:
     """Where the name of an endpoint is written."""
     return endpoint.creation.name.origin or endpoint.creation.name_place or endpoint.place
-
-
-def _use(system: System, endpoint: Endpoint, reason: Reason) -> FixedName:
-    """A name with the class that fixes it, to see what the convention of a package is."""
-    place = passed_from(system.workspace, endpoint) or _literal(endpoint)
-    home = _home(system, place, endpoint.place)
-    has_namespace = any(_namespaces_of(system.workspace, endpoint.node) or ())
-    return FixedName(home, place, endpoint.written or "", follows=reason == FIXED and not has_namespace)
 
 
 def _files_that_use(fixed: Sequence[Endpoint]) -> dict[str, set[str]]:
@@ -169,16 +113,15 @@ def _conventional(endpoint: Endpoint, name: str, allowed: tuple[str, ...]) -> bo
     return name in ABSOLUTE | BY_CLICK or is_copy or any(fnmatchcase(name, pattern) for pattern in allowed)
 
 
-def _hardcoded(system: System, endpoint: Endpoint, reason: Reason, packages: Mapping[Home, tuple[str, str]]) -> Finding:
-    """``packages`` has that of each class which fixes absolute names as all its package does."""
-    name, word = endpoint.written or "", NAMED[endpoint.kind]
+def _hardcoded(system: System, fixed: FixedName, evidence: Reason | None) -> Finding:
+    """``evidence`` is what speaks against the absolute names of the class, where something does."""
+    endpoint, reason = fixed.endpoint, fixed.reason
+    name, word = fixed.text, NAMED[endpoint.kind]
+    if evidence is not None and fixed.is_absolute:
+        reason = evidence
     given = endpoint.creation.name_place or endpoint.place
-    place = passed_from(system.workspace, endpoint) or _literal(endpoint)
-    home = _home(system, place, endpoint.place)
-    owner = _package(system.workspace, place.file) if reason.by_package else home
-    key = reason.key
-    if home in packages and reason == FIXED:
-        owner, key = packages[home], CONVENTION
+    place = _begin(system.workspace, endpoint)
+    is_alone = evidence is not None or reason == RELATIVE
     diagnostic = finding(
         "NME001",
         place,
@@ -186,80 +129,52 @@ def _hardcoded(system: System, endpoint: Endpoint, reason: Reason, packages: Map
         help=_help(name, reason),
         related=[] if given == place else [Related(given, f"the {word} is created under this name here")],
         node=endpoint.node.name,
-        identity=(home[1], word, name),
-        group=(*owner, key, reason.state, reason.effect, reason.cure),
-        sites=sites_of_name(system.workspace, given, name, stays=reason.key != FIXED.key),
+        identity=(fixed.home[1], word, name),
+        group=(
+            *(fixed.home if is_alone else ("", "")),
+            reason.key if is_alone else CONVENTION,
+            *(_package(system.workspace, place.file), reason.state, reason.effect, reason.cure),
+        ),
+        sites=sites_of_name(system.workspace, given, name, stays=not reason.has_fix),
     )
     return diagnostic if reason.severity is None else replace(diagnostic, severity=reason.severity)
 
 
 def _reason(workspace: WorkspaceIndex | None, endpoint: Endpoint, users: int) -> Reason | None:
-    """Why a name is as it is; ``users`` is the number of other files that take names from the file it is in.  None
-    where whoever starts the node can choose another form of it."""
+    """Why a name is reported; ``users`` is the number of other files that take names from the file it is in.  None
+    where it has to be absolute, where whoever starts the node can choose another form of it, and where nobody starts
+    the file but who works on it."""
     node, name = endpoint.node, endpoint.written or ""
     if not name.startswith("/"):
         return RELATIVE
-    owner = _owner(workspace, endpoint)
-    if owner is not None:
-        return of_others(owner)
-    if is_of_a_model(workspace, name):
-        return of_others("Gazebo")
-    if must_be_absolute(workspace, endpoint):
-        return DEMANDED
-    if _private_to_foreign_node(workspace, name):
-        return PRIVATE
-    if _is_chosen(node, endpoint):
+    if is_foreign(workspace, endpoint) or must_be_absolute(workspace, endpoint):
+        return None
+    if (
+        _is_chosen(node, endpoint)
+        or _is_remapped(workspace, endpoint)
+        or _is_beside(workspace, _literal(endpoint).file)
+    ):
         return None
     if users > 1:
         return shared_by(users)
-    if _is_remapped(workspace, endpoint):
-        return REMAPPED
     if is_not_installed(workspace, endpoint.place.file):
-        return NOT_INSTALLED if workspace is not None and workspace.manifests else WITHOUT_PACKAGE
+        return None if workspace is not None and workspace.manifests else WITHOUT_PACKAGE
     return _by_namespace(workspace, node)
 
 
-def _owner(workspace: WorkspaceIndex | None, endpoint: Endpoint) -> str | None:
-    """The system outside of ROS that fixes a name, if one does: by the name, or by its type where no other node of the
-    workspace is at the other end, so that it is that system which is spoken with.  A name below a namespace such as
-    ``/robot_1`` is the workspace's own choice."""
-    name, type_ = endpoint.written or "", endpoint.type or ""
-    types = (other.type or "" for other in (endpoint, *endpoint.node.endpoints))
-    if name.startswith(_OF_AUTOWARE) and any(other.startswith(("autoware_", "tier4_")) for other in types):
-        return "Autoware"
-    for prefix, owner in FIXED_BY_OTHERS.items():
-        if name.startswith(prefix):
-            return owner
-    if _OF_A_JOINT.match(name):
-        return "Gazebo"
-    speaker = next((owner for prefix, owner in _TYPES_OF_OTHERS.items() if type_.startswith(prefix)), None)
-    if speaker is None or name.rfind("/") > 0 or (workspace is not None and name in _spoken_here(workspace)):
-        return None
-    return speaker
+_SHOWN_OR_TOOL = frozenset({"example", "examples", "sample", "samples", "tool", "tools"})
 
 
-@once
-def _spoken_here(workspace: WorkspaceIndex) -> frozenset[str]:
-    """The names that a node of the workspace provides and another uses."""
-    return frozenset(
-        connection.name
-        for system in workspace.systems
-        for connection in (*system.topics.values(), *system.services.values(), *system.actions.values())
-        if any(
-            user.node is not provider.node and not (user.external or provider.external)
-            for user in connection.users
-            for provider in connection.providers
-        )
-    )
-
-
-def _private_to_foreign_node(workspace: WorkspaceIndex | None, name: str) -> bool:
-    """Whether a name lies below that of a node (``/lidar_node/scan`` is its ``~/scan``) which no code of the workspace
-    makes and no launch file starts."""
-    owner, _, rest = name[1:].partition("/")
-    if not owner.endswith("_node") or not rest or workspace is None:
+def _is_beside(workspace: WorkspaceIndex | None, file: str) -> bool:
+    """Whether a file is an example or a tool of its package, or lies beside the packages of its workspace."""
+    if workspace is None or not workspace.manifests:
         return False
-    return not any(owner in (node.name or "").split("/") for system in workspace.systems for node in system.nodes)
+    package = package_around(workspace, posixpath.dirname(file))
+    if package is None:
+        return workspace.package_of(file) is None
+    folder = posixpath.dirname(package.manifest.relative)
+    inside = posixpath.dirname(file).removeprefix(folder).strip("/").split("/")
+    return not (_SHOWN_OR_TOOL - {package.name}).isdisjoint(inside)
 
 
 def _is_remapped(workspace: WorkspaceIndex | None, endpoint: Endpoint) -> bool:
@@ -276,9 +191,10 @@ def _namespaces_of(workspace: WorkspaceIndex | None, node: Node) -> frozenset[st
     return None if workspace is None or node.blueprint is None else workspace.namespaces.get(key_of(node.blueprint))
 
 
-def _by_namespace(workspace: WorkspaceIndex | None, node: Node) -> Reason:
+def _by_namespace(workspace: WorkspaceIndex | None, node: Node) -> Reason | None:
     """What to do about absolute names: where launch files start the node in a namespace that one of them begins with,
-    they would have it twice without their '/'."""
+    they would have it twice without their '/'.  Beside relative names, and in a namespace, an absolute one belongs to
+    somebody else."""
     given = _namespaces_of(workspace, node)
     written = [endpoint.written or "" for endpoint in node.endpoints]
     repeated = [
@@ -288,14 +204,14 @@ def _by_namespace(workspace: WorkspaceIndex | None, node: Node) -> Reason:
     ]
     if not repeated:
         own = any(not name.startswith(("/", "~")) for name in written if name)
-        return OF_ANOTHER if own and given and "" not in given else FIXED
+        return None if own and given and "" not in given else FIXED
     if given != frozenset(repeated[:1]):
         return PARAMETERS
     start = repeated[0]
     cure = f"remove '{start}/', the namespace in which the launch file starts the node"
     if not all(name.startswith(f"{start}/") for name in written if name.startswith("/")):
         cure += ", and take the other names from parameters"
-    return replace(FIXED, cure=cure, namespace=start)
+    return replace(REPEATED, cure=cure, namespace=start)
 
 
 def _is_chosen(node: Node, endpoint: Endpoint) -> bool:
@@ -326,7 +242,7 @@ def _help(name: str, reason: Reason) -> str:
     if reason.cure == FIXED.cure:
         bare = name.lstrip("/") or "…"
         return f"write '{bare}', so that the node's namespace applies, or take the name from a parameter"
-    if reason.key != FIXED.key:
+    if not reason.has_fix:
         return reason.cure
     start = f"{reason.namespace}/"
     if reason.namespace and name.startswith(start):
@@ -335,10 +251,10 @@ def _help(name: str, reason: Reason) -> str:
     return f"take the name from a parameter: self.declare_parameter('{parameter}', '{name}')"
 
 
-def _package(workspace: WorkspaceIndex | None, file: str) -> tuple[str, str]:
-    """The package of a file, or the folder of one beside the packages."""
+def _package(workspace: WorkspaceIndex | None, file: str) -> str:
+    """The package of a file; empty where it is in none."""
     package = None if workspace is None else workspace.package_of(file)
-    return ("", posixpath.dirname(file)) if package is None else (package, "")
+    return package or ""
 
 
 def _home(system: System, literal: Place, call: Place) -> tuple[str, str]:
@@ -350,13 +266,17 @@ def _home(system: System, literal: Place, call: Place) -> tuple[str, str]:
     return literal.file, home or ""
 
 
-@folds("NME001")
+_DECISIVE = 3
+"""How much of a group says what becomes one finding; what comes after tells of each name."""
+
+
+@folds("NME001", common=_DECISIVE, across_severities=True)
 def of_one_cause(findings: Sequence[Finding]) -> Finding:
-    """The finding for all names that one class fixes, or the files of a package that nobody installs: at the first
-    literal, the others related."""
+    """The finding for all names that one class fixes, at the first literal, the others related; or for those of all
+    classes whose workspace has nothing else."""
     first = findings[0]
     if first.group[2] == CONVENTION and len(set(map(home_of, findings))) > 1:
-        return one_of_package(findings)
+        return one_of_workspace(findings, [diagnostic.group[_DECISIVE] for diagnostic in findings])
     at: dict[Place, dict[str, None]] = {}
     for diagnostic in findings:
         at.setdefault(diagnostic.place, {})[_shown(diagnostic)] = None
@@ -366,8 +286,8 @@ def of_one_cause(findings: Sequence[Finding]) -> Finding:
     related = tuple(Related(place, ", ".join(at[place])) for place in sorted(at))
     if len(names) == 1:
         return replace(first, related=(*first.related, *related), sites=sites)
-    _, _, key, state, effect, cure = first.group
-    reason = Reason(key, state, effect, cure)
+    state, effect, cure = first.group[_DECISIVE + 1 :]
+    reason = Reason(first.group[2], state, effect, cure)
     return replace(
         first,
         message=reason.message(f"{len(names)} names {_owner_words(findings)}", f", such as {here}", plural=True),

@@ -1,4 +1,4 @@
-"""Why a name in the code is absolute, and what NME001 says about that."""
+"""Why NME001 speaks of a name, and what it says."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from archlint.finding import Severity
 
 @dataclass(frozen=True)
 class Reason:
-    """Why a name is as it is: it ``is`` so, and so ``what`` follows, with ``cure`` as help for several names."""
+    """Why a name is reported: it ``is`` so, and so ``what`` follows, with ``cure`` as help for several names."""
 
     key: str
     state: str
@@ -19,9 +19,10 @@ class Reason:
     namespace: str = ""
     """The one that launch files start the node in, where a name begins with it."""
 
-    by_package: bool = False
-    """Whether it is one finding for all files of a package or folder: what none installs, or what another system
-    prescribes."""
+    @property
+    def has_fix(self) -> bool:
+        """Whether the name can become a parameter where the node creates something under it."""
+        return self.key != "shared"
 
     def message(self, subject: str, such_as: str, plural: bool) -> str:
         effect = self.effect.format(it="them" if plural else "it")
@@ -34,50 +35,22 @@ FIXED = Reason(
     ": no namespace applies to {it}",
     "remove the leading '/', so that the node's namespace applies, or take the names from parameters",
 )
-PARAMETERS = replace(FIXED, cure="take the names from parameters")
+"""Nothing more than that: what is said once of all nodes of a workspace."""
+REPEATED = replace(
+    FIXED,
+    key="repeated",
+    effect=", and repeats the namespace that launch files start the node in: in another one it stays where it is",
+)
+"""For a name that begins with the namespace in which the node runs anyway."""
+PARAMETERS = replace(FIXED, key="repeated", cure="take the names from parameters")
 """For a node that launch files start in one namespace and another, where a name begins with one of them."""
-OF_ANOTHER = Reason(
-    "of another",
-    "absolute and fixed in the code",
-    ", beside relative names of the same node, which launch files start in a namespace",
-    "take the names from parameters, so that a launch file can choose them",
-    Severity.INFO,
-)
-RELATIVE = Reason("fixed", "fixed in the code", "", "take the names from parameters")
-DEMANDED = Reason(
-    "demanded",
-    "absolute and fixed in the code",
-    ", and the code rejects {it} in any other form",
-    "fine for one robot; for several, take the names from parameters",
-    Severity.INFO,
-)
-PRIVATE = Reason(
-    "private",
-    "absolute",
-    ": a node outside this workspace creates {it} below its own name",
-    "fine for one such node; for several, take the names from parameters",
-    Severity.INFO,
-)
-NOT_INSTALLED = Reason(
-    "not installed",
-    "absolute and fixed in the code",
-    ", in code that no installed program uses",
-    "remove the leading '/' if you install the file",
-    Severity.INFO,
-    by_package=True,
-)
-REMAPPED = Reason(
-    "remapped",
-    "absolute and fixed in the code",
-    ", and remapped wherever a launch file starts the node",
-    "remove the leading '/', so that the node's namespace applies without a remapping",
-    Severity.INFO,
-)
-WITHOUT_PACKAGE = replace(FIXED, effect=NOT_INSTALLED.effect, severity=Severity.INFO, by_package=True)
+RELATIVE = Reason("relative", "fixed in the code", "", "take the names from parameters")
+WITHOUT_PACKAGE = replace(FIXED, key="without package", severity=Severity.INFO)
 """For a script in a workspace that has no package."""
 
 
 def shared_by(users: int) -> Reason:
+    """For the names of one file that several others take from there."""
     return Reason(
         "shared",
         "absolute and fixed in the code",
@@ -87,12 +60,39 @@ def shared_by(users: int) -> Reason:
     )
 
 
-def of_others(system: str) -> Reason:
-    return Reason(
-        "others",
-        "absolute",
-        f": {system} prescribes {{it}}",
-        f"fine for one {system}; for several, remove the leading '/' and start the node in a namespace",
-        Severity.INFO,
-        by_package=True,
-    )
+def beside_relative(other: str) -> Reason:
+    """For a node that has a relative name, too."""
+    effect = f", beside relative names of the same node such as '{_kept(other)}': in a namespace, only those move"
+    return replace(FIXED, key="mixed", effect=effect)
+
+
+def for_each_instance(count: int) -> Reason:
+    """For a node that one launch file starts several times."""
+    effect = f", and a launch file starts the node {count} times: all of them have the same one"
+    return replace(FIXED, key="instances", effect=effect)
+
+
+def unlike_its_package(package: str, other: str) -> Reason:
+    """For a node among others of its package whose names are relative."""
+    others = f"those of other nodes of package '{package}', such as '{_kept(other)}'"
+    effect = f", unlike {others}: no namespace applies to {{it}}"
+    return replace(FIXED, key="package", effect=effect)
+
+
+def _kept(name: str) -> str:
+    """A name in an effect, where braces stand for what the effect is on: ``{node}`` is a substitution of ROS."""
+    return name.replace("{", "{{").replace("}", "}}")
+
+
+__all__ = [
+    "FIXED",
+    "PARAMETERS",
+    "RELATIVE",
+    "REPEATED",
+    "WITHOUT_PACKAGE",
+    "Reason",
+    "beside_relative",
+    "for_each_instance",
+    "shared_by",
+    "unlike_its_package",
+]

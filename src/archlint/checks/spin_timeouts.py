@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.analysis.asking_scripts import is_step_of_asking_script
+from archlint.analysis.asking_scripts import has_only_clients, is_step_of_asking_script
 from archlint.analysis.left_over import is_dead, is_never_made
 from archlint.analysis.limit_sites import sites_of_spin, spins_for_a_result
 from archlint.analysis.loop_times import is_retried
@@ -22,11 +22,15 @@ from archlint.analysis.reach import (
 from archlint.analysis.source_code import SourceCode, source_code
 from archlint.analysis.spins_beside import SpunBeside, spun_beside
 from archlint.analysis.stuck import spoken_of
-from archlint.checks.folding import class_around, folds, of_one_class
+from archlint.analysis.unused_results import is_thrown_away
+from archlint.checks.folding import class_around, folds, of_one_class, of_one_package, package_around
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.uncalled import uncalled_in_program
 from archlint.checks.wait_words import (
+    READY,
+    WAIT_FOR_SERVER,
+    WAIT_FOR_SERVICE,
     is_at_its_default,
     name_of,
     passed_on,
@@ -40,6 +44,8 @@ from archlint.model.given import Constant
 if TYPE_CHECKING:
     from archlint.model import ApiCall, Program
     from archlint.systems.model import System
+_OF_A_SCRIPT = "script"
+_LOOKS_FOR_SERVER = (WAIT_FOR_SERVICE, WAIT_FOR_SERVER, *READY)
 _SPIN = "rclpy.spin_until_future_complete"
 _EXECUTOR_SPIN = "rclpy.executors.Executor.spin_until_future_complete"
 
@@ -58,6 +64,28 @@ def spin_without_timeout(system: System, options: Options) -> Iterator[Finding]:
         if not spins_for_own_task(system, program, call)
         if call.context.role != Role.METHOD or creations_of(argument(call, "future"))
         if not _is_refused(program, call) and not _may_be_meant_as_a_limit(source_code(system), call)
+        if not _is_uncalled(system, call) and not _is_all_there_is_to_do(system, program, call)
+    )
+
+
+def _is_uncalled(system: System, call: ApiCall) -> bool:
+    """Whether a call is in a method of a program that nothing calls."""
+    return call.context.role == Role.METHOD and uncalled_in_program(system, call.place) is not None
+
+
+def _is_all_there_is_to_do(system: System, program: Program, call: ApiCall) -> bool:
+    """Whether a script that somebody starts by hand waits for the answer of a server which it has found, or for the end
+    of a motion: it is there for nothing else, and Ctrl-C ends it."""
+    if not is_step_of_asking_script(system, program, call) or not has_only_clients(program):
+        return False
+    if spins_for_a_result(system.workspace, call.place):
+        return True
+    code, clients = source_code(system), {client.place for client in creations_of(argument(call, "future"))}
+    return any(
+        other.api in _LOOKS_FOR_SERVER
+        and not clients.isdisjoint(client.place for client in creations_of(other.receiver))
+        and (waits_for_ever(code, other, "timeout_sec") or not is_thrown_away(code, other))
+        for other in program.calls
     )
 
 
@@ -93,11 +121,10 @@ def _limitless_spin(system: System, program: Program, call: ApiCall, options: Op
         identity=(call.function, name_of(client), "spin_until_future_complete"),
         sites=sites_of_spin(system.workspace, call.place),
     )
-    uncalled = call.context.role == Role.METHOD and uncalled_in_program(system, call.place) is not None
-    minor = uncalled or is_step_of_asking_script(system, program, call)
-    severity = Severity.INFO if minor else diagnostic.severity
-    group = (call.file, class_around(call.function), severity.label, str(is_at_its_default(call)))
-    return replace(diagnostic, severity=severity, group=group)
+    if is_step_of_asking_script(system, program, call):
+        own = package_around(system.workspace, call.file)
+        return replace(diagnostic, severity=Severity.INFO, group=(*own, _OF_A_SCRIPT))
+    return replace(diagnostic, group=(call.file, class_around(call.function), str(is_at_its_default(call))))
 
 
 def _second_spin(system: System, call: ApiCall, beside: SpunBeside) -> Finding:
@@ -128,6 +155,9 @@ def _help(system: System, call: ApiCall) -> str:
 
 @folds("TMO003")
 def _of_one_owner(findings: Sequence[Finding]) -> Finding:
-    """The finding for all such spins of a class or function: an action's goal is sent, and then its result awaited."""
+    """The finding for all such spins of a class or function: an action's goal is sent, and then its result awaited.
+    Those of all scripts of a package are one."""
+    if findings[0].group[-1] == _OF_A_SCRIPT:
+        return of_one_package(findings, "line", "it spins without a timeout here, too")
     beside = findings[0].group[-1] == "beside"
     return of_one_class(findings, "line", "it spins here, too" if beside else "it spins without a timeout here, too")

@@ -23,6 +23,7 @@ from archlint.analysis.source_code import source_code
 from archlint.checks.folding import class_around, folds, of_one_class, of_one_package, package_around
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
+from archlint.checks.uncalled import uncalled_in_program
 from archlint.checks.wait_words import (
     MAKE_IT_EARLIER,
     WAIT_FOR_MESSAGE,
@@ -43,6 +44,7 @@ from archlint.string_enum import StringEnum
 if TYPE_CHECKING:
     from archlint.model import ApiCall, Program
     from archlint.systems.model import System
+_MINOR = "minor"
 _LIMIT = {
     WAIT_FOR_SERVICE: "timeout_sec",
     WAIT_FOR_SERVER: "timeout_sec",
@@ -63,14 +65,20 @@ def wait_without_timeout(system: System, options: Options) -> Iterator[Finding]:
         # Below zero a client does not wait at all; wait_for_message() then waits forever.
         and waits_for_ever(source_code(system), call, _LIMIT[call.api], negative=call.api == WAIT_FOR_MESSAGE)
         and not is_never_made(system.workspace, call)
-        and not _is_unused_part_of_script(system, program, call)
+        and not _is_unused(system, program, call)
+        and not is_announced_start(system, call)
     )
 
 
-def _is_unused_part_of_script(system: System, program: Program, call: ApiCall) -> bool:
-    """Whether a call is in a method that no file names, of a script in no package, from which nobody imports it."""
+def _is_unused(system: System, program: Program, call: ApiCall) -> bool:
+    """Whether a call is in a method of a program that nothing calls, or of a script in no package, from which nobody
+    imports it."""
     workspace = system.workspace
-    return workspace is not None and workspace.package_of(call.file) is None and is_dead(workspace, program, call)
+    if workspace is None or call.context.role != Role.METHOD:
+        return False
+    if uncalled_in_program(system, call.place) is not None:
+        return True
+    return workspace.package_of(call.file) is None and is_dead(workspace, program, call)
 
 
 class _Cure(StringEnum):
@@ -99,9 +107,10 @@ def _limitless_wait(system: System, program: Program, call: ApiCall) -> Finding:
         node=node_name(system, call.node or call.context.node),
         identity=(call.function, name_of(call.creation), function),
     )
-    announced = is_announced_start(system, call)
-    severity = Severity.INFO if announced or _is_minor(system, program, call) else diagnostic.severity
-    own = package_around(system.workspace, call.file) if announced else (call.file, class_around(call.function))
+    group: tuple[str, ...] = (call.file, class_around(call.function), cure, function)
+    severity = diagnostic.severity
+    if _is_minor(system, program, call):
+        severity, group = Severity.INFO, (*package_around(system.workspace, call.file), _MINOR)
     # Whoever waits in a callback had better not wait at all.
     return replace(
         diagnostic,
@@ -109,15 +118,15 @@ def _limitless_wait(system: System, program: Program, call: ApiCall) -> Finding:
         if runs_in_executor(call.context)
         else sites_of_wait(system.workspace, call.place, "" if several else name_of(call.creation)),
         severity=severity,
-        group=(*own, severity.label, cure, "start" if announced else function),
+        group=group,
     )
 
 
 @folds("TMO001")
 def of_one_owner(findings: Sequence[Finding]) -> Finding:
     """The finding for all such waits of a class or function with which the same is to be done; for all of a package
-    that a node announces as it starts."""
-    if findings[0].group[-1] == "start":
+    that only whoever starts the program waits for."""
+    if findings[0].group[-1] == _MINOR:
         return of_one_package(findings, "wait", "it waits without a timeout here, too")
     return of_one_class(findings, "wait", "it waits without a timeout here, too")
 

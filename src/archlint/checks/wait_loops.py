@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.analysis.asking_scripts import is_seen_to_wait
+from archlint.analysis.announced_waits import says_something
 from archlint.analysis.callback_roles import runs_in_executor
 from archlint.analysis.left_over import is_dead, is_never_made
 from archlint.analysis.present_servers import is_there, was_waited_for
@@ -35,9 +35,11 @@ if TYPE_CHECKING:
     from archlint.systems.model import System
 
 
-@rule("TMO004", scope=Scope.CODE, by_program=True, in_use=True)
+@rule("TMO004", scope=Scope.CODE, by_program=True, in_use=True, start_up=False)
 def endless_wait_loop(system: System, options: Options) -> Iterator[Finding]:
-    """Loops that repeat until a server appears, and that nothing else ends."""
+    """Loops that repeat until a server appears, and that nothing else ends; with ``start-up`` also those in which a
+    program says as it starts what it waits for."""
+    start_up = options.flag("start-up")
     asked = clients_of_handlers(system, options.distros)
     code = source_code(system)
     loops: dict[Place, list[ApiCall]] = {}
@@ -48,7 +50,7 @@ def endless_wait_loop(system: System, options: Options) -> Iterator[Finding]:
             continue
         if is_there(system, call) or was_waited_for(system, call):
             continue
-        if is_seen_to_wait(system, program, call, creations_of(call.receiver)):
+        if not start_up and not runs_in_executor(call.context) and says_something(code.loop(call)):
             continue
         if not program.refused.isdisjoint(code.calls_in(call.loops[-1])):
             continue  # an error ends the loop

@@ -61,7 +61,7 @@ def folded(findings: Iterable[Finding]) -> list[Finding]:
             fold = folds[finding.code]
             system = None if fold.across_systems else (finding.system, finding.condition)
             severity = None if fold.across_severities else finding.severity
-            groups.setdefault((finding.code, severity, system, *finding.group), []).append(finding)
+            groups.setdefault((finding.code, severity, system, *finding.group[: fold.common]), []).append(finding)
         else:
             alone.append(finding)
     for several in groups.values():

@@ -1,0 +1,102 @@
+"""Names that something outside of the workspace chooses: code here can only repeat them."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING
+
+from archlint.analysis.fixed_names import is_of_a_model
+from archlint.analysis.kept import once
+
+if TYPE_CHECKING:
+    from archlint.systems.model import WorkspaceIndex
+    from archlint.systems.nodes import Endpoint
+
+_PRESCRIBED = (
+    *("/fmu/", "/ap/", "/mavros/"),  # the firmware of drones: PX4, ArduPilot
+    *("/world/", "/gazebo/", "/pause_physics", "/unpause_physics", "/reset_simulation", "/reset_world"),  # Gazebo
+    *("/carla/",),
+    *("/api/sport/", "/lf/lowstate", "/lf/sportmodestate", "/lowcmd", "/lowstate", "/sportmodestate"),  # Unitree
+    *("/utlidar/",),
+)
+"""How the names begin that bridges of systems outside of ROS choose, of which one robot or one simulation has one."""
+_OF_A_JOINT = re.compile(r"/model/[^/]+/joint/[^/]+/")
+"""How Gazebo's joint plugins (JointController, JointPositionController, Thruster) begin the topics that nobody names.
+
+Source: gz-sim, ``src/systems``: ``/model/<model>/joint/<joint>/cmd_vel`` and the like.
+"""
+_OF_AUTOWARE = (
+    "/api/",
+    "/awapi/",
+    "/control/",
+    "/localization/",
+    "/perception/",
+    "/planning/",
+    "/sensing/",
+    "/vehicle/",
+)
+"""How the names begin that Autoware's components have in its own launch files."""
+_TYPES_OF_OTHERS = (
+    *("carla_msgs/", "gazebo_msgs/srv/", "linkattacher_msgs/", "ros_gz_interfaces/srv/"),
+    *("rmf_", "unitree_api/", "unitree_go/", "unitree_hg/"),
+)
+"""Interfaces that only such a system speaks: ``/spawn_entity`` of gazebo_ros is one for all robots, and Open-RMF's
+``/robot_path_requests`` (of ``rmf_fleet_msgs``) one for the whole site.  MAVROS and PX4 are not among them: each
+vehicle has a namespace, which the workspace chooses, unless the name begins as theirs do by default."""
+
+
+_OWNERS = ("_node", "_controller", "_broadcaster", "controller_manager")
+"""How the names of nodes end: the first level of ``/lidar_node/scan`` is one, and so is that of
+``/arm_controller/commands``, which a controller of ros2_control has."""
+
+
+def is_foreign(workspace: WorkspaceIndex | None, endpoint: Endpoint) -> bool:
+    """Whether something outside of the workspace chooses a name: a system that is no ROS, a plugin of a model, or a
+    node below whose name it is."""
+    name = endpoint.written or ""
+    return (
+        _is_prescribed(workspace, endpoint)
+        or is_of_a_model(workspace, name)
+        or _is_private_to_foreign_node(workspace, name)
+    )
+
+
+def _is_prescribed(workspace: WorkspaceIndex | None, endpoint: Endpoint) -> bool:
+    """Whether a system outside of ROS fixes a name: by the name, or by its type where no other node of the workspace is
+    at the other end, so that it is that system which is spoken with.  A name below a namespace such as ``/robot_1`` is
+    the workspace's own choice."""
+    name, type_ = endpoint.written or "", endpoint.type or ""
+    types = [type_, *(other.type or "" for other in endpoint.node.endpoints)]
+    if name.startswith(_OF_AUTOWARE) and any(other.startswith(("autoware_", "tier4_")) for other in types):
+        return True
+    if name.startswith(_PRESCRIBED) or _OF_A_JOINT.match(name):
+        return True
+    spoken_with = type_.startswith(_TYPES_OF_OTHERS) and name.rfind("/") <= 0
+    return spoken_with and (workspace is None or name not in _spoken_here(workspace))
+
+
+@once
+def _spoken_here(workspace: WorkspaceIndex) -> frozenset[str]:
+    """The names that a node of the workspace provides and another uses."""
+    return frozenset(
+        connection.name
+        for system in workspace.systems
+        for connection in (*system.topics.values(), *system.services.values(), *system.actions.values())
+        if any(
+            user.node is not provider.node and not (user.external or provider.external)
+            for user in connection.users
+            for provider in connection.providers
+        )
+    )
+
+
+def _is_private_to_foreign_node(workspace: WorkspaceIndex | None, name: str) -> bool:
+    """Whether a name lies below that of a node (``/lidar_node/scan`` is its ``~/scan``) which no code of the workspace
+    makes and no launch file starts."""
+    owner, _, rest = name[1:].partition("/")
+    if not owner.endswith(_OWNERS) or not rest or workspace is None:
+        return False
+    return not any(owner in (node.name or "").split("/") for system in workspace.systems for node in system.nodes)
+
+
+__all__ = ["is_foreign"]

@@ -1,0 +1,124 @@
+"""Which classes NME001 tells alone: the source shows that their absolute names do not fit what is around them."""
+
+from __future__ import annotations
+
+import posixpath
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from archlint.analysis.kept import once
+from archlint.analysis.manifests import package_around
+from archlint.checks.name_reasons import FIXED, REPEATED, Reason, beside_relative, for_each_instance, unlike_its_package
+from archlint.model import EntityKind
+from archlint.systems.nodes import key_of
+
+if TYPE_CHECKING:
+    from archlint.systems.model import WorkspaceIndex
+    from archlint.systems.nodes import Endpoint
+
+Home = tuple[str, str]
+"""The file and the class that a name is fixed in; the class is empty where there is none."""
+_PROVIDES = frozenset({EntityKind.PUBLISHER, EntityKind.SERVICE, EntityKind.ACTION_SERVER})
+
+
+@dataclass(frozen=True)
+class FixedName:
+    """A name that is fixed in the code of a class."""
+
+    home: Home
+    endpoint: Endpoint
+    reason: Reason
+
+    @property
+    def text(self) -> str:
+        return self.endpoint.written or ""
+
+    @property
+    def is_own(self) -> bool:
+        """Whether it is written in the file of the node, and not in one of constants."""
+        return self.home[0] == self.endpoint.place.file
+
+    @property
+    def is_absolute(self) -> bool:
+        """Whether it is, and nothing but the names around it can say why."""
+        return self.reason.key == FIXED.key
+
+    @property
+    def is_relative(self) -> bool:
+        """Whether it follows the namespace of the node, and not its name as well (``~/state``)."""
+        return self.is_own and not self.text.startswith(("/", "~"))
+
+
+def told_alone(workspace: WorkspaceIndex | None, names: Iterable[FixedName]) -> dict[Home, Reason]:
+    """The classes whose absolute names do not fit what is around them, each with what is to be said of it."""
+    by_home: dict[Home, list[FixedName]] = {}
+    for name in names:
+        by_home.setdefault(name.home, []).append(name)
+    alone = {home: reason for home, rows in by_home.items() if (reason := _of_class(workspace, rows)) is not None}
+    for package, homes in _by_package(workspace, by_home).items():
+        alone = {**_unlike(package, {home: by_home[home] for home in homes}), **alone}
+    return alone
+
+
+def _of_class(workspace: WorkspaceIndex | None, names: Sequence[FixedName]) -> Reason | None:
+    absolute = [name for name in names if name.is_absolute]
+    repeated = next((name.reason for name in names if name.reason.key == REPEATED.key), None)
+    if repeated is not None or not absolute:
+        return repeated
+    count = max((_instances(workspace, name.endpoint) for name in absolute), default=0)
+    if count > 1:
+        return for_each_instance(count)
+    relative = [name.text for name in names if name.is_relative]
+    return beside_relative(min(relative)) if relative and any(name.is_own for name in absolute) else None
+
+
+def _instances(workspace: WorkspaceIndex | None, endpoint: Endpoint) -> int:
+    """How many nodes of one launched system provide the same under the name of an endpoint; what each of them only
+    listens to or asks may well be one for all."""
+    blueprint = endpoint.node.blueprint
+    if workspace is None or blueprint is None or endpoint.kind not in _PROVIDES:
+        return 0
+    return _started(workspace).get(key_of(blueprint), 0)
+
+
+@once
+def _started(workspace: WorkspaceIndex) -> Mapping[object, int]:
+    """How often one launch file starts each node, by :func:`key_of`."""
+    most: Counter[object] = Counter()
+    for system in workspace.systems:
+        started = [node for node in system.nodes if system.launched is not None and not node.alternatives]
+        most |= Counter(key_of(node.blueprint) for node in started if node.blueprint is not None)
+    return most
+
+
+def _by_package(workspace: WorkspaceIndex | None, homes: Iterable[Home]) -> dict[str, list[Home]]:
+    """The classes with fixed names of each package."""
+    packages: dict[str, list[Home]] = {}
+    for home in homes:
+        package = None if workspace is None else package_around(workspace, posixpath.dirname(home[0]))
+        if package is not None:
+            packages.setdefault(package.name, []).append(home)
+    return packages
+
+
+def _unlike(package: str, classes: Mapping[Home, Sequence[FixedName]]) -> dict[Home, Reason]:
+    """The classes with absolute names in a package that has more classes without any, and in one where another class
+    has such a name as a relative one."""
+    absolute = [home for home, names in classes.items() if any(name.is_absolute for name in names)]
+    relative = {
+        name.text: home for home in classes if home not in absolute for name in classes[home] if name.is_relative
+    }
+    if not relative:
+        return {}
+    few = len(absolute) < len(set(relative.values()))
+    same = {home: next(_same_as(classes[home], relative), "") for home in absolute}
+    return {home: unlike_its_package(package, same[home] or min(relative)) for home in absolute if few or same[home]}
+
+
+def _same_as(names: Iterable[FixedName], relative: Mapping[str, Home]) -> Iterator[str]:
+    yield from (name.text[1:] for name in names if name.is_absolute and name.text[1:] in relative)
+
+
+__all__ = ["FixedName", "Home", "told_alone"]
