@@ -5,6 +5,8 @@ from __future__ import annotations
 import posixpath
 from typing import TYPE_CHECKING
 
+from archlint.analysis.kept import once
+
 if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
     from archlint.workspace.model import Package
@@ -15,6 +17,19 @@ _LEVELS = 60
 
 def package_around(workspace: WorkspaceIndex, folder: str) -> Package | None:
     """The package whose package.xml is the nearest one upwards from a folder; None where that one makes no package."""
+    known = _known(workspace)
+    if folder not in known:
+        known[folder] = _nearest(workspace, folder)
+    return known[folder]
+
+
+@once
+def _known(workspace: WorkspaceIndex) -> dict[str, Package | None]:
+    """What was asked before: rules ask for each name and each message."""
+    return {}
+
+
+def _nearest(workspace: WorkspaceIndex, folder: str) -> Package | None:
     for _ in range(_LEVELS):
         if workspace.tree.is_file(posixpath.normpath(posixpath.join(folder, "package.xml"))):
             return workspace.manifests.get(folder)

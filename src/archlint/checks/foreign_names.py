@@ -66,7 +66,7 @@ def _is_prescribed(workspace: WorkspaceIndex | None, endpoint: Endpoint) -> bool
     at the other end, so that it is that system which is spoken with.  A name below a namespace such as ``/robot_1`` is
     the workspace's own choice."""
     name, type_ = endpoint.written or "", endpoint.type or ""
-    types = [type_, *(other.type or "" for other in endpoint.node.endpoints)]
+    types = (other.type or "" for other in (endpoint, *endpoint.node.endpoints))
     if name.startswith(_OF_AUTOWARE) and any(other.startswith(("autoware_", "tier4_")) for other in types):
         return True
     if name.startswith(_PRESCRIBED) or _OF_A_JOINT.match(name):
