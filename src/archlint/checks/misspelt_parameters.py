@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import lru_cache
 from typing import TYPE_CHECKING, Final
 
 from archlint.analysis.declared_parameters import declared_by
@@ -21,6 +22,7 @@ _SLIP = 2
 """By how many letters a name may differ from it, without being another one."""
 
 
+@lru_cache(maxsize=10_000)
 def is_misspelt(name: str) -> bool:
     """Whether a name is almost that of the parameter."""
     return name != _OF_EVERY_NODE and distance(name, _OF_EVERY_NODE, _SLIP) <= _SLIP

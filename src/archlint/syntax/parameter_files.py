@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Union
 
+from archlint.records import dataclass
 from archlint.syntax.facts import FileProblem, Span, Suppression
 from archlint.syntax.launch_yaml import suppressions_of_lines
 from archlint.syntax.parameter_structure import ROOT, Misplaced, first_misplaced

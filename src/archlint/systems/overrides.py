@@ -4,16 +4,17 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import lru_cache
 from typing import Any
 
 from archlint.finding import Place
 from archlint.launch.kinds import FileStatus, StartedKind
-from archlint.launch.named_files import FileReference
+from archlint.launch.named_files import FileReference, Replacing, Rewriting, Written
 from archlint.launch.parameter_sources import OpenParameters, ParameterFileUse, Parameters, ParameterSetting
 from archlint.launch.started import Started
 from archlint.name_paths import NamePattern, matches_names
+from archlint.records import dataclass
 from archlint.ros import names
 from archlint.syntax.parameter_files import NotKnown, ParameterFacts, ParameterSection, first_not_known
 from archlint.syntax.parts import Itself
@@ -85,25 +86,28 @@ def settings_of(started: Started, node: str | None, facts_of: Callable[[str], Pa
     rows = (Setting(EVERY_NODE, name, value, place) for name, value in command_line_parameters(words))
     yield from (_doubted(row, first) for row in rows)
     for parameter, doubt in zip(started.parameters, doubts, strict=True):
-        yield from (_doubted(setting, doubt) for setting in _set_by(started, parameter, facts_of))
+        yield from _set_by(started, parameter, doubt, facts_of)
 
 
 def _set_by(
     started: Started,
     parameter: ParameterSetting | ParameterFileUse | OpenParameters,
+    doubt: str | None,
     facts_of: Callable[[str], ParameterFacts],
 ) -> Iterator[Setting]:
-    """What one of the parameters of a process sets."""
+    """What one of the parameters of a process sets, as far as nothing behind it may set it, too."""
     in_process = started.kind == StartedKind.COMPONENT  # a container is sent values, no file
     match parameter:
         case ParameterSetting(name=str(name), value=value):
             read, unquoted = (value, None) if in_process else as_launch_writes(value)
             key = _own_key(started) if parameter.in_dict else EVERY_NODE
-            yield Setting(key, name, read, parameter.place, None, parameter.shared, parameter.within, None, unquoted)
+            place, shared, within = parameter.place, parameter.shared, parameter.within
+            yield _doubted(Setting(key, name, read, place, None, shared, within, None, unquoted), doubt)
         case ParameterFileUse(reference=FileReference(source=str(file))):
-            yield from _read_from(Itself(parameter), file, Itself(facts_of(file)), in_process)
+            yield from _read_from(parameter, file, Itself(facts_of(file)), in_process, doubt)
         case ParameterFileUse(followed=True):
-            yield from _set_in_file(parameter, parameter.place.file, ())
+            rows = _set_in_file(parameter, parameter.place.file, rewritten((), parameter.changes))
+            yield from (_doubted(setting, doubt) for setting in rows)
 
 
 def _doubted(setting: Setting, doubt: str | None) -> Setting:
@@ -149,17 +153,26 @@ def as_launch_writes(value: object) -> tuple[object, str | None]:
     return value, None
 
 
-@lru_cache(maxsize=64)
+@lru_cache(maxsize=256)
 def _read_from(
-    use: Itself[ParameterFileUse], file: str, read: Itself[ParameterFacts], in_process: bool
+    use: ParameterFileUse, file: str, read: Itself[ParameterFacts], in_process: bool, doubt: str | None
 ) -> tuple[Setting, ...]:
-    """What a parameter file of the workspace sets: asked several times in a row for each node of a process."""
-    return tuple(_set_in_file(use.fact, file, _sections_for(read.fact, in_process)))
+    """What a parameter file of the workspace sets: asked for each node of a process, and of all launch files that
+    include the one which names it."""
+    return tuple(_doubted(row, doubt) for row in _set_in_file(use, file, _changed(read, in_process, use.changes)))
+
+
+@lru_cache(maxsize=64)
+def _changed(
+    read: Itself[ParameterFacts], in_process: bool, changes: tuple[Rewriting | Replacing | Written, ...]
+) -> Sequence[ParameterSection]:
+    """The sections of a parameter file after the changes of a launch: many processes are given the same."""
+    return rewritten(_sections_for(read.fact, in_process), changes)
 
 
 def _set_in_file(use: ParameterFileUse, file: str, sections: Sequence[ParameterSection]) -> Iterator[Setting]:
     """What a parameter file sets, as the launch file uses it."""
-    for section in rewritten(sections, use.changes):
+    for section in sections:
         nodes = substituted(section.key, use)
         for entry in section.entries:
             set_here = substituted(entry.name, use)
