@@ -224,7 +224,7 @@ def unreadable(
     file: str, line: int, column: int, message: str, internal: bool = False, *, help: str | None = None
 ) -> Finding:
     """The LNT002 finding for what could not be read, or LNT003 where reading failed by a fault of ours (``internal``);
-    information where ``help`` says what brings the file."""
+    information where ``help`` says what to do."""
     place = Place(file, line, column, line, column)
     if not internal:
         diagnostic = finding("LNT002", place, message, help=help or _UNREAD, identity=(message,))

@@ -28,8 +28,8 @@ def is_complete(system: System) -> bool:
 def in_sight(system: System) -> bool:
     """Whether the source of everything that runs is here, so that nobody unseen publishes, listens or serves: no
     node and no included launch file of another workspace, no plain process (``ros2 topic pub``, a simulator), no
-    node that is passed to a library, and no helper of a node that is not known."""
-    if system.unowned or any(node.is_stranger or not _seen(node) for node in system.nodes):
+    node that is passed to a library, no helper of a node that is not known, and no C++ that was not understood."""
+    if _is_misread(system) or system.unowned or any(node.is_stranger or not _seen(node) for node in system.nodes):
         return False
     launched = system.launched
     if launched is None:
@@ -37,6 +37,11 @@ def in_sight(system: System) -> bool:
     processes = any(started.kind == StartedKind.PROCESS and not started.dormant for started in launched.started)
     elsewhere = any(include.reference.source is None and not include.dormant for include in launched.included)
     return not (processes or elsewhere or launched.gaps)
+
+
+def _is_misread(system: System) -> bool:
+    packages = frozenset[str | None]() if system.workspace is None else system.workspace.code.misread
+    return bool(packages) and any(node.program and node.program.package in packages for node in system.nodes)
 
 
 def _seen(node: Node) -> bool:

@@ -264,7 +264,10 @@ def _problems(workspace: Workspace, files: Sequence[SourceFile], facts: FactsOfF
             continue
         importers = _importers(file, files, facts) if file.context else ()
         for fault in read.problems:
-            finding = unreadable(file.relative, fault.line, fault.column, fault.message, fault.internal)
+            advice = _IF_IT_COMPILES if fault.partly else None
+            finding = unreadable(file.relative, fault.line, fault.column, fault.message, fault.internal, help=advice)
+            if read.body and not fault.partly and not fault.internal:
+                finding = replace(finding, help=_PARTLY_READ)
             yield replace(finding, related=tuple(Related(place, "it is imported here") for place in importers))
 
 
@@ -297,6 +300,8 @@ def _importers(module: SourceFile, files: Sequence[SourceFile], facts: FactsOfFi
     return [Place.of(file, span) for file, span in rows[:_FEW]]
 
 
+_PARTLY_READ = "correct it: until then part of this file is not checked"
+_IF_IT_COMPILES = "correct the code around it; if it compiles, report it as a limit of archlint"
 _FEW = 3
 """How many places that import a broken module are reported."""
 

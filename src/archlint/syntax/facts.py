@@ -79,7 +79,7 @@ from archlint.syntax.statements import (
     WithItem,
 )
 
-FACTS_VERSION = 15
+FACTS_VERSION = 16
 """Raised whenever the shape or the meaning of the facts changes: old cache entries are then misses."""
 
 
@@ -120,6 +120,8 @@ class FileProblem(Base, frozen=True):
     message: str
     internal: bool = False
     """Whether it is archlint's own fault: an LNT003 finding then."""
+    partly: bool = False
+    """Whether the rest of the file was understood, and nothing says that it is wrong: information then."""
 
 
 class Facts(Base, frozen=True):

@@ -52,6 +52,12 @@ class WorkspaceCode:
     def _matters(self, file: SourceFile) -> bool:
         return not file.context and (file.kind == "launch_python" or (file.kind == "python" and self._relevant(file)))
 
+    @cached_property
+    def misread(self) -> frozenset[str | None]:
+        """The packages, None for files outside of them, with a C++ file of which part was not understood."""
+        sources = (file for file in self._files if file.kind == "cpp" and self._relevant(file))
+        return frozenset(file.package for file in sources if (read := self._facts_of(file)) and read.problems)
+
     def mentions(self, path: str, word: str) -> bool:
         """Whether a word stands anywhere in a file, be it of Python or not."""
         if WORD.fullmatch(word):

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from archlint.syntax import facts
 from archlint.syntax.cpp.comments import find_suppressions
+from archlint.syntax.cpp.damage import problems_of
 from archlint.syntax.cpp.literals import number_of, text_of
 from archlint.syntax.cpp.lower_classes import ClassLowering
 from archlint.syntax.cpp.names import Names
@@ -35,6 +36,7 @@ def lower(data: bytes) -> Facts:
         FACTS_VERSION,
         body=every,
         suppressions=find_suppressions(source, tree.root_node),
+        problems=problems_of(source, tree.root_node, every),
         names=sorted(names_in(every)),
     )
 
