@@ -9,11 +9,13 @@ from checks.judging import Judge
 
 TWO_DRIVERS = """
     import rclpy
-    from geometry_msgs.msg import Twist
+    from geometry_msgs.msg import Twist, Vector3
     from rclpy.executors import SingleThreadedExecutor
     from rclpy.node import Node
     from std_msgs.msg import Bool, String
     from std_srvs.srv import SetBool
+
+    FAST = Twist(linear=Vector3(x=1.0))
 
 
     class Pad(Node):
@@ -37,7 +39,7 @@ TWO_DRIVERS = """
             self.drive()
 
         def drive(self):
-            self.pub.publish(Twist())
+            self.pub.publish(FAST)
 
 
     class Web(Node):
@@ -77,9 +79,8 @@ HEARS = "self.create_subscription(String, '{}', self.on_word, 10)"
 TURNED_ON = "self.create_service(SetBool, '~/enable', self.{})"
 GIVES = "self.words = self.create_publisher(String, 'turn', 10)"
 ASKS = "if not self.drives: return"
-SPEAKS = "self.pub.publish(Twist())"
-IF_ASKED = "if self.drives: self.pub.publish(Twist())"
-EITHER = "self.pub.publish(Twist()) if self.drives else self.pub.publish(Twist())"
+SPEAKS = "self.pub.publish(FAST)"
+IF_ASKED = "if self.drives: self.pub.publish(FAST)"
 
 
 def drivers(pad: tuple[str, str], web: tuple[str, str]) -> str:
@@ -123,10 +124,22 @@ def test_publishers_that_speak_at_once(judge: Judge, pad: tuple[str, str], web: 
 
 
 def test_a_condition_that_only_chooses_what_is_said(judge: Judge):
-    either = "if self.drives: self.pub.publish(Twist())\n            else: self.pub.publish(Twist(angular=None))"
+    either = "if self.drives: self.pub.publish(FAST)\n            else: self.pub.publish(Twist(angular=None))"
     judge("OWN001", drivers((ONE_TURN, ASKS), (ONE_TURN, either)))
-    early = "if self.drives:\n                self.pub.publish(Twist())\n                return\n"
+    early = "if self.drives:\n                self.pub.publish(FAST)\n                return\n"
     judge("OWN001", drivers((ONE_TURN, ASKS), (ONE_TURN, f"{early}            self.pub.publish(Twist(angular=None))")))
+
+
+@pytest.mark.parametrize(
+    "asks",
+    [
+        "if not self.drives:\n                self.pub.publish(Twist())\n                return",
+        "if not self.drives:\n                if self.moves: self.pub.publish(Twist())\n                return",
+    ],
+    ids=["with a stop", "with a stop of what moves"],
+)
+def test_who_gives_the_turn_away_may_stop(judge: Judge, asks: str):
+    judge("OWN001", drivers((ONE_TURN, asks), (GIVES, SPEAKS)).replace("  # here", ""))
 
 
 @pytest.mark.parametrize(
@@ -188,6 +201,65 @@ ENDING = """
 def test_a_publisher_that_only_says_stop_as_it_ends(judge: Judge):
     judge("OWN001", ENDING.format(timer="pass").replace("  # here", ""))
     judge("OWN001", ENDING.format(timer="self.create_timer(1.0, self.stop)"))
+
+
+STOPPING = """
+    import rclpy
+    from geometry_msgs.msg import Twist
+    from rclpy.executors import SingleThreadedExecutor
+    from rclpy.node import Node
+    from std_msgs.msg import Bool
+
+
+    class Driver(Node):
+        def __init__(self):
+            super().__init__('driver')
+            self.pub = self.create_publisher(Twist, 'cmd_vel', 10)
+            self.create_timer(0.1, lambda: self.pub.publish(Twist()))
+
+
+    class Guard(Node):
+        def __init__(self):
+            super().__init__('guard')
+            self.near = input()
+            self.pub = self.create_publisher(Twist, 'cmd_vel', 10)  # here
+            {when}
+
+        def stop(self, msg=None):
+            {stop}
+
+
+    def main():
+        rclpy.init()
+        executor = SingleThreadedExecutor()
+        executor.add_node(Driver())
+        executor.add_node(Guard())
+        executor.spin()
+
+
+    if __name__ == '__main__':
+        main()
+"""
+ON_WORD, ON_TIME = "self.create_subscription(Bool, 'near', self.stop, 10)", "self.create_timer(0.1, self.stop)"
+ZERO = "self.pub.publish(Twist())"
+
+
+@pytest.mark.parametrize(
+    ("when", "stop", "told"),
+    [
+        (ON_WORD, ZERO, False),
+        (ON_WORD, "zero = Twist(); self.pub.publish(zero)", False),
+        (ON_TIME, f"if self.near: {ZERO}", False),
+        (ON_TIME, ZERO, True),  # it holds the driver back at all times
+        (ON_WORD, "slow = Twist(); slow.linear.x = 0.1; self.pub.publish(slow)", True),
+        (ON_WORD, "slow = Twist(); self.fill(slow); self.pub.publish(slow)", True),
+        (ON_WORD, f"{ZERO}; self.pub.publish(msg)", True),
+    ],
+    ids=["a word", "a variable", "a condition", "always", "slower", "filled elsewhere", "and more"],
+)
+def test_a_publisher_that_only_stops_what_another_moves(judge: Judge, when: str, stop: str, told: bool):
+    text = STOPPING.format(when=when, stop=stop)
+    judge("OWN001", text if told else text.replace("  # here", ""))
 
 
 KINDS = """

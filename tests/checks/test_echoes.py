@@ -32,7 +32,7 @@ HELPER = """
 
         def on_go(self, msg):
             self.helper.turn()
-            self.pub.publish(Twist())
+            self.pub.publish(Twist(linear=self.fast))
 
 
     def main():
@@ -105,7 +105,7 @@ REPEATS = """
     [
         ("goal", "msg", "self.last", ""),
         ("other_goal", "msg", "self.last", "  # here"),
-        ("goal", "msg", "Twist()", "  # here"),
+        ("goal", "msg", "Twist(linear=None)", "  # here"),
         ("goal", "Twist()", "self.last", "  # here"),
         ("goal", "msg\n            self.last = Twist()", "self.last", "  # here"),
         ("goal", "msg\n            self.last.linear.x = 0.0", "self.last", "  # here"),

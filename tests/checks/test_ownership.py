@@ -971,3 +971,39 @@ def test_two_nodes_that_share_a_service_are_not():
     assert len(list(multiple_servers(system(mine, yours), NOTHING_SAID))) == 1
     more = node("/base", service("home"), service("dock"), publisher("state"), publisher("power"))
     assert len(list(multiple_servers(system(mine, more), NOTHING_SAID))) == 1
+
+
+@pytest.mark.parametrize(
+    ("package", "kind", "told"),
+    [("std_msgs", "Empty", False), ("px4_msgs", "VehicleCommand", False), ("px4_msgs", "TrajectorySetpoint", True)],
+)
+def test_messages_of_which_none_takes_back_another(judge: Judge, package: str, kind: str, told: bool):
+    node = """
+        class {name}(Node):
+            def __init__(self):
+                super().__init__('{name}')
+                self.pub = self.create_publisher({kind}, '/fmu/in/it', 10){mark}
+                self.create_timer(1.0, lambda: self.pub.publish({kind}()))
+
+"""
+    head = f"""
+        import rclpy
+        from rclpy.executors import SingleThreadedExecutor
+        from rclpy.node import Node
+        from {package}.msg import {kind}
+
+"""
+    end = """
+        def main():
+            rclpy.init()
+            executor = SingleThreadedExecutor()
+            executor.add_node(Left())
+            executor.add_node(Right())
+            executor.spin()
+
+
+        main()
+    """
+    mark = "  # here" if told else ""
+    nodes = node.format(name="Left", kind=kind, mark="") + node.format(name="Right", kind=kind, mark=mark)
+    judge("OWN001", head + nodes + end)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.kept import once
 from archlint.analysis.left_over import idle_methods, kept_calls
 from archlint.analysis.reach import creations_of
+from archlint.analysis.sharing import COMMANDS
 from archlint.analysis.source_code import SourceCode, source_code
 from archlint.model import (
     EntityKind,
@@ -57,6 +58,53 @@ def speaks_once(system: System, owner: Endpoint) -> bool:
     """Whether a publisher says something only as its program starts or ends: no callback, thread or loop does."""
     calls = publishes_of(system, owner)
     return bool(calls) and all(call.context.role in _ONCE and not call.looped for call in calls)
+
+
+def only_stops(system: System, owner: Endpoint) -> bool:
+    """Whether a publisher of commands says nothing but zero, and not at all times: where something happens, such as an
+    emergency, it stops what another node moves."""
+    if owner.type not in COMMANDS:
+        return False
+    code, calls = source_code(system), publishes_of(system, owner)
+    return bool(calls) and all(_is_stop_at(code, call) and _is_for_a_reason(code, call) for call in calls)
+
+
+def _is_stop_at(code: SourceCode, call: ApiCall) -> bool:
+    """Whether a call publishes a message that nothing has filled in: ``Twist()``, or a variable that holds that."""
+    expression = code.expression(call)
+    if expression is None or len(expression.args) != 1:
+        return False
+    given, body = expression.args[0].value, code.body(call)
+    name = given.variable
+    if not name:
+        return _is_stop(expression)
+    uses = [part for part in parts_of(body, facts.Name) if part.id == name]
+    values = [
+        assignment.value
+        for assignment in statements_of(body, facts.Assign)
+        if any(target.variable == name for target in assignment.targets)
+    ]
+    published = sum(
+        called_name(other) == "publish" and any(arg.value.variable == name for arg in other.args)
+        for other in calls_in(list(body))
+    )
+    return len(uses) == published + len(values) > published and all(map(_is_new, values))
+
+
+def _is_stop(call: facts.Call) -> bool:
+    return called_name(call) == "publish" and len(call.args) == 1 and _is_new(call.args[0].value)
+
+
+def _is_new(value: facts.Expr) -> bool:
+    """Whether a value is an object as its class makes it."""
+    return isinstance(value, facts.Call) and not value.args and called_name(value)[:1].isupper()
+
+
+def _is_for_a_reason(code: SourceCode, call: ApiCall) -> bool:
+    """Whether something has to happen for a call: its callback is not that of a timer, or a condition decides."""
+    graph = graph_of(code.body(call))
+    is_periodic = call.context.role == Role.TIMER or call.looped
+    return not is_periodic or bool(graph.deciders(graph.evaluating(call.place.span)))
 
 
 def publishes_of(system: System, owner: Endpoint) -> list[ApiCall]:
@@ -135,11 +183,12 @@ class _Source:
 
     def before(self, attribute: str, set_at: int) -> frozenset[_Word]:
         """The words that are asked before an attribute is used anywhere but in the line where it is set; none where
-        one use asks none.  A word's own method may use it, as where a node that is turned off says zero once."""
+        one use asks none.  A word's own method may use it, as where a node that is turned off says zero once; a new
+        message that nothing has filled in stops, and moves nothing."""
         uses = [
             (method, part)
             for method in self.methods
-            for part in parts_of(method.body, facts.Attribute)
+            for part in _without_stops(method.body)
             if part.attr == attribute and part.span[0] != set_at
         ]
         asked = [(method, self._before_use(method, part.span)) for method, part in uses]
@@ -156,6 +205,16 @@ class _Source:
         above = self.before(method.name, 0)
         self.waiting.discard(method.name)
         return above
+
+
+def _without_stops(body: Sequence[facts.Stmt]) -> Iterator[facts.Attribute]:
+    """The attributes that a body names, without those that it publishes a stop with."""
+    stops = {
+        call.func.value.span
+        for call in calls_in(list(body))
+        if isinstance(call.func, facts.Attribute) and isinstance(call.func.value, facts.Attribute) and _is_stop(call)
+    }
+    yield from (part for part in parts_of(body, facts.Attribute) if part.span not in stops)
 
 
 def _class_around(file_facts: facts.Facts, place: Place) -> facts.Class | None:
@@ -221,7 +280,7 @@ def _in_this_iteration(edge: Edge) -> bool:
 
 
 def _publishes_in(block: Block) -> bool:
-    return any(called_name(call) == "publish" for call in calls_in(block.fact))
+    return any(called_name(call) == "publish" and not _is_stop(call) for call in calls_in(block.fact))
 
 
 def _is_in(line: int, item: facts.Stmt) -> bool:

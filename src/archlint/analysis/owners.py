@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from itertools import combinations
 from typing import TYPE_CHECKING
 
-from archlint.analysis.arbitration import never_speaks, speaks_once
+from archlint.analysis.arbitration import never_speaks, only_stops, speaks_once
 from archlint.analysis.aside import is_aside
 from archlint.analysis.coexistence import (
     coexisting_pairs,
@@ -48,6 +48,7 @@ def _owns(system: System, end: Endpoint) -> bool:
     if end.external:
         return True
     idle = named_by_library(end) or is_left_over(system.workspace, end) or speaks_once(system, end)
+    idle = idle or only_stops(system, end)
     if system.name is not None and end.kind == EntityKind.PUBLISHER:
         idle = idle or never_speaks(end)  # a launch file says which program it is
     return not idle and (system.name is not None or not is_aside(system.workspace, end.place.file))

@@ -30,6 +30,9 @@ if TYPE_CHECKING:
     from archlint.systems.nodes import Connection, Endpoint
 
 
+_EMPTY = "std_msgs/msg/Empty"
+
+
 @rule("OWN001", scope=Scope.SYSTEM)
 def multiple_publishers(system: System, options: Options) -> Iterator[Finding]:
     """Topics with publishers in several nodes that run together."""
@@ -52,6 +55,8 @@ def _is_meant(system: System, connection: Connection, owners: list[Endpoint]) ->
     """Whether several nodes are there to publish a topic, or do not do so at once."""
     if is_bus(system.workspace, connection, owners) or say_whose(system, owners):
         return True
+    if all(end.type == _EMPTY for end in owners):
+        return True  # it only says that something is to be done: no message takes back another
     if are_events(system, owners) or are_requests(connection) or ask_with_true(system, connection):
         return True
     if are_words(owners) and _says_what_happens(connection.name) and not is_state(connection.name):

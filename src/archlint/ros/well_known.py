@@ -63,10 +63,12 @@ TYPES_OF_MANY_PUBLISHERS = frozenset(
         "diagnostic_msgs/msg/DiagnosticArray",
         "moveit_msgs/msg/DisplayRobotState",
         "moveit_msgs/msg/DisplayTrajectory",
+        "px4_msgs/msg/VehicleCommand",
         "tf2_msgs/msg/TFMessage",
         "visualization_msgs/msg/Marker",
         "visualization_msgs/msg/MarkerArray",
     }
 )
 """Each message of these says whose it is, so that the ones of several nodes add up, or is there to be looked at; RViz
-and the diagnostics aggregator listen to them, whatever the topic is called."""
+and the diagnostics aggregator listen to them, whatever the topic is called.  PX4 takes a ``VehicleCommand`` of whoever
+sends it as a request, and answers each."""
