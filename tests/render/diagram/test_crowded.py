@@ -191,6 +191,24 @@ def test_many_of_these_are_in_rows() -> None:
     )
 
 
+def test_what_these_have_in_common_is_said_once() -> None:
+    names = ["/left/scan", "/a", "/left/image", "/b/scan"]
+    assert diagram(system(node("/n", *map(publisher, names)), *pairs())).shapes["node", "/n"].named == (
+        "→ no subscriber: /a, /b/scan,",
+        "/left/{image, scan}",
+    )
+
+
+def test_what_is_no_node_and_tied_to_nothing_is_listed() -> None:
+    helpers = [
+        node(f"/helper{n}", publisher(f"/debug{n}"), caller_unknown=True, class_name=f"Helper{n}") for n in range(3)
+    ]
+    drawn = diagram(system(node("/a"), *helpers, *pairs()))
+    [listed] = [shape for shape in drawn.shapes.values() if shape.kind == "ends"]
+    assert listed.label[:3] == ("3 that are no nodes, each alone", "Helper0", "   → no subscriber: /debug0")
+    assert drawn.caption[0].startswith(f"{1 + 2 * PAIRS} nodes")
+
+
 def test_what_nobody_takes_and_has_a_finding_keeps_its_shape() -> None:
     wrong = node("/a", publisher("/x"))
     drawn = diagram(system(wrong, *pairs()), findings=[finding("TOP001", wrong.endpoints[0].place, "/a")])

@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING
 
 from archlint.render.diagram.gathering import enough, shared
 from archlint.render.diagram.naming import busy_named, loose_named
-from archlint.render.look import UNOWNED
 from archlint.systems.graph import NODE
 
 if TYPE_CHECKING:
@@ -60,7 +59,7 @@ def _without_torn_frames(diagram: Diagram, most: int) -> Diagram:
         titles = {diagram.groups.get(key, "") for key in line.ends}
         inside.update({title: 1 if len(titles) == 1 else -1 for title in titles})
     nodes = Counter(title for key, title in diagram.groups.items() if key[0] == NODE)
-    titles = {*diagram.groups.values()} - {UNOWNED}
+    titles = {*diagram.groups.values()}
     torn = {title: max(1, -inside[title]) for title in titles if inside[title] < 0 or nodes[title] < 2}
     return replace(diagram, unframed=frozenset(enough(torn, most)))
 

@@ -79,21 +79,23 @@ def in_tens(number: int) -> int:
 
 
 def without_single_nodes(diagram: Diagram) -> Diagram:
-    """The diagram with one shape for the nodes of a frame that no line ties to others, and in which the same is named.
-    What has a finding stays."""
+    """The diagram with one shape for the nodes of a frame that no line ties to others, and in which the same is named;
+    another for what is no node.  What has a finding stays."""
     tied = {key for line in diagram.lines for key in line.ends}
     single: dict[tuple[str, tuple[str, ...]], list[Key]] = {}
     frames = diagram.frames
     for key, shape in diagram.shapes.items():
-        marked = shape.badges or shape.remarks or shape.tone != "node"
+        marked = shape.badges or shape.remarks or shape.tone != ("aside" if shape.helper else "node")
         if key[0] == NODE and shape.kind == "node" and key not in tied and not marked:
-            single.setdefault((frames.get(key, ""), shape.named), []).append(key)
+            place = (UNOWNED, ()) if shape.helper else (frames.get(key, ""), shape.named)
+            single.setdefault(place, []).append(key)
     shapes, groups = dict(diagram.shapes), dict(diagram.groups)
     for (title, named), members in sorted(single.items()):
-        if len(members) < FEWEST or title == UNOWNED:
+        if len(members) < FEWEST:
             continue
         key = ("ends", f"{title} single nodes{', '.join(['', *named])}")
-        shapes[key] = _single_nodes(key, [shapes.pop(member) for member in members])
+        listed = [shapes.pop(member) for member in members]
+        shapes[key] = _helpers(key, listed) if title == UNOWNED else _single_nodes(key, listed)
         if title:
             groups[key] = title
     return replace(diagram, shapes=shapes, groups={key: title for key, title in groups.items() if key in shapes})
@@ -170,6 +172,22 @@ def _single_nodes(key: Key, members: Sequence[Shape]) -> Shape:
         details=tuple(f"{member.title}: {', '.join(member.details)}" for member in members),
         groups=members[0].groups,
         holds={NODE: len(names)},
+    )
+
+
+def _helpers(key: Key, members: Sequence[Shape]) -> Shape:
+    """Each with what is named in it."""
+    rows = [row for member in members for row in (member.title, *(f"   {words}" for words in member.named))]
+    return Shape(
+        key,
+        "ends",
+        f"{len(members)} that are no nodes, each alone",
+        tuple(rows),
+        tone="aside",
+        stroke="dashed",
+        details=tuple(f"{member.title}: {', '.join(member.details)}" for member in members),
+        groups=members[0].groups,
+        helper=True,
     )
 
 

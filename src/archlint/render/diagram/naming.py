@@ -109,15 +109,33 @@ def _nobody(line: Line, key: Key) -> str:
 
 
 def _rows(words: str, conditional: bool, names: Sequence[str]) -> Iterator[str]:
-    """``→ no subscriber: /a, /b``, in rows of a readable length."""
+    """``→ no subscriber: /a, /b/{c, d}``, in rows of a readable length."""
     row = f"{words}{', under a condition' if conditional else ''}:"
-    for index, name in enumerate(names):
-        last = index == len(names) - 1
-        if row and len(row) + len(name) + 2 > SMALL:
+    short = _short(names)
+    for number, word in enumerate(short, 1):
+        if row and len(row) + len(word) + 2 > SMALL:
             yield row
             row = ""
-        row += f"{' ' if row else ''}{name}{'' if last else ','}"
+        row += f"{' ' if row else ''}{word}{',' if number < len(short) else ''}"
     yield row
+
+
+def _short(names: Sequence[str]) -> list[str]:
+    """What is between the commas where a namespace that several have is said once: ``/a``, ``/b/{c``, ``d}``."""
+    inside: dict[tuple[str, str], list[str]] = {}
+    for name in names:
+        namespace, _, own = name.rpartition("/")
+        inside.setdefault((namespace, "" if namespace else name), []).append(own)
+    words: list[str] = []
+    for (namespace, alone), own_names in inside.items():
+        if alone:
+            words += [alone] * len(own_names)
+        elif len(own_names) == 1:
+            words.append(f"{namespace}/{own_names[0]}")
+        else:
+            first, *middle, last = own_names
+            words += [f"{namespace}/{{{first}", *middle, f"{last}}}"]
+    return words
 
 
 __all__ = ["MANY_NODES", "busy_named", "loose_named"]
