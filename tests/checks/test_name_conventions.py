@@ -158,6 +158,18 @@ def test_the_only_absolute_names_of_a_package_are_told_alone(folder: Path):
     )
 
 
+def test_several_classes_that_are_unlike_their_package_are_one_finding(folder: Path):
+    relative = {name.lower(): node(name, f"{name.lower()}/state") for name in ("Camera", "Drive", "Lidar")}
+    [finding] = check(request(folder, arm=ARM, base=BASE, **relative)).findings
+
+    assert finding.message.startswith("3 names in 2 files are absolute and fixed in the code")
+    assert "unlike those of other nodes of package 'robot'" in finding.message
+    assert {site.file for site in (finding.place, *(related.place for related in finding.related))} == {
+        "robot/arm.py",
+        "robot/base.py",
+    }
+
+
 def test_a_name_that_another_node_of_the_package_has_as_a_relative_one_is_told_alone(folder: Path):
     camera = node("Camera", "arm/state")
     told, whole = check(request(folder, arm=ARM, base=BASE, drive=node("Drive", "/drive"), camera=camera)).findings

@@ -18,7 +18,16 @@ from archlint.checks.folding import all_sites, folds
 from archlint.checks.foreign_names import is_foreign
 from archlint.checks.name_conventions import CONVENTION, home_of, one_of_workspace
 from archlint.checks.name_evidence import FixedName, told_alone
-from archlint.checks.name_reasons import FIXED, PARAMETERS, RELATIVE, REPEATED, WITHOUT_PACKAGE, Reason, shared_by
+from archlint.checks.name_reasons import (
+    FIXED,
+    OF_PACKAGE,
+    PARAMETERS,
+    RELATIVE,
+    REPEATED,
+    WITHOUT_PACKAGE,
+    Reason,
+    shared_by,
+)
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
@@ -122,6 +131,7 @@ def _hardcoded(system: System, fixed: FixedName, evidence: Reason | None) -> Fin
     given = endpoint.creation.name_place or endpoint.place
     place = _begin(system.workspace, endpoint)
     is_alone = evidence is not None or reason == RELATIVE
+    package = _package(system.workspace, place.file)
     diagnostic = finding(
         "NME001",
         place,
@@ -131,9 +141,9 @@ def _hardcoded(system: System, fixed: FixedName, evidence: Reason | None) -> Fin
         node=endpoint.node.name,
         identity=(fixed.home[1], word, name),
         group=(
-            *(fixed.home if is_alone else ("", "")),
+            *((package, "") if reason.key == OF_PACKAGE else fixed.home if is_alone else ("", "")),
             reason.key if is_alone else CONVENTION,
-            *(_package(system.workspace, place.file), reason.state, reason.effect, reason.cure),
+            *(package, reason.state, reason.effect, reason.cure),
         ),
         sites=sites_of_name(system.workspace, given, name, stays=not reason.has_fix),
     )
@@ -273,7 +283,7 @@ _DECISIVE = 3
 @folds("NME001", common=_DECISIVE, across_severities=True)
 def of_one_cause(findings: Sequence[Finding]) -> Finding:
     """The finding for all names that one class fixes, at the first literal, the others related; or for those of all
-    classes whose workspace has nothing else."""
+    classes that are unlike their package, or whose workspace has nothing else."""
     first = findings[0]
     if first.group[2] == CONVENTION and len(set(map(home_of, findings))) > 1:
         return one_of_workspace(findings, [diagnostic.group[_DECISIVE] for diagnostic in findings])
@@ -294,7 +304,7 @@ def of_one_cause(findings: Sequence[Finding]) -> Finding:
         help=reason.cure,
         related=related,
         sites=sites,
-        identity=(first.identity[0], *names),
+        identity=("absolute names", first.group[0]) if reason.key == OF_PACKAGE else (first.identity[0], *names),
     )
 
 

@@ -44,6 +44,8 @@ REPEATED = replace(
 """For a name that begins with the namespace in which the node runs anyway."""
 PARAMETERS = replace(FIXED, key="repeated", cure="take the names from parameters")
 """For a node that launch files start in one namespace and another, where a name begins with one of them."""
+OF_PACKAGE = "package"
+"""The key of what is said once of all nodes of a package."""
 RELATIVE = Reason("relative", "fixed in the code", "", "take the names from parameters")
 WITHOUT_PACKAGE = replace(FIXED, key="without package", severity=Severity.INFO)
 """For a script in a workspace that has no package."""
@@ -76,7 +78,7 @@ def unlike_its_package(package: str, other: str) -> Reason:
     """For a node among others of its package whose names are relative."""
     others = f"those of other nodes of package '{package}', such as '{_kept(other)}'"
     effect = f", unlike {others}: no namespace applies to {{it}}"
-    return replace(FIXED, key="package", effect=effect)
+    return replace(FIXED, key=OF_PACKAGE, effect=effect)
 
 
 def _kept(name: str) -> str:
@@ -86,6 +88,7 @@ def _kept(name: str) -> str:
 
 __all__ = [
     "FIXED",
+    "OF_PACKAGE",
     "PARAMETERS",
     "RELATIVE",
     "REPEATED",
