@@ -9,7 +9,7 @@ from pathlib import Path
 from hypothesis import strategies as st
 
 from archlint.testing.pages import load_examples
-from benchmarks.fuzz import files, launches, nodes, python_launches
+from benchmarks.fuzz import cpp_nodes, files, launches, nodes, python_launches
 from benchmarks.fuzz.mangling import mangled
 from benchmarks.fuzz.pick import Pick, strategy
 from benchmarks.fuzz.runs import Files
@@ -24,12 +24,17 @@ _PLAIN: Files = {
     "setup.py": b"from setuptools import setup\nsetup(name='robot', packages=['robot'],\n"
     b"      entry_points={'console_scripts': ['robot = robot.node:main']})\n",
     "archlint.toml": b"closed-world = true\n",
+    "driver/package.xml": b'<package format="3"><name>driver</name><depend>rclcpp</depend>'
+    b"<export><build_type>ament_cmake</build_type></export></package>\n",
+    "driver/CMakeLists.txt": cpp_nodes.CMAKE,
 }
 """What stands where no grammar writes."""
 
 _GRAMMARS: tuple[tuple[str, Callable[[Pick], str], int], ...] = (
     ("robot/node.py", nodes.node, 1),
     ("robot/other.py", nodes.node, 3),
+    ("driver/src/driver.cpp", cpp_nodes.node, 2),
+    ("driver/include/robot/driver.hpp", cpp_nodes.header, 4),
     ("launch/robot.launch.py", python_launches.python_launch, 2),
     ("launch/robot.launch.xml", launches.xml_launch, 2),
     ("launch/robot.launch.yaml", launches.yaml_launch, 2),

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import json
 import os
+import secrets
 import shlex
 import subprocess
 import sys
@@ -141,9 +142,14 @@ def main(variables: Mapping[str, str]) -> int:
             path.unlink(missing_ok=True)
     except OSError as error:
         return _failed(f"cannot write {error.filename}: {error.strerror}", variables)
-    done = subprocess.run(command, cwd=folder, env=environment, stderr=subprocess.PIPE, check=False)
+    done = subprocess.run(command, cwd=folder, env=environment, capture_output=True, check=False)
     status, messages = done.returncode, done.stderr.decode("utf-8", "replace")
-    sys.stderr.write(messages)
+    findings = done.stdout.decode("utf-8", "replace")
+    if step.wants("ANNOTATIONS"):
+        print(findings, end="", flush=True)
+    else:
+        _show(findings)
+    _show(messages)
     if not found.is_file():
         return _failed(messages.strip() or f"archlint ended with exit status {status}", variables, status)
     outputs = {"exit-code": str(status)}
@@ -161,6 +167,13 @@ def main(variables: Mapping[str, str]) -> int:
         if len(text.encode()) < LIMIT:
             _append(variables, "GITHUB_STEP_SUMMARY", text)
     return status
+
+
+def _show(text: str) -> None:
+    """Print what may hold text of the source, such as ``##[add-mask]`` in a comment, of which GitHub does nothing."""
+    if text:
+        token = secrets.token_hex(16)
+        print(f"::stop-commands::{token}\n{text.rstrip()}\n::{token}::", flush=True)
 
 
 def _failed(message: str, variables: Mapping[str, str], status: int = 2) -> int:

@@ -153,9 +153,9 @@ def test_a_checkout_without_the_history_is_told_what_to_do(job: Job):
     job.git("commit", "-qm", "a robot")
     done = job.run(INPUT_NEW_ONLY="pull-request", GITHUB_BASE_REF="main")
     assert done.returncode == 2
-    assert "origin/main" in done.stderr
+    assert "origin/main" in done.stdout
     assert job.outputs() == {"exit-code": "2"}
-    assert done.stdout.startswith("::error title=archlint::archlint: error: ")
+    assert "\n::error title=archlint::archlint: error: " in done.stdout
     assert job.summary.read_text("utf-8").startswith("## archlint: the run failed\n\n    archlint: error: ")
 
 
@@ -205,3 +205,18 @@ def test_annotations_summary_and_graph_can_be_left_out(job: Job):
     assert not job.summary.exists()
     job.run(INPUT_GRAPH="false")
     assert "mermaid" not in job.summary.read_text("utf-8")
+
+
+def test_github_does_nothing_of_what_a_source_says_in_the_log(job: Job):
+    listener = job.checkout / "robot" / "listener.py"
+    talker = job.checkout / "robot" / "talker.py"
+    for file in (talker, listener):
+        lines = file.read_text("utf-8").splitlines()
+        file.write_text("\n".join(f"{line}  # ##[add-mask]a" if "create_" in line else line for line in lines) + "\n")
+    done = job.run(INPUT_ANNOTATIONS="false", INPUT_SUMMARY="false")
+    first, *others = done.stdout.splitlines()
+    command, _, token = first.rpartition("::")
+    assert (command, len(token)) == ("::stop-commands", 32)
+    text = others[: others.index(f"::{token}::")]
+    assert any("##[add-mask]" in line for line in text)
+    assert not any("##[add-mask]" in line for line in others[len(text) :])

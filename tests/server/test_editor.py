@@ -11,6 +11,7 @@ from lsprotocol import types as lsp
 
 from archlint.cli import main
 from archlint.server.actions import FIX_ALL
+from archlint.server.documents import Documents
 from archlint.server.editor import Client, Editor, Published
 from archlint.server.session import Session, place_of
 from server.robot import LISTENER, Robot
@@ -155,3 +156,11 @@ def test_the_workspace_of_a_file_is_the_one_around_it(tmp_path: Path) -> None:
     assert place_of(str(robot.talker), [str(robot.folder)]) == (str(robot.folder), (str(robot.folder),))
     assert place_of(str(robot.talker), [package]) == (sources, (package,))
     assert place_of(str(lonely), []) == (str(tmp_path), (str(lonely),))
+
+
+def test_a_document_that_is_a_folder_is_none(tmp_path: Path) -> None:
+    documents = Documents()
+    assert documents.put(tmp_path.as_uri(), "import rclpy\n", 1) is None
+    assert documents.put("file:///", "import rclpy\n", 1) is None
+    assert not documents.buffers
+    assert documents.put((tmp_path / "node.py").as_uri(), "import rclpy\n", 1) == str(tmp_path / "node.py")

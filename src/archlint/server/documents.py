@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from types import MappingProxyType
 
 from archlint.live.buffers import Buffer, Buffers, as_saved
@@ -22,11 +23,13 @@ class Documents:
         return Addresses(dict(self._addresses))
 
     def put(self, uri: str, text: str, version: int | None) -> str | None:
-        """Note the text of a document; returns its path, None where it is no file."""
+        """Note the text of a document; returns its path, None where it is no file: that of a folder would have all of
+        it analysed, which may be the whole disk."""
         path = path_of(uri)
-        if path is not None:
-            self._addresses[path] = uri
-            self._set({**self._buffers, path: Buffer(as_saved(text), version)})
+        if path is None or os.path.isdir(path):
+            return None
+        self._addresses[path] = uri
+        self._set({**self._buffers, path: Buffer(as_saved(text), version)})
         return path
 
     def remove(self, uri: str) -> str | None:
