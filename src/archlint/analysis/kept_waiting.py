@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from enum import Enum, auto
 from typing import TYPE_CHECKING
 
@@ -22,6 +23,8 @@ class Waiting(Enum):
 
     OTHERS = auto()
     """Other callbacks, which are known."""
+    SELDOM = auto()
+    """Only timers, which seldom run."""
     NOBODY = auto()
     """Only the next turn of the same callback."""
     UNKNOWN = auto()
@@ -58,8 +61,9 @@ def who_waits(code: SourceCode, call: ApiCall, program: Program) -> Waiting:
     if node is None:
         return Waiting.UNKNOWN
     nodes = [node, *(other for use in program.executors_of(node) for other in use.nodes if other is not node)]
-    if any(_takes_in_more(code, spun, call, program) for spun in nodes):
-        return Waiting.OTHERS
+    others = [creation for spun in nodes for creation in _taken_in_besides(code, spun, call, program)]
+    if others:
+        return Waiting.SELDOM if all(map(_runs_seldom, others)) else Waiting.OTHERS
     # The transitions of a lifecycle node wait, too, if anybody asks for one.
     known = callback.role in _RUNS_AGAIN and not node.lifecycle
     known_executor = known and node.executor in (ExecutorKind.SINGLE_THREADED, ExecutorKind.MULTI_THREADED)
@@ -88,30 +92,41 @@ def is_one_chain(call: ApiCall, program: Program) -> bool:
     )
 
 
-def _takes_in_more(code: SourceCode, node: Blueprint, call: ApiCall, program: Program) -> bool:
-    """Whether an executor has anything to do for a node besides one callback.  What a node sends is no work, nor is
-    the answer that nothing is registered for, nor what the callback makes only after it has waited."""
+_SELDOM = 0.5
+"""Seconds of a timer's period from which on nobody notices that it is late: it controls nothing."""
+
+
+def _runs_seldom(creation: Creation | None) -> bool:
+    return creation is not None and creation.period is not None and creation.period >= _SELDOM
+
+
+def _taken_in_besides(code: SourceCode, node: Blueprint, call: ApiCall, program: Program) -> Iterator[Creation | None]:
+    """What gives an executor anything to do for a node besides one callback, None for callbacks of nothing that is
+    known.  What a node sends is no work, nor is the answer that nothing is registered for, nor what the callback makes
+    only after it has waited."""
     callback = call.context
     later = {id(creation) for creation in node.creations if _is_made_after(creation, call)}
     follow = _callbacks_that_follow(code, node, call)
     several_threads = threads_of(callback.node, program) == blocking.SEVERAL
-    entities = (creation for creation in node.creations if creation.kind in _TAKE_IN and not creation.destroyed)
-    return any(
-        creation is not callback.creation
-        and id(creation) not in later
-        and not (several_threads and creation.group != callback.group)
-        and (not creation.callbacks or any(handler.place != callback.place for handler in creation.callbacks.values()))
-        and not fills_what_is_read_before(code, creation, call, program)
-        for creation in entities
-    ) or any(
-        other.place != callback.place
-        and other not in follow
-        and id(other.creation) not in later
-        and (other.creation is not callback.creation or other.role == Role.CANCEL)
-        and runs_in_executor(other)
-        for other in node.callbacks
-        if not (several_threads and other.group != callback.group) and other.role != Role.LIFECYCLE
-    )
+    for creation in node.creations:
+        if creation.kind not in _TAKE_IN or creation.destroyed or creation is callback.creation:
+            continue
+        if id(creation) in later or (several_threads and creation.group != callback.group):
+            continue
+        handlers = creation.callbacks.values()
+        if handlers and all(handler.place == callback.place for handler in handlers):
+            continue
+        if not fills_what_is_read_before(code, creation, call, program):
+            yield creation
+    for other in node.callbacks:
+        if several_threads and other.group != callback.group:
+            continue
+        if other.place == callback.place or other in follow or id(other.creation) in later:
+            continue
+        if other.creation is callback.creation and other.role != Role.CANCEL:
+            continue
+        if other.role != Role.LIFECYCLE and runs_in_executor(other):
+            yield other.creation
 
 
 def _is_made_after(creation: Creation, call: ApiCall) -> bool:

@@ -118,7 +118,20 @@ def is_soon_over(code: SourceCode, call: ApiCall) -> bool:
 
 
 _SHORT = frozenset(
-    {"amixer", "pactl", "wpctl", "hostname", "ifconfig", "iwconfig", "iwgetid", "uname", "vcgencmd"}
+    {
+        "amixer",
+        "lsblk",
+        "lspci",
+        "lsusb",
+        "pactl",
+        "wpctl",
+        "hostname",
+        "ifconfig",
+        "iwconfig",
+        "iwgetid",
+        "uname",
+        "vcgencmd",
+    }
     | {"kill", "killall", "pgrep", "pidof", "pkill"}
 )
 """Commands that ask the kernel or a service of this machine for something, or set it, and end."""

@@ -39,8 +39,6 @@ if TYPE_CHECKING:
 
 MOMENT = 0.1
 """Seconds of a sleep that are not worth a word, unless a loop adds them up."""
-PAUSE = 1.0
-"""Seconds that the next message may be late, where a node only takes in these messages."""
 DISCOVERY = 1.0
 """Seconds that a callback may look for a server."""
 
@@ -70,6 +68,8 @@ def slow_callback(system: System, options: Options) -> Iterator[Finding]:
             continue  # EXE001 says what is wrong: with more threads such a spin takes the node away from its executor
         if call.cleaning:
             continue  # something has failed, and the callback ends with it
+        if stay.kind == "lock" or _answers_in_time(call, stay):
+            continue  # few processes hold a file for more than a moment, and the answer depends on the server
         if not asked.isdisjoint((call.context.place, client.place) for client in creations_of(call.receiver)):
             continue  # a handler that asks the server afterwards is SRV003's: this is part of the same wait
         if any((call.file, call.function, client.place) in reported for client in creations_of(call.receiver)):
@@ -84,17 +84,35 @@ def slow_callback(system: System, options: Options) -> Iterator[Finding]:
         for rows in functions.values()
         if not all(_is_left_alone(system, program, call, stay) for program, call, stay in rows.values())
     ]
-    yield from one_for_each_place(_slow(system, rows) for rows in slow_functions)
+    worst: dict[tuple[str, ...], _Row] = {}
+    for [row, *_] in slow_functions:
+        cause = _cause(row[1].context)
+        worst[cause] = min(worst.get(cause, row), row, key=_longest_first)
+    yield from one_for_each_place(
+        _slow(system, rows, _place_of(system, worst[_cause(rows[0][1].context)])) for rows in slow_functions
+    )
+
+
+def _place_of(system: System, row: _Row) -> str:
+    place, _ = told_at(system, row[1])
+    return _as_text(place)
+
+
+def _as_text(place: Place) -> str:
+    return f"{place.file}:{place.line}:{place.column}"
 
 
 def _longest_first(row: _Row) -> tuple[float, Place]:
-    """What is worst of a function's lines: that which ends nobody knows when, then the longest."""
+    """What is worst of several lines: that which holds its thread up the longest, as a rule."""
     _, call, stay = row
-    unknown = _UNSEEN if stay.kind == "sleep" else math.inf
-    return -(unknown if stay.seconds is None else stay.seconds), call.place
+    typical = _TYPICAL.get(stay.kind, math.inf)
+    known = stay.seconds is not None
+    return -(min(stay.seconds or 0.0, typical) if known else min(typical, _UNSEEN.get(stay.kind, typical))), call.place
 
 
-_UNSEEN = 1.0
+_TYPICAL = {"process": 1.0, "network": 5.0, "message": 5.0}
+"""Seconds that a wait takes as a rule, whatever its limit is."""
+_UNSEEN = {"sleep": 1.0}
 """Seconds that a sleep is taken for whose time is not known."""
 
 
@@ -103,24 +121,13 @@ def _is_left_alone(system: System, program: Program, call: ApiCall, stay: Stay) 
     code, role = source_code(system), call.context.role
     if stay.kind == "discovery" and not made_here(call) and is_one_chain(call, program):
         return True
-    if role == Role.SUBSCRIPTION:
-        minor = _is_brief(code, call, stay)
-    else:
-        period = _period(system, call)
-        in_time = period is None or (stay.seconds or 0.0) <= period
-        minor = role in _LOSES_NOTHING and (in_time or leaves_its_state(code, call))
-    return minor and who_waits(code, call, program) == Waiting.NOBODY
+    period = _period(system, call)
+    in_time = period is None or (stay.seconds or 0.0) <= period
+    minor = role in _RUNS_AGAIN and (in_time or leaves_its_state(code, call))
+    return minor and not made_here(call) and who_waits(code, call, program) == Waiting.NOBODY
 
 
-def _is_brief(code: SourceCode, call: ApiCall, stay: Stay) -> bool:
-    """Whether a node that only takes in these messages may be late with the next: it needs the server for that one,
-    too, or it sleeps for a moment, or for as long as it is told, once."""
-    if stay.kind == "sleep":
-        return (stay.seconds is None and not call.looped) or in_loops(code, call, stay, with_callers=True) <= PAUSE
-    return stay.kind == "discovery" and not made_here(call)
-
-
-_LOSES_NOTHING = frozenset({Role.TIMER, Role.EXECUTE, Role.SERVICE})
+_RUNS_AGAIN = frozenset({Role.SUBSCRIPTION, Role.TIMER, Role.EXECUTE, Role.SERVICE})
 
 
 def _is_no_program(system: System, callback: Callback) -> bool:
@@ -190,8 +197,8 @@ def _where_harmless(system: System) -> frozenset[Place]:
 _ITS_NEXT = {Role.SUBSCRIPTION: "message", Role.TIMER: "turn", Role.SERVICE: "request", Role.EXECUTE: "goal"}
 
 
-def _slow(system: System, rows: Sequence[_Row]) -> Finding:
-    """The finding for a function."""
+def _slow(system: System, rows: Sequence[_Row], worst: str) -> Finding:
+    """The finding for a function; ``worst`` is the place of the longest wait of the node."""
     (program, call, stay), *others = rows
     callback = call.context
     period = _period(system, call)
@@ -204,11 +211,13 @@ def _slow(system: System, rows: Sequence[_Row]) -> Finding:
     waiting = {who_waits(source_code(system), row[1], row[0]) for row in rows}
     elsewhere = _where_harmless(system)
     mild = all(row[1].place in elsewhere for row in rows)
-    mild = mild or Waiting.OTHERS not in waiting or all(_is_minor(row[1], row[2]) for row in rows)
+    mild = mild or Waiting.OTHERS not in waiting or all(row[2].kind == "keyboard" for row in rows)
     mild = mild or all(row[2].kind == "sleep" and ends_its_timer_after(system, row[1]) for row in rows)
     meanwhile = _meanwhile(callback, program)
     if waiting == {Waiting.NOBODY}:
         meanwhile = f"the node has no other callback, but its next {_ITS_NEXT[callback.role]} has to wait"
+    elif waiting <= {Waiting.NOBODY, Waiting.SELDOM}:
+        meanwhile = "only timers that seldom run have to wait"
     elif Waiting.OTHERS not in waiting:
         meanwhile = "everything else on its thread has to wait"
     diagnostic = finding_in_callback(
@@ -217,10 +226,10 @@ def _slow(system: System, rows: Sequence[_Row]) -> Finding:
         program,
         call,
         f"{callback_words(callback)} {stay.words}{end}: {meanwhile}",
-        help=_instead(program, call, stay, in_order=waiting == {Waiting.NOBODY}),
+        help=_instead(program, call, stay),
         further=(Related(other.place, f"here it {words.words}", again=True) for _, other, words in others),
         identity=(call.api,),
-        group=_cause(callback),
+        group=(*_cause(callback), worst),
     )
     return replace(diagnostic, severity=Severity.INFO) if mild else diagnostic
 
@@ -231,12 +240,6 @@ def _other_lines(call: ApiCall, stay: Stay, others: Sequence[_Row]) -> str:
     if all(other.kind == stay.kind for _, _, other in others):
         return f", as {f'do {len(others)} more lines' if several else 'does another line'} of {call.function}"
     return f", and blocks at {f'{len(others)} more lines' if several else 'another line'} of {call.function}"
-
-
-def _is_minor(call: ApiCall, stay: Stay) -> bool:
-    """Whether a wait is hardly ever long, since few processes hold a file for more than a moment, or the answer depends
-    on it."""
-    return stay.kind == "lock" or _answers_in_time(call, stay)
 
 
 def _of_loop(code: SourceCode, call: ApiCall, stay: Stay) -> str:
@@ -258,7 +261,8 @@ def _cause(callback: Callback) -> tuple[str, ...]:
 @folds("EXE003")
 def _of_one_cause(findings: Sequence[Finding]) -> Finding:
     """The finding for all functions with waits that the callbacks of one node get to."""
-    first, *others = findings
+    first = next((row for row in findings if _as_text(row.place) == row.group[-1]), findings[0])
+    others = [other for other in findings if other is not first]
     same = [other for other in others if other.identity[0] == first.identity[0]]
     callbacks = dict.fromkeys(other.identity[0] for other in others if other not in same)
     message = first.message
@@ -283,11 +287,8 @@ def _answers_in_time(call: ApiCall, stay: Stay) -> bool:
     return stay.kind == "discovery" and stay.seconds is not None and call.context.role in _ANSWERS
 
 
-def _instead(program: Program, call: ApiCall, stay: Stay, in_order: bool) -> str:
-    """What to do; where the callback's return value is the answer, nothing can go on later.  What a node does with one
-    message after the other stays ``in_order``."""
-    if stay.kind == "lock":
-        return "request it with LOCK_NB, and try again later if another process has it"
+def _instead(program: Program, call: ApiCall, stay: Stay) -> str:
+    """What to do; where the callback's return value is the answer, nothing can go on later."""
     if stay.kind == "discovery" and made_here(call):
         return MAKE_IT_EARLIER
     if stay.kind == "discovery" and call.context.role in _ANSWERS - {Role.EXECUTE}:
@@ -297,8 +298,6 @@ def _instead(program: Program, call: ApiCall, stay: Stay, in_order: bool) -> str
     if call.context.role in _ANSWERS:
         several = threads_of(call.context.node, program) == blocking.SEVERAL
         return _OWN_GROUP if several else f"spin the node with a MultiThreadedExecutor, and {_OWN_GROUP}"
-    if in_order and stay.kind not in _INSTEAD:
-        return "do it in a ThreadPoolExecutor(max_workers=1), which keeps the order"
     return _INSTEAD.get(stay.kind, "do it in a separate thread or a ThreadPoolExecutor")
 
 
