@@ -56,3 +56,12 @@ def test_a_value_that_is_read_as_it_is_declared(judge: Judge):
 )
 def test_a_member_that_may_be_right(judge: Judge, declare: str, read: str):
     judge("PRM010", NODE.format(declare=declare, read=f"self.it = {read}"))
+
+
+def test_a_parameter_that_is_read_twice_is_one_finding(judge: Judge):
+    declare = "self.declare_parameter('it', 1000)\n        self.declare_parameter('other', 1000)"
+    reads = f"self.it = {VALUE}.double_value  # here\n        self.again = {VALUE}.double_value"
+    other = "self.other = self.get_parameter('other').get_parameter_value().double_value  # here"
+    first, second = judge("PRM010", NODE.format(declare=declare, read=f"{reads}\n        {other}"))
+    assert [row.message for row in first.related] == ["it is declared here", "it is read here, too"]
+    assert [row.message for row in second.related] == ["it is declared here"]

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.analysis.parameter_members import EMPTY, wrong_members
+from archlint.checks.folding import folds, with_places
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
@@ -28,7 +29,14 @@ def wrong_parameter_member(system: System, options: Options) -> Iterator[Finding
             related=[Related(read.declared_at, "it is declared here")],
             node=read.node.name,
             identity=(read.name, read.member),
+            group=(read.place.file, read.name, read.member),
         )
+
+
+@folds("PRM010")
+def _of_one_parameter(findings: Sequence[Finding]) -> Finding:
+    """One finding for all lines of a file that read the same member of a parameter."""
+    return with_places(findings, "it is read here, too")
 
 
 __all__ = ["wrong_parameter_member"]
