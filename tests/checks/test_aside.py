@@ -475,6 +475,28 @@ def test_an_error_in_code_that_no_package_installs_is_information(tmp_path, monk
 
 
 @pytest.mark.parametrize(
+    ("path", "severity"),
+    [
+        ("robot/robot/other.py", Severity.INFO),
+        ("robot/robot/backup_of_driver", None),
+        ("robot/robot/driver.py", Severity.ERROR),
+    ],
+    ids=["a module that nothing starts", "a copy that nothing can import", "a program of the package"],
+)
+def test_a_module_with_a_main_that_no_entry_point_names(tmp_path, monkeypatch, path: str, severity: Severity | None):
+    program = "#!/usr/bin/env python3\n" + SLEEPS.partition("if __name__")[0].lstrip()
+    files = {"robot/package.xml": MANIFEST.strip(), "robot/setup.py": SETUP.replace("{more}", "")}
+    files |= {"robot/robot/__init__.py": "", "robot/robot/driver.py": "def main(): pass\n"}
+    for name, text in {**files, path: program}.items():
+        (tmp_path / name).parent.mkdir(exist_ok=True, parents=True)
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    rows = check(Request((".",), Settings(), cached=False, jobs=1)).findings
+    told = [finding.severity for finding in rows if finding.code == "EXE004"]
+    assert told == ([] if severity is None else [severity])
+
+
+@pytest.mark.parametrize(
     ("path", "names_it", "asked", "told"),
     [
         ("robot/robot/old/reference.py", "", ".", []),

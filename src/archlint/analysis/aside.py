@@ -177,16 +177,24 @@ def _stray(workspace: WorkspaceIndex) -> frozenset[str]:
 
 
 def _is_script(workspace: WorkspaceIndex, file: str) -> bool:
-    """Whether a file asks whether it is the program, or starts ROS or reads the command line as it is loaded: no other
-    imports it then."""
+    """Whether a file asks whether it is the program, starts ROS in a ``main()``, or starts it or reads the command line
+    as it is loaded: no other imports it then."""
     file_facts = workspace.facts_at(file)
     body = [] if file_facts is None else file_facts.body
+    if any(isinstance(statement, facts.Function) and _is_main(statement) for statement in body):
+        return True
     tests = [statement.test for statement in body if isinstance(statement, facts.If)]
     if any(isinstance(test, facts.Compare) and test.left.variable == "__name__" for test in tests):
         return True
     return any(
         isinstance(statement, (facts.Expression, facts.Assign)) and _is_for_a_program(statement.value)
         for statement in body
+    )
+
+
+def _is_main(function: facts.Function) -> bool:
+    return function.name == "main" and any(
+        call.func.dotted == "rclpy.init" for call in everything_in(function.body, facts.Call)
     )
 
 

@@ -25,13 +25,17 @@ def files_of(workspace: WorkspaceIndex, findings: Iterable[Finding]) -> frozense
 
 
 def as_information(findings: Iterable[Finding], files: AbstractSet[str]) -> list[Finding]:
-    """The findings, those about code in some files as no more than information."""
+    """The findings, those about code in some files as no more than information.  What has no ending of Python besides
+    is a copy that nobody can import either, and is left out."""
+    rows = [(finding, finding.place.file in files and _is_about_code(finding)) for finding in findings]
     return [
-        replace(finding, severity=min(finding.severity, Severity.INFO))
-        if finding.place.file in files and _is_about_code(finding)
-        else finding
-        for finding in findings
+        replace(finding, severity=min(finding.severity, Severity.INFO)) if aside else finding
+        for finding, aside in rows
+        if not aside or finding.place.file.endswith(_ENDINGS)
     ]
+
+
+_ENDINGS = (".py", ".pyw")
 
 
 def with_reason(findings: Iterable[Finding], files: AbstractSet[str]) -> list[Finding]:
