@@ -237,17 +237,17 @@ def test_a_callback_alone_in_its_group_holds_up_nobody_under_several_threads(run
 
 
 @pytest.mark.parametrize(
-    "body",
+    ("body", "expected"),
     [
-        pytest.param("time.sleep(2.0)", id="a sleep"),
-        pytest.param("for _ in range(3):\n        time.sleep(0.9)", id="several"),
-        pytest.param("subprocess.run(['make'])", id="a process, for nobody knows how long"),
+        pytest.param("time.sleep(0.9)", [], id="less than a second"),
+        pytest.param("for _ in range(3):\n        time.sleep(0.9)", ["EXE003"], id="several times"),
+        pytest.param("subprocess.run(['make'])", [], id="a process, for nobody knows how long"),
     ],
 )
-def test_the_next_message_may_wait_where_nothing_else_does(run: Run, body: str):
+def test_the_next_message_may_wait_for_a_moment_or_for_work(run: Run, body: str, expected: list[str]):
     listens = "self.create_subscription(Empty, 'say', self.on_text, 10)\n"
     method = f"def on_text(self, message):\n    {body}\n"
-    assert codes(run(source(listens, method))) == []
+    assert codes(run(source(listens, method))) == expected
     beside = listens + "self.create_subscription(Empty, 'stop', print, 10)\n"
     assert codes(run(source(beside, method))) == ["EXE003"]
 
@@ -282,6 +282,8 @@ def test_a_timer_may_sleep_in_a_state_that_it_leaves(run: Run, lines: list[str],
 
 def test_what_holds_up_nobody_else_is_information(run: Run):
     listens = "self.create_subscription(Empty, 'stop', self.on_stop, 10)\n"
+    [alone] = run(source(listens, "def on_stop(self, message):\n    time.sleep(2.0)\n"))
+    assert alone.severity is Severity.INFO and "its next message has to wait" in alone.message
     [late] = run(source(ALONE, timer("time.sleep(6.0)")))
     assert late.severity is Severity.INFO and "longer than its period of 5 s" in late.message
     beside = listens + ALONE
@@ -293,7 +295,10 @@ def test_what_holds_up_nobody_else_is_information(run: Run):
     ("line", "expected"),
     [
         ("time.sleep(1.0)", []),
-        ("while message.pause:\n        time.sleep(message.pause)", []),
+        ("time.sleep(message.pause)", []),
+        ("while message.pause:\n        time.sleep(message.pause)", ["EXE003"]),
+        ("time.sleep(1.5)", ["EXE003"]),
+        ("subprocess.run(['make'])", []),
         ("self.client.wait_for_service(timeout_sec=5.0)", []),
         ("self.create_client(Trigger, 'check').wait_for_service(timeout_sec=5.0)", ["EXE003"]),
     ],
@@ -1032,7 +1037,8 @@ def test_the_callbacks_of_one_node_are_one_finding(run: Run):
     tock = "def tock(self):\n    time.sleep(2.0)\n"
     [found] = run(source(timers, timer("time.sleep(1.0)") + "\n" + tock))
     assert found.code == "EXE003" and found.message.endswith("; another callback of the node waits, too")
-    assert "here Robot.tock waits in sleep(), too" in [row.message for row in found.related]
+    assert "Robot.tock, sleeps for 2 s" in found.message  # the longest
+    assert "here Robot.tick waits in sleep(), too" in [row.message for row in found.related]
     [alone] = run(source(timers, timer("pass") + "\n" + tock))
     assert "too" not in alone.message
 

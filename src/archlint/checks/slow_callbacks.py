@@ -39,6 +39,8 @@ if TYPE_CHECKING:
 
 MOMENT = 0.1
 """Seconds of a sleep that are not worth a word, unless a loop adds them up."""
+PAUSE = 1.0
+"""Seconds of sleep that the next message may be late, where a node only takes in these messages."""
 DISCOVERY = 1.0
 """Seconds that a callback may look for a server."""
 
@@ -110,7 +112,7 @@ def _longest_first(row: _Row) -> tuple[float, Place]:
     return -(min(stay.seconds or 0.0, typical) if known else min(typical, _UNSEEN.get(stay.kind, typical))), call.place
 
 
-_TYPICAL = {"process": 1.0, "network": 5.0, "message": 5.0}
+_TYPICAL = {"process": 1.0, "keyboard": 4.0, "network": 5.0, "message": 5.0}
 """Seconds that a wait takes as a rule, whatever its limit is."""
 _UNSEEN = {"sleep": 1.0}
 """Seconds that a sleep is taken for whose time is not known."""
@@ -121,9 +123,12 @@ def _is_left_alone(system: System, program: Program, call: ApiCall, stay: Stay) 
     code, role = source_code(system), call.context.role
     if stay.kind == "discovery" and not made_here(call) and is_one_chain(call, program):
         return True
-    period = _period(system, call)
-    in_time = period is None or (stay.seconds or 0.0) <= period
-    minor = role in _RUNS_AGAIN and (in_time or leaves_its_state(code, call))
+    if role == Role.SUBSCRIPTION and stay.kind == "sleep":
+        minor = (stay.seconds is None and not call.looped) or in_loops(code, call, stay, with_callers=True) <= PAUSE
+    else:
+        period = _period(system, call)
+        in_time = period is None or (stay.seconds or 0.0) <= period
+        minor = role in _RUNS_AGAIN and (in_time or leaves_its_state(code, call))
     return minor and not made_here(call) and who_waits(code, call, program) == Waiting.NOBODY
 
 
