@@ -275,3 +275,9 @@ def test_a_node_without_a_constructor(judge: Judge, method: str, wrong: str, hel
         """,
     )
     assert (finding.message, finding.help) == (f"Robot() fails: {wrong}", help)
+
+
+def test_the_result_of_a_future_has_no_time_limit(judge: Judge):
+    call = "self.create_client(Trigger, 'a').call_async(Trigger.Request()).result(timeout=2.0)  # here"
+    (finding,) = judge("API001", NODE.format(call=call))
+    assert finding.help == "result() never waits: continue in a done callback, where the future has its result"

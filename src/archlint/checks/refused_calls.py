@@ -220,6 +220,8 @@ def _cure(name: str, call: RefusedCall) -> str:
         return _cure_of_logger(name, call)
     if call.misuse is Misuse.NO_FUNCTION:
         return f"call its {call.wanted}"
+    if call.api.endswith(".Future.result"):
+        return "result() never waits: continue in a done callback, where the future has its result"
     if _is_inherited_constructor(call) and call.wanted:
         return f"rename {call.wanted}() to __init__()"
     if _is_inherited_constructor(call):
