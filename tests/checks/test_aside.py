@@ -204,9 +204,9 @@ def test_installed_code_is_judged_apart_from_what_is_not(named):
     ("files", "told"),
     [
         ({"debug/tool.py": "from helper import main\n{start}"}, False),
-        ({"debug/tool.py": "from helper import main\n{start}", "debug/__init__.py": ""}, True),
+        ({"debug/tool.py": "from helper import main\n{start}", "debug/__init__.py": ""}, False),
         ({"robot/driver.py": "from debug.helper import main\n"}, True),
-        ({}, True),
+        ({}, False),
     ],
     ids=["of a script that is not installed", "in a Python package", "of a program", "of nobody"],
 )

@@ -101,7 +101,9 @@ def is_not_installed(workspace: WorkspaceIndex | None, file: str) -> bool:
         return False
     if workspace.roles.is_put_aside(file) or _cannot_be_imported(installs, file):
         return True
-    return _is_script(workspace, file) or (_in_no_module(workspace, file) and file in _reached_by_loose(workspace))
+    if _is_script(workspace, file) or _starts_in_main(workspace, file):
+        return True
+    return _in_no_module(workspace, file) and file in _reached_by_loose(workspace)
 
 
 def import_that_fails(workspace: WorkspaceIndex | None, file: str) -> str | None:
@@ -177,12 +179,10 @@ def _stray(workspace: WorkspaceIndex) -> frozenset[str]:
 
 
 def _is_script(workspace: WorkspaceIndex, file: str) -> bool:
-    """Whether a file asks whether it is the program, starts ROS in a ``main()``, or starts it or reads the command line
-    as it is loaded: no other imports it then."""
+    """Whether a file asks whether it is the program, or starts ROS or reads the command line as it is loaded: no other
+    imports it then."""
     file_facts = workspace.facts_at(file)
     body = [] if file_facts is None else file_facts.body
-    if any(isinstance(statement, facts.Function) and _is_main(statement) for statement in body):
-        return True
     tests = [statement.test for statement in body if isinstance(statement, facts.If)]
     if any(isinstance(test, facts.Compare) and test.left.variable == "__name__" for test in tests):
         return True
@@ -192,9 +192,15 @@ def _is_script(workspace: WorkspaceIndex, file: str) -> bool:
     )
 
 
-def _is_main(function: facts.Function) -> bool:
-    return function.name == "main" and any(
-        call.func.dotted == "rclpy.init" for call in everything_in(function.body, facts.Call)
+def _starts_in_main(workspace: WorkspaceIndex, file: str) -> bool:
+    """Whether a file has a ``main()`` that starts ROS: an entry point would name it if it was to be a program."""
+    file_facts = workspace.facts_at(file)
+    functions = (part for part in ([] if file_facts is None else file_facts.body) if isinstance(part, facts.Function))
+    return any(
+        call.func.dotted == "rclpy.init"
+        for function in functions
+        if function.name == "main"
+        for call in everything_in(function.body, facts.Call)
     )
 
 
