@@ -385,16 +385,15 @@ class Adapter(Node):
     def __init__(self):
         super().__init__('adapter')
         self.client = self.create_client(Trigger, 'forward')
-        self.create_service(Trigger, 'move', self.on_move)
+        self.create_subscription(String, 'move', self.on_move, 10)
         self.create_timer(0.1, self.tick)
 
     def tick(self):
         self.get_logger().info("on")
 
-    def on_move(self, request, response):
+    def on_move(self, message):
         if self.client.wait_for_service(timeout_sec=5.0):
             {spin}
-        return response
 """
     )
     spin = "rclpy.spin_once(self, timeout_sec=0.1)"
