@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from archlint.finding import Place
 from archlint.syntax import facts
-from archlint.syntax.parts import everything_in
+from archlint.syntax.parts import Itself, everything_in
 
 if TYPE_CHECKING:
     from archlint.model import Blueprint
@@ -20,6 +20,11 @@ def read_off(workspace: WorkspaceIndex | None, node: Blueprint) -> list[str]:
     if workspace is None or file_facts is None or node.made_at is None:
         return []
     attributes = list(everything_in(file_facts.body, facts.Attribute))
+    called = {Itself[facts.Base](call.func) for call in everything_in(file_facts.body, facts.Call)}
+    of_it = [part for part in attributes if _makes(part.value, node.made_at)]
+    passed_on = [part for part in of_it if Itself[facts.Base](part) not in called]
+    if passed_on:
+        return [part.attr for part in passed_on]  # of ``Detector().on_image``
     kept = [
         assignment.targets
         for assignment in everything_in(file_facts.body, facts.Assign)
