@@ -19,9 +19,11 @@ from benchmarks.executors.running import HANGS, NOTHING, SOME, STOPS, STRANDS, W
 JUDGES = ("SRV003", "EXE001", "EXE002", "EXE004", "EXE014", "CBG001")
 """The rules that say what becomes of a wait in a callback."""
 TIMEOUT = "raises TimeoutError"
+CLASH = "raises ValueError"
 OPEN = "may hang"
 STARVES = "starves if answers are late"
 NO_SLEEP = "hangs, or does not sleep"
+CLASHES = "times out, or raises ValueError"
 RACES = "sometimes hangs"
 RACES_TO_ITS_LIMIT = "sometimes times out"
 RACES_AND_RAISES = "sometimes hangs, or raises RCLError"
@@ -47,6 +49,7 @@ _BEFORE = {
     blocking.Outcome.FINE: WORKS,
     blocking.Outcome.HANGS: HANGS,
     blocking.Outcome.TIMES_OUT: NOTHING,
+    blocking.Outcome.TIMES_OUT_OR_CLASHES: CLASHES,
     blocking.Outcome.SOMETIMES_HANGS: RACES,
     blocking.Outcome.SOMETIMES_TIMES_OUT: RACES_TO_ITS_LIMIT,
     blocking.Outcome.HANGS_OR_RAISES: RACES_AND_RAISES,
@@ -56,10 +59,11 @@ _ALSO = {
     STARVES: {WORKS, HANGS, NOTHING, TIMEOUT, SOME, STOPS},
     NO_SLEEP: {WORKS, HANGS, STOPS},
     HANGS: {STOPS},
-    RACES: {WORKS, HANGS, STOPS, SOME},
-    RACES_TO_ITS_LIMIT: {WORKS, NOTHING, SOME},
-    RACES_AND_RAISES: {WORKS, HANGS, STOPS, SOME, "raises RCLError"},
-    RACES_TO_ITS_LIMIT_AND_RAISES: {WORKS, NOTHING, SOME, "raises RCLError"},
+    CLASHES: {NOTHING, CLASH},
+    RACES: {WORKS, HANGS, STOPS, SOME, CLASH},
+    RACES_TO_ITS_LIMIT: {WORKS, NOTHING, SOME, CLASH},
+    RACES_AND_RAISES: {WORKS, HANGS, STOPS, SOME, CLASH, "raises RCLError"},
+    RACES_TO_ITS_LIMIT_AND_RAISES: {WORKS, NOTHING, SOME, CLASH, "raises RCLError"},
 }
 """Outcomes that are no other than what was said."""
 
