@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import TYPE_CHECKING
 
 from archlint import model, suggestions
@@ -96,12 +97,24 @@ def note_method(run: Run, path: str, receiver: Value, site: CallSite) -> None:
     """Note a call of a method that no distribution has; what else gives an object a method of that name is for the
     rule to find."""
     owner, _, name = path.rpartition(".")
-    known = _OF_NODES if owner in names.NODE_CLASSES else attributes_of(owner)
-    if known is None or name in known or not refusals.is_of_rclpy(receiver):
-        return
-    near = suggestions.nearest(name, [other for other in known if not other.startswith("_")])
+    known = _known(owner)
+    if known is not None and name not in known and refusals.is_of_rclpy(receiver):
+        _note(run, path, _instead_of_method(path), site)
+
+
+def _known(owner: str) -> frozenset[str] | None:
+    """The attributes that a class has in some distribution; None of one that is not known."""
+    return _OF_NODES if owner in names.NODE_CLASSES else attributes_of(owner)
+
+
+@lru_cache(maxsize=10_000)
+def _instead_of_method(path: str) -> str:
+    """What rclpy has instead of a method, in words; empty where nothing is near.  C++ asks this at every step: rclcpp
+    has other methods."""
+    owner, _, name = path.rpartition(".")
     expected = f"rclpy.executors.Executor.{name}" if owner.startswith("rclpy.executors.") else path
-    _note(run, path, _INSTEAD.get(expected) or (f"{near}()" if near else ""), site)
+    near = suggestions.nearest(name, [other for other in _known(owner) or () if not other.startswith("_")])
+    return _INSTEAD.get(expected) or (f"{near}()" if near else "")
 
 
 def _note(run: Run, path: str, instead: str, site: CallSite) -> None:
