@@ -290,6 +290,21 @@ def test_the_value_that_makes_bad_names_is_told_where_it_is_set(findings, parame
     assert findings("NME002", node(parameter.replace("p2, p3", "p2")), **files | {"config/p.yaml": ""}) == []
 
 
+@pytest.mark.parametrize(
+    ("default", "launch", "told"),
+    [
+        ("''", "", False),  # whoever starts it by hand sees that it is missing
+        ("''", node('<param name="topic" value="words"/>'), False),
+        ("''", node(), True),
+        ("'my words'", "", True),
+    ],
+)
+def test_an_empty_default_is_for_a_parameter_that_has_to_be_set(findings, default: str, launch: str, told: bool):
+    lines = f"self.create_publisher(String, self.declare_parameter('topic', {default}).value, 10)"
+    files = {"robot/talker.py": TALKER.replace("self.declare_parameter('rate', 1.0)", lines)}
+    assert len(findings("NME002", launch, **files)) == told
+
+
 TOPIC = """\
 import rclpy
 from std_msgs.msg import String

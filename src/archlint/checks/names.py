@@ -81,8 +81,8 @@ def _invalid_endpoints(system: System, node: Node) -> Iterator[Finding]:
         if endpoint.resolution == "parameter" and (creation.conditional or is_renamed(system, node)):
             # The branch may not be taken with that value, or launch files start the node: their systems report it.
             continue
-        if _is_one_of_several(endpoint):
-            continue
+        if _is_one_of_several(endpoint) or (_must_be_set(endpoint) and system.name is None):
+            continue  # who starts the node by hand sees what it lacks
         relative = _relative(endpoint)
         if relative is not None and is_renamed(system, node):
             continue  # launch files start it, perhaps in a namespace: their systems report it
@@ -114,6 +114,11 @@ def _is_empty_at_first(creation: Creation) -> bool:
     """Whether an empty name comes from a line above, where code fills it in as data come."""
     origin, given = creation.name.origin, creation.name_place
     return origin is not None and given is not None and origin.line != given.line
+
+
+def _must_be_set(endpoint: Endpoint) -> bool:
+    """Whether a name is the empty default of a parameter: it stands for one that whoever starts the node has to set."""
+    return not endpoint.written and endpoint.resolution == "parameter"
 
 
 def _set_by_launch(system: System, endpoint: Endpoint) -> Setting | None:
