@@ -324,7 +324,7 @@ def main():
         ('<node pkg="robot" exec="talker"><param name="topic" value="words"/></node>', []),
         ('<node pkg="robot" exec="talker"><param name="topic" value="$(env TOPIC)"/></node>', []),
         ('<node pkg="robot" exec="talker"/>', [8]),
-        ('<node pkg="robot" exec="viewer"/>', [8]),  # nothing starts it: its default is what it gets
+        ('<node pkg="robot" exec="viewer"/>', []),  # nothing starts it but who sees that it is missing
     ],
 )
 def test_the_default_of_a_parameter_that_launch_files_set(findings, launch: str, lines: list[int]):

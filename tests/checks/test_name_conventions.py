@@ -81,11 +81,15 @@ def test_classes_with_nothing_else_are_one_finding(folder: Path):
     assert '`ignore = ["NME001"]`' in finding.help
 
 
-def test_so_are_those_of_several_packages(folder: Path):
-    for name, text in {"arms": ARM, "base": BASE}.items():
-        setup = f"from setuptools import setup\nsetup(name='{name}')\n"
-        write_robot(folder / name, **{"package.xml": manifest(name), "setup.py": setup, "robot/talker.py": text})
+def write_package(folder: Path, name: str, text: str) -> None:
+    setup = f"from setuptools import setup\nsetup(name='{name}')\n"
+    write_robot(folder / name, **{"package.xml": manifest(name), "setup.py": setup, "robot/talker.py": text})
     (folder / "archlint.toml").write_text('select = ["NME001"]')
+
+
+def test_so_are_those_of_several_packages(folder: Path):
+    write_package(folder, "arms", ARM)
+    write_package(folder, "base", BASE)
 
     [finding] = check(Request((".",), load(folder), cached=False, jobs=1)).findings
     assert finding.message == "2 nodes in 2 packages fix 3 absolute names: no namespace applies to any of them"
@@ -131,16 +135,31 @@ def test_one_name_that_all_classes_use(folder: Path):
     assert finding.message == ("3 nodes of package 'robot' fix the absolute name '/words': no namespace applies to it")
 
 
-def test_a_class_that_mixes_both_forms_is_told_alone(folder: Path):
+def test_a_class_that_mixes_both_forms_is_told_with_its_package(folder: Path):
     lidar = node("Lidar", "/lidar/scan", "lidar/state")
-    whole, mixed = check(request(folder, arm=ARM, base=BASE, lidar=lidar)).findings
-
-    assert "2 nodes of package 'robot' fix 3 absolute names" in whole.message
-    assert places([mixed]) == [("robot/lidar.py", 9)]
-    assert mixed.message == (
+    [alone] = check(request(folder, lidar=lidar)).findings
+    assert alone.message == (
         "the topic '/lidar/scan' is absolute and fixed in the code, beside relative names of the same node such as "
         "'lidar/state': in a namespace, only those move"
     )
+
+    [mixed] = check(request(folder, arm=ARM, base=BASE, lidar=lidar)).findings
+    assert places([mixed]) == [("robot/lidar.py", 9)]
+    assert mixed.message == (
+        "3 nodes of package 'robot' fix 4 absolute names, beside relative ones such as 'lidar/state': in a namespace, "
+        "only those move"
+    )
+    assert [related.place.file for related in mixed.related] == ["robot/arm.py", "robot/base.py"]
+
+
+def test_packages_that_have_both_forms_say_nothing_of_the_others(folder: Path):
+    write_package(folder, "lidars", node("Lidar", "/lidar/scan", "lidar/state"))
+    write_package(folder, "arms", ARM)
+    write_package(folder, "bases", BASE)
+
+    whole, mixed = check(Request((".",), load(folder), cached=False, jobs=1)).findings
+    assert whole.message.startswith("2 nodes in 2 packages fix 3 absolute names: no namespace")
+    assert places([mixed]) == [("lidars/robot/talker.py", 9)]
 
 
 def test_a_private_name_beside_an_absolute_one_is_no_mixture(folder: Path):
@@ -158,25 +177,14 @@ def test_the_only_absolute_names_of_a_package_are_told_alone(folder: Path):
     )
 
 
-def test_several_classes_that_are_unlike_their_package_are_one_finding(folder: Path):
-    relative = {name.lower(): node(name, f"{name.lower()}/state") for name in ("Camera", "Drive", "Lidar")}
-    [finding] = check(request(folder, arm=ARM, base=BASE, **relative)).findings
-
-    assert finding.message.startswith("3 names in 2 files are absolute and fixed in the code")
-    assert "unlike those of other nodes of package 'robot'" in finding.message
-    assert {site.file for site in (finding.place, *(related.place for related in finding.related))} == {
-        "robot/arm.py",
-        "robot/base.py",
-    }
-
-
-def test_a_name_that_another_node_of_the_package_has_as_a_relative_one_is_told_alone(folder: Path):
+def test_a_name_that_another_node_of_the_package_has_as_a_relative_one(folder: Path):
     camera = node("Camera", "arm/state")
-    told, whole = check(request(folder, arm=ARM, base=BASE, drive=node("Drive", "/drive"), camera=camera)).findings
+    [told] = check(request(folder, base=BASE, arm=ARM, drive=node("Drive", "/drive"), camera=camera)).findings
 
     assert places([told]) == [("robot/arm.py", 9)]
-    assert "such as 'arm/state'" in told.message
-    assert whole.message.startswith("2 nodes of package 'robot' fix 2 absolute names")
+    assert told.message.startswith(
+        "3 nodes of package 'robot' fix 4 absolute names, beside relative ones such as 'arm/"
+    )
 
 
 TWICE = '<node pkg="robot" exec="arm" name="left"/><node pkg="robot" exec="arm" name="right"/>'
@@ -206,7 +214,7 @@ def test_a_class_whose_namespace_its_names_repeat_is_told_alone(folder: Path):
 
     assert whole.message.startswith("2 nodes")
     assert places([launched]) == [("robot/lidar.py", 9)]
-    assert "repeats the namespace that launch files start the node in" in launched.message
+    assert launched.message.endswith("launch files start the node in the namespace '/left', which does not apply to it")
 
 
 def test_a_suppression_takes_its_class_out(folder: Path):

@@ -16,18 +16,9 @@ from archlint.analysis.name_sites import sites_of_name
 from archlint.branches import exclusive
 from archlint.checks.folding import all_sites, folds
 from archlint.checks.foreign_names import is_foreign
-from archlint.checks.name_conventions import CONVENTION, home_of, one_of_workspace
+from archlint.checks.name_conventions import CONVENTION, home_of, one_of_several_nodes
 from archlint.checks.name_evidence import FixedName, told_alone
-from archlint.checks.name_reasons import (
-    FIXED,
-    OF_PACKAGE,
-    PARAMETERS,
-    RELATIVE,
-    REPEATED,
-    WITHOUT_PACKAGE,
-    Reason,
-    shared_by,
-)
+from archlint.checks.name_reasons import FIXED, PARAMETERS, RELATIVE, WITHOUT_PACKAGE, Reason, repeating, shared_by
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
@@ -130,8 +121,9 @@ def _hardcoded(system: System, fixed: FixedName, evidence: Reason | None) -> Fin
         reason = evidence
     given = endpoint.creation.name_place or endpoint.place
     place = _begin(system.workspace, endpoint)
-    is_alone = evidence is not None or reason == RELATIVE
-    package = _package(system.workspace, place.file)
+    owner = ("", reason.package, "package") if reason.package else ("", "", CONVENTION)
+    if (evidence is not None and not evidence.package) or reason == RELATIVE:
+        owner = (*fixed.home, reason.key)
     diagnostic = finding(
         "NME001",
         place,
@@ -141,9 +133,8 @@ def _hardcoded(system: System, fixed: FixedName, evidence: Reason | None) -> Fin
         node=endpoint.node.name,
         identity=(fixed.home[1], word, name),
         group=(
-            *((package, "") if reason.key == OF_PACKAGE else fixed.home if is_alone else ("", "")),
-            reason.key if is_alone else CONVENTION,
-            *(package, reason.state, reason.effect, reason.cure),
+            *owner,
+            *(_package(system.workspace, place.file), reason.other, reason.state, reason.effect, reason.cure),
         ),
         sites=sites_of_name(system.workspace, given, name, stays=not reason.has_fix),
     )
@@ -221,7 +212,7 @@ def _by_namespace(workspace: WorkspaceIndex | None, node: Node) -> Reason | None
     cure = f"remove '{start}/', the namespace in which the launch file starts the node"
     if not all(name.startswith(f"{start}/") for name in written if name.startswith("/")):
         cure += ", and take the other names from parameters"
-    return replace(REPEATED, cure=cure, namespace=start)
+    return repeating(start, cure)
 
 
 def _is_chosen(node: Node, endpoint: Endpoint) -> bool:
@@ -282,11 +273,13 @@ _DECISIVE = 3
 
 @folds("NME001", common=_DECISIVE, across_severities=True)
 def of_one_cause(findings: Sequence[Finding]) -> Finding:
-    """The finding for all names that one class fixes, at the first literal, the others related; or for those of all
-    classes that are unlike their package, or whose workspace has nothing else."""
+    """The finding for all names that one class fixes, at the first literal, the others related; or for those of a
+    package that has both forms, or of all classes whose workspace has nothing else."""
     first = findings[0]
-    if first.group[2] == CONVENTION and len(set(map(home_of, findings))) > 1:
-        return one_of_workspace(findings, [diagnostic.group[_DECISIVE] for diagnostic in findings])
+    if len(set(map(home_of, findings))) > 1:
+        ordered = sorted(findings, key=lambda diagnostic: not diagnostic.group[_DECISIVE + 1])  # evidence comes first
+        packages = [diagnostic.group[_DECISIVE] for diagnostic in findings]
+        return one_of_several_nodes(ordered, packages, ordered[0].group[_DECISIVE + 1])
     at: dict[Place, dict[str, None]] = {}
     for diagnostic in findings:
         at.setdefault(diagnostic.place, {})[_shown(diagnostic)] = None
@@ -296,7 +289,7 @@ def of_one_cause(findings: Sequence[Finding]) -> Finding:
     related = tuple(Related(place, ", ".join(at[place])) for place in sorted(at))
     if len(names) == 1:
         return replace(first, related=(*first.related, *related), sites=sites)
-    state, effect, cure = first.group[_DECISIVE + 1 :]
+    state, effect, cure = first.group[_DECISIVE + 2 :]
     reason = Reason(first.group[2], state, effect, cure)
     return replace(
         first,
@@ -304,7 +297,7 @@ def of_one_cause(findings: Sequence[Finding]) -> Finding:
         help=reason.cure,
         related=related,
         sites=sites,
-        identity=("absolute names", first.group[0]) if reason.key == OF_PACKAGE else (first.identity[0], *names),
+        identity=(first.identity[0], *names),
     )
 
 

@@ -1,4 +1,4 @@
-"""What NME001 says once of all nodes of a workspace: absolute names are its convention."""
+"""What NME001 says once of several nodes: of all whose workspace has nothing but absolute names, or of a package."""
 
 from __future__ import annotations
 
@@ -15,21 +15,24 @@ _RELATED = 10
 """How many places the finding of a workspace relates: its message counts all."""
 
 
-def one_of_workspace(findings: Sequence[Finding], packages: Sequence[str]) -> Finding:
+def one_of_several_nodes(findings: Sequence[Finding], packages: Sequence[str], other: str = "") -> Finding:
     """The finding for the absolute names of several nodes: at the first, with the first name of others related;
-    ``packages`` are those of the findings, empty where there is none."""
+    ``packages`` are those of the findings, empty where there is none, ``other`` is a relative name beside them."""
     first, severity = findings[0], max(finding.severity for finding in findings)
     by_home: dict[Home, list[Finding]] = {}
     for diagnostic in findings:
         by_home.setdefault(home_of(diagnostic), []).append(diagnostic)
     nodes = {diagnostic.node or home_of(diagnostic) for diagnostic in findings}
-    names = {diagnostic.identity[-1] for diagnostic in findings}
-    subject = f"{len(names)} absolute names" if len(names) > 1 else f"the absolute name '{names.copy().pop()}'"
+    names = sorted({diagnostic.identity[-1] for diagnostic in findings})
+    subject = f"{len(names)} absolute names" if len(names) > 1 else f"the absolute name '{names[0]}'"
     whose = f"{len(nodes)} nodes{_in(packages)} fix" if len(nodes) > 1 else f"the code{_in(packages)} fixes"
+    effect = f": no namespace applies to {'any of them' if len(names) > 1 else 'it'}"
+    if other:
+        effect = f", beside relative ones such as '{other}': in a namespace, only those move"
     return replace(
         first,
         severity=severity,
-        message=f"{whose} {subject}: no namespace applies to {'any of them' if len(names) > 1 else 'it'}",
+        message=f"{whose} {subject}{effect}",
         help=_help(findings),
         related=tuple(_related(home, rows) for home, rows in list(by_home.items())[1 : _RELATED + 1]),
         sites=all_sites(findings),
@@ -67,4 +70,4 @@ def _related(home: Home, findings: Sequence[Finding]) -> Related:
     return Related(findings[0].place, f"{subject} fixes the {word} '{name}'{more}")
 
 
-__all__ = ["CONVENTION", "home_of", "one_of_workspace"]
+__all__ = ["CONVENTION", "home_of", "one_of_several_nodes"]

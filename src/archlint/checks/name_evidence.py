@@ -5,7 +5,7 @@ from __future__ import annotations
 import posixpath
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
@@ -52,26 +52,40 @@ class FixedName:
 
 
 def told_alone(workspace: WorkspaceIndex | None, names: Iterable[FixedName]) -> dict[Home, Reason]:
-    """The classes whose absolute names do not fit what is around them, each with what is to be said of it."""
+    """The classes whose absolute names do not fit what is around them, each with what is to be said of it: alone, or
+    together with the others of its package."""
     by_home: dict[Home, list[FixedName]] = {}
     for name in names:
         by_home.setdefault(name.home, []).append(name)
-    alone = {home: reason for home, rows in by_home.items() if (reason := _of_class(workspace, rows)) is not None}
+    alone = {home: reason for home, rows in by_home.items() if (reason := _as_started(workspace, rows)) is not None}
     for package, homes in _by_package(workspace, by_home).items():
-        alone = {**_unlike(package, {home: by_home[home] for home in homes}), **alone}
+        classes = {home: by_home[home] for home in homes if home not in alone}
+        absolute = [home for home, rows in classes.items() if any(name.is_absolute for name in rows)]
+        evidence = {**(_unlike(package, classes, absolute) if package else {}), **_mixed(classes)}
+        if package and evidence:
+            alone.update((home, replace(evidence.get(home, FIXED), package=package)) for home in absolute)
+        else:
+            alone.update(evidence)
     return alone
 
 
-def _of_class(workspace: WorkspaceIndex | None, names: Sequence[FixedName]) -> Reason | None:
-    absolute = [name for name in names if name.is_absolute]
-    repeated = next((name.reason for name in names if name.reason.key == REPEATED.key), None)
-    if repeated is not None or not absolute:
+def _as_started(workspace: WorkspaceIndex | None, names: Sequence[FixedName]) -> Reason | None:
+    """What launch files show of the names of a class."""
+    repeated = next((name.reason for name in names if name.reason.key == REPEATED), None)
+    if repeated is not None:
         return repeated
-    count = max((_instances(workspace, name.endpoint) for name in absolute), default=0)
-    if count > 1:
-        return for_each_instance(count)
-    relative = [name.text for name in names if name.is_relative]
-    return beside_relative(min(relative)) if relative and any(name.is_own for name in absolute) else None
+    count = max((_instances(workspace, name.endpoint) for name in names if name.is_absolute), default=0)
+    return for_each_instance(count) if count > 1 else None
+
+
+def _mixed(classes: Mapping[Home, Sequence[FixedName]]) -> dict[Home, Reason]:
+    """The classes that have names of both forms."""
+    relative = {home: [name.text for name in names if name.is_relative] for home, names in classes.items()}
+    return {
+        home: beside_relative(min(relative[home]))
+        for home, names in classes.items()
+        if relative[home] and any(name.is_absolute and name.is_own for name in names)
+    }
 
 
 def _instances(workspace: WorkspaceIndex | None, endpoint: Endpoint) -> int:
@@ -94,22 +108,19 @@ def _started(workspace: WorkspaceIndex) -> Mapping[object, int]:
 
 
 def _by_package(workspace: WorkspaceIndex | None, homes: Iterable[Home]) -> dict[str, list[Home]]:
-    """The classes with fixed names of each package."""
+    """The classes with fixed names of each package; the name is empty for those in none."""
     packages: dict[str, list[Home]] = {}
     for home in homes:
         package = None if workspace is None else package_around(workspace, posixpath.dirname(home[0]))
-        if package is not None:
-            packages.setdefault(package.name, []).append(home)
+        packages.setdefault("" if package is None else package.name, []).append(home)
     return packages
 
 
-def _unlike(package: str, classes: Mapping[Home, Sequence[FixedName]]) -> dict[Home, Reason]:
+def _unlike(package: str, classes: Mapping[Home, Sequence[FixedName]], absolute: Sequence[Home]) -> dict[Home, Reason]:
     """The classes with absolute names in a package that has more classes without any, and in one where another class
     has such a name as a relative one."""
-    absolute = [home for home, names in classes.items() if any(name.is_absolute for name in names)]
-    relative = {
-        name.text: home for home in classes if home not in absolute for name in classes[home] if name.is_relative
-    }
+    others = [home for home in classes if home not in absolute]
+    relative = {name.text: home for home in others for name in classes[home] if name.is_relative}
     if not relative:
         return {}
     few = len(absolute) < len(set(relative.values()))

@@ -18,6 +18,10 @@ class Reason:
     severity: Severity | None = None
     namespace: str = ""
     """The one that launch files start the node in, where a name begins with it."""
+    package: str = ""
+    """The package whose absolute names are told together, since it has relative ones, too."""
+    other: str = ""
+    """One of the relative names that show it."""
 
     @property
     def has_fix(self) -> bool:
@@ -36,16 +40,10 @@ FIXED = Reason(
     "remove the leading '/', so that the node's namespace applies, or take the names from parameters",
 )
 """Nothing more than that: what is said once of all nodes of a workspace."""
-REPEATED = replace(
-    FIXED,
-    key="repeated",
-    effect=", and repeats the namespace that launch files start the node in: in another one it stays where it is",
-)
-"""For a name that begins with the namespace in which the node runs anyway."""
-PARAMETERS = replace(FIXED, key="repeated", cure="take the names from parameters")
+REPEATED = "repeated"
+"""The key where a name begins with the namespace in which the node runs anyway."""
+PARAMETERS = replace(FIXED, key=REPEATED, cure="take the names from parameters")
 """For a node that launch files start in one namespace and another, where a name begins with one of them."""
-OF_PACKAGE = "package"
-"""The key of what is said once of all nodes of a package."""
 RELATIVE = Reason("relative", "fixed in the code", "", "take the names from parameters")
 WITHOUT_PACKAGE = replace(FIXED, key="without package", severity=Severity.INFO)
 """For a script in a workspace that has no package."""
@@ -65,7 +63,13 @@ def shared_by(users: int) -> Reason:
 def beside_relative(other: str) -> Reason:
     """For a node that has a relative name, too."""
     effect = f", beside relative names of the same node such as '{_kept(other)}': in a namespace, only those move"
-    return replace(FIXED, key="mixed", effect=effect)
+    return replace(FIXED, key="mixed", effect=effect, other=other)
+
+
+def repeating(namespace: str, cure: str) -> Reason:
+    """For a node that launch files start in one namespace, with which a name of it begins."""
+    effect = f", and launch files start the node in the namespace '{namespace}', which does not apply to {{it}}"
+    return replace(FIXED, key=REPEATED, effect=effect, cure=cure, namespace=namespace)
 
 
 def for_each_instance(count: int) -> Reason:
@@ -77,8 +81,7 @@ def for_each_instance(count: int) -> Reason:
 def unlike_its_package(package: str, other: str) -> Reason:
     """For a node among others of its package whose names are relative."""
     others = f"those of other nodes of package '{package}', such as '{_kept(other)}'"
-    effect = f", unlike {others}: no namespace applies to {{it}}"
-    return replace(FIXED, key=OF_PACKAGE, effect=effect)
+    return replace(FIXED, key="unlike", effect=f", unlike {others}: no namespace applies to {{it}}", other=other)
 
 
 def _kept(name: str) -> str:
@@ -88,7 +91,6 @@ def _kept(name: str) -> str:
 
 __all__ = [
     "FIXED",
-    "OF_PACKAGE",
     "PARAMETERS",
     "RELATIVE",
     "REPEATED",
@@ -96,6 +98,7 @@ __all__ = [
     "Reason",
     "beside_relative",
     "for_each_instance",
+    "repeating",
     "shared_by",
     "unlike_its_package",
 ]
