@@ -177,6 +177,17 @@ def test_the_only_absolute_names_of_a_package_are_told_alone(folder: Path):
     )
 
 
+def test_several_classes_that_are_unlike_their_package_are_one_finding(folder: Path):
+    relative = {name.lower(): node(name, f"{name.lower()}/state") for name in ("Camera", "Drive", "Lidar")}
+    [finding] = check(request(folder, arm=ARM, base=BASE, **relative)).findings
+
+    assert finding.message == (
+        "2 nodes of package 'robot' fix 3 absolute names, beside relative ones such as 'camera/state': in a namespace, "
+        "only those move"
+    )
+    assert places([finding]) == [("robot/arm.py", 9)]
+
+
 def test_a_name_that_another_node_of_the_package_has_as_a_relative_one(folder: Path):
     camera = node("Camera", "arm/state")
     [told] = check(request(folder, base=BASE, arm=ARM, drive=node("Drive", "/drive"), camera=camera)).findings

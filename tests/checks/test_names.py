@@ -357,6 +357,7 @@ class TestHardcodedNamesOfOneClass:
             (f"{AUTOWARE}; self.create_subscription(AutowareState, '/awapi/state', print, 10)",),
             ("self.create_subscription(String, '/scanner_sdk_node/words', print, 10)",),
             ("self.create_publisher(String, '/arm_controller/commands', 10)",),
+            ("self.create_client(Trigger, '/controller_manager/switch_controller')",),
         ],
         ids=[
             "PX4's",
@@ -370,6 +371,7 @@ class TestHardcodedNamesOfOneClass:
             "Autoware's by name and type",
             "below the name of a node from elsewhere",
             "a controller's",
+            "a controller manager's",
         ],
     )
     def test_names_that_something_outside_of_the_workspace_chooses(self, judge: Judge, lines: tuple[str, ...]):

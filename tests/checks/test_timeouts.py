@@ -315,7 +315,7 @@ LOG, WAIT = "self.get_logger().info('waiting')", "self.far.wait_for_service()  #
         ([WAIT, LOG], Severity.WARNING),
         ([LOG, "self.create_timer(1.0, print)", WAIT], Severity.WARNING),
         ([f"if input(): {LOG}", WAIT], Severity.WARNING),
-        ([LOG, WAIT, "self.create_service(Trigger, 'near', self.answer)"], Severity.WARNING),
+        ([LOG, WAIT, "self.create_service(Trigger, 'near', self.answer)"], None),
         ([LOG, "self.create_timer(1.0, lambda: self.far.wait_for_service())  # here"], Severity.WARNING),
     ],
     ids=[
@@ -837,6 +837,15 @@ def test_a_spin_in_a_method_of_a_program_that_nothing_calls(judge: Judge, tmp_pa
     text = UNUSED.format(line=f"self.create_timer(1.0, print)\n        {line}", main=MAIN)
     text = text.replace("Trigger.Request()))", f"Trigger.Request())){mark}")
     judge("TMO003", text, "class Lamp:\n    def blink(self):\n        pass\n")
+
+
+def test_a_method_of_that_name_in_a_file_that_only_says_the_name_of_the_module(judge: Judge, tmp_path):
+    (tmp_path / "package.xml").write_text("<package format='3'><name>panel</name><version>0.0.1</version></package>")
+    text = UNUSED.format(line="self.create_timer(1.0, print)", main=MAIN)
+    own = "class Lamp:\n    def blink(self):\n        self.blink() or print('node')\n"
+    judge("TMO003", text, own)
+    marked = text.replace("Trigger.Request()))", "Trigger.Request()))  # here")
+    judge("TMO003", marked, "from node import Panel\n" + own)
 
 
 @pytest.mark.parametrize(

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from archlint.analysis.source_code import SourceCode, source_code
-from archlint.model import EntityKind, Role
+from archlint.model import Role
 from archlint.syntax import facts
 from archlint.syntax.control_flow import graph_of
 from archlint.syntax.walk import called_name, calls_in
@@ -15,17 +15,12 @@ if TYPE_CHECKING:
     from archlint.systems.model import System
 
 _SAYS = frozenset({"info", "warn", "warning", "error", "print"})
-_SERVES = frozenset({EntityKind.SERVICE, EntityKind.ACTION_SERVER})
 
 
 def is_announced_start(system: System, call: ApiCall) -> bool:
-    """Whether a node that serves nobody starts with a wait of which the line before tells: whoever reads its log knows
-    what is missing, and nobody waits for the node but those who would get nothing from it yet."""
-    node = call.node or call.context.node
-    if node is None or call.context.role not in (Role.INIT, Role.MAIN, Role.MODULE):
-        return False
-    serves = any(creation.kind in _SERVES for creation in node.creations)
-    return not serves and _is_announced(source_code(system), call)
+    """Whether a program starts with a wait of which the line before tells: whoever reads its log knows what is
+    missing."""
+    return call.context.role in (Role.INIT, Role.MAIN, Role.MODULE) and _is_announced(source_code(system), call)
 
 
 def says_something(loop: facts.While | facts.For | None) -> bool:

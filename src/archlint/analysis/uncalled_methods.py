@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.left_over import idle_methods
 from archlint.analysis.source_code import code_of
+from archlint.syntax import facts
+from archlint.syntax.parts import everything_in
 
 if TYPE_CHECKING:
     from archlint.finding import Place
@@ -15,15 +17,23 @@ if TYPE_CHECKING:
 
 def uncalled_method(workspace: WorkspaceIndex | None, place: Place) -> str | None:
     """The name of the method that holds a place, where its own file does not name it again, and no other Python file
-    has a word for both the method and its module; None for any other place."""
+    has a word for both the method and its module; None for any other place.  A file that has a method of that name
+    itself, and does not import the module, means its own."""
     if workspace is None:
         return None
     function = code_of(workspace).function_at(place)
     if function is None or function.name not in idle_methods(workspace, place.file):
         return None
-    module = posixpath.basename(place.file).removesuffix(".py")
-    others = (other for other in workspace.code.files_that_mention(function.name) if other != place.file)
-    return None if any(workspace.code.mentions(other, module) for other in others) else function.name
+    module, code = posixpath.basename(place.file).removesuffix(".py"), workspace.code
+    others = (other for other in code.files_that_mention(function.name) if other != place.file)
+    named = (other for other in others if code.mentions(other, module))
+    return None if any(_may_call(workspace, other, place.file, function.name) for other in named) else function.name
+
+
+def _may_call(workspace: WorkspaceIndex, file: str, module: str, method: str) -> bool:
+    file_facts = workspace.facts_at(file)
+    own = [] if file_facts is None else everything_in(file_facts.body, facts.Function)
+    return all(function.name != method for function in own) or module in workspace.code.reached_from([file])
 
 
 __all__ = ["uncalled_method"]

@@ -45,9 +45,10 @@ _TYPES_OF_OTHERS = (
 vehicle has a namespace, which the workspace chooses, unless the name begins as theirs do by default."""
 
 
-_OWNERS = ("_node", "_controller", "_broadcaster", "controller_manager")
-"""How the names of nodes end: the first level of ``/lidar_node/scan`` is one, and so is that of
-``/arm_controller/commands``, which a controller of ros2_control has."""
+_STARTED_OWNERS = ("_node",)
+"""How the names of nodes end that a launch file of the workspace may name: ``/lidar_node/scan`` is below one."""
+_OWNERS = (*_STARTED_OWNERS, "_controller", "_broadcaster", "controller_manager")
+"""Those, and what ros2_control names: ``/arm_controller/commands`` is a controller's, whoever starts their manager."""
 
 
 def is_foreign(workspace: WorkspaceIndex | None, endpoint: Endpoint) -> bool:
@@ -96,7 +97,12 @@ def _is_private_to_foreign_node(workspace: WorkspaceIndex | None, name: str) -> 
     owner, _, rest = name[1:].partition("/")
     if not owner.endswith(_OWNERS) or not rest or workspace is None:
         return False
-    return not any(owner in (node.name or "").split("/") for system in workspace.systems for node in system.nodes)
+    return not any(
+        owner in (node.name or "").split("/")
+        for system in workspace.systems
+        for node in system.nodes
+        if node.blueprint is not None or owner.endswith(_STARTED_OWNERS)
+    )
 
 
 __all__ = ["is_foreign"]
