@@ -21,6 +21,7 @@ from archlint.analysis.reach import node_name, one_for_each_place
 from archlint.analysis.spins import spins_if_asked, spun_by_several
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
+from archlint.checks.slow_callbacks import held_up_by_goals
 from archlint.finding import Finding, Place, Related, Severity
 
 if TYPE_CHECKING:
@@ -32,6 +33,7 @@ if TYPE_CHECKING:
 def groups_without_threads(system: System, options: Options) -> Iterator[Finding]:
     """Callback groups of nodes that one thread spins."""
     kept = needing_groups(system) | spun_by_several(system)
+    told = held_up_by_goals(system)  # EXE003 says that they want more threads
     effective = {
         group.place
         for program, node in all_nodes(system)
@@ -41,7 +43,9 @@ def groups_without_threads(system: System, options: Options) -> Iterator[Finding
     yield from one_for_each_place(
         _useless(system, program, node, groups)
         for program, node in started_nodes(system)
-        if threads_of(node, program) == blocking.ONE and id(node) not in kept and not only_excludes(program, node)
+        if threads_of(node, program) == blocking.ONE
+        and id(node) not in kept | told
+        and not only_excludes(program, node)
         for groups in [
             [
                 (place, kind)

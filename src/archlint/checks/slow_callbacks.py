@@ -70,6 +70,8 @@ def slow_callback(system: System, options: Options) -> Iterator[Finding]:
             continue  # EXE001 says what is wrong: with more threads such a spin takes the node away from its executor
         if call.cleaning:
             continue  # something has failed, and the callback ends with it
+        if stay.kind == "sleep" and ends_its_timer_after(system, call):
+            continue  # the timer sleeps once
         if stay.kind == "lock" or _answers_in_time(call, stay):
             continue  # few processes hold a file for more than a moment, and the answer depends on the server
         if not asked.isdisjoint((call.context.place, client.place) for client in creations_of(call.receiver)):
@@ -199,6 +201,16 @@ def _where_harmless(system: System) -> frozenset[Place]:
     )
 
 
+@once
+def held_up_by_goals(system: System) -> frozenset[int]:
+    """The nodes, by their ``id()``, whose execute callbacks hold up all others: they are to have more threads."""
+    return frozenset(
+        id(call.context.node)
+        for program, call, stay in _stays(system)
+        if call.context.role == Role.EXECUTE and not _is_left_alone(system, program, call, stay)
+    )
+
+
 _ITS_NEXT = {Role.SUBSCRIPTION: "message", Role.TIMER: "turn", Role.SERVICE: "request", Role.EXECUTE: "goal"}
 
 
@@ -217,7 +229,6 @@ def _slow(system: System, rows: Sequence[_Row], worst: str) -> Finding:
     elsewhere = _where_harmless(system)
     mild = all(row[1].place in elsewhere for row in rows)
     mild = mild or Waiting.OTHERS not in waiting or all(row[2].kind == "keyboard" for row in rows)
-    mild = mild or all(row[2].kind == "sleep" and ends_its_timer_after(system, row[1]) for row in rows)
     meanwhile = _meanwhile(callback, program)
     if waiting == {Waiting.NOBODY}:
         meanwhile = f"the node has no other callback, but its next {_ITS_NEXT[callback.role]} has to wait"
