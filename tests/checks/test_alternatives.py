@@ -41,7 +41,7 @@ def write_package(folder: Path, launch_files: list[str]) -> None:
     (folder / "drive" / "__init__.py").touch()
     (folder / "package.xml").write_text(
         '<package format="3"><name>drive</name><version>0.1.0</version><description>d</description>'
-        "<maintainer email='a@b.c'>A</maintainer><license>MIT</license>"
+        "<maintainer email='a@b.org'>A</maintainer><license>MIT</license>"
         "<export><build_type>ament_python</build_type></export></package>"
     )
     (folder / "setup.py").write_text(

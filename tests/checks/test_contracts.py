@@ -294,7 +294,7 @@ rclpy.spin(Driver())
 """
 MANIFEST = (
     '<package format="3"><name>drives</name><version>0.1.0</version><description>Drives.</description>'
-    '<maintainer email="a@b.c">A</maintainer><license>MIT</license></package>'
+    '<maintainer email="a@b.org">A</maintainer><license>MIT</license></package>'
 )
 
 

@@ -479,3 +479,39 @@ def test_a_folder_among_the_files_of_a_pattern(findings, listed):
 def test_a_pattern_that_matches_files_alone(findings, listed):
     files = {"worlds/hall.world": "", "worlds/models/box.sdf": "", "robot/__init__.py": ""}
     assert findings("PKG004", **files, **{"setup.py": WORLDS.format(listed=listed)}) == []
+
+
+# ------------------------------------------------------------------------------- what CMake builds, and is not there
+
+
+@pytest.mark.parametrize(
+    ("line", "command", "file"),
+    [
+        ("install(PROGRAMS scripts/drive.py DESTINATION lib/robot)", "install()", "scripts/drive.py"),
+        ("add_executable(drive src/drive.cpp)", "add_executable()", "src/drive.cpp"),
+        ("add_library(parts SHARED src/parts.cpp)", "add_library()", "src/parts.cpp"),
+        (
+            "if(BUILD_TESTING)\n  ament_add_pytest_test(drives test/test_drive.py TIMEOUT 60)\nendif()",
+            "ament_add_pytest_test()",
+            "test/test_drive.py",
+        ),
+    ],
+)
+def test_a_source_that_is_not_there(findings, line, command, file):
+    files = {"package.xml": CMAKE, "CMakeLists.txt": f"project(robot)\n{line}\nament_package()\n"}
+    (finding,) = findings("PKG004", **files)
+    assert finding.message == f"{command} lists a file that is not there: the build stops at '{file}'"
+    assert findings("PKG004", **files, **{file: ""}) == []
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        "if(WITH_GUI)\n  add_executable(gui src/gui.cpp)\nendif()",
+        "add_custom_command(OUTPUT src/made.cpp COMMAND make)\nadd_executable(drive src/made.cpp)",
+        "FetchContent_Declare(json)\nadd_library(json src/json.cpp)",
+        "add_executable(drive ${GENERATED}/drive.cpp)",
+    ],
+)
+def test_a_source_that_may_be_made(findings, lines):
+    assert findings("PKG004", **{"package.xml": CMAKE, "CMakeLists.txt": f"project(robot)\n{lines}\n"}) == []

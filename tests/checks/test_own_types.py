@@ -10,7 +10,7 @@ from archlint.config.settings import load
 from archlint.engine.pipeline import Request, check
 
 MANIFEST = """<package format="3"><name>{name}</name><version>1.0.0</version><description>x</description>
-<maintainer email="a@b.c">a</maintainer><license>MIT</license>{depends}
+<maintainer email="a@b.org">a</maintainer><license>MIT</license>{depends}
 <export><build_type>{build}</build_type></export></package>
 """
 CMAKE = """project(motor_msgs)

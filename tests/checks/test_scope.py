@@ -24,7 +24,7 @@ from archlint.testing.pages import load_examples
 from registering import only
 
 SCOPES = {
-    Scope.WORKSPACE: "PKG001 PKG002 PKG003 PKG004 PKG005 PKG006 PKG007 PKG008 PKG009 PKG010",
+    Scope.WORKSPACE: "PKG001 PKG002 PKG003 PKG004 PKG005 PKG006 PKG007 PKG008 PKG009 PKG010 PKG011 PKG012",
     Scope.CODE: """
         ACT003 API001 API002 API003 API004 API005 ARC004 CBG001 CBG002 EXE001 EXE002 EXE003 EXE004 EXE005 EXE006 EXE007
         EXE008 EXE009 EXE010 EXE011 EXE012 EXE013 EXE014 GRF002 MSG001 MSG002 MSG003 MSG004 NME001 NME003 PRM003 PRM006
@@ -125,7 +125,7 @@ NODE = """
 """
 PACKAGE = """
     <package format="3"><name>pkg</name><version>0.1.0</version><description>d</description>
-    <maintainer email="a@b.c">A</maintainer><license>MIT</license>
+    <maintainer email="a@b.org">A</maintainer><license>MIT</license>
     <export><build_type>ament_python</build_type></export></package>
 """
 SETUP = """

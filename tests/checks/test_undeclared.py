@@ -628,3 +628,79 @@ def test_a_circle_that_a_copy_of_a_launch_file_closes(lint: Lint, change, help: 
     code = {"arm/arm/__init__.py": "", "arm/arm/a.py": node("import talk"), "talk/talk/__init__.py": ""}
     (found,) = lint({**files, **code}, code="PKG003")
     assert found.severity is Severity.WARNING
+
+
+# --------------------------------------------------------------------------------------- what C++ code includes
+
+TALKER_CPP = "#include <rclcpp/rclcpp.hpp>\n#include <tf2_ros/buffer.h>\nint main() {}\n"
+BUILD = """project(robot)
+find_package(rclcpp REQUIRED)
+add_executable(talker src/talker.cpp)
+install(TARGETS talker DESTINATION lib/robot)
+"""
+
+
+def of_cpp(*tags: str, **files: str) -> dict[str, str]:
+    """A package of C++ that declares rclcpp and ``tags``."""
+    xml = manifest("robot", *depends("rclcpp", tag="depend"), *tags).replace("ament_python", "ament_cmake")
+    return {"package.xml": xml, "CMakeLists.txt": BUILD, "src/talker.cpp": TALKER_CPP} | files
+
+
+def test_a_header_of_a_package_that_is_not_declared(lint):
+    (found,) = lint(of_cpp())
+    assert found.message == "package 'robot' includes headers of 'tf2_ros', which its package.xml does not declare"
+    assert (found.place.file, found.place.line) == ("src/talker.cpp", 2)
+    assert found.help == "add <depend>tf2_ros</depend> to package.xml"
+
+
+def test_a_header_that_a_source_reaches(lint):
+    header = "#ifndef ROBOT_BUFFER\n#define ROBOT_BUFFER\n#include <tf2_ros/buffer.h>\n#endif\n"
+    files = {"src/talker.cpp": '#include "robot/buffer.hpp"\nint main() {}\n', "include/robot/buffer.hpp": header}
+    (found,) = lint(of_cpp(**files))
+    assert (found.place.file, found.place.line) == ("include/robot/buffer.hpp", 3)
+
+
+@pytest.mark.parametrize(
+    "source",
+    [
+        "#ifdef WITH_TF\n#include <tf2_ros/buffer.h>\n#endif\n",
+        "#if __has_include(<tf2_ros/buffer.h>)\n#include <tf2_ros/buffer.h>\n#endif\n",
+        "// #include <tf2_ros/buffer.h>\n/*\n#include <tf2_ros/buffer.h>\n*/\n",
+        "#include <rcl_interfaces/msg/parameter.hpp>\n",
+        "#include <moveit/move_group_interface/move_group_interface.h>\n#include <gtsam/geometry/Pose3.h>\n",
+        '#include "buffer.h"\n#include <vector>\n',
+    ],
+)
+def test_headers_that_need_no_declaration(lint, source):
+    assert lint(of_cpp(**{"src/talker.cpp": source})) == []
+
+
+def test_what_is_declared_is_not_built_or_may_be_brought(lint):
+    assert lint(of_cpp("<depend>tf2_ros</depend>")) == []
+    assert lint(of_cpp("<depend>my_tools</depend>")) == []
+    assert lint(of_cpp(**{"CMakeLists.txt": BUILD.replace("src/talker.cpp", "src/other.cpp")})) == []
+    assert lint(of_cpp(**{"include/tf2_ros/buffer.h": "// a copy\n"})) == []
+
+
+# ---------------------------------------------------------------------------------------- files of other packages
+
+CONFIG = """
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    config = get_package_share_directory('rover_description') + '/config/talker.yaml'
+    return LaunchDescription([Node(package='robot', executable='talker', parameters=[config])])
+"""
+
+
+def test_a_file_of_a_package_that_is_not_declared(lint):
+    files = {"package.xml": manifest("robot"), "launch/it.launch.py": CONFIG}
+    (found,) = lint(files)
+    assert found.message == (
+        "package 'robot' takes files of 'rover_description', which its package.xml does not declare"
+    )
+    declared = {"package.xml": manifest("robot", *depends("rover_description"))}
+    assert lint(files | declared) == []

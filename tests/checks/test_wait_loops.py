@@ -225,7 +225,7 @@ def test_the_loops_of_one_file_are_one_finding(judge: Judge):
 def test_the_loops_of_one_package_are_one_finding(judge: Judge, tmp_path):
     (tmp_path / "package.xml").write_text(
         "<package format='3'><name>robot</name><version>0.0.1</version><description>d</description>"
-        "<maintainer email='a@b.c'>a</maintainer><license>MIT</license></package>"
+        "<maintainer email='a@b.org'>a</maintainer><license>MIT</license></package>"
     )
     [found] = judge("TMO004", DRIVER, DRIVER.replace("driver", "other").replace("  # here", ""))
 
@@ -365,7 +365,7 @@ def test_a_class_that_nothing_names(judge: Judge, tmp_path, uses: str, mark: str
     text = HELPER.format(say="pass", more="", mark=mark, made=uses or "pass")
     (tmp_path / "package.xml").write_text(
         "<package format='3'><name>robot</name><version>0.0.1</version><description>d</description>"
-        "<maintainer email='a@b.c'>a</maintainer><license>MIT</license></package>"
+        "<maintainer email='a@b.org'>a</maintainer><license>MIT</license></package>"
     )
     judge("TMO004", text)
 

@@ -20,7 +20,7 @@ from archlint.programs.keys import EntryKey, ProgramKey
 FILES = {
     "interfaces/package.xml": """\
         <package format="3"><name>interfaces</name><version>1.0.0</version><description>d</description>
-        <maintainer email="a@b.c">m</maintainer><license>MIT</license>
+        <maintainer email="a@b.org">m</maintainer><license>MIT</license>
         <buildtool_depend>ament_cmake</buildtool_depend><buildtool_depend>rosidl_default_generators</buildtool_depend>
         <exec_depend>rosidl_default_runtime</exec_depend>
         <member_of_group>rosidl_interface_packages</member_of_group>
@@ -30,7 +30,7 @@ FILES = {
     "interfaces/msg/Speed.msg": "float32 metres_per_second\n",
     "robot/package.xml": """\
         <package format="3"><name>robot</name><version>1.0.0</version><description>d</description>
-        <maintainer email="a@b.c">m</maintainer><license>MIT</license>
+        <maintainer email="a@b.org">m</maintainer><license>MIT</license>
         <exec_depend>rclpy</exec_depend><exec_depend>std_msgs</exec_depend><exec_depend>interfaces</exec_depend>
         <export><build_type>ament_python</build_type></export></package>
         """,
@@ -489,7 +489,7 @@ def test_only_what_an_edit_can_change_is_followed_again(workspace, outputs, foll
 CPP = {
     "drive/package.xml": """\
         <package format="3"><name>drive</name><version>1.0.0</version><description>d</description>
-        <maintainer email="a@b.c">m</maintainer><license>MIT</license>
+        <maintainer email="a@b.org">m</maintainer><license>MIT</license>
         <buildtool_depend>ament_cmake</buildtool_depend><depend>rclcpp</depend><depend>std_msgs</depend>
         <export><build_type>ament_cmake</build_type></export></package>
         """,

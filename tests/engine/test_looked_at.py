@@ -26,7 +26,7 @@ def main():
 """
 PACKAGE = """\
 <package format="3"><name>{0}</name><version>0.0.0</version><description>a</description>
-<maintainer email="a@b.c">a</maintainer><license>MIT</license><depend>rclpy</depend><depend>std_msgs</depend>
+<maintainer email="a@b.org">a</maintainer><license>MIT</license><depend>rclpy</depend><depend>std_msgs</depend>
 <export><build_type>{1}</build_type></export></package>
 """
 LAUNCH = """\

@@ -34,7 +34,7 @@ setup(name='{0}', packages=['{0}'], entry_points={{'console_scripts': ['{0} = {0
 """
 PACKAGE = """\
 <package format="3"><name>{0}</name><version>0.0.0</version><description>a</description>
-<maintainer email="a@b.c">a</maintainer><license>MIT</license><depend>rclpy</depend><depend>std_msgs</depend>
+<maintainer email="a@b.org">a</maintainer><license>MIT</license><depend>rclpy</depend><depend>std_msgs</depend>
 <export><build_type>ament_python</build_type></export></package>
 """
 LAUNCH = """\

@@ -502,7 +502,7 @@ def test_a_dependency_is_declared(tmp_path: Path, monkeypatch: pytest.MonkeyPatc
     manifest = tmp_path / "package.xml"
     text = (
         '<?xml version="1.0"?>\r\n<package format="3">\r\n  <name>talk</name>\r\n  <version>0.1.0</version>\r\n'
-        "  <description>It talks.</description>\r\n  <maintainer email='a@b.c'>A</maintainer>\r\n"
+        "  <description>It talks.</description>\r\n  <maintainer email='a@b.org'>A</maintainer>\r\n"
         "  <license>MIT</license>\r\n\r\n  <depend>rclpy</depend>\r\n  <!-- <depend>old</depend> -->\r\n"
         "  <export><build_type>ament_python</build_type></export>\r\n</package>\r\n"
     )
@@ -523,7 +523,7 @@ def test_a_dependency_is_declared(tmp_path: Path, monkeypatch: pytest.MonkeyPatc
 
 def test_the_fix_of_a_finding_in_two_copies_of_a_package_mends_both(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     monkeypatch.chdir(tmp_path)
-    about = "<version>0.1.0</version><description>d</description><maintainer email='a@b.c'>A</maintainer>"
+    about = "<version>0.1.0</version><description>d</description><maintainer email='a@b.org'>A</maintainer>"
     manifest = (
         f'<package format="3">\n  <name>talk</name>{about}\n  <license>MIT</license>\n  <depend>rclpy</depend>\n'
         "  <export><build_type>ament_python</build_type></export>\n</package>\n"

@@ -14,7 +14,7 @@ from benchmarks.mutations.trees import closure, copied, packages
 MANIFEST = """\
 <package format="3">
   <name>robot</name><version>1.0.0</version><description>it</description>
-  <maintainer email="a@b.c">a</maintainer><license>MIT</license>
+  <maintainer email="a@b.org">a</maintainer><license>MIT</license>
   <depend>rclpy</depend>
   <depend>std_msgs</depend>
   <export><build_type>ament_python</build_type></export>

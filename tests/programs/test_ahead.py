@@ -19,7 +19,7 @@ from archlint.workspace.model import SourceFile
 
 MANIFEST = """\
 <package format="3"><name>{name}</name><version>1.0.0</version><description>d</description>
-<maintainer email="a@b.c">m</maintainer><license>MIT</license><exec_depend>rclpy</exec_depend>
+<maintainer email="a@b.org">m</maintainer><license>MIT</license><exec_depend>rclpy</exec_depend>
 <exec_depend>std_msgs</exec_depend><export><build_type>ament_python</build_type></export></package>
 """
 SETUP = """\

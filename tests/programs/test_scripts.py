@@ -35,7 +35,7 @@ if __name__ == '__main__':
     main()
 """
 MANIFEST = """<package format="3"><name>robot</name><version>0.0.1</version><description>d</description>
-<maintainer email="a@b.c">a</maintainer><license>MIT</license><exec_depend>rclpy</exec_depend>
+<maintainer email="a@b.org">a</maintainer><license>MIT</license><exec_depend>rclpy</exec_depend>
 <export><build_type>ament_python</build_type></export></package>
 """
 SETUP = """from setuptools import setup

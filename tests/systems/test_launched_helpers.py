@@ -13,7 +13,7 @@ from archlint.systems.model import System
 FILES = {
     "package.xml": """\
 <package format="3"><name>robot</name><version>0.1.0</version><description>d</description>
-<maintainer email="a@b.c">a</maintainer><license>MIT</license></package>
+<maintainer email="a@b.org">a</maintainer><license>MIT</license></package>
 """,
     "setup.py": """\
 from setuptools import setup

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from archlint.analysis.launch_code import names_from_launch
-from archlint.launch.kinds import FileStatus
+from archlint.launch.kinds import FileKind, FileStatus
 from archlint.place import Place
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in
@@ -26,6 +26,15 @@ def packages_of_includes(workspace: WorkspaceIndex) -> Iterator[tuple[Place, str
             known = reference.package is not None and reference.status is not FileStatus.UNKNOWN
             if known and not include.dormant and not reference.conditional and not reference.optional:
                 yield include.place, reference.package or ""
+
+
+def packages_of_files(workspace: WorkspaceIndex) -> Iterator[tuple[Place, str]]:
+    """The packages in whose share folders launch files name files whatever the arguments are, each with its place."""
+    for launched in workspace.launched:
+        for file in launched.references:
+            known = file.package is not None and file.status is not FileStatus.UNKNOWN
+            if known and file.kind is not FileKind.ARGUMENT and not file.conditional and not file.optional:
+                yield file.given or file.place, file.package or ""
 
 
 def runs_of_xacro(workspace: WorkspaceIndex) -> Iterator[tuple[Place, str]]:

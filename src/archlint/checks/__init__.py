@@ -36,6 +36,8 @@ MODULES: tuple[str, ...] = (
     "shared_state",
     "packages",
     "circles",
+    "cmake_names",
+    "refused_manifests",
     "clock_topics",
     "parameter_members",
     "parameter_reads",

@@ -9,10 +9,11 @@ from typing import TYPE_CHECKING, Literal
 
 from archlint.analysis.aside import is_not_installed
 from archlint.analysis.build_dependencies import packages_to_declare
+from archlint.analysis.cpp_includes import packages_of_headers
 from archlint.analysis.imports import imports_at_start
 from archlint.analysis.interface_dependencies import not_handed, types_of_others
 from archlint.analysis.kept import kept
-from archlint.analysis.launch_dependencies import packages_of_includes, runs_of_xacro
+from archlint.analysis.launch_dependencies import packages_of_files, packages_of_includes, runs_of_xacro
 from archlint.analysis.manifests import package_around
 from archlint.checks.registry import Options
 from archlint.finding import Place
@@ -32,12 +33,14 @@ How = Literal[
     "starts a node of",
     "uses types of",
     "includes a launch file of",
+    "takes files of",
+    "includes headers of",
     "runs the program",
     "builds with",
     "builds its tests with",
     "tests with",
 ]
-BUILDS: frozenset[How] = frozenset({"builds with", "builds its tests with"})
+BUILDS: frozenset[How] = frozenset({"builds with", "builds its tests with", "includes headers of"})
 
 
 @dataclass(frozen=True, order=True)
@@ -61,11 +64,11 @@ def _uses_by_package(workspace: WorkspaceIndex, options: Options) -> dict[str, l
     by_package: dict[str, list[Use]] = {}
     known = _Known(workspace, options)
     at_run_time = {*_imported(workspace), *_launched(workspace), *_in_interfaces(workspace), *_of_launch(workspace)}
-    for use in sorted({*at_run_time, *_in_tests(workspace)}):
+    for use in sorted({*at_run_time, *_in_cpp(workspace), *_in_tests(workspace)}):
         package = known.home(use.place.file)
         if package is None or package.build_type == "catkin" or options.is_ignored_in(use.place.file):
             continue
-        if _installs_nothing(workspace, package) or _is_beside_cpp(workspace, package, use.place.file):
+        if _installs_nothing(workspace, package) or _is_beside_cpp(workspace, package, use):
             continue
         if any(known.declares(file, use.needed) for file in (use.place.file, *use.also)):
             continue
@@ -95,10 +98,12 @@ def _installs_nothing(workspace: WorkspaceIndex, package: Package) -> bool:
     return not any("install" in word or word == "ament_auto_package" for word in installs.words)
 
 
-def _is_beside_cpp(workspace: WorkspaceIndex, package: Package, file: str) -> bool:
-    """Whether a file is a loose script of a package of C++ programs: no Python program of it is installed."""
+def _is_beside_cpp(workspace: WorkspaceIndex, package: Package, use: Use) -> bool:
+    """Whether a use is in a loose script of a package of C++ programs: no Python program of it is installed."""
     installs = workspace.installs.get(package.name)
-    if package.build_type != "ament_cmake" or installs is None or not is_not_installed(workspace, file):
+    if package.build_type != "ament_cmake" or installs is None or use.how == "includes headers of":
+        return False
+    if not is_not_installed(workspace, use.place.file):
         return False
     return not any(executable.module or executable.script for executable in installs.executables.values())
 
@@ -215,9 +220,18 @@ def _of_launch(workspace: WorkspaceIndex) -> Iterator[Use]:
     for place, needed in packages_of_includes(workspace):
         if not _beside_the_code(place.file):
             yield Use(place, needed, "includes a launch file of")
+    for place, needed in packages_of_files(workspace):
+        if not _beside_the_code(place.file):
+            yield Use(place, needed, "takes files of")
     for place, needed in runs_of_xacro(workspace):
         if not _beside_the_code(place.file):
             yield Use(place, needed, "runs the program")
+
+
+def _in_cpp(workspace: WorkspaceIndex) -> Iterator[Use]:
+    """The packages of the headers that C++ code includes."""
+    for place, needed in packages_of_headers(workspace):
+        yield Use(place, needed, "includes headers of")
 
 
 _OF_TESTS = frozenset({"launch_testing", "launch_testing_ros", "launch_pytest"})

@@ -129,6 +129,8 @@ _FIRST: dict[How, str] = {
     "starts a node of": "a node of '{}' is started here",
     "uses types of": "a type of '{}' is used here",
     "includes a launch file of": "a launch file of '{}' is included here",
+    "takes files of": "a file of '{}' is named here",
+    "includes headers of": "a header of '{}' is included here",
     "runs the program": "the program '{}' is run here",
     "builds with": "find_package() asks for '{}' here",
     "builds its tests with": "find_package() asks for '{}' here, for tests",

@@ -8,6 +8,7 @@ from collections.abc import Iterator, Sequence
 from typing import Protocol
 
 from archlint.finding import Place
+from archlint.programs.cmake_names import read_names
 from archlint.programs.cmake_targets import TargetNames
 from archlint.syntax.entry_point_tables import ScriptEntry, entries_of_setup_cfg
 from archlint.workspace.cmake import Argument, Command
@@ -83,18 +84,24 @@ def read_cmake(installs: Installs, path: str, tree: CMakeTree) -> None:
     for step in run.steps:
         _read_step(installs, step, tree, targets)
         installs.required += [] if "return" in installs.words else _found(step)
-        installs.needed += [] if step.conditional or makes_sources else _needed(step)
+        always = step.of_tests or not step.conditional
+        installs.needed += _needed(step) if always and not makes_sources else []
+    if not run.open:
+        read_names(installs, run.steps)
     installs.generates_nothing = not run.open and not installs.mentioned and _GENERATES not in installs.words
 
 
 def _read_step(installs: Installs, step: Step, tree: CMakeTree, targets: TargetNames) -> None:
     command, arguments, texts = step.command, step.command.arguments, step.command.texts
+    built = "add_executable" in command.name or "add_library" in command.name
+    sources = _sources(step, tree, auto="ament_auto_" in command.name) if built else ()
+    if not step.conditional:
+        installs.sources |= frozenset(sources)
     if _puts_files_there_itself(installs, step):
         installs.open_executables = installs.open_files = True
     elif command.name in ("install", "catkin_install_python"):
         _install(installs, step, tree)
     elif "add_executable" in command.name and arguments:
-        sources = _sources(step, tree, auto=command.name == "ament_auto_add_executable")
         _target(installs, arguments[0], step.file, targets, sources)
     elif command.name == "ament_auto_package":
         at = texts.index("INSTALL_TO_SHARE") if "INSTALL_TO_SHARE" in texts else len(texts)
@@ -139,23 +146,34 @@ _READS = frozenset({"GLOB", "GLOB_RECURSE", "READ", "STRINGS", "RELATIVE_PATH", 
 
 _MAKERS = _RUN_SOMETHING | frozenset(
     {"MAKE_DIRECTORY", "make_directory", "configure_file", "GENERATE", "COPY", "DOWNLOAD"}
-    | {"ExternalProject_Add", "FetchContent_Declare", "FetchContent_MakeAvailable"}
+    | {"externalproject_add", "fetchcontent_declare", "fetchcontent_makeavailable"}
 )
 """With one of these the CMake files may make something themselves that they then install."""
 
 
+_TAKE_SOURCES = frozenset({"add_executable", "add_library", "ament_add_gtest", "ament_add_gmock"})
+_CODE = (".cpp", ".cc", ".cxx", ".c")
+
+
 def _needed(step: Step) -> Iterator[NeededSource]:
-    """What a command stops at where it is not there.  Source: ``file(INSTALL)`` of CMake cannot find it, and
-    ``rosidl_generate_interfaces`` asks for each file with an extension."""
+    """What a command stops at where it is not there.  Source: ``file(INSTALL)`` of CMake cannot find it, no more than
+    ``add_executable`` a source; ``rosidl_generate_interfaces`` asks for each file with an extension, and
+    ``ament_add_pytest_test`` for its own."""
     rows: list[tuple[Argument, bool]] = []
     groups = _groups(step.command) if step.command.name == "install" else {}
     if "OPTIONAL" not in groups:
-        rows = [(a, kind == "DIRECTORY") for kind in ("FILES", "DIRECTORY") for a in groups.get(kind, [])]
+        kinds = ("FILES", "PROGRAMS", "DIRECTORY")
+        rows = [(a, kind == "DIRECTORY") for kind in kinds for a in groups.get(kind, [])]
+    if step.command.name in _TAKE_SOURCES:
+        rows = [(a, False) for a in step.command.arguments[1:] if a.text.endswith(_CODE)]
+    if step.command.name == "ament_add_pytest_test":
+        rows = [(a, False) for a in step.command.arguments[1:2] if a.text.endswith(".py")]
     if step.command.name == _GENERATES:
         rows = [(a, False) for a in step.command.arguments if a.text.endswith((".msg", ".srv", ".action"))]
     for argument, folder in rows:
         if not re.search(r"[$<>:]", argument.text) and not posixpath.isabs(without_source(argument.text)):
-            yield NeededSource(step.path(argument.text), step.command.name, _place(argument, step.file), folder)
+            place = _place(argument, step.file)
+            yield NeededSource(step.path(argument.text), step.command.name, place, folder, step.of_tests)
 
 
 def _found(step: Step) -> Iterator[FoundPackage]:

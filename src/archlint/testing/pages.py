@@ -15,8 +15,8 @@ What most examples need is written once, in ``scaffold`` beside archlint's own p
   An example with a ``package.xml`` of its own gets nothing.
 
 A line that must carry a finding ends in ``# expect: SRV003`` or ``# expect: SRV003, TMO002``
-(``<!-- expect: LNT002 -->`` in XML).  A marker may name a rule that has no page yet: the line breaks that
-rule too, and is held to it as soon as the rule exists.
+(``<!-- expect: LNT002 -->`` in XML, ``// expect: PKG001`` in C++).  A marker may name a rule that has no page yet: the
+line breaks that rule too, and is held to it as soon as the rule exists.
 """
 
 from __future__ import annotations
@@ -36,7 +36,9 @@ IN_PACKAGE = ("robot/", "launch/", "config/", "setup.py")
 _FILE_NAME = re.compile(r"^(?:`(?P<shown>[^`]+)`:|<details><summary><code>(?P<folded>[^<]+)</code>[^<]*</summary>)$")
 _NODE_CLASS = re.compile(r"^class (\w+)\((?:\w+\.)?(?:Lifecycle)?Node\):", re.MULTILINE)
 _FENCE = re.compile(r"^```(?P<language>[a-z]*)$")
-_MARKER = re.compile(r"\s*(?:#\s*expect:\s*(?P<hash>[A-Z0-9, ]+?)|<!--\s*expect:\s*(?P<xml>[A-Z0-9, ]+?)\s*-->)\s*$")
+_MARKER = re.compile(
+    r"\s*(?:(?:#|//)\s*expect:\s*(?P<hash>[A-Z0-9, ]+?)|<!--\s*expect:\s*(?P<xml>[A-Z0-9, ]+?)\s*-->)\s*$"
+)
 _CODE = re.compile(r"[A-Z]{3}\d{3}")
 
 
@@ -134,7 +136,7 @@ def split_marker(line: str) -> tuple[str, list[str]]:
     """A line without its marker, and the codes that the marker names."""
     marker = _MARKER.search(line)
     if marker is None:
-        if re.search(r"(#|<!--)\s*expect\b", line):
+        if re.search(r"(#|//|<!--)\s*expect\b", line):
             raise PageError(f"not a marker: {line.strip()!r}")
         return line, []
     codes = [code.strip() for code in (marker["hash"] or marker["xml"]).split(",")]

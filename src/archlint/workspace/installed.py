@@ -55,6 +55,18 @@ class NeededSource:
     command: str
     place: Place
     folder: bool = False
+    of_tests: bool = False
+    """Whether the build asks for it unless the tests are left out."""
+
+
+@dataclass(frozen=True)
+class NameInCMake:
+    """A target that a ``command`` is given and that none has made; or a ``package`` that none has found."""
+
+    name: str
+    command: str
+    place: Place
+    package: bool = False
 
 
 @dataclass(frozen=True)
@@ -125,8 +137,16 @@ class Installs:
 
     needed: list[NeededSource] = field(default_factory=list)
     """What the CMake files install or generate from, in any case."""
+    sources: frozenset[str] = frozenset()
+    """The C++ sources that the CMake files build in any case, by their shown paths."""
     required: list[FoundPackage] = field(default_factory=list)
     """The packages that the CMake files ask for."""
+    names_of_nothing: list[NameInCMake] = field(default_factory=list)
+    """What CMake commands name and none of them has made or found."""
+    targets: frozenset[str] = frozenset()
+    """The targets that the CMake files make."""
+    looked_for: frozenset[str] = frozenset()
+    """The packages that the CMake files look for, in any case or not."""
     generates_nothing: bool = False
     """True where no command of the build can generate interfaces."""
 

@@ -1,0 +1,112 @@
+"""PKG012: names in a CMakeLists.txt that nothing has."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
+
+from archlint.analysis.aside import is_aside
+from archlint.checks.dependency_uses import brought_by
+from archlint.checks.folding import folds, with_others
+from archlint.checks.packages import workspace_of
+from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
+from archlint.finding import Finding
+from archlint.ros import packages
+from archlint.suggestions import did_you_mean, nearest
+from archlint.workspace.closure import closure
+
+if TYPE_CHECKING:
+    from archlint.systems.model import System, WorkspaceIndex
+    from archlint.workspace.installed import Installs, NameInCMake
+
+
+@rule("PKG012", scope=Scope.WORKSPACE)
+def unknown_cmake_name(system: System, options: Options) -> Iterator[Finding]:
+    """Targets that no command makes, and packages that none finds, where CMake stops."""
+    workspace = workspace_of(system)
+    if workspace is None:
+        return
+    for name in sorted(workspace.installs):
+        installs = workspace.installs[name]
+        package = workspace.manifests.get(installs.folder)
+        if package is None or package.name != name or package.build_type != "ament_cmake" or package.ros1:
+            continue
+        if installs.names_of_nothing and not is_aside(workspace, package.manifest.relative):
+            yield from _of_build(workspace, installs, options)
+
+
+def _of_build(workspace: WorkspaceIndex, installs: Installs, options: Options) -> Iterator[Finding]:
+    known = packages.table().names | workspace.packages.keys()
+    there = closure(installs.looked_for, lambda name: _found_with(workspace, name))
+    lacking = known - there - {*options.external} if there <= _SYSTEM | known else frozenset[str]()
+    for named in installs.names_of_nothing:
+        halves = _halves(named.name, known)
+        if not named.package:
+            yield _target(installs, named)
+        elif named.name in installs.targets and named.command == _TAKES_A_TARGET:
+            yield _target_as_package(installs, named)
+        elif named.name not in known and halves is not None:
+            yield _two_names(installs, named, halves)
+        elif named.name in lacking and named.command == _TAKES_A_TARGET:
+            yield _package(installs, named)
+
+
+def _found_with(workspace: WorkspaceIndex, name: str) -> set[str]:
+    """What ``find_package`` of a package finds, too: the packages that it exports."""
+    installs = workspace.installs.get(name)
+    return brought_by(name, workspace) | ({*installs.looked_for} if installs is not None else set())
+
+
+_SYSTEM = frozenset({"Boost", "Eigen3", "GTest", "OpenCV", "OpenMP", "PkgConfig", "Python3", "Threads"})
+"""What CMake finds that finds no package of ROS with it."""
+_TAKES_A_TARGET = "ament_target_dependencies"
+
+
+def _target(installs: Installs, named: NameInCMake) -> Finding:
+    near, hint = nearest(named.name, installs.targets), did_you_mean(named.name, installs.targets)
+    return _finding(
+        installs,
+        named,
+        f"{named.command}() is given '{named.name}', a target that there is not: the build stops{hint}",
+        f"write '{near}'" if near is not None else "add the add_executable() or add_library() that makes it",
+        "target",
+    )
+
+
+def _target_as_package(installs: Installs, named: NameInCMake) -> Finding:
+    message = f"'{named.name}' is a target, and {named.command}() takes one target and then packages: the build stops"
+    return _finding(installs, named, message, f"call {named.command}() for '{named.name}', too", "both")
+
+
+def _package(installs: Installs, named: NameInCMake) -> Finding:
+    message = f"{named.command}() is given '{named.name}', which no find_package() has found: the build stops"
+    return _finding(installs, named, message, f"add find_package({named.name} REQUIRED)", "package")
+
+
+def _two_names(installs: Installs, named: NameInCMake, halves: tuple[str, str]) -> Finding:
+    message = f"{named.command}() is given '{named.name}', which is no package, but the names of two"
+    help = f"write '{halves[0]}' and '{halves[1]}', with a space between them"
+    return _finding(installs, named, message, help, "two names")
+
+
+def _halves(name: str, known: frozenset[str]) -> tuple[str, str] | None:
+    """The two packages whose names were written without a space."""
+    pairs = ((name[:at], name[at:]) for at in range(2, len(name) - 1))
+    return next((pair for pair in pairs if known.issuperset(pair)), None)
+
+
+def _finding(installs: Installs, named: NameInCMake, message: str, help: str, kind: str) -> Finding:
+    identity = (installs.package, named.command, named.name)
+    return finding(
+        "PKG012", named.place, message, help=help, identity=identity, group=(named.place.file, kind, named.name)
+    )
+
+
+@folds("PKG012")
+def _of_one_name(findings: Sequence[Finding]) -> Finding:
+    """One finding for a name, however many commands are given it."""
+    return with_others(findings, "another command is", "more commands are", "given it, too")
+
+
+__all__ = ["unknown_cmake_name"]

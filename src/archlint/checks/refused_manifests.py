@@ -1,0 +1,50 @@
+"""PKG011: package.xml files that colcon refuses."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from archlint.analysis.refused_manifests import RefusedManifest, refused_manifests
+from archlint.checks.folding import folds
+from archlint.checks.packages import workspace_of
+from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
+from archlint.finding import Finding, Place, Related
+
+if TYPE_CHECKING:
+    from archlint.systems.model import System
+
+
+@rule("PKG011", scope=Scope.WORKSPACE)
+def refused_manifest(system: System, options: Options) -> Iterator[Finding]:
+    """What catkin_pkg, with which colcon reads manifests, refuses."""
+    workspace = workspace_of(system)
+    if workspace is None:
+        return
+    yield from map(_refused, refused_manifests(workspace))
+
+
+def _refused(row: RefusedManifest) -> Finding:
+    manifest, line = row.package.manifest.relative, row.refusal.line
+    therefore = f"and builds it as {row.builds}" if row.builds else "and passes over it"
+    return finding(
+        "PKG011",
+        Place(manifest, line, 1, line, 1),
+        f"colcon does not take '{row.package.name}' for a package of ROS, {therefore}: {row.refusal.what}",
+        help=row.refusal.help,
+        identity=(row.package.name, row.refusal.what),
+        group=(manifest,),
+    )
+
+
+@folds("PKG011")
+def _of_one_manifest(findings: Sequence[Finding]) -> Finding:
+    """One finding for a manifest."""
+    first, *others = findings
+    rows = [Related(other.place, other.identity[1]) for other in others]
+    return replace(first, related=(*first.related, *rows))
+
+
+__all__ = ["refused_manifest"]

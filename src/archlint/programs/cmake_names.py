@@ -1,0 +1,127 @@
+"""The targets and packages that CMake commands name and that no command before has made or found.
+
+Source: ``ament_target_dependencies`` of ament_cmake_target_dependencies stops at a target that there is not, and at a
+package that no ``find_package`` has found; so does CMake at ``install(TARGETS)``, ``target_link_libraries`` and their
+like without their target.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Sequence
+
+from archlint.finding import Place
+from archlint.workspace.cmake import Argument, Command
+from archlint.workspace.cmake_run import Step
+from archlint.workspace.installed import Installs, NameInCMake
+
+_MAKES = ("add_executable", "add_library", "add_custom_target", "add_module", "ament_add_", "rosidl_generate")
+"""What the name of a command has in it that makes a target of its first argument."""
+_OF_A_TARGET = frozenset({"ament_target_dependencies", "target_link_libraries", "target_include_directories"}) | {
+    *("target_compile_features", "target_compile_options", "target_compile_definitions", "target_sources"),
+    "rclcpp_components_register_node",
+}
+"""Commands whose first argument must be a target."""
+_OF_PACKAGES = {"ament_target_dependencies": 1, "ament_export_dependencies": 0}
+"""Commands that are given packages, from which argument on."""
+_KEYWORDS = frozenset({"PUBLIC", "PRIVATE", "INTERFACE", "SYSTEM"})
+_FINDS = frozenset({"find_package", "pkg_check_modules", "pkg_search_module", "find_library", "find_path"})
+_UNREAD = frozenset({"while", "return", "cpmaddpackage", "catkin", "externalproject_add", "fetchcontent_declare"}) | {
+    *("fetchcontent_makeavailable", "fetchcontent_populate"),
+}
+"""Words of files in which more may be made, or less may run, than is seen."""
+
+
+def read_names(installs: Installs, steps: Sequence[Step]) -> None:
+    """Add such names, in the commands that always run or run for tests, where all of the build is read."""
+    if not _UNREAD.isdisjoint(installs.words) or any(map(_is_open, steps)):
+        return
+    installs.targets = frozenset(_made(steps))
+    installs.looked_for = frozenset(step.command.texts[0] for step in steps if _finds(step))
+    there = installs.targets | installs.mentioned
+    always = [step for step in steps if step.of_tests or not step.conditional]
+    installs.names_of_nothing += [name for step in always for name in _of_targets(step) if name.name not in there]
+    if any(_may_find(step.command) for step in steps):
+        return
+    installs.names_of_nothing += [
+        name
+        for step in always
+        for name in _of_packages(step)
+        if name.name not in installs.looked_for and f"{name.name}_FOUND" not in installs.words
+    ]
+
+
+def _of_targets(step: Step) -> Iterator[NameInCMake]:
+    for argument in _targets_of(step.command):
+        if not argument.open and "::" not in argument.text:
+            yield NameInCMake(argument.text, step.command.name, _place(argument, step))
+
+
+def _of_packages(step: Step) -> Iterator[NameInCMake]:
+    if step.command.name in _OF_PACKAGES:
+        arguments = step.command.arguments[_OF_PACKAGES[step.command.name] :]
+        for argument in arguments:
+            if not argument.open and argument.text not in _KEYWORDS:
+                yield NameInCMake(argument.text, step.command.name, _place(argument, step), package=True)
+
+
+def _finds(step: Step) -> bool:
+    return step.command.name in _FINDS and bool(step.command.arguments)
+
+
+def _is_open(step: Step) -> bool:
+    """Whether a command finds packages of which nobody knows the names, or makes targets of such names."""
+    command = step.command
+    if "ament_auto_find" in command.name:
+        return True
+    names = command.name in _FINDS or any(word in command.name for word in _MAKES)
+    return names and bool(command.arguments) and command.arguments[0].open
+
+
+def _made(steps: Iterable[Step]) -> Iterator[str]:
+    """The targets that commands make, and whatever else of that name there may be."""
+    for step in steps:
+        command, texts = step.command, step.command.texts
+        if texts and any(word in command.name for word in _MAKES):
+            yield texts[0]
+        for word in ("EXECUTABLE", "TARGET", "NAME"):
+            if word in texts[:-1] and command.name not in _OF_A_TARGET:
+                yield texts[texts.index(word) + 1]
+
+
+_FINDS_NOTHING = re.compile(
+    r"(?:add|ament|set|get|target|link|include|list|file|find|rosidl|rclcpp|pluginlib|cmake|configure|install|enable|mark)_?"
+    r"[a-z_]*|project|message|option|string|math|unset|if|pkg_check_modules|execute_process|separate_arguments|source_group"
+    r"|generate_parameter_library|pybind11_add_module|python_add_library|export|define_property|file|qt5_.*|qt6_.*"
+)
+"""Commands that find no package but by their own arguments."""
+
+
+def _may_find(command: Command) -> bool:
+    return _FINDS_NOTHING.fullmatch(command.name) is None
+
+
+def _targets_of(command: Command) -> Sequence[Argument]:
+    """The arguments of a command that must be targets."""
+    if command.name in _OF_A_TARGET:
+        return command.arguments[:1]
+    texts = command.texts
+    if command.name != "install" or texts[:1] != ["TARGETS"]:
+        return ()
+    end = next((at for at, text in enumerate(texts) if at and text.isupper() and text in _AFTER_TARGETS), len(texts))
+    return [argument for argument in command.arguments[1:end] if argument.text != "TARGETS"]
+
+
+_AFTER_TARGETS = frozenset(
+    {"EXPORT", "RUNTIME_DEPENDENCIES", "RUNTIME_DEPENDENCY_SET", "ARCHIVE", "LIBRARY", "RUNTIME", "OBJECTS"}
+    | {"FRAMEWORK", "BUNDLE", "PRIVATE_HEADER", "PUBLIC_HEADER", "RESOURCE", "FILE_SET", "CXX_MODULES_BMI"}
+    | {"DESTINATION", "OPTIONAL", "PERMISSIONS", "CONFIGURATIONS", "COMPONENT", "NAMELINK_COMPONENT"}
+    | {"NAMELINK_ONLY", "NAMELINK_SKIP", "INCLUDES", "EXCLUDE_FROM_ALL"}
+)
+
+
+def _place(argument: Argument, step: Step) -> Place:
+    return Place(step.file, argument.line, argument.column, argument.line, argument.column + len(argument.text))
+
+
+__all__ = ["read_names"]

@@ -1,0 +1,91 @@
+"""PKG012: targets and packages that CMake commands name and that are not there."""
+
+from __future__ import annotations
+
+import pytest
+
+from robot_package import CMAKE
+
+HEAD = "project(robot)\nfind_package(ament_cmake REQUIRED)\nfind_package(rclcpp REQUIRED)\n"
+TALKER = "add_executable(talker src/talker.cpp)\n"
+SOURCE = "int main() {}\n"
+
+
+@pytest.fixture
+def names(findings):
+    """What is found in a CMakeLists.txt, as messages, each with its help."""
+
+    def run(text: str) -> list[tuple[str, str]]:
+        found = findings("PKG012", **{"package.xml": CMAKE, "src/talker.cpp": SOURCE, "CMakeLists.txt": HEAD + text})
+        return [(finding.message, finding.help) for finding in found]
+
+    return run
+
+
+@pytest.mark.parametrize(
+    ("text", "message", "help"),
+    [
+        (
+            TALKER + "ament_target_dependencies(takler rclcpp)\n",
+            "ament_target_dependencies() is given 'takler', a target that there is not: the build stops; did you mean "
+            "'talker'?",
+            "write 'talker'",
+        ),
+        (
+            TALKER + "install(TARGETS talker listener DESTINATION lib/${PROJECT_NAME})\n",
+            "install() is given 'listener', a target that there is not: the build stops",
+            "add the add_executable() or add_library() that makes it",
+        ),
+        (
+            TALKER + "add_library(parts src/talker.cpp)\nament_target_dependencies(talker parts rclcpp)\n",
+            "'parts' is a target, and ament_target_dependencies() takes one target and then packages: the build stops",
+            "call ament_target_dependencies() for 'parts', too",
+        ),
+        (
+            TALKER + "ament_target_dependencies(talker rclcpp nav_msgs)\n",
+            "ament_target_dependencies() is given 'nav_msgs', which no find_package() has found: the build stops",
+            "add find_package(nav_msgs REQUIRED)",
+        ),
+        (
+            "ament_export_dependencies(rclcpp nav_msgsgeometry_msgs)\n",
+            "ament_export_dependencies() is given 'nav_msgsgeometry_msgs', which is no package, but the names of two",
+            "write 'nav_msgs' and 'geometry_msgs', with a space between them",
+        ),
+        (
+            "if(BUILD_TESTING)\n  target_link_libraries(check rclcpp)\nendif()\n",
+            "target_link_libraries() is given 'check', a target that there is not: the build stops",
+            "add the add_executable() or add_library() that makes it",
+        ),
+    ],
+)
+def test_what_is_not_there(names, text, message, help):
+    assert names(text) == [(message, help)]
+
+
+def test_one_finding_for_a_name(names):
+    ((message, _),) = names(TALKER + "ament_target_dependencies(node rclcpp)\ninstall(TARGETS node)\n")
+    assert message.endswith("the build stops; another command is given it, too")
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        TALKER
+        + "ament_target_dependencies(talker PUBLIC rclcpp rcutils)\ninstall(TARGETS talker EXPORT all LIBRARY)\n",
+        "foreach(name a b)\n  add_executable(${name} src/talker.cpp)\nendforeach()\ninstall(TARGETS a b)\n",
+        "set(NAME talker)\nadd_library(${NAME} src/talker.cpp)\ntarget_compile_features(talker PUBLIC cxx_std_17)\n",
+        "add_executable(${UNKNOWN} src/talker.cpp)\ninstall(TARGETS talker)\n",
+        "make_programs(talker)\ninstall(TARGETS talker)\n",
+        "if(WITH_GUI)\n  install(TARGETS gui)\nendif()\n",
+        "install(TARGETS talker)\nreturn()\n",
+        "FetchContent_MakeAvailable(json)\ninstall(TARGETS json)\n",
+        "install(TARGETS TARGETS talker)\n" + TALKER,
+        TALKER + "find_package(my_tools REQUIRED)\nament_target_dependencies(talker nav_msgs)\n",
+        TALKER + "robot_find_all()\nament_target_dependencies(talker nav_msgs)\n",
+        TALKER + "ament_auto_find_build_dependencies()\nament_target_dependencies(talker nav_msgs)\n",
+        TALKER + "find_package(PCL)\nament_target_dependencies(talker PCL Eigen3)\n",
+        TALKER + "target_link_libraries(talker yaml-cpp)\ntarget_link_libraries(rclcpp::rclcpp INTERFACE x)\n",
+    ],
+)
+def test_what_is_there_or_may_be(names, text):
+    assert names(text) == []
