@@ -8,7 +8,10 @@ const STILL = 90;
 /** Shapes and lines beyond which painting may take longer than a frame. */
 const MUCH = 600;
 
-const held = { scene: null, view: null, timer: 0 };
+/** Milliseconds between two moves up to which the second goes on with the first. */
+const ONE_MOVE = 600;
+
+const held = { scene: null, view: null, timer: 0, last: 0 };
 
 /** Paints, and keeps what is large for {@link moved}. */
 export function paintAnew(canvas, scene, view, marks, colours) {
@@ -31,7 +34,10 @@ export function moved(canvas, scene, view, repaint) {
   }
   const k = view.k / held.view.k;
   copy.style.transform = `translate(${view.x - held.view.x * k}px, ${view.y - held.view.y * k}px) scale(${k})`;
+  const now = performance.now(), since = now - held.last;
+  held.last = now;
   clearTimeout(held.timer);
-  held.timer = setTimeout(repaint, STILL);
+  // A browser that is busy gets fewer frames: to paint anew between them would make that worse.
+  held.timer = setTimeout(repaint, since < ONE_MOVE ? Math.max(STILL, 2 * since) : STILL);
   return true;
 }
