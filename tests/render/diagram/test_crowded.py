@@ -146,6 +146,14 @@ def test_small_groups_are_boxes_first() -> None:
     assert boxes(diagram(made, View(expand=("small",)))) == {"middle"}
 
 
+def test_of_very_many_nodes_what_is_no_node_is_one_box() -> None:
+    helpers = [node(f"/helper{n}", publisher(f"/debug{n}"), caller_unknown=True, package="help") for n in range(4)]
+    box = "used by an unknown node"
+    assert boxes(diagram(system(*large().nodes, *helpers))) == {"arm", box}
+    assert boxes(diagram(system(*large().nodes, *helpers), View(expand=("arm", "used*")))) == {"base"}
+    assert box not in boxes(diagram(system(*large().nodes[:20], *helpers)))
+
+
 def test_a_node_more_than_are_drawn_closes_few_groups() -> None:
     """Ten nodes' worth of the smallest, and nothing else."""
     most = [node(f"/n{n}", package=f"p{n // 4:02}") for n in range(MOST_NODES)]

@@ -13,6 +13,8 @@ from archlint.render.page.places import Drawing, Line, Shape, place
 
 LESSON = [Shape(True, ("/talker",), ""), Shape(False, ("/chatter", "String"), ""), Shape(True, ("/listener",), "")]
 BOTH = [Line(0, 1), Line(1, 2)]
+BETWEEN = 0.22 * 72
+"""Pixels between shapes of one column."""
 
 
 def laid_out(shapes: Sequence[Shape], lines: Sequence[Line]) -> Drawing:
@@ -99,3 +101,20 @@ def test_there_are_none_where_graphviz_fails_either(monkeypatch: pytest.MonkeyPa
 
 def test_nothing_has_no_places():
     assert place([], []) is None
+
+
+@pytest.mark.parametrize("outwards", [True, False])
+def test_many_ends_of_one_node_are_no_long_column(outwards: bool):
+    ends = [Shape(False, (f"/topic{number:02}", "String"), "") for number in range(30)]
+    lines = [Line(0, number) if outwards else Line(number, 0) for number in range(1, 31)]
+    boxes = laid_out([Shape(True, ("/talker",), ""), *ends], lines).boxes
+    assert not [pair for pair in combinations(boxes, 2) if overlap(*pair)]
+    assert len({round(box[0]) for box in boxes[1:]}) == 4
+    bottom, top = max(box[1] + box[3] for box in boxes), min(box[1] for box in boxes)
+    assert bottom - top < 0.85 * 30 * (ends[0].size[1] + BETWEEN)
+
+
+def test_few_ends_are_one_column():
+    ends = [Shape(False, (f"/topic{number}",), "") for number in range(8)]
+    boxes = laid_out([Shape(True, ("/talker",), ""), *ends], [Line(0, number) for number in range(1, 9)]).boxes
+    assert len({round(box[0]) for box in boxes[1:]}) == 1

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from archlint.render.diagram.gathering import in_tens
 from archlint.render.diagram.grouping import collapsed, grouped, titled
+from archlint.render.look import UNOWNED
 from archlint.systems.graph import NODE
 
 if TYPE_CHECKING:
@@ -27,8 +28,8 @@ OPENED = (
 
 def in_groups(diagram: Diagram, view: View) -> tuple[Diagram, bool]:
     """The diagram with the frames of its view, and boxes for the groups that the view collapses.  Of more than
-    :data:`MOST_NODES` nodes, so many groups of several nodes are boxes, small ones first, that there are no more; never
-    those that the view expands.  The second value says whether there is such a box."""
+    :data:`MOST_NODES` nodes, what is no node is one box, and so many groups of several nodes are boxes, small ones
+    first, that there are no more; never those that the view expands.  The second value says whether there is one."""
     framed = grouped(diagram, view.group)
     asked = collapsed(framed, titled(framed, view.collapse))
     if _nodes(asked) <= MOST_NODES:
@@ -47,7 +48,8 @@ def _boxes(diagram: Diagram, view: View) -> Iterator[Diagram]:
         nodes = (key for key in framed.groups if key[0] == NODE and not framed.shapes[key].helper)
         members = Counter(framed.groups[key] for key in nodes if framed.groups[key] not in open)
         too_many = _nodes(collapsed(framed, asked)) - MOST_NODES
-        yield collapsed(framed, asked | {*_smallest(members, too_many)})
+        no_nodes = {UNOWNED} - titled(framed, view.expand) if too_many > 0 else frozenset()
+        yield collapsed(framed, asked | no_nodes | {*_smallest(members, too_many)})
 
 
 def _smallest(members: Mapping[str, int], too_many: int) -> Iterator[str]:

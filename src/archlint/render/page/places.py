@@ -8,7 +8,8 @@ itself when it is opened.
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator, Sequence
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -29,6 +30,8 @@ _LETTER = 6.7
 _LINE, _PAD, _SMALL = 16.0, 10.0, 10.5 / 12
 _FRAME = 26.0
 """Pixels between the frame of a group and what is in it; its title is there, too."""
+_COLUMN = 8
+"""So many of what one line leads to stand in a column."""
 _BETWEEN = 40.0
 """Pixels between groups."""
 
@@ -187,10 +190,26 @@ def _source(shapes: Sequence[Shape], lines: Sequence[Line | None], hurry: bool) 
             yield f"n{number} [width={width / _INCH:.3f}, height={height / _INCH:.3f}];"
         if group:
             yield "}"
+    columns = _columns(lines)
     for number, line in enumerate(lines):
         if line is not None:
-            yield f"n{line.tail} -> n{line.head} [id=e{number}];"
+            yield f"n{line.tail} -> n{line.head} [id=e{number}, minlen={columns.get(number, 1)}];"
     yield "}"
+
+
+def _columns(lines: Sequence[Line | None]) -> Mapping[int, int]:
+    """Of lines to what one line alone leads to, by their numbers: how many columns away it stands.  All that a node
+    has so would be one long column."""
+    degree = Counter(end for line in lines if line is not None for end in (line.tail, line.head))
+    ends: dict[tuple[int, bool], list[int]] = {}
+    for number, line in enumerate(lines):
+        if line is not None and degree[line.head] == 1:
+            ends.setdefault((line.tail, True), []).append(number)
+        elif line is not None and degree[line.tail] == 1:
+            ends.setdefault((line.head, False), []).append(number)
+    return {
+        number: 1 + index // _COLUMN for own in ends.values() if len(own) > _COLUMN for index, number in enumerate(own)
+    }
 
 
 __all__ = ["Drawing", "Line", "Shape", "place"]
