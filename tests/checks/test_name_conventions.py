@@ -211,6 +211,15 @@ def test_a_node_that_a_launch_file_starts_twice_is_told_alone(folder: Path):
     assert whole.message.startswith("2 nodes of package 'robot' fix 3 absolute names")
 
 
+def test_two_nodes_of_a_class_that_are_given_names_of_their_own(folder: Path):
+    arm = ARM.replace("__init__(self)", "__init__(self, side)").replace("'arm'", "'arm_' + side")
+    arm = arm.replace("'/arm/state'", "'/' + side + '/state'").replace("'/arm/goal'", "'/' + side + '/goal'")
+    arm = arm.replace("    rclpy.spin(Arm())", "    arms = [Arm('left'), Arm('right')]\n    rclpy.spin(arms[0])")
+    [finding] = check(request(folder, '<node pkg="robot" exec="arm"/>', arm=arm, base=BASE)).findings
+
+    assert "no namespace applies to any of them" in finding.message
+
+
 def test_what_several_instances_only_listen_to_may_be_one_for_all(folder: Path):
     listener = ARM.replace("create_publisher", "create_subscription").replace(", 10)", ", print, 10)")
     [finding] = check(request(folder, TWICE, arm=listener, base=BASE)).findings

@@ -92,18 +92,23 @@ def _instances(workspace: WorkspaceIndex | None, endpoint: Endpoint) -> int:
     """How many nodes of one launched system provide the same under the name of an endpoint; what each of them only
     listens to or asks may well be one for all."""
     blueprint = endpoint.node.blueprint
-    if workspace is None or blueprint is None or endpoint.kind not in _PROVIDES:
+    if workspace is None or blueprint is None:
         return 0
-    return _started(workspace).get(key_of(blueprint), 0)
+    return _provided(workspace).get((key_of(blueprint), endpoint.kind, endpoint.written), 0)
 
 
 @once
-def _started(workspace: WorkspaceIndex) -> Mapping[object, int]:
-    """How often one launch file starts each node, by :func:`key_of`."""
-    most: Counter[object] = Counter()
+def _provided(workspace: WorkspaceIndex) -> Mapping[tuple[object, EntityKind, str | None], int]:
+    """How many nodes of one kind, by :func:`key_of`, a launch file starts that provide something under one name."""
+    most: Counter[tuple[object, EntityKind, str | None]] = Counter()
     for system in workspace.systems:
-        started = [node for node in system.nodes if system.launched is not None and not node.alternatives]
-        most |= Counter(key_of(node.blueprint) for node in started if node.blueprint is not None)
+        nodes = [node for node in system.nodes if system.launched is not None and not node.alternatives]
+        most |= Counter(
+            (key_of(node.blueprint), kind, name)
+            for node in nodes
+            if node.blueprint is not None
+            for kind, name in {(end.kind, end.name) for end in node.endpoints if end.kind in _PROVIDES}
+        )
     return most
 
 
