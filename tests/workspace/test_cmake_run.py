@@ -6,8 +6,10 @@ from textwrap import dedent
 
 import pytest
 
+from archlint.programs.installs import read_cmake
 from archlint.workspace.cmake import parse_cmake
 from archlint.workspace.cmake_run import CMakeRun
+from archlint.workspace.installed import Installs
 from builds import Build
 
 
@@ -158,3 +160,18 @@ def test_what_cannot_be_read_is_open(text: str):
 )
 def test_what_does_not_end_is_cut(text: str):
     assert run(text).open
+
+
+@pytest.mark.parametrize(
+    ("other", "sources"),
+    [
+        ("src/real.cpp src/shared.cpp", ("robot/src/shared.cpp",)),  # which branch runs is not known
+        ("src/fake.cpp src/shared.cpp", ("robot/src/fake.cpp", "robot/src/shared.cpp")),
+    ],
+)
+def test_an_executable_of_two_branches_has_the_sources_that_both_have(other: str, sources: tuple[str, ...]):
+    text = f"if(FAKE)\nadd_executable(it src/fake.cpp src/shared.cpp)\nelse()\nadd_executable(it {other})\nendif()\n"
+    build = Build({"robot/CMakeLists.txt": f"project(robot)\n{text}install(TARGETS it DESTINATION lib/robot)\n"})
+    installs = Installs("robot", "robot")
+    read_cmake(installs, "robot/CMakeLists.txt", build)
+    assert installs.executables["it"].sources == sources

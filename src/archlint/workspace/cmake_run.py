@@ -179,7 +179,8 @@ class CMakeRun:
         inner.variables.update(known)
         inner.given -= known.keys()
         # A variable that is passed on may have another value when somebody configures the build.
-        inner.given |= {n for n, written in zip(parameters, command.texts, strict=False) if "$" not in written}
+        if len(values) == len(command.texts):
+            inner.given |= {n for n, text in zip(parameters, command.texts, strict=False) if "$" not in text}
         self._block(body, file, inner, depth + 1)
         if not own_scope:
             scope.variables.update(before)
