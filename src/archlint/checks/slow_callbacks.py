@@ -109,15 +109,14 @@ def _as_text(place: Place) -> str:
 def _longest_first(row: _Row) -> tuple[float, Place]:
     """What is worst of several lines: that which holds its thread up the longest, as a rule."""
     _, call, stay = row
-    typical = _TYPICAL.get(stay.kind, math.inf)
-    known = stay.seconds is not None
-    return -(min(stay.seconds or 0.0, typical) if known else min(typical, _UNSEEN.get(stay.kind, typical))), call.place
+    usual = _USUAL.get(stay.kind, math.inf)
+    if stay.seconds is None:
+        return -usual, call.place
+    return -(stay.seconds if stay.kind in ("sleep", "discovery") else min(stay.seconds, usual)), call.place
 
 
-_TYPICAL = {"process": 1.0, "keyboard": 4.0, "network": 5.0, "message": 5.0}
-"""Seconds that a wait takes as a rule, whatever its limit is."""
-_UNSEEN = {"sleep": 1.0}
-"""Seconds that a sleep is taken for whose time is not known."""
+_USUAL = {"sleep": 1.0, "process": 1.0, "keyboard": 4.0, "network": 5.0, "message": 5.0}
+"""Seconds that something takes as a rule: a sleep whose time is not known, other waits whatever their limit is."""
 
 
 def _is_left_alone(system: System, program: Program, call: ApiCall, stay: Stay) -> bool:
