@@ -391,6 +391,17 @@ def test_a_relative_path(tmp_path, monkeypatch, launch, files, help):
     assert finding.help == help
 
 
+@pytest.mark.parametrize(("folder", "count"), [("launch", 1), ("docker", 0)])
+def test_a_relative_path_of_a_launch_file_that_is_started_where_it_lies(tmp_path, monkeypatch, folder, count):
+    """No rule installs the second one: it runs in a container, in its own folder."""
+    monkeypatch.chdir(tmp_path)
+    given = node('<param from="./talk.yaml"/>')
+    texts = {f"src/robot/{folder}/it.launch.xml": f"<launch>{given}</launch>", f"src/robot/{folder}/talk.yaml": ""}
+    texts |= {"src/robot/package.xml": manifest(), "src/robot/setup.py": SETUP, "src/robot/robot/talker.py": TALKER}
+    write_files(tmp_path, texts | {"archlint.toml": 'select = ["LCH004"]'})
+    assert len(check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings) == count
+
+
 RELATIVE_DEFAULT = """from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument
 from launch.substitutions import LaunchConfiguration
@@ -526,3 +537,39 @@ def test_a_file_of_another_package_beside_this_one(tmp_path, monkeypatch, path, 
     write_files(tmp_path, {"arm/launch/arm.launch.xml": "<launch/>", "archlint.toml": 'select = ["LCH004"]'})
     (told,) = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
     assert told.help.startswith(help)
+
+
+CHOSEN = """\
+import os
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch.actions import IncludeLaunchDescription
+from launch.launch_description_sources import PythonLaunchDescriptionSource
+
+def generate_launch_description():
+    file = '/arm.launch.py'
+    if os.environ['MODEL'] == 'lidar':
+        folder = os.path.join(get_package_share_directory('lidar'), 'launch')
+        file = '/{lidar}.launch.py'
+    else:
+        folder = os.path.join(get_package_share_directory('arm'), 'launch')
+    return LaunchDescription([IncludeLaunchDescription(PythonLaunchDescriptionSource([folder, file]))])
+"""
+
+
+@pytest.mark.parametrize(("lidar", "told"), [("scan", []), ("scam", ["package 'lidar' has no launch file"])])
+def test_branches_that_choose_a_package_choose_its_file_too(tmp_path, monkeypatch, lidar, told):
+    """Which of the two names belongs to which package is lost where they are put together."""
+    monkeypatch.chdir(tmp_path)
+    empty = (
+        "from launch import LaunchDescription\ndef generate_launch_description():\n    return LaunchDescription([])\n"
+    )
+    launches = {"robot": {"all": CHOSEN.format(lidar=lidar)}, "arm": {"arm": empty}, "lidar": {"scan": empty}}
+    for name, files in launches.items():
+        shared = {"package.xml": manifest(name), "setup.py": SETUP.replace("robot", name), f"resource/{name}": ""}
+        write_files(tmp_path / name, {**shared, f"{name}/__init__.py": ""})
+        write_files(tmp_path / name, {f"launch/{file}.launch.py": text for file, text in files.items()})
+    write_files(tmp_path, {"archlint.toml": 'select = ["LCH004"]'})
+    found = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+    assert [finding.message[: len(start)] for finding, start in zip(found, told, strict=False)] == told
+    assert bool(found) == bool(told)

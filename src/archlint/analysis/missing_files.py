@@ -33,7 +33,8 @@ def names_beside(workspace: WorkspaceIndex, package: str, path: str) -> list[str
 def lies_in(workspace: WorkspaceIndex, reference: FileReference) -> tuple[str, str] | None:
     """The package, and the path below its share folder, of a file that a launch file names by a relative path: it lies
     beside that launch file, or there from the folder of its package on, and not where all packages are seen from; a
-    parameter file of such a name may lie anywhere in the package."""
+    parameter file of such a name may lie anywhere in the package.  Who starts a launch file that no rule installs
+    stands in its folder, and finds what is beside it."""
     written, file = reference.written or "", reference.place.file
     package = workspace.package_of(file)
     installs = workspace.installs.get(package or "")
@@ -44,6 +45,8 @@ def lies_in(workspace: WorkspaceIndex, reference: FileReference) -> tuple[str, s
         path = posixpath.normpath(posixpath.join(folder, written))
         start = "" if installs.folder == "." else f"{installs.folder}/"
         if path.startswith(start) and workspace.tree.is_file(path) and not workspace.tree.is_file(written):
+            if folder != installs.folder and not installs.open_files and not any(installs.places_of(file)):
+                return None
             return package, path.removeprefix(start)
     same = [path for path in workspace.tree.files_below(installs.folder) if path.endswith(f"/{written}")]
     if reference.kind is FileKind.PARAMETERS and len(same) == 1 and not workspace.tree.is_file(written):

@@ -42,8 +42,12 @@ def missing_launch_file(system: System, options: Options) -> Iterator[Finding]:
     yield from _relative_paths(system)
     yield from _absent_packages(system)
     uses: dict[tuple[Place, str | None], list[FileReference]] = {}
-    for reference in system.launched.references if system.launched is not None else ():
-        if reference.status in (FileStatus.MISSING, FileStatus.NOT_INSTALLED) and not reference.optional:
+    references = system.launched.references if system.launched is not None else ()
+    mixed = _mixtures(references)
+    for reference in references:
+        if reference.status not in (FileStatus.MISSING, FileStatus.NOT_INSTALLED) or reference.optional:
+            continue
+        if reference not in mixed:
             uses.setdefault((_decided_at(reference), reference.written), []).append(reference)
     for (place, written), references in uses.items():
         [reference, *others] = sorted(references, key=_by_kind)
@@ -82,6 +86,26 @@ def missing_launch_file(system: System, options: Options) -> Iterator[Finding]:
             identity=(reference.package or "", written or ""),
             group=(reference.status, reference.package or "", _cause(system, reference, shown)),
         )
+
+
+def _mixtures(references: Sequence[FileReference]) -> set[FileReference]:
+    """Files of one package under the path that is meant for another one.  Branches that choose a package choose the
+    path in it, too; put together later, each package stands before each path, its own among them."""
+    by_use: dict[Place, set[FileReference]] = {}
+    for reference in references:
+        by_use.setdefault(reference.place, set()).add(reference)
+    mixed: set[FileReference] = set()
+    for uses in by_use.values():
+        packages: dict[str, set[str | None]] = {}
+        for reference in uses:
+            packages.setdefault(_path(reference), set()).add(reference.package)
+        complete = {reference.package for reference in uses if reference.status == FileStatus.INSTALLED}
+        mixed |= {use for use in uses if use.package in complete and len(packages[_path(use)]) > 1}
+    return mixed
+
+
+def _path(reference: FileReference) -> str:
+    return _below_package(reference.written or "")
 
 
 def _package_beside(system: System, written: str) -> str:
