@@ -7,6 +7,7 @@ import stat
 import subprocess
 import sys
 import xml.etree.ElementTree as ElementTree
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -163,3 +164,13 @@ def test_drawing_in_a_process_of_its_own_leaves_this_one_alone() -> None:
     code = "import archlint.render.drawing; sys.exit({'pygraphviz', 'graphviz'} & {*sys.modules} != set())"
     path = [entry for entry in sys.path if entry]
     subprocess.run([sys.executable, "-c", f"import sys; sys.path[:0] = {path!r}; {code}"], check=True)
+
+
+def test_what_is_said_below_makes_no_room_for_itself_among_the_shapes() -> None:
+    def distance(svg: str) -> float:
+        left = {element.text: float(element.get("x", 0)) for element in ElementTree.fromstring(svg).iter(f"{SVG}text")}
+        return left["/motor_node"] - left["/sensor_node"]
+
+    silent = replace(diagram(lesson()), caption=())
+    said = replace(silent, caption=("what is said is far wider than any shape, and stands below all of them " * 3,))
+    assert distance(drawing.svg(said)) == pytest.approx(distance(drawing.svg(silent)), abs=0.1)

@@ -43,6 +43,12 @@ class _Part:
         return self.right - self.left, self.top - self.bottom
 
     @property
+    def middle(self) -> str:
+        """Of its place, as Graphviz writes a point."""
+        width, height = self.size
+        return f"{self.left + self.moved[0] + width / 2:.2f},{self.bottom + self.moved[1] + height / 2:.2f}"
+
+    @property
     def order(self) -> tuple[bool, float, str]:
         """High ones first, and what is said of the picture last."""
         return self.name == CAPTION, -((self.top - self.bottom) // _STEP), self.name
@@ -63,8 +69,9 @@ def places(laid_out: bytes) -> Places:
     shapes = {item["_gvid"]: item for item in objects if "pos" in item}
     frames = [item for item in objects if "bb" in item and "nodes" in item]
     parts = _parts(shapes, frames, edges)
-    _put_together({id(part): part for part in parts.values()}.values())
-    where: dict[str, list[dict[str, str]]] = {}
+    caption = _caption(data)
+    _put_together([*{id(part): part for part in parts.values()}.values(), *caption])
+    where: dict[str, list[dict[str, str]]] = {part.name: [{"pos": part.middle}] for part in caption}
     for id_, item in shapes.items():
         where[item["name"]] = [_moved(item, ("pos",), parts[id_])]
     for frame in frames:
@@ -73,6 +80,14 @@ def places(laid_out: bytes) -> Places:
         name = f"{shapes[edge['tail']]['name']} -> {shapes[edge['head']]['name']}"
         where.setdefault(name, []).append(_moved(edge, ("pos", "lp"), parts[edge["tail"]]))
     return where
+
+
+def _caption(data: Mapping[str, Any]) -> list[_Part]:
+    """What is said below the picture, which is the label of all of it there: as a shape it would make room for itself
+    among the others."""
+    if "lwidth" not in data:
+        return []
+    return [_Part(CAPTION, 0.0, 0.0, float(data["lwidth"]) * 72, float(data["lheight"]) * 72)]
 
 
 def _parts(

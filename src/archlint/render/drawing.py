@@ -61,8 +61,8 @@ def draw(diagram: Diagram, format: Picture) -> bytes:
     try:
         if dot.is_large(diagram):
             return layout(dot.write(diagram, attributes), format)
-        source = dot.write(diagram, attributes, apart=True)
-        return layout(dot.placed(source, places(layout(source, "json0"))), format, "nop2")
+        where = places(layout(dot.write(diagram, attributes), "json0"))
+        return layout(dot.placed(dot.write(diagram, attributes, apart=True), where), format, "nop2")
     except NoGraphviz:
         raise
     except CannotDraw:  # some versions of Graphviz cannot place the words on certain lines
