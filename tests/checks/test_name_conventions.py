@@ -135,6 +135,13 @@ def test_one_name_that_all_classes_use(folder: Path):
     assert finding.message == ("3 nodes of package 'robot' fix the absolute name '/words': no namespace applies to it")
 
 
+def test_classes_whose_nodes_have_one_name_are_several_nodes(folder: Path):
+    other = node("Other", "/words").replace("__init__('other')", "__init__('arm')")
+    [finding] = check(request(folder, arm=node("Arm", "/words"), other=other)).findings
+
+    assert finding.message.startswith("2 nodes of package 'robot' fix the absolute name '/words'")
+
+
 def test_a_class_that_mixes_both_forms_is_told_with_its_package(folder: Path):
     lidar = node("Lidar", "/lidar/scan", "lidar/state")
     [alone] = check(request(folder, lidar=lidar)).findings

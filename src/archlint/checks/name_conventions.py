@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
 from archlint.checks.folding import all_sites
@@ -22,10 +22,10 @@ def one_of_several_nodes(findings: Sequence[Finding], packages: Sequence[str], o
     by_home: dict[Home, list[Finding]] = {}
     for diagnostic in findings:
         by_home.setdefault(home_of(diagnostic), []).append(diagnostic)
-    nodes = {diagnostic.node or home_of(diagnostic) for diagnostic in findings}
+    nodes = max(len({diagnostic.node or home_of(diagnostic) for diagnostic in findings}), _classes(by_home))
     names = sorted({diagnostic.identity[-1] for diagnostic in findings})
     subject = f"{len(names)} absolute names" if len(names) > 1 else f"the absolute name '{names[0]}'"
-    whose = f"{len(nodes)} nodes{_in(packages)} fix" if len(nodes) > 1 else f"the code{_in(packages)} fixes"
+    whose = f"{nodes} nodes{_in(packages)} fix" if nodes > 1 else f"the code{_in(packages)} fixes"
     effect = f": no namespace applies to {'any of them' if len(names) > 1 else 'it'}"
     if other:
         effect = f", beside relative ones such as '{other}': in a namespace, only those move"
@@ -38,6 +38,11 @@ def one_of_several_nodes(findings: Sequence[Finding], packages: Sequence[str], o
         sites=all_sites(findings),
         identity=("absolute names",),  # neither a count nor the names, so that it stays the same finding
     )
+
+
+def _classes(homes: Iterable[Home]) -> int:
+    """How many classes there are: several may give their nodes one name."""
+    return sum(bool(class_name) for _, class_name in homes)
 
 
 def home_of(diagnostic: Finding) -> Home:
