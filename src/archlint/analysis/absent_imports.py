@@ -72,7 +72,7 @@ class _Code:
             *everything_in(file_facts.body, facts.Import),
             *everything_in(file_facts.body, facts.ImportFrom),
         ]
-        self._forgiven = {Itself(part) for block in _forgiving(file_facts) for part in everything_in(block)}
+        self._forgiven = {Itself(part) for block in forgiving(file_facts) for part in everything_in(block)}
         functions = everything_in(file_facts.body, facts.Function)
         self._in_functions = {Itself(part) for function in functions for part in everything_in(function.body)}
         self._never_run = {Itself(part) for hint in _unread_hints(file_facts) for part in everything_in([hint])}
@@ -142,7 +142,7 @@ def _is_absent(module: str) -> bool:
     return is_known(module) and not is_module(module) and not private
 
 
-def _forgiving(file_facts: facts.Facts) -> Iterator[list[facts.Stmt]]:
+def forgiving(file_facts: facts.Facts) -> Iterator[list[facts.Stmt]]:
     """The blocks of code that may ask for what is not there: tried ones, and those for type checkers alone."""
     for statement in everything_in(file_facts.body, facts.Statement):
         match statement:
@@ -172,4 +172,4 @@ def _is_tolerant(handler: facts.Handler) -> bool:
     return handler.type is None or not handler.caught.isdisjoint(_TOLERANT)
 
 
-__all__ = ["Absent", "absent_imports"]
+__all__ = ["Absent", "absent_imports", "forgiving"]

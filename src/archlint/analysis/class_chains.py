@@ -157,6 +157,16 @@ def files_with(workspace: WorkspaceIndex, name: str) -> list[str]:
     return [*dict.fromkeys((*workspace.code.files_that_mention(name), *loose))]
 
 
+def derived_from(workspace: WorkspaceIndex, cls: ClassInFile) -> Iterator[ClassInFile]:
+    """The classes of the workspace that derive from one."""
+    for file in dict.fromkeys((cls.file, *files_with(workspace, cls.code.name))):
+        file_facts = workspace.facts_at(file)
+        for code in classes_of(file_facts) if file_facts is not None else ():
+            other = ClassInFile(file, code)
+            if code is not cls.code and chain_of(workspace, other).has(cls):
+                yield other
+
+
 def methods_of(cls: facts.Class) -> Iterator[facts.Function]:
     """The functions of a class body."""
     return (function for function in statements_of(cls.body, facts.Function))
@@ -174,4 +184,13 @@ def targets_of(body: Sequence[facts.Stmt] | facts.Stmt) -> Iterator[facts.Base]:
             yield from targets_in(target)
 
 
-__all__ = ["Chain", "ClassInFile", "chain_of", "classes_of", "files_with", "methods_of", "targets_of"]
+__all__ = [
+    "Chain",
+    "ClassInFile",
+    "chain_of",
+    "classes_of",
+    "derived_from",
+    "files_with",
+    "methods_of",
+    "targets_of",
+]

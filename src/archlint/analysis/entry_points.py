@@ -60,7 +60,7 @@ def broken_target(workspace: WorkspaceIndex, executable: Executable) -> NoModule
         ours = {name.partition(".")[0] for name in modules}
         top = module.partition(".")[0]
         foreign = top not in ours and nearest(top, ours) is None
-        if foreign or _is_on_disk(workspace, executable.package, module):
+        if foreign or is_on_disk(workspace, executable.package, module):
             return None
         return NoModule(module, function, tuple(modules))
     file_facts = workspace.facts_at(paths[0])
@@ -97,7 +97,7 @@ def _works_on_import(file_facts: facts.Facts) -> bool:
     return any(called_name(call) == "spin" for call in calls_in(body))
 
 
-def _is_on_disk(workspace: WorkspaceIndex, package: str, module: str) -> bool:
+def is_on_disk(workspace: WorkspaceIndex, package: str, module: str) -> bool:
     """Whether a module is there and not read: a pattern of ``.gitignore`` leaves it out."""
     installs = workspace.installs.get(package)
     path = "/" + module.replace(".", "/")
@@ -143,4 +143,4 @@ def _binds_more(body: Sequence[facts.Stmt]) -> bool:
     return any(stars) or any(variable.id in ("globals", "setattr") for variable in everything_in(body, facts.Name))
 
 
-__all__ = ["NoFunction", "NoFunctionNamed", "NoModule", "broken_target"]
+__all__ = ["NoFunction", "NoFunctionNamed", "NoModule", "broken_target", "is_on_disk"]

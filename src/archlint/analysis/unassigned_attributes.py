@@ -14,6 +14,7 @@ from archlint.analysis.class_chains import (
     ClassInFile,
     chain_of,
     classes_of,
+    derived_from,
     files_with,
     methods_of,
     targets_of,
@@ -336,7 +337,7 @@ def _called_in(file_facts: facts.Facts) -> frozenset[str]:
 def _may_get(workspace: WorkspaceIndex, cls: ClassInFile, name: str) -> bool:
     """Whether a class that derives from one, or another base of such a class, has a name; or any code of the workspace
     assigns it to an object that is not ``self``, or names it in a text."""
-    for derived in _derived(workspace, cls):
+    for derived in derived_from(workspace, cls):
         members = _members(chain_of(workspace, derived))
         if members is None or any(name in names for names in members):
             return True
@@ -344,15 +345,6 @@ def _may_get(workspace: WorkspaceIndex, cls: ClassInFile, name: str) -> bool:
     if file_facts is None or cls.code.name in _variables_of(file_facts):
         return True  # another class under its name
     return any(_gives(workspace.facts_at(file), name) for file in (cls.file, *files_with(workspace, name)))
-
-
-def _derived(workspace: WorkspaceIndex, cls: ClassInFile) -> Iterator[ClassInFile]:
-    for file in dict.fromkeys((cls.file, *files_with(workspace, cls.code.name))):
-        file_facts = workspace.facts_at(file)
-        for code in classes_of(file_facts) if file_facts is not None else ():
-            other = ClassInFile(file, code)
-            if code is not cls.code and chain_of(workspace, other).has(cls):
-                yield other
 
 
 def _gives(file_facts: facts.Facts | None, name: str) -> bool:

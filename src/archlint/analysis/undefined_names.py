@@ -11,10 +11,10 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from archlint.analysis.offered_names import MAKES_NAMES, bound_in, own_names, starred
 from archlint.place import Place
 from archlint.syntax import facts
-from archlint.syntax.bindings import bound_by
-from archlint.syntax.parts import everything_in, once_for, parts_of
+from archlint.syntax.parts import everything_in, once_for
 from archlint.syntax.walk import statements_of
 
 if TYPE_CHECKING:
@@ -31,14 +31,10 @@ _OF_PYTHON_2 = frozenset(
     {"basestring", "cmp", "execfile", "file", "long", "raw_input", "reduce", "reload", "unichr", "unicode", "xrange"}
 )
 _ALWAYS = frozenset(dir(builtins)) | _OF_MODULES | _OF_CLASSES | _NEWER | {"WindowsError", "_"}
-_MAKES_NAMES = frozenset({"__builtins__", "exec", "execfile", "globals", "locals", "vars"})
 _CHECKS_VERSION = frozenset({"PY2", "PY3", "six", "version_info"})
 _ROS_1 = frozenset({"rospy", "roslib"})
-_INTERFACES = frozenset({"action", "msg", "srv"})
 _SPHINX = "/conf.py"
 """The file for which Sphinx defines names of its own."""
-_DEPTH = 8
-"""How many star imports are followed."""
 
 
 @dataclass(frozen=True)
@@ -59,60 +55,13 @@ def undefined_names(workspace: WorkspaceIndex) -> Iterator[Undefined]:
         if file.kind != "python" or file.relative.endswith(_SPHINX) or workspace.roles.is_test(file.relative):
             continue
         unbound = _unbound(file_facts)
-        starred = _starred(workspace, file.relative, file_facts, _DEPTH) if unbound else None
-        if starred is None:
+        brought = starred(workspace, file.relative, file_facts) if unbound else None
+        if brought is None:
             continue
         for read in unbound:
-            if not starred.has(read.name.id):
-                known = read.known | starred.names
+            if not brought.has(read.name.id):
+                known = read.known | brought.names
                 yield Undefined(Place(file.relative, *read.name.span), read.name.id, known, read.of_self)
-
-
-# ------------------------------------------------------------------------------------------------- star imports
-
-
-@dataclass(frozen=True)
-class _Starred:
-    """The names that star imports bring; ``classes`` says that those of interfaces are among them, all of which begin
-    with a capital letter."""
-
-    names: frozenset[str] = frozenset()
-    classes: bool = False
-
-    def has(self, name: str) -> bool:
-        return name in self.names or (self.classes and name[:1].isupper())
-
-
-def _starred(workspace: WorkspaceIndex, file: str, code: facts.Facts, depth: int) -> _Starred | None:
-    """What the star imports of a file bring; None where that is not known."""
-    names: set[str] = set()
-    classes = False
-    for statement in _stars(code):
-        imported = workspace.code.imported(file, statement.module, statement.level)
-        path = workspace.code.path_of_import(file, statement.module, statement.level)
-        if imported is None or path is None:
-            if statement.level or statement.module.rpartition(".")[2] not in _INTERFACES:
-                return None
-            classes = True
-            continue
-        further = _starred(workspace, path, imported, depth - 1) if depth > 0 else None
-        if further is None:
-            return None
-        names |= further.names | _offered(imported)
-        classes |= further.classes
-    return _Starred(frozenset(names), classes)
-
-
-@once_for
-def _stars(code: facts.Facts) -> list[facts.ImportFrom]:
-    imports = everything_in(code.body, facts.ImportFrom)
-    return [statement for statement in imports if any(name == "*" for name, _ in statement.names)]
-
-
-@once_for
-def _offered(code: facts.Facts) -> frozenset[str]:
-    """What a star import of a file brings, but for its own star imports; rather too much."""
-    return frozenset(_bound_in(code.body)) | frozenset(code.exports or ())
 
 
 # ------------------------------------------------------------------------------------------------------ scopes
@@ -141,24 +90,16 @@ class _Scope:
 @once_for
 def _unbound(code: facts.Facts) -> list[_Read]:
     """The first read of each such name in each function of a file."""
-    if not _ROS_1.isdisjoint(_modules_of(code)) or not _MAKES_NAMES.isdisjoint(code.names):
+    if not _ROS_1.isdisjoint(_modules_of(code)) or not MAKES_NAMES.isdisjoint(code.names):
         return []
     always = _ALWAYS if _CHECKS_VERSION.isdisjoint(code.names) else _ALWAYS | _OF_PYTHON_2
-    declared = {name for part in everything_in(code.body, facts.Global) for name in part.names}
-    scope = _Scope(always | frozenset(_bound_in(code.body)) | declared)
+    scope = _Scope(always | own_names(code))
     return [*_reads(code.body, scope)]
 
 
 def _modules_of(code: facts.Facts) -> set[str]:
     tops = {part.module.partition(".")[0] for part in everything_in(code.body, facts.Import)}
     return tops | {part.module.partition(".")[0] for part in everything_in(code.body, facts.ImportFrom)}
-
-
-def _bound_in(body: Sequence[facts.Base]) -> Iterator[str]:
-    """The names that a body binds in its own scope."""
-    for part in parts_of(body):
-        if not isinstance(part, (facts.Generator, facts.Param)):
-            yield from bound_by(part)
 
 
 def _reads(body: Sequence[facts.Base], scope: _Scope) -> Iterator[_Read]:
@@ -201,7 +142,7 @@ def _evaluated_outside(part: facts.Function | facts.Lambda | facts.Class) -> lis
 def _reads_inside(part: facts.Function | facts.Lambda | facts.Class, scope: _Scope) -> Iterator[_Read]:
     match part:
         case facts.Class(body=body):
-            own = frozenset(_bound_in(body))
+            own = frozenset(bound_in(body))
             members = own | {target.attr for target in _set_on_self(body)}
             for statement in body:
                 if isinstance(statement, facts.Function):  # which does not see what the body of the class binds
@@ -210,9 +151,9 @@ def _reads_inside(part: facts.Function | facts.Lambda | facts.Class, scope: _Sco
                 else:
                     yield from _reads([statement], scope.within(own))
         case facts.Function(params=params, body=body):
-            yield from _reads(body, scope.within(frozenset((*(param.name for param in params), *_bound_in(body)))))
+            yield from _reads(body, scope.within(frozenset((*(param.name for param in params), *bound_in(body)))))
         case facts.Lambda(params=params, body=body):
-            yield from _reads([body], scope.within(frozenset((*(param.name for param in params), *_bound_in([body])))))
+            yield from _reads([body], scope.within(frozenset((*(param.name for param in params), *bound_in([body])))))
 
 
 def _set_on_self(body: Sequence[facts.Stmt]) -> Iterator[facts.Attribute]:

@@ -21,6 +21,7 @@ MODULES: tuple[str, ...] = (
     "long_services",
     "malformed_substitutions",
     "missing_files",
+    "missing_imports",
     "handlers",
     "hardcoded",
     "names",

@@ -9,8 +9,10 @@ from archlint.analysis.logger_calls import GET_LOGGER, LOGGER, refused_logger_ca
 from archlint.analysis.own_names import is_defined_somewhere
 from archlint.analysis.reach import judged_notes
 from archlint.checks.absent_imports import OF_MODULE, absent_import_findings
+from archlint.checks.argument_words import quoted, what_does_not_fit
 from archlint.checks.attributes import LEVELS, LOG_WITH, LOGS, OF_CLASS, UNASSIGNED, attribute_findings
 from archlint.checks.folding import folds, with_others
+from archlint.checks.own_calls import own_call_findings
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.time_operators import OPERATOR, time_operator_findings
@@ -37,6 +39,7 @@ def refused_call(system: System, options: Options) -> Iterator[Finding]:
         if call.misuse not in _OF_OTHER_RULES and _is_refused(call, options.distros):
             yield _finding(call)
     yield from time_operator_findings(system)
+    yield from own_call_findings(system)
 
 
 @rule("API002", scope=Scope.CODE)
@@ -187,20 +190,12 @@ def _is_inherited_constructor(call: RefusedCall) -> bool:
 
 
 def _what_is_wrong(call: RefusedCall) -> str:
-    names = _quoted(call.parameters)
+    names = quoted(call.parameters)
     match call.misuse:
         case Misuse.MISSING if _is_inherited_constructor(call) and call.wanted:
             return f"{names} is missing, as {call.wanted}() is no constructor"
-        case Misuse.MISSING:
-            return f"{names} {'is' if len(call.parameters) == 1 else 'are'} missing"
-        case Misuse.TOO_MANY:
-            if not call.takes:
-                return "it takes no argument"
-            return f"it takes at most {call.takes} {'argument' if call.takes == 1 else 'arguments'} by position"
-        case Misuse.UNKNOWN_KEYWORD:
-            return f"it has no parameter {names}"
-        case Misuse.TWICE:
-            return f"{names} is given by position and by name"
+        case Misuse.MISSING | Misuse.TOO_MANY | Misuse.UNKNOWN_KEYWORD | Misuse.TWICE:
+            return what_does_not_fit(call.misuse, call.parameters, call.takes)
         case Misuse.ABSENT:
             return f"there is no {names}"
         case Misuse.BEFORE_INIT | Misuse.EARLY:
@@ -243,7 +238,3 @@ def _cure_of_logger(name: str, call: RefusedCall) -> str:
     if "exc_info" in call.parameters:
         return "put traceback.format_exc() into the text"
     return f"write {name}({', '.join(call.signature)})"
-
-
-def _quoted(names: tuple[str, ...]) -> str:
-    return " and ".join(filter(None, (", ".join(map(repr, names[:-1])), *map(repr, names[-1:]))))

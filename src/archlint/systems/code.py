@@ -111,6 +111,18 @@ class WorkspaceCode:
         """The first segments of the names under which files of the workspace are imported."""
         return frozenset(file.module.partition(".")[0] for file in self._files if file.module)
 
+    @cached_property
+    def modules(self) -> Mapping[str, frozenset[str | None]]:
+        """The dotted names of the modules of the workspace, and of the folders that they are in, with the packages that
+        have them."""
+        packages: dict[str, set[str | None]] = {}
+        for file in self._files:
+            for module in (file.module, *(link.module for link in file.links)):
+                parts = module.split(".") if module else []
+                for end in range(1, len(parts) + 1):
+                    packages.setdefault(".".join(parts[:end]), set()).add(file.package)
+        return {name: frozenset(having) for name, having in packages.items()}
+
     def is_local(self, file: SourceFile, module: str) -> bool:
         """Whether an import means a file of the same package."""
         importer = self._index.module(file)

@@ -1,0 +1,169 @@
+"""Imports of the workspace's own Python code that find nothing.
+
+A module of an installed package is imported by its whole name.  The folder that a file lies in is on Python's path only
+while that very file is run as a script: `ros2 run` starts a console script, which imports the module, and then nothing
+beside it is found.
+"""
+
+from __future__ import annotations
+
+import posixpath
+import sys
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Union
+
+from archlint.analysis.absent_imports import forgiving
+from archlint.analysis.entry_points import is_on_disk
+from archlint.analysis.kept import once, once_for_each_file
+from archlint.analysis.offered_names import offers
+from archlint.place import Place
+from archlint.ros.python_modules import key_of
+from archlint.suggestions import nearest
+from archlint.syntax import facts
+from archlint.syntax.parts import Itself, everything_in
+
+if TYPE_CHECKING:
+    from archlint.systems.model import WorkspaceIndex
+    from archlint.workspace.model import SourceFile
+
+_Import = Union[facts.Import, facts.ImportFrom]
+_INTERFACES = frozenset({"action", "msg", "srv"})
+_COMPILED = frozenset({"cython", "generate_parameter_module", "nanobind", "pybind11", "python_add_library", "swig"})
+"""Words of a build that makes modules which no file of Python is."""
+_MADE_BY_TOOLS = ("_pb2", "_pb2_grpc", "_parameters", "_rc", "_ui", "_version", "version")
+"""How the names of modules end that a tool writes while the package is built."""
+
+
+@dataclass(frozen=True)
+class MissingImport:
+    """An import that finds nothing.  ``name`` is empty where the ``module`` itself is not there; ``near`` is what has
+    almost the same name; ``beside`` is the name by which a file that lies beside this one can be imported."""
+
+    place: Place
+    module: str
+    name: str = ""
+    near: str = ""
+    beside: str = ""
+
+
+def missing_imports(workspace: WorkspaceIndex) -> Iterator[MissingImport]:
+    """Every such import in the files that were asked for, but for test code."""
+    for file, _ in workspace.code.asked_for():
+        if file.kind != "python" or file.package is None or workspace.roles.is_test(file.relative):
+            continue
+        for statement in _imports(workspace, file.relative) or ():
+            place = Place(file.relative, *statement.span)
+            for module, names in _asked_for(statement):
+                missing = _beside(workspace, file, module, place) or _absent(workspace, file, module, place)
+                yield from [missing] if missing else _absent_names(workspace, file, module, names, place)
+
+
+@once_for_each_file
+def _imports(code: facts.Facts) -> list[_Import]:
+    """The absolute imports of a file that nothing goes on without."""
+    forgiven = {Itself[object](part) for block in forgiving(code) for part in everything_in(block)}
+    every: list[_Import] = [*everything_in(code.body, facts.Import), *everything_in(code.body, facts.ImportFrom)]
+    return [statement for statement in every if Itself(statement) not in forgiven]
+
+
+def _asked_for(statement: _Import) -> Iterator[tuple[str, list[str]]]:
+    match statement:
+        case facts.Import(module=module):
+            yield module, []
+        case facts.ImportFrom(module=module, level=0, names=names):
+            yield module, [name for name, _ in names if name != "*"]
+
+
+# ------------------------------------------------------------------------------------- what a package does not have
+
+
+def _absent(workspace: WorkspaceIndex, file: SourceFile, module: str, place: Place) -> MissingImport | None:
+    """A module that no file of the package of its name is."""
+    if not _is_whole(workspace, module) or _is_there(workspace, file, module):
+        return None
+    above, _, last = module.rpartition(".")
+    if above not in workspace.code.modules or last.endswith(_MADE_BY_TOOLS) or _is_on_disk(workspace, module):
+        return None
+    beside = [name for name in workspace.code.modules if name.rpartition(".")[0] == above]
+    near = nearest(last, [name.rpartition(".")[2] for name in beside])
+    return MissingImport(place, module, near=f"{above}.{near}" if near else "")
+
+
+def _absent_names(
+    workspace: WorkspaceIndex, file: SourceFile, module: str, names: list[str], place: Place
+) -> Iterator[MissingImport]:
+    """The names that a module of the workspace does not have."""
+    path = workspace.code.file_of_import(file.relative, module)
+    if path is None or not _is_whole(workspace, module):
+        return
+    for name in names:
+        inner = f"{module}.{name}"
+        is_inner = inner in workspace.code.modules or _is_there(workspace, file, inner)
+        if not is_inner and not name.endswith(_MADE_BY_TOOLS) and not offers(workspace, path, name):
+            yield MissingImport(place, module, name)
+
+
+def _is_there(workspace: WorkspaceIndex, file: SourceFile, module: str) -> bool:
+    return module in workspace.code.modules or workspace.code.path_of_import(file.relative, module) is not None
+
+
+def _is_on_disk(workspace: WorkspaceIndex, module: str) -> bool:
+    [package] = workspace.code.modules[module.partition(".")[0]]
+    return is_on_disk(workspace, package or "", module)
+
+
+def _is_whole(workspace: WorkspaceIndex, module: str) -> bool:
+    """Whether a dotted name begins with a Python package of which all modules are files of one package here."""
+    top, _, rest = module.partition(".")
+    if rest.partition(".")[0] in _INTERFACES:
+        return False
+    having = workspace.code.modules.get(top, frozenset())
+    return len(having) == 1 and all(package is not None and _is_plain(workspace, package) for package in having)
+
+
+def _is_plain(workspace: WorkspaceIndex, package: str) -> bool:
+    """Whether the build of a package makes no modules of its own."""
+    installs = workspace.installs.get(package)
+    return installs is not None and installs.python is not None and _COMPILED.isdisjoint(installs.words)
+
+
+# ------------------------------------------------------------------------------------------------ what lies beside it
+
+
+def _beside(workspace: WorkspaceIndex, file: SourceFile, module: str, place: Place) -> MissingImport | None:
+    """A module that is imported by its short name from a file that a console script imports."""
+    top = module.partition(".")[0]
+    path = workspace.code.path_of_import(file.relative, module)
+    if path is None or top in workspace.code.modules or file.relative not in _by_console_scripts(workspace):
+        return None
+    folder = posixpath.dirname(file.relative)
+    if top in sys.stdlib_module_names or key_of(top) is not None or not path.startswith(f"{folder}/"):
+        return None
+    above = (file.module or "").rpartition(".")[0]
+    return MissingImport(place, module, beside=f"{above}.{module}") if above else None
+
+
+@once
+def _by_console_scripts(workspace: WorkspaceIndex) -> frozenset[str]:
+    """The files that console scripts import, by whole names, in packages of Python alone that do not touch the path."""
+    starts = set()
+    for package, installs in workspace.installs.items():
+        if installs.python is None or _touches_the_path(workspace, package):
+            continue
+        for executable in installs.executables.values():
+            if executable.module and not executable.script:
+                starts.update(workspace.code.files_named(package, executable.module))
+    return frozenset(starts)
+
+
+def _touches_the_path(workspace: WorkspaceIndex, package: str) -> bool:
+    read = (workspace.facts_at(path) for path in workspace.code.files_of(package))
+    return any(code is None or ("path" in code.names and "sys" in code.names and _has_path(code)) for code in read)
+
+
+def _has_path(code: facts.Facts) -> bool:
+    return any(part.dotted == "sys.path" for part in everything_in(code.body, facts.Attribute))
+
+
+__all__ = ["MissingImport", "missing_imports"]

@@ -1,0 +1,86 @@
+"""Which names a Python file binds at its top level, and which of them its star imports bring."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from archlint.syntax import facts
+from archlint.syntax.bindings import bound_by
+from archlint.syntax.parts import everything_in, once_for, parts_of
+
+if TYPE_CHECKING:
+    from archlint.systems.model import WorkspaceIndex
+
+MAKES_NAMES = frozenset({"__builtins__", "exec", "execfile", "globals", "locals", "vars"})
+"""What code may bind any name with."""
+_INTERFACES = frozenset({"action", "msg", "srv"})
+_DEPTH = 8
+"""How many star imports are followed."""
+
+
+@dataclass(frozen=True)
+class Starred:
+    """The names that star imports bring; ``classes`` says that those of interfaces are among them, all of which begin
+    with a capital letter."""
+
+    names: frozenset[str] = frozenset()
+    classes: bool = False
+
+    def has(self, name: str) -> bool:
+        """Whether a name may be among them."""
+        return name in self.names or (self.classes and name[:1].isupper())
+
+
+def starred(workspace: WorkspaceIndex, file: str, code: facts.Facts, depth: int = _DEPTH) -> Starred | None:
+    """What the star imports of a file bring; None where that is not known."""
+    names: set[str] = set()
+    classes = False
+    for statement in stars(code):
+        imported = workspace.code.imported(file, statement.module, statement.level)
+        path = workspace.code.path_of_import(file, statement.module, statement.level)
+        if imported is None or path is None:
+            if statement.level or statement.module.rpartition(".")[2] not in _INTERFACES:
+                return None
+            classes = True
+            continue
+        further = starred(workspace, path, imported, depth - 1) if depth > 0 else None
+        if further is None:
+            return None
+        names |= further.names | own_names(imported)
+        classes |= further.classes
+    return Starred(frozenset(names), classes)
+
+
+def offers(workspace: WorkspaceIndex, file: str, name: str) -> bool:
+    """Whether a file may have a name at its top level; true where that cannot be told."""
+    code = workspace.facts_at(file)
+    if code is None or not MAKES_NAMES.isdisjoint(code.names) or "__getattr__" in own_names(code):
+        return True
+    brought = starred(workspace, file, code)
+    return brought is None or brought.has(name) or name in own_names(code)
+
+
+@once_for
+def stars(code: facts.Facts) -> list[facts.ImportFrom]:
+    """The star imports of a file."""
+    imports = everything_in(code.body, facts.ImportFrom)
+    return [statement for statement in imports if any(name == "*" for name, _ in statement.names)]
+
+
+@once_for
+def own_names(code: facts.Facts) -> frozenset[str]:
+    """What a file binds at its top level, but for star imports; rather too much than too little."""
+    declared = (name for part in everything_in(code.body, facts.Global) for name in part.names)
+    return frozenset((*declared, *bound_in(code.body), *(code.exports or ())))
+
+
+def bound_in(body: Sequence[facts.Base]) -> Iterator[str]:
+    """The names that a body binds in its own scope."""
+    for part in parts_of(body):
+        if not isinstance(part, (facts.Generator, facts.Param)):
+            yield from bound_by(part)
+
+
+__all__ = ["MAKES_NAMES", "Starred", "bound_in", "offers", "own_names", "starred", "stars"]

@@ -1,0 +1,248 @@
+"""Calls of the workspace's own functions, methods and classes with arguments that their parameters do not take.
+
+What a name means is told by the text alone: a function or a class that a file defines once and binds to nothing else,
+or imports from such a file, and a method of ``self`` that no class derived from its class and no assignment replaces.
+"""
+
+from __future__ import annotations
+
+import posixpath
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from archlint.analysis.class_chains import (
+    ClassInFile,
+    chain_of,
+    classes_of,
+    derived_from,
+    files_with,
+    methods_of,
+    targets_of,
+)
+from archlint.analysis.kept import once_for_each_file
+from archlint.analysis.offered_names import MAKES_NAMES, stars
+from archlint.model import Misuse
+from archlint.place import Place
+from archlint.syntax import facts
+from archlint.syntax.bindings import bound_by
+from archlint.syntax.parts import Itself, everything_in, once_for
+from archlint.syntax.walk import statements_of
+
+if TYPE_CHECKING:
+    from archlint.systems.model import WorkspaceIndex
+
+_FORGIVING = "TypeError"
+_PLAIN_DECORATORS = frozenset({"abstractmethod", "classmethod", "override", "staticmethod"})
+_DEPTH = 4
+"""How many imports are followed to a function."""
+
+
+@dataclass(frozen=True)
+class FunctionInFile:
+    """A function and the file that it is in; ``bound`` is how many of its parameters a call does not give."""
+
+    file: str
+    code: facts.Function
+    bound: int = 0
+
+
+@dataclass(frozen=True)
+class Misfit:
+    """What is wrong with the arguments of a call: the parameters it is about, and how many it takes by position."""
+
+    misuse: Misuse
+    parameters: tuple[str, ...] = ()
+    takes: int = 0
+
+
+@dataclass(frozen=True)
+class RefusedOwnCall:
+    """A call that fails, of ``name``, which is defined at a place with these parameters."""
+
+    place: Place
+    name: str
+    misfit: Misfit
+    defined: Place
+    signature: tuple[str, ...]
+
+
+def refused_own_calls(workspace: WorkspaceIndex) -> Iterator[RefusedOwnCall]:
+    """Every such call in the files that were asked for, but for test code."""
+    for file, _ in workspace.code.asked_for():
+        if file.kind not in ("python", "launch_python") or workspace.roles.is_test(file.relative):
+            continue
+        for call, cls in _calls(workspace, file.relative) or ():
+            meant = _meant(workspace, file.relative, call, cls)
+            wrong = None if meant is None else misfit(meant.code.params[meant.bound :], call)
+            if meant is not None and wrong is not None:
+                place = Place(file.relative, *call.span)
+                name = call.func.dotted
+                signature = tuple(_needed(meant.code.params[meant.bound :]))
+                yield RefusedOwnCall(place, name, wrong, Place(meant.file, *meant.code.name_span), signature)
+
+
+def misfit(params: Sequence[facts.Param], call: facts.Call) -> Misfit | None:
+    """What is wrong with the arguments of a call for such parameters; None where nothing is, or not all are known."""
+    if any(argument.star for argument in call.args):
+        return None
+    by_position = [param.name for param in params if param.kind in ("positional_only", "normal")]
+    by_name = {param.name for param in params if param.kind in ("normal", "keyword_only")}
+    kinds = {param.kind for param in params}
+    given = sum(argument.keyword is None for argument in call.args)
+    keywords = [argument.keyword for argument in call.args if argument.keyword is not None]
+    if given > len(by_position) and "star" not in kinds:
+        return Misfit(Misuse.TOO_MANY, takes=len(by_position))
+    unknown = tuple(name for name in keywords if name not in by_name)
+    if unknown and "double_star" not in kinds:
+        return Misfit(Misuse.UNKNOWN_KEYWORD, unknown)
+    filled = {*by_position[:given], *keywords}
+    twice = tuple(name for name in keywords if name in by_position[:given])
+    if twice:
+        return Misfit(Misuse.TWICE, twice)
+    missing = tuple(name for name in _needed(params) if name not in filled)
+    return Misfit(Misuse.MISSING, missing) if missing else None
+
+
+def _needed(params: Sequence[facts.Param]) -> Iterator[str]:
+    """The parameters that may not be left out."""
+    for param in params:
+        if param.default is None and param.kind in ("positional_only", "normal", "keyword_only"):
+            yield param.name
+
+
+# ----------------------------------------------------------------------------------------------- which calls there are
+
+
+@once_for_each_file
+def _calls(code: facts.Facts) -> list[tuple[facts.Call, facts.Class | None]]:
+    """The calls of plain names, and those of methods of ``self`` with the class that the method around them is of."""
+    if not MAKES_NAMES.isdisjoint(code.names):
+        return []
+    forgiven = {Itself(part) for block in _forgiving(code) for part in everything_in(block)}
+    around = {Itself(call): cls for cls in classes_of(code) for call in _on_self(cls)}
+    rows: list[tuple[facts.Call, facts.Class | None]] = []
+    for call in everything_in(code.body, facts.Call):
+        cls = around.get(Itself(call))
+        if Itself[facts.Base](call) not in forgiven and (cls is not None or call.func.variable):
+            rows.append((call, cls))
+    return rows
+
+
+def _forgiving(code: facts.Facts) -> Iterator[list[facts.Stmt]]:
+    for statement in everything_in(code.body, facts.Try):
+        if any(_FORGIVING in handler.caught for handler in statement.handlers):
+            yield statement.body
+
+
+def _on_self(cls: facts.Class) -> Iterator[facts.Call]:
+    """The calls ``self.name(…)`` in the methods of a class."""
+    for function in methods_of(cls):
+        match function.params:
+            case [facts.Param(name="self", annotation=None), *_] if not function.decorators:
+                pass
+            case _:
+                continue
+        if any(part.name == "self" for part in everything_in(function.body, facts.Param)):
+            continue
+        for call in everything_in(function.body, facts.Call):
+            match call.func:
+                case facts.Attribute(value=facts.Name(id="self")):
+                    yield call
+
+
+# ---------------------------------------------------------------------------------------------------- what they mean
+
+
+def _meant(workspace: WorkspaceIndex, file: str, call: facts.Call, cls: facts.Class | None) -> FunctionInFile | None:
+    if cls is not None:
+        return _method(workspace, ClassInFile(file, cls), call.func.attribute)
+    return _function(workspace, file, call.func.variable, _DEPTH)
+
+
+def _function(workspace: WorkspaceIndex, file: str, name: str, depth: int) -> FunctionInFile | None:
+    """The function that a name means in a file, or the constructor of the class."""
+    code = workspace.facts_at(file)
+    if code is None or depth <= 0 or stars(code) or _bindings(code)[name] != 1:
+        return None
+    for statement in code.body:
+        match statement:
+            case facts.Function(name=defined, decorators=[]) if defined == name:
+                return FunctionInFile(file, statement)
+            case facts.Class(name=defined) if defined == name:
+                return _constructor(workspace, ClassInFile(file, statement))
+            case facts.ImportFrom(names=names) if any(bound == name for _, bound in names):
+                own = next(own for own, bound in names if bound == name)
+                path = _file_of(workspace, file, statement)
+                return None if path is None else _function(workspace, path, own, depth - 1)
+    return None
+
+
+def _file_of(workspace: WorkspaceIndex, file: str, statement: facts.ImportFrom) -> str | None:
+    """The file that an import means wherever it is imported, or that lies beside this one."""
+    path = workspace.code.path_of_import(file, statement.module, statement.level)
+    if path is not None and posixpath.dirname(path) == posixpath.dirname(file):
+        return path
+    return workspace.code.file_of_import(file, statement.module, statement.level)
+
+
+@once_for
+def _bindings(code: facts.Facts) -> Counter[str]:
+    """How often a file binds each name, in whichever scope."""
+    return Counter(name for part in everything_in(code.body) for name in bound_by(part))
+
+
+def _constructor(workspace: WorkspaceIndex, cls: ClassInFile) -> FunctionInFile | None:
+    chain = chain_of(workspace, cls)
+    if not chain.complete or any("__new__" in _methods(own.code) for own in chain.own):
+        return None
+    for own in chain.own:
+        constructor = _methods(own.code).get("__init__")
+        if constructor is not None:
+            return FunctionInFile(own.file, constructor, 1) if _is_plain(own.code, constructor) else None
+        if len(own.code.bases) > 1:
+            return None
+    return None
+
+
+def _method(workspace: WorkspaceIndex, cls: ClassInFile, name: str) -> FunctionInFile | None:
+    """The method that ``self.name`` means in the methods of a class."""
+    chain = chain_of(workspace, cls)
+    own = next((each for each in chain.own if name in _methods(each.code)), None)
+    if own is None or (own.code is not cls.code and not chain.complete) or cls.code.decorators:
+        return None
+    method = _methods(own.code)[name]
+    if not _is_plain(own.code, method) or _is_replaced(workspace, cls, name):
+        return None
+    static = any(decorator.last_name == "staticmethod" for decorator in method.decorators)
+    bound = 0 if static else 1
+    return FunctionInFile(own.file, method, bound) if len(method.params) >= bound else None
+
+
+@once_for
+def _methods(code: facts.Class) -> dict[str, facts.Function]:
+    return {function.name: function for function in methods_of(code)}
+
+
+def _is_plain(code: facts.Class, function: facts.Function) -> bool:
+    """Whether a method is what its definition says: nothing else in the body of the class has its name."""
+    names = [name for statement in statements_of(code.body) for name in bound_by(statement)]
+    decorated = any(decorator.last_name not in _PLAIN_DECORATORS for decorator in function.decorators)
+    return names.count(function.name) == 1 and not decorated
+
+
+def _is_replaced(workspace: WorkspaceIndex, cls: ClassInFile, name: str) -> bool:
+    """Whether a derived class has a method of its own by a name, or any code assigns it."""
+    if any(name in _methods(derived.code) for derived in derived_from(workspace, cls)):
+        return True
+    read = (workspace.facts_at(file) for file in dict.fromkeys((cls.file, *files_with(workspace, name))))
+    return any(code is None or name in _assigned_attributes(code) for code in read)
+
+
+@once_for
+def _assigned_attributes(code: facts.Facts) -> frozenset[str]:
+    return frozenset(target.attribute for target in targets_of(code.body) if target.attribute)
+
+
+__all__ = ["Misfit", "RefusedOwnCall", "misfit", "refused_own_calls"]

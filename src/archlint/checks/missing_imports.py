@@ -1,0 +1,54 @@
+"""API006: imports of the workspace's own Python code that find nothing."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
+
+from archlint.analysis.missing_imports import MissingImport, missing_imports
+from archlint.checks.folding import folds, with_others
+from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
+from archlint.finding import Finding
+from archlint.suggestions import meant
+
+if TYPE_CHECKING:
+    from archlint.systems.model import System
+
+
+@rule("API006", scope=Scope.CODE)
+def missing_import(system: System, options: Options) -> Iterator[Finding]:
+    """Imports of modules, and of names of modules, that the workspace would have and does not."""
+    if system.workspace is not None:
+        yield from map(_finding, missing_imports(system.workspace))
+
+
+def _finding(missing: MissingImport) -> Finding:
+    module, name = missing.module, missing.name
+    if missing.beside:
+        message = f"'{module}' is not found once a console script imports this file: its folder is not on Python's path"
+        help = f"write `from {missing.beside} import …`"
+    elif name:
+        message = f"{module} has no '{name}': the import fails with an ImportError"
+        help = f"define {name} there, or import what there is"
+    else:
+        message = f"there is no module {module}: the import fails{meant(missing.near)}"
+        help = f"import {missing.near}" if missing.near else "correct the name, or add the file"
+    return finding(
+        "API006",
+        missing.place,
+        message,
+        help=help,
+        identity=(module, name),
+        group=(missing.place.file, module, name),
+        meant=missing.near,
+    )
+
+
+@folds("API006")
+def missing_in_one_file(findings: Sequence[Finding]) -> Finding:
+    """The first import of something in a file, for all of them."""
+    return with_others(findings, "another import of the file does", "more imports of the file do", "the same")
+
+
+__all__ = ["missing_import", "missing_in_one_file"]

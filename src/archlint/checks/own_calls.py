@@ -1,0 +1,38 @@
+"""What API001 says of calls of the workspace's own functions."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from archlint.analysis.own_calls import RefusedOwnCall, refused_own_calls
+from archlint.checks.argument_words import what_does_not_fit
+from archlint.checks.registry import finding
+from archlint.checks.uncalled import mild_if_uncalled
+from archlint.finding import Finding, Related
+
+if TYPE_CHECKING:
+    from archlint.systems.model import System
+
+
+def own_call_findings(system: System) -> Iterator[Finding]:
+    """The findings about such calls."""
+    if system.workspace is not None:
+        for call in refused_own_calls(system.workspace):
+            yield mild_if_uncalled(system, _finding(call))
+
+
+def _finding(call: RefusedOwnCall) -> Finding:
+    wrong, name = call.misfit, call.name.rpartition(".")[2]
+    return finding(
+        "API001",
+        call.place,
+        f"{name}() fails: {what_does_not_fit(wrong.misuse, wrong.parameters, wrong.takes)}",
+        help=f"write {call.name}({', '.join(call.signature)})",
+        related=[Related(call.defined, f"{name}() is defined here")],
+        identity=(call.name, str(wrong.misuse), *wrong.parameters),
+        group=(call.place.file, call.name, str(call.defined), str(wrong.misuse), *wrong.parameters),
+    )
+
+
+__all__ = ["own_call_findings"]

@@ -1,0 +1,121 @@
+"""API006: imports of the workspace's own Python code that find nothing."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from archlint.finding import Finding
+
+SETUP = """
+from setuptools import setup
+setup(name='robot', packages=['robot'], entry_points={'console_scripts': ['talker = robot.talker:main']})
+"""
+TALKER = """
+import rclpy
+{line}
+
+
+def main():
+    rclpy.init()
+    rclpy.spin(rclpy.create_node('talker'))
+"""
+CAMERA = "WIDTH = 640\n\n\ndef open_camera():\n    pass\n"
+
+
+@pytest.fixture
+def said(findings: Callable[..., list[Finding]]) -> Callable[..., list[Finding]]:
+    """What is said of a line of a console script, beside which there are other files."""
+
+    def run(line: str, **files: str) -> list[Finding]:
+        own = {"setup.py": SETUP, "robot/__init__.py": "", "robot/camera.py": CAMERA}
+        return findings("API006", **(own | files | {"robot/talker.py": TALKER.format(line=line)}))
+
+    return run
+
+
+@pytest.mark.parametrize(
+    ("line", "message", "help"),
+    [
+        (
+            "from robot.camara import open_camera",
+            "there is no module robot.camara: the import fails; did you mean robot.camera?",
+            "import robot.camera",
+        ),
+        (
+            "import robot.motors",
+            "there is no module robot.motors: the import fails",
+            "correct the name, or add the file",
+        ),
+        (
+            "from robot.camera import WIDTH, close_camera",
+            "robot.camera has no 'close_camera': the import fails with an ImportError",
+            "define close_camera there, or import what there is",
+        ),
+        (
+            "from robot import motors",
+            "robot has no 'motors': the import fails with an ImportError",
+            "define motors there, or import what there is",
+        ),
+        (
+            "from camera import open_camera",
+            "'camera' is not found once a console script imports this file: its folder is not on Python's path",
+            "write `from robot.camera import …`",
+        ),
+    ],
+)
+def test_an_import_that_finds_nothing(said: Callable[..., list[Finding]], line: str, message: str, help: str) -> None:
+    (finding,) = said(line)
+    assert (finding.message, finding.help, finding.place.line) == (message, help, 3)
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "from robot.camera import open_camera, WIDTH",
+        "from robot import camera",
+        "from .camera import open_camera",
+        "import robot.camera as camera",
+        "try:\n    from robot.motors import stop\nexcept ImportError:\n    stop = None",
+        "from typing import TYPE_CHECKING\nif TYPE_CHECKING:\n    from robot.motors import Motor",
+        "from robot.messages_pb2 import Message",
+        "from robot.msg import Speed",
+        "import serial",
+        "import unknown_library",
+    ],
+)
+def test_imports_that_find_something_or_are_not_known(said: Callable[..., list[Finding]], line: str) -> None:
+    assert said(line) == []
+
+
+def test_names_that_a_module_may_have(said: Callable[..., list[Finding]]) -> None:
+    for text in ("from unknown_library import *\n", "globals()['motors'] = 1\n", "def __getattr__(name): ...\n"):
+        assert said("from robot.camera import motors", **{"robot/camera.py": text}) == []
+    star = {"robot/camera.py": "from robot.motors import *\n", "robot/motors.py": "def stop(): ...\n"}
+    assert said("from robot.camera import stop", **star) == []
+    assert len(said("from robot.camera import start", **star)) == 1
+
+
+def test_packages_of_which_not_all_is_known(said: Callable[..., list[Finding]]) -> None:
+    unknown = SETUP.replace("['robot']", "packages_of('robot')", 1)
+    assert said("import robot.motors", **{"setup.py": unknown}) == []
+
+
+def test_a_path_that_is_changed(said: Callable[..., list[Finding]]) -> None:
+    assert said("import sys\nsys.path.append('.')\nfrom camera import open_camera") == []
+
+
+def test_a_module_called_like_one_that_is_installed(said: Callable[..., list[Finding]]) -> None:
+    assert said("import serial", **{"robot/serial.py": ""}) == []
+    assert said("import queue", **{"robot/queue.py": ""}) == []
+
+
+def test_a_file_that_no_console_script_imports(findings: Callable[..., list[Finding]]) -> None:
+    files = {
+        "setup.py": SETUP,
+        "robot/__init__.py": "",
+        "robot/camera.py": CAMERA,
+        "robot/talker.py": TALKER.format(line=""),
+    }
+    assert findings("API006", **files, **{"robot/tool.py": "import rclpy\nfrom camera import open_camera\n"}) == []

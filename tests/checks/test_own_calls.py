@@ -1,0 +1,120 @@
+"""API001: calls of the workspace's own functions, methods and classes."""
+
+from __future__ import annotations
+
+import pytest
+
+from archlint.finding import Finding
+from checks.judging import Judge
+
+NODE = """
+import rclpy
+from rclpy.node import Node
+
+
+def mix(first, second=0, *, loud=False):
+    return first + second
+
+
+def log(text, *values, **options):
+    print(text, values, options)
+
+
+class Point:
+    def __init__(self, x, y=0.0):
+        self.x = x
+
+
+class Base(Node):
+    def stop(self, hard):
+        pass
+
+
+class Motor(Base):
+    def __init__(self):
+        super().__init__('motor')
+        self.timer = self.create_timer(1.0, self.tick)
+
+    def tick(self):
+{body}
+
+    def drive(self, speed, turn=0.0):
+        pass
+
+    def replaced(self):
+        pass
+
+    @staticmethod
+    def check(value):
+        pass
+
+    @cached
+    def known(self):
+        pass
+"""
+
+
+def _node(*lines: str) -> str:
+    return NODE.format(body="\n".join(f"        {line}" for line in lines))
+
+
+@pytest.mark.parametrize(
+    ("line", "what", "help"),
+    [
+        ("mix()", "mix() fails: 'first' is missing", "write mix(first)"),
+        ("mix(1, 2, 3)", "mix() fails: it takes at most 2 arguments by position", "write mix(first)"),
+        ("mix(1, quiet=True)", "mix() fails: it has no parameter 'quiet'", "write mix(first)"),
+        ("mix(1, first=2)", "mix() fails: 'first' is given by position and by name", "write mix(first)"),
+        ("log()", "log() fails: 'text' is missing", "write log(text)"),
+        ("Point(1.0, 2.0, 3.0)", "Point() fails: it takes at most 2 arguments by position", "write Point(x)"),
+        ("self.drive()", "drive() fails: 'speed' is missing", "write self.drive(speed)"),
+        (
+            "self.drive(self, 1.0, 0.5)",
+            "drive() fails: it takes at most 2 arguments by position",
+            "write self.drive(speed)",
+        ),
+        ("self.stop()", "stop() fails: 'hard' is missing", "write self.stop(hard)"),
+        ("self.check(1, 2)", "check() fails: it takes at most 1 argument by position", "write self.check(value)"),
+    ],
+)
+def test_arguments_that_a_function_does_not_take(judge: Judge, line: str, what: str, help: str) -> None:
+    (finding,) = judge("API001", _node(f"{line}  # here"))
+    assert (finding.message, finding.help) == (what, help)
+    assert [place.message for place in finding.related] == [f"{what.partition(' ')[0]} is defined here"]
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "mix(1, 2, loud=True)",
+        "mix(*[1])",
+        "mix(**{'first': 1})",
+        "log('a', 1, 2, three=3)",
+        "Point(x=1.0)",
+        "self.drive(1.0, turn=0.5)",
+        "self.check(1)",
+        "self.known(1, 2)",
+        "self.replaced(1)",
+        "redefined(1)",
+        "try:\n            mix()\n        except TypeError:\n            pass",
+        "(lambda mix: mix())(print)",
+    ],
+)
+def test_arguments_that_fit_or_are_not_known(judge: Judge, line: str) -> None:
+    more = "\n\ndef redefined(): ...\n\n\ndef redefined(a): ...\n\n\nMotor.replaced = print\n"
+    judge("API001", _node(line) + more)
+
+
+def test_a_function_of_another_file(judge: Judge) -> None:
+    source = "from node1 import rotate\n" + _node("rotate()  # here", "rotate(1)")
+    judge("API001", source, "def rotate(angle): ...\n")
+
+
+def test_a_method_that_a_derived_class_replaces(judge: Judge) -> None:
+    derived = "\n\nclass Fast(Motor):\n    def drive(self):\n        pass\n"
+    judge("API001", _node("self.drive()") + derived)
+
+
+def test_calls_that_are_wrong_in_the_same_way(judge: Judge) -> None:
+    findings: list[Finding] = judge("API001", _node("mix()  # here", "mix()"))
+    assert findings[0].message.endswith("; another call in this file fails in the same way")
