@@ -78,6 +78,7 @@ def test_an_import_that_finds_nothing(said: Callable[..., list[Finding]], line: 
         "from .camera import open_camera",
         "import robot.camera as camera",
         "try:\n    from robot.motors import stop\nexcept ImportError:\n    stop = None",
+        "try:\n    from .camera import WIDTH\nexcept ImportError:\n    from camera import WIDTH",
         "from typing import TYPE_CHECKING\nif TYPE_CHECKING:\n    from robot.motors import Motor",
         "from robot.messages_pb2 import Message",
         "from robot.msg import Speed",

@@ -73,6 +73,20 @@ def test_a_name_that_nothing_defines(judge: Judge, line: str, hint: str, help: s
     assert finding.help == help
 
 
+@pytest.mark.parametrize(
+    ("line", "hint", "help"),
+    [
+        ("count += 1", "", "give count a value before"),
+        ("limit += 1", "; did you mean 'self.limit'?", "write self.limit"),
+        ("shared += 1", "", "write `global shared` in the function"),
+    ],
+)
+def test_a_local_variable_that_is_only_added_to(judge: Judge, line: str, hint: str, help: str) -> None:
+    (finding,) = judge("API005", _node(f"{line}  # here") + "\n\nshared = 0\n")
+    assert finding.message.endswith(f"a value in this function: this line fails with an UnboundLocalError{hint}")
+    assert finding.help == help
+
+
 def test_all_reads_in_a_file_are_one_finding(judge: Judge) -> None:
     (finding,) = judge("API005", _node("time.sleep(0.1)  # here") + "\n\ndef wait():\n    time.sleep(1.0)\n")
     assert finding.message.endswith("; another line of the file does the same")
@@ -98,7 +112,9 @@ def test_what_other_files_write(judge: Judge) -> None:
         ("message: Missing = None", "print(message)"),
         ("print({key: value for key, value in {}.items() if key})",),
         ("print((lambda a, *b, c=1, **d: (a, b, c, d)))",),
-        ("global shared", "shared = 1"),
+        ("global shared", "shared += 1"),
+        ("count = 0", "count += 1"),
+        ("for count in range(3):", "    count += 1"),
         ("def inner(given=1):", "    nonlocal kept", "    kept = given", "kept = 0", "inner()"),
         ("import os.path as path", "print(path, __class__)"),
         ("print(sorted([], key=len), ExceptionGroup)",),

@@ -146,7 +146,7 @@ def forgiving(file_facts: facts.Facts) -> Iterator[list[facts.Stmt]]:
     """The blocks of code that may ask for what is not there: tried ones, and those for type checkers alone."""
     for statement in everything_in(file_facts.body, facts.Statement):
         match statement:
-            case facts.Try(body=body, handlers=handlers) if any(map(_is_tolerant, handlers)):
+            case facts.Try(body=body, handlers=handlers) if any(map(is_tolerant, handlers)):
                 yield body
             case facts.If(test=test, body=body) if test.last_name == "TYPE_CHECKING":
                 yield body
@@ -168,8 +168,9 @@ def _unread_hints(file_facts: facts.Facts) -> Iterator[facts.Expr]:
                 yield hint
 
 
-def _is_tolerant(handler: facts.Handler) -> bool:
+def is_tolerant(handler: facts.Handler) -> bool:
+    """Whether code goes on where a name or a module is not there."""
     return handler.type is None or not handler.caught.isdisjoint(_TOLERANT)
 
 
-__all__ = ["Absent", "absent_imports", "forgiving"]
+__all__ = ["Absent", "absent_imports", "forgiving", "is_tolerant"]

@@ -13,7 +13,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Union
 
-from archlint.analysis.absent_imports import forgiving
+from archlint.analysis.absent_imports import forgiving, is_tolerant
 from archlint.analysis.entry_points import is_on_disk
 from archlint.analysis.kept import once, once_for_each_file
 from archlint.analysis.offered_names import offers
@@ -31,7 +31,7 @@ _Import = Union[facts.Import, facts.ImportFrom]
 _INTERFACES = frozenset({"action", "msg", "srv"})
 _COMPILED = frozenset({"cython", "generate_parameter_module", "nanobind", "pybind11", "python_add_library", "swig"})
 """Words of a build that makes modules which no file of Python is."""
-_MADE_BY_TOOLS = ("_pb2", "_pb2_grpc", "_parameters", "_rc", "_ui", "_version", "version")
+_MADE_BY_TOOLS = ("_pb2", "_pb2_grpc", "_parameters", "_rc", "_ui", "_version")
 """How the names of modules end that a tool writes while the package is built."""
 
 
@@ -62,9 +62,17 @@ def missing_imports(workspace: WorkspaceIndex) -> Iterator[MissingImport]:
 @once_for_each_file
 def _imports(code: facts.Facts) -> list[_Import]:
     """The absolute imports of a file that nothing goes on without."""
-    forgiven = {Itself[object](part) for block in forgiving(code) for part in everything_in(block)}
+    forgiven = {Itself[object](part) for block in _tried(code) for part in everything_in(block)}
     every: list[_Import] = [*everything_in(code.body, facts.Import), *everything_in(code.body, facts.ImportFrom)]
     return [statement for statement in every if Itself(statement) not in forgiven]
+
+
+def _tried(code: facts.Facts) -> Iterator[list[facts.Stmt]]:
+    """The blocks of which one is there for where another one's imports are not found."""
+    yield from forgiving(code)
+    for statement in everything_in(code.body, facts.Try):
+        if any(map(is_tolerant, statement.handlers)):
+            yield from (handler.body for handler in statement.handlers)
 
 
 def _asked_for(statement: _Import) -> Iterator[tuple[str, list[str]]]:
@@ -83,7 +91,7 @@ def _absent(workspace: WorkspaceIndex, file: SourceFile, module: str, place: Pla
     if not _is_whole(workspace, module) or _is_there(workspace, file, module):
         return None
     above, _, last = module.rpartition(".")
-    if above not in workspace.code.modules or last.endswith(_MADE_BY_TOOLS) or _is_on_disk(workspace, module):
+    if above not in workspace.code.modules or _is_made_by_a_tool(last) or _is_on_disk(workspace, module):
         return None
     beside = [name for name in workspace.code.modules if name.rpartition(".")[0] == above]
     near = nearest(last, [name.rpartition(".")[2] for name in beside])
@@ -100,8 +108,12 @@ def _absent_names(
     for name in names:
         inner = f"{module}.{name}"
         is_inner = inner in workspace.code.modules or _is_there(workspace, file, inner)
-        if not is_inner and not name.endswith(_MADE_BY_TOOLS) and not offers(workspace, path, name):
+        if not is_inner and not _is_made_by_a_tool(name) and not offers(workspace, path, name):
             yield MissingImport(place, module, name)
+
+
+def _is_made_by_a_tool(name: str) -> bool:
+    return name == "version" or name.endswith(_MADE_BY_TOOLS)
 
 
 def _is_there(workspace: WorkspaceIndex, file: SourceFile, module: str) -> bool:
@@ -137,8 +149,8 @@ def _beside(workspace: WorkspaceIndex, file: SourceFile, module: str, place: Pla
     path = workspace.code.path_of_import(file.relative, module)
     if path is None or top in workspace.code.modules or file.relative not in _by_console_scripts(workspace):
         return None
-    folder = posixpath.dirname(file.relative)
-    if top in sys.stdlib_module_names or key_of(top) is not None or not path.startswith(f"{folder}/"):
+    there = posixpath.join(posixpath.dirname(file.relative), module.replace(".", "/"))
+    if top in sys.stdlib_module_names or key_of(top) is not None or path not in (f"{there}.py", f"{there}/__init__.py"):
         return None
     above = (file.module or "").rpartition(".")[0]
     return MissingImport(place, module, beside=f"{above}.{module}") if above else None

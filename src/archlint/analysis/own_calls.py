@@ -164,7 +164,7 @@ def _meant(workspace: WorkspaceIndex, file: str, call: facts.Call, cls: facts.Cl
 def _function(workspace: WorkspaceIndex, file: str, name: str, depth: int) -> FunctionInFile | None:
     """The function that a name means in a file, or the constructor of the class."""
     code = workspace.facts_at(file)
-    if code is None or depth <= 0 or stars(code) or _bindings(code)[name] != 1:
+    if code is None or depth <= 0 or stars(code) or bindings_of(code)[name] != 1:
         return None
     for statement in code.body:
         match statement:
@@ -179,6 +179,22 @@ def _function(workspace: WorkspaceIndex, file: str, name: str, depth: int) -> Fu
     return None
 
 
+def class_meant_by(workspace: WorkspaceIndex, file: str, name: str, depth: int = _DEPTH) -> ClassInFile | None:
+    """The class of the workspace that a name means in a file."""
+    code = workspace.facts_at(file)
+    if code is None or depth <= 0 or stars(code) or bindings_of(code)[name] != 1:
+        return None
+    for statement in code.body:
+        match statement:
+            case facts.Class(name=defined) if defined == name:
+                return ClassInFile(file, statement)
+            case facts.ImportFrom(names=names) if any(bound == name for _, bound in names):
+                own = next(own for own, bound in names if bound == name)
+                path = _file_of(workspace, file, statement)
+                return None if path is None else class_meant_by(workspace, path, own, depth - 1)
+    return None
+
+
 def _file_of(workspace: WorkspaceIndex, file: str, statement: facts.ImportFrom) -> str | None:
     """The file that an import means wherever it is imported, or that lies beside this one."""
     path = workspace.code.path_of_import(file, statement.module, statement.level)
@@ -188,7 +204,7 @@ def _file_of(workspace: WorkspaceIndex, file: str, statement: facts.ImportFrom) 
 
 
 @once_for
-def _bindings(code: facts.Facts) -> Counter[str]:
+def bindings_of(code: facts.Facts) -> Counter[str]:
     """How often a file binds each name, in whichever scope."""
     return Counter(name for part in everything_in(code.body) for name in bound_by(part))
 
@@ -245,4 +261,4 @@ def _assigned_attributes(code: facts.Facts) -> frozenset[str]:
     return frozenset(target.attribute for target in targets_of(code.body) if target.attribute)
 
 
-__all__ = ["Misfit", "RefusedOwnCall", "misfit", "refused_own_calls"]
+__all__ = ["Misfit", "RefusedOwnCall", "bindings_of", "class_meant_by", "misfit", "refused_own_calls"]

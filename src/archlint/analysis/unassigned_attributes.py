@@ -98,14 +98,14 @@ def unassigned_attributes(workspace: WorkspaceIndex) -> Iterator[Unassigned]:
     workspace makes objects of that very class."""
     for cls in _classes(workspace):
         chain = chain_of(workspace, cls)
-        members = _members(chain)
+        members = members_of(chain)
         if members is None:
             continue
         missing = [read for read in _reads(cls.code) if not any(read.name in names for names in members)]
         assigned = _assigned_in(chain) if missing else {}
         for read in missing:
             near = nearest(read.name, _candidates(assigned, read))
-            if (near is None and not _is_made(workspace, cls)) or _may_get(workspace, cls, read.name):
+            if (near is None and not _is_made(workspace, cls)) or may_get(workspace, cls, read.name):
                 continue
             at = None if near is None else assigned[near].place
             of_node = (
@@ -148,7 +148,7 @@ def _place(file: str, part: facts.Attribute) -> Place:
 # ------------------------------------------------------------------------------------------------ what a class has
 
 
-def _members(chain: Chain) -> list[frozenset[str]] | None:
+def members_of(chain: Chain) -> list[frozenset[str]] | None:
     """All that an object of a class has, by what gives it that; None where it may have more."""
     foreign = [_of_foreign(path) for path in chain.foreign]
     if not chain.complete or any(names is None for names in foreign):
@@ -334,11 +334,11 @@ def _called_in(file_facts: facts.Facts) -> frozenset[str]:
     return frozenset(called_name(call) for call in everything_in(file_facts.body, facts.Call))
 
 
-def _may_get(workspace: WorkspaceIndex, cls: ClassInFile, name: str) -> bool:
+def may_get(workspace: WorkspaceIndex, cls: ClassInFile, name: str) -> bool:
     """Whether a class that derives from one, or another base of such a class, has a name; or any code of the workspace
     assigns it to an object that is not ``self``, or names it in a text."""
     for derived in derived_from(workspace, cls):
-        members = _members(chain_of(workspace, derived))
+        members = members_of(chain_of(workspace, derived))
         if members is None or any(name in names for names in members):
             return True
     file_facts = workspace.facts_at(cls.file)
@@ -374,4 +374,12 @@ def _given_by(file_facts: facts.Facts) -> frozenset[str]:
     return frozenset(names)
 
 
-__all__ = ["READ_ONLY", "Overwritten", "Unassigned", "overwritten_properties", "unassigned_attributes"]
+__all__ = [
+    "READ_ONLY",
+    "Overwritten",
+    "Unassigned",
+    "may_get",
+    "members_of",
+    "overwritten_properties",
+    "unassigned_attributes",
+]

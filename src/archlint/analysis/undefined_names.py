@@ -14,7 +14,8 @@ from typing import TYPE_CHECKING
 from archlint.analysis.offered_names import MAKES_NAMES, bound_in, own_names, starred
 from archlint.place import Place
 from archlint.syntax import facts
-from archlint.syntax.parts import everything_in, once_for
+from archlint.syntax.bindings import bound_by
+from archlint.syntax.parts import everything_in, once_for, parts_of
 from archlint.syntax.walk import statements_of
 
 if TYPE_CHECKING:
@@ -47,6 +48,8 @@ class Undefined:
     """All names that the code there can read."""
     of_self: bool
     """Whether the class of the method has an attribute or a method of the name."""
+    added: bool = False
+    """Whether it is a local variable, since the function changes it with ``+=``, and nothing gives it a value."""
 
 
 def undefined_names(workspace: WorkspaceIndex) -> Iterator[Undefined]:
@@ -59,9 +62,9 @@ def undefined_names(workspace: WorkspaceIndex) -> Iterator[Undefined]:
         if brought is None:
             continue
         for read in unbound:
-            if not brought.has(read.name.id):
-                known = read.known | brought.names
-                yield Undefined(Place(file.relative, *read.name.span), read.name.id, known, read.of_self)
+            if read.added or not brought.has(read.name.id):
+                known, place = read.known | brought.names, Place(file.relative, *read.name.span)
+                yield Undefined(place, read.name.id, known, read.of_self, read.added)
 
 
 # ------------------------------------------------------------------------------------------------------ scopes
@@ -74,6 +77,7 @@ class _Read:
     name: facts.Name
     known: frozenset[str]
     of_self: bool
+    added: bool = False
 
 
 @dataclass(frozen=True)
@@ -151,9 +155,25 @@ def _reads_inside(part: facts.Function | facts.Lambda | facts.Class, scope: _Sco
                 else:
                     yield from _reads([statement], scope.within(own))
         case facts.Function(params=params, body=body):
-            yield from _reads(body, scope.within(frozenset((*(param.name for param in params), *bound_in(body)))))
+            own = frozenset((*(param.name for param in params), *bound_in(body)))
+            yield from _reads(body, scope.within(own))
+            yield from _only_added_to(part, scope)
         case facts.Lambda(params=params, body=body):
             yield from _reads([body], scope.within(frozenset((*(param.name for param in params), *bound_in([body])))))
+
+
+def _only_added_to(function: facts.Function, scope: _Scope) -> Iterator[_Read]:
+    """The local variables that a function changes with ``+=`` alone, so that nothing ever gives them a value."""
+    params = frozenset(param.name for param in function.params)
+    others = {
+        name for part in parts_of(function.body) if not isinstance(part, facts.Augmented) for name in bound_by(part)
+    }
+    seen: set[str] = set()
+    for part in parts_of(function.body, facts.Augmented):
+        match part.target:
+            case facts.Name(id=name) if name not in others | params | seen:
+                seen.add(name)
+                yield _Read(part.target, scope.names, name in scope.members, added=True)
 
 
 def _set_on_self(body: Sequence[facts.Stmt]) -> Iterator[facts.Attribute]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from archlint.analysis.absent_members import AbsentMember, absent_members
 from archlint.analysis.launch_properties import ActionOverwritten, overwritten_actions
 from archlint.analysis.unassigned_attributes import (
     Overwritten,
@@ -26,6 +27,8 @@ LOGS = "logs"
 """The group of findings about a node that is taken for its logger."""
 LEVELS = frozenset({"debug", "info", "warn", "warning", "error", "fatal"})
 LOG_WITH = "write self.get_logger().{}(…)"
+OF_OBJECT = "object"
+"""The group of findings about what objects of a class do not have."""
 UNASSIGNED = "unassigned"
 """The group of findings about attributes of one class that nothing assigns, and that are no slips."""
 
@@ -36,6 +39,7 @@ def attribute_findings(system: System) -> Iterator[Finding]:
         return
     yield from map(_overwritten, overwritten_properties(system.workspace))
     yield from map(_action_overwritten, overwritten_actions(system.workspace))
+    yield from (mild_if_uncalled(system, _absent(row)) for row in absent_members(system.workspace))
     told = {(callback.place.file, callback.missing) for callback in system.callbacks if callback.missing}
     told |= {
         (call.place.file, name) for run in system.programs for call in run.refused_calls for name in call.parameters
@@ -65,6 +69,22 @@ def _action_overwritten(assignment: ActionOverwritten) -> Finding:
         "AttributeError",
         help=f"give it to the constructor: {assignment.action}(…, {assignment.name}=…)",
         identity=(assignment.action, assignment.name),
+    )
+
+
+def _absent(row: AbsentMember) -> Finding:
+    near = f"'{row.near}'" if row.near else ""
+    cure = (
+        f"write {row.near}" if row.near else f"define {row.name}() in {row.owner}" if row.called else "correct the name"
+    )
+    return finding(
+        "API002",
+        row.place,
+        f"{row.owner} has no '{row.name}': this line fails with an AttributeError{meant(near)}",
+        help=cure,
+        identity=(row.owner, row.name),
+        group=(OF_OBJECT, row.place.file, row.owner, row.name),
+        meant=row.near,
     )
 
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.logger_calls import GET_LOGGER, LOGGER, refused_logger_calls
 from archlint.analysis.own_names import is_defined_somewhere
 from archlint.analysis.reach import judged_notes
+from archlint.analysis.uninitialised_programs import uninitialised_programs
 from archlint.checks.absent_imports import OF_MODULE, absent_import_findings
 from archlint.checks.argument_words import quoted, what_does_not_fit
 from archlint.checks.attributes import LEVELS, LOG_WITH, LOGS, OF_CLASS, UNASSIGNED, attribute_findings
@@ -109,7 +110,8 @@ def absent_in_one_file(findings: Sequence[Finding]) -> Finding:
 
 @rule("API003", scope=Scope.CODE)
 def node_not_initialised(system: System, options: Options) -> Iterator[Finding]:
-    """Constructors that use the node before they initialise it, and nodes that are made before rclpy is."""
+    """Constructors that use the node before they initialise it, and nodes of programs that initialise rclpy later, or
+    never."""
     for call in _judged(system):
         if call.misuse is Misuse.BEFORE_INIT:
             yield finding(
@@ -128,6 +130,16 @@ def node_not_initialised(system: System, options: Options) -> Iterator[Finding]:
                 identity=(call.given,),
                 group=(call.place.file, call.given),
             )
+
+    for made in uninitialised_programs(system):
+        yield finding(
+            "API003",
+            made.place,
+            f"{made.node}() fails: the program never calls rclpy.init()",
+            help="call rclpy.init() first",
+            identity=(made.node, "no init"),
+            group=(made.place.file, made.node, "no init"),
+        )
 
 
 @folds("API003")

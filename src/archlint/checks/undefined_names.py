@@ -28,7 +28,26 @@ def undefined_name(system: System, options: Options) -> Iterator[Finding]:
     """Names that code reads and that neither the file nor Python defines."""
     if system.workspace is not None:
         for read in undefined_names(system.workspace):
-            yield mild_if_uncalled(system, _finding(system.workspace, read))
+            diagnostic = _unbound_local(read) if read.added else _finding(system.workspace, read)
+            yield mild_if_uncalled(system, diagnostic)
+
+
+def _unbound_local(read: Undefined) -> Finding:
+    """A variable that ``+=`` makes a local one, so that one of the file or of the class is not meant."""
+    is_global = not read.of_self and read.name in read.known
+    return finding(
+        "API005",
+        read.place,
+        f"nothing gives '{read.name}' a value in this function: this line fails with an UnboundLocalError"
+        + meant(f"'self.{read.name}'" if read.of_self else ""),
+        help=f"write `global {read.name}` in the function" if is_global else _cure_of(read),
+        identity=(read.name, "local"),
+        group=(read.place.file, read.name, "local"),
+    )
+
+
+def _cure_of(read: Undefined) -> str:
+    return f"write self.{read.name}" if read.of_self else f"give {read.name} a value before"
 
 
 def _finding(workspace: WorkspaceIndex, read: Undefined) -> Finding:

@@ -1,0 +1,73 @@
+"""API003: programs that make a node and never call rclpy.init()."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from archlint.finding import Finding
+
+SETUP = """
+from setuptools import setup
+setup(name='robot', packages=['robot'], entry_points={'console_scripts': ['talker = robot.talker:main']})
+"""
+TALKER = """
+import rclpy
+{imported}
+from rclpy.node import Node
+
+
+class Talker(Node):
+    def __init__(self):
+        super().__init__('talker')
+
+
+def main():
+    {made}
+"""
+
+
+@pytest.fixture
+def said(findings: Callable[..., list[Finding]]) -> Callable[..., list[Finding]]:
+    def run(made: str, imported: str = "", **files: str) -> list[Finding]:
+        talker = TALKER.format(made=made, imported=imported)
+        own = {"setup.py": SETUP, "robot/__init__.py": "", "robot/talker.py": talker}
+        return findings("API003", **(own | files))
+
+    return run
+
+
+@pytest.mark.parametrize(
+    ("made", "name"),
+    [
+        ("rclpy.spin(Talker())", "Talker"),
+        ("rclpy.spin(rclpy.create_node('talker'))", "create_node"),
+    ],
+)
+def test_a_program_that_never_initialises(said: Callable[..., list[Finding]], made: str, name: str) -> None:
+    (finding,) = said(made, "import numpy\nfrom std_msgs.msg import String")
+    assert finding.message == f"{name}() fails: the program never calls rclpy.init()"
+    assert (finding.place.file, finding.place.line) == ("robot/talker.py", 14)
+
+
+@pytest.mark.parametrize(
+    ("made", "imported"),
+    [
+        ("rclpy.init()\n    rclpy.spin(Talker())", ""),
+        ("with rclpy.init():\n        rclpy.spin(Talker())", ""),
+        ("init()\n    rclpy.spin(Talker())", "from rclpy import init"),
+        ("rclpy.spin(Talker())", "import some_framework"),
+        ("start()\n    rclpy.spin(Talker())", "from robot.start import start"),
+    ],
+)
+def test_programs_that_do_or_may(said: Callable[..., list[Finding]], made: str, imported: str) -> None:
+    start = "import rclpy\n\n\ndef start():\n    rclpy.init()\n"
+    assert said(made, imported, **{"robot/start.py": start}) == []
+
+
+def test_a_module_without_a_program(findings: Callable[..., list[Finding]]) -> None:
+    talker = TALKER.format(made="rclpy.spin(Talker())", imported="")
+    assert (
+        findings("API003", **{"setup.py": "from setuptools import setup\nsetup()\n", "robot/talker.py": talker}) == []
+    )
