@@ -107,6 +107,11 @@ def test_a_path_that_is_changed(said: Callable[..., list[Finding]]) -> None:
     assert said("import sys\nsys.path.append('.')\nfrom camera import open_camera") == []
 
 
+def test_a_module_that_the_setup_installs_elsewhere(said: Callable[..., list[Finding]]) -> None:
+    setup = SETUP.replace("entry_points", "data_files=[('lib/camera', glob('robot/camera.py'))], entry_points")
+    assert said("from camera import open_camera", **{"setup.py": setup}) == []
+
+
 def test_a_module_called_like_one_that_is_installed(said: Callable[..., list[Finding]]) -> None:
     assert said("import serial", **{"robot/serial.py": ""}) == []
     assert said("import queue", **{"robot/queue.py": ""}) == []

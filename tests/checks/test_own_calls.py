@@ -105,6 +105,12 @@ def test_arguments_that_fit_or_are_not_known(judge: Judge, line: str) -> None:
     judge("API001", _node(line) + more)
 
 
+def test_a_method_without_self(judge: Judge) -> None:
+    (finding,) = judge("API001", _node("self.turn(0.5)  # here") + "\n    def turn(angle):\n        pass\n")
+    assert finding.message == "turn() fails: it is a method without self, and it takes no argument"
+    assert finding.help == "define it with self first: def turn(self, …)"
+
+
 def test_a_function_of_another_file(judge: Judge) -> None:
     source = "from node1 import rotate\n" + _node("rotate()  # here", "rotate(1)")
     judge("API001", source, "def rotate(angle): ...\n")

@@ -153,7 +153,14 @@ def _beside(workspace: WorkspaceIndex, file: SourceFile, module: str, place: Pla
     if top in sys.stdlib_module_names or key_of(top) is not None or path not in (f"{there}.py", f"{there}/__init__.py"):
         return None
     above = (file.module or "").rpartition(".")[0]
-    return MissingImport(place, module, beside=f"{above}.{module}") if above else None
+    named = _is_named_in_setup(workspace, file.package or "", top)
+    return MissingImport(place, module, beside=f"{above}.{module}") if above and not named else None
+
+
+def _is_named_in_setup(workspace: WorkspaceIndex, package: str, top: str) -> bool:
+    """Whether the setup.py of a package has a word: it may install the module somewhere else, too."""
+    installs = workspace.installs.get(package)
+    return installs is None or workspace.code.mentions(posixpath.normpath(f"{installs.folder}/setup.py"), top)
 
 
 @once

@@ -66,6 +66,8 @@ class RefusedOwnCall:
     misfit: Misfit
     defined: Place
     signature: tuple[str, ...]
+    lacks_self: bool = False
+    """Whether it is a method whose first parameter is not called ``self``, but takes the object."""
 
 
 def refused_own_calls(workspace: WorkspaceIndex) -> Iterator[RefusedOwnCall]:
@@ -80,7 +82,9 @@ def refused_own_calls(workspace: WorkspaceIndex) -> Iterator[RefusedOwnCall]:
                 place = Place(file.relative, *call.span)
                 name = call.func.dotted
                 signature = tuple(_needed(meant.code.params[meant.bound :]))
-                yield RefusedOwnCall(place, name, wrong, Place(meant.file, *meant.code.name_span), signature)
+                lacks_self = cls is not None and meant.bound == 1 and meant.code.params[0].name not in ("self", "cls")
+                defined = Place(meant.file, *meant.code.name_span)
+                yield RefusedOwnCall(place, name, wrong, defined, signature, lacks_self)
 
 
 def misfit(params: Sequence[facts.Param], call: facts.Call) -> Misfit | None:

@@ -24,11 +24,14 @@ def own_call_findings(system: System) -> Iterator[Finding]:
 
 def _finding(call: RefusedOwnCall) -> Finding:
     wrong, name = call.misfit, call.name.rpartition(".")[2]
+    what = what_does_not_fit(wrong.misuse, wrong.parameters, wrong.takes)
     return finding(
         "API001",
         call.place,
-        f"{name}() fails: {what_does_not_fit(wrong.misuse, wrong.parameters, wrong.takes)}",
-        help=f"write {call.name}({', '.join(call.signature)})",
+        f"{name}() fails: {f'it is a method without self, and {what}' if call.lacks_self else what}",
+        help=f"define it with self first: def {name}(self, …)"
+        if call.lacks_self
+        else f"write {call.name}({', '.join(call.signature)})",
         related=[Related(call.defined, f"{name}() is defined here")],
         identity=(call.name, str(wrong.misuse), *wrong.parameters),
         group=(call.place.file, call.name, str(call.defined), str(wrong.misuse), *wrong.parameters),
