@@ -133,15 +133,15 @@ def _made(code: facts.Facts) -> dict[str, str]:
 def _made_for(cls: facts.Class) -> dict[str, str]:
     """The attributes of ``self`` that the methods of a class assign once, to what a call of a plain name makes."""
     times = [target.attribute for target in targets_of(cls.body) if target.attribute]
-    made = {}
+    makers = {}
     for statement in everything_in(cls.body, facts.Assign):
         match statement:
             case facts.Assign(
                 targets=[facts.Attribute(value=facts.Name(id="self"), attr=attr)],
                 value=facts.Call(func=facts.Name(id=name)),
             ) if times.count(attr) == 1:
-                made[attr] = name
-    return made
+                makers[attr] = name
+    return makers
 
 
 def _forgiven(code: facts.Facts) -> set[Itself[object]]:

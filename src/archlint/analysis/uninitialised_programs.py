@@ -52,8 +52,8 @@ def uninitialised_programs(system: System) -> Iterator[Uninitialised]:
 
 def _is_made(node: Blueprint) -> bool:
     """Whether a call makes it that is certainly one of a program: of its class, or of ``create_node()``."""
-    made = node.made_at is not None or not node.classes
-    return node.constructed and made and not node.caller_unknown and not node.test
+    by_call = node.made_at is not None or not node.classes
+    return node.constructed and by_call and not node.caller_unknown and not node.test
 
 
 def _may_initialise(workspace: WorkspaceIndex, file: str) -> bool:

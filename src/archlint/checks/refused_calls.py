@@ -131,14 +131,14 @@ def node_not_initialised(system: System, options: Options) -> Iterator[Finding]:
                 group=(call.place.file, call.given),
             )
 
-    for made in uninitialised_programs(system):
+    for program in uninitialised_programs(system):
         yield finding(
             "API003",
-            made.place,
-            f"{made.node}() fails: the program never calls rclpy.init()",
+            program.place,
+            f"{program.node}() fails: the program never calls rclpy.init()",
             help="call rclpy.init() first",
-            identity=(made.node, "no init"),
-            group=(made.place.file, made.node, "no init"),
+            identity=(program.node, "no init"),
+            group=(program.place.file, program.node, "no init"),
         )
 
 
