@@ -153,3 +153,9 @@ def test_pathspec_is_imported_only_where_there_is_a_pattern(tmp_path: Path):
     result = subprocess.run(command, cwd=tmp_path, env=environment, capture_output=True, text=True, check=True)
     assert result.stdout.strip() == "[]"
     assert look(tmp_path).packages[0].name == "pkg"
+
+
+def test_a_pattern_that_is_longer_than_any_path_is_left_out(tmp_path):
+    endless = "/**" * 5_000 + "x"
+    plant(tmp_path, {".gitignore": f"{endless}\n{chr(0) * 100_000}\nleft.py\n", "left.py": "", "kept.py": ""})
+    assert found(tmp_path) == ["kept.py"]

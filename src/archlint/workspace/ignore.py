@@ -15,6 +15,8 @@ from archlint.workspace.starred import StarredPattern, has_many_stars
 
 GITIGNORE = ".gitignore"
 _MAX_CHARACTERS = 1_000_000
+_LONGEST = 4096
+"""Characters of a pattern: no path is longer, and an expression for more takes long to be made."""
 
 _ALL_BELOW = re.compile(r"(?:/\*\*)+(/?)\s*$")
 """``a/**`` is for what is in ``a``; pathspec takes it for ``a``, too."""
@@ -176,6 +178,8 @@ def _read(folder: str, path: str) -> tuple[Patterns, ...]:
     """The patterns of a file; none where it cannot be read.  What git would not take as a pattern is left out."""
     rules = []
     for line in _lines(path):
+        if len(line) > _LONGEST:
+            continue
         try:
             rules.append(Rule(line))
         except (ValueError, re.error):
