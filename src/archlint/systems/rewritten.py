@@ -94,8 +94,9 @@ def _read_back(section: ParameterSection) -> ParameterSection:
 def _again(value: Any, in_python: Any) -> Any:
     """A value of the file as it is read once it is dumped: PyYAML writes ``null`` for None, which is a text to rcl."""
     match value, in_python:
-        case list(), list():
-            return [_again(item, there) for item, there in zip(value, in_python, strict=True)]
+        case list(), _:
+            there = in_python if isinstance(in_python, list) else value
+            return [_again(item, loaded) for item, loaded in zip(value, there, strict=True)]
         case ((None | "~" | "null" | "Null" | "NULL"), None):
             return "null"
         case str(), _:
