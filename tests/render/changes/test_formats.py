@@ -106,6 +106,14 @@ def test_a_picture_says_what_is_not_drawn():
     assert "142 more connections are not drawn" in picture.diagram_of(difference(BEFORE, after)).caption
 
 
+def test_a_picture_of_changes_that_are_no_nodes_and_connections_says_so():
+    before, after = (system(node("/sensor", parameters=[parameter("rate", value)])) for value in (1.0, 2.0))
+    changed = difference(before, after)
+    assert changed.changes
+    assert "archlint diff says them in words" in " ".join(picture.diagram_of(changed).caption)
+    assert "in words" not in " ".join(picture.diagram_of(difference(BEFORE, BEFORE)).caption)
+
+
 def test_nothing_to_draw():
     assert mermaid.render(difference(BEFORE, BEFORE).sketch) == ""
 

@@ -65,6 +65,8 @@ def _line(line: SketchLine, sketch: Sketch) -> Line:
 
 def _caption(difference: Difference, drawn: Drawn, diagram: Diagram) -> Iterator[str]:
     yield visible(f"{difference.base.words} → {difference.head.words}: {counted(difference)}")
+    if difference.changes and not diagram.shapes:
+        yield "all of them are about what is no node and no connection: archlint diff says them in words"
     if drawn.left:
         yield f"{drawn.left} more connections are not drawn"
     tones = {*(shape.tone for shape in diagram.shapes.values()), *(line.tone for line in diagram.lines)}
