@@ -77,6 +77,16 @@ def test_a_module_that_gitignore_hides_is_there(findings):
     assert "'robot.boxes' does not exist" in found.message
 
 
+def test_a_module_of_a_submodule_that_is_not_checked_out_is_not_known(findings):
+    missing = {"setup.py": SETUP.replace("robot.talker", "robot.vision.detector")}
+    submodule = {".gitmodules": '[submodule "v"]\n\tpath = robot/vision\n\turl = https://example.org/v\n'}
+    assert findings("PKG002", **missing, **submodule) == []
+    (beside,) = findings("PKG002", **missing, **{key: v.replace("vision", "sound") for key, v in submodule.items()})
+    assert "'robot.vision.detector' does not exist" in beside.message
+    (checked_out,) = findings("PKG002", **missing, **submodule, **{"robot/vision/__init__.py": ""})
+    assert "'robot.vision.detector' does not exist" in checked_out.message
+
+
 @pytest.mark.parametrize(
     ("needs", "circles"),
     [

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import posixpath
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import ros1_module
+from archlint.analysis.generated_files import submodule_around
 from archlint.suggestions import nearest
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in
@@ -60,7 +62,8 @@ def broken_target(workspace: WorkspaceIndex, executable: Executable) -> NoModule
         ours = {name.partition(".")[0] for name in modules}
         top = module.partition(".")[0]
         foreign = top not in ours and nearest(top, ours) is None
-        if foreign or is_on_disk(workspace, executable.package, module):
+        unread = is_on_disk(workspace, executable.package, module) or _is_in_empty_submodule(workspace, executable)
+        if foreign or unread:
             return None
         return NoModule(module, function, tuple(modules))
     file_facts = workspace.facts_at(paths[0])
@@ -104,6 +107,16 @@ def is_on_disk(workspace: WorkspaceIndex, package: str, module: str) -> bool:
     files = [] if installs is None else workspace.tree.files_below(installs.folder)
     below = "" if installs is None or installs.folder == "." else f"{installs.folder}/"
     return any(f"/{file.removeprefix(below)}".endswith((f"{path}.py", f"{path}/__init__.py")) for file in files)
+
+
+def _is_in_empty_submodule(workspace: WorkspaceIndex, executable: Executable) -> bool:
+    """Whether the module lies in a git submodule that is not checked out: what is in it is not known."""
+    installs = workspace.installs.get(executable.package)
+    if installs is None or executable.module is None:
+        return False
+    path = posixpath.normpath(posixpath.join(installs.folder, executable.module.replace(".", "/")))
+    submodule = submodule_around(workspace, path)
+    return submodule is not None and not workspace.tree.files_below(submodule)
 
 
 def _does_something(statement: facts.Stmt) -> bool:

@@ -50,14 +50,14 @@ def is_ignored(workspace: WorkspaceIndex, path: str) -> bool:
     return any(fnmatchcase(part, pattern) for part in path.split("/") for pattern in patterns if pattern)
 
 
-def is_in_submodule(workspace: WorkspaceIndex, path: str) -> bool:
-    """Whether a path is, or lies in, a submodule of git, which may not be checked out."""
+def submodule_around(workspace: WorkspaceIndex, path: str) -> str | None:
+    """The submodule of git that a path is, or lies in; None for a path in none."""
     for folder in (*folders_above(path), ""):
         text = workspace.tree.text(posixpath.join(folder, ".gitmodules")) or ""
-        modules = (posixpath.join(folder, module) for module in paths_of_submodules(text))
-        if any(path == module or path.startswith(f"{module}/") for module in modules):
-            return True
-    return False
+        for module in (posixpath.join(folder, module) for module in paths_of_submodules(text)):
+            if path == module or path.startswith(f"{module}/"):
+                return module
+    return None
 
 
 def _is_written(workspace: WorkspaceIndex, name: str) -> bool:

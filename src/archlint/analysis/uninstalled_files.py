@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_aside
-from archlint.analysis.generated_files import is_ignored, is_in_submodule
+from archlint.analysis.generated_files import is_ignored, submodule_around
 from archlint.analysis.kept import once
 from archlint.analysis.launch_code import writes_files
 from archlint.launch.kinds import FileStatus
@@ -216,7 +216,7 @@ def _needed_in_vain(workspace: WorkspaceIndex, installs: Installs) -> Iterator[L
         inside = installs.folder == "." or needed.path.startswith(f"{installs.folder}/")
         if not inside or needed.path.endswith(_BUILT) or is_there(needed.path):
             continue
-        if not is_ignored(workspace, needed.path) and not is_in_submodule(workspace, needed.path):
+        if not is_ignored(workspace, needed.path) and submodule_around(workspace, needed.path) is None:
             [below] = _below(installs, [needed.path])
             yield ListedInVain(needed.place, below, command=f"{needed.command}()", folder=needed.folder)
 
