@@ -104,6 +104,22 @@ class TestWaysToWait:
             ),
         )
 
+    @pytest.mark.parametrize(("main", "mark"), [(SPIN, "  # here"), (THREADS, "")])
+    def test_an_event_in_a_file_that_two_programs_run(self, judge: Judge, main: list[str], mark: str):
+        """Each program has a client of its own, at the same place in the source."""
+        body = [
+            "import threading",
+            "answered = threading.Event()",
+            "future = self.motor.call_async(SetBool.Request())",
+            "future.add_done_callback(lambda _: answered.set())",
+            f"answered.wait(timeout=5.0){mark}",
+            "return response",
+        ]
+        group = ", callback_group=self.free"
+        second = "from node import main\n\nif __name__ == '__main__':\n    main()\n"
+
+        judge("SRV003", gripper(body, main, client=group, service=group), second)
+
     def test_an_event_that_something_else_sets_is_no_wait_for_a_service(self, judge: Judge):
         judge(
             "SRV003",

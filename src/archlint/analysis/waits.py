@@ -76,7 +76,7 @@ def waits(system: System) -> list[Wait]:
     code = source_code(system)
     signals = _signals(system)
     for program, call in judged_calls(system):
-        for kind, clients in _waits_of(code, call, signals):
+        for kind, clients in _waits_of(code, call, signals.get(program, {})):
             if clients:
                 limited = any(has_limit(call, name) for name in _LIMITS) or (call.api == DONE and gives_up(code, call))
                 bounded = limited or any(_may_end(argument(call, name)) for name in _LIMITS)
@@ -128,23 +128,27 @@ def other_arm_only_sends(code: SourceCode, call: ApiCall) -> bool:
     return False
 
 
-def _signals(system: System) -> _Signals:
-    """Event objects that the done callback of a future sets, with the client whose answer that is."""
+def _signals(system: System) -> dict[Program, _Signals]:
+    """Event objects that the done callback of a future sets, with the client whose answer that is.
+
+    Each program has clients of its own: a file that is run both as an executable and as a script is two programs.
+    """
     clients = {
-        call.place: creations_of(call.receiver)
-        for _, call in judged_calls(system)
+        (program, call.place): creations_of(call.receiver)
+        for program, call in judged_calls(system)
         if call.api == _ADD_DONE_CALLBACK and isinstance(call.receiver, Future)
     }
-    signals: _Signals = {}
-    of_place: dict[Place, list[Creation]] = {}
-    for _, call in judged_calls(system):
+    signals: dict[Program, _Signals] = {}
+    of_place: dict[tuple[Program, Place], list[Creation]] = {}
+    for program, call in judged_calls(system):
         if call.api == _EVENT_SET and call.context.role == Role.DONE and isinstance(call.receiver, Object):
-            of_future = clients.get(call.context.registered) if call.context.registered else None
+            of_future = clients.get((program, call.context.registered)) if call.context.registered else None
             if of_future:
-                signals.setdefault(call.receiver.identity, of_future[0])
+                signals.setdefault(program, {}).setdefault(call.receiver.identity, of_future[0])
                 if call.receiver.place is not None:
-                    of_place.setdefault(call.receiver.place, []).append(of_future[0])
+                    of_place.setdefault((program, call.receiver.place), []).append(of_future[0])
     # A callback that several timers have makes an event each time, and its done callback was followed once.
-    return signals | {
-        place: given[0] for place, given in of_place.items() if all(creation is given[0] for creation in given)
-    }
+    for (program, place), given in of_place.items():
+        if all(creation is given[0] for creation in given):
+            signals[program][place] = given[0]
+    return signals
