@@ -194,6 +194,23 @@ def test_a_folder_of_launch_files_that_nothing_installs(findings):
     )
 
 
+@pytest.mark.parametrize(
+    ("row", "told"),
+    [
+        ("launch/it.launch.xml", []),
+        ("launch/*.launch.xml", []),
+        ("launch/*.py", ["add launch/it.launch.xml under 'share/robot/launch =' in [options.data_files]"]),
+    ],
+)
+def test_launch_files_that_setup_cfg_lists(findings, row, told):
+    texts = {
+        "setup.py": "from setuptools import setup\n\nsetup()\n",
+        "setup.cfg": f"[options.data_files]\nshare/robot/launch =\n    {row}\n",
+        "README.md": "ros2 launch robot it.launch.xml\n",
+    }
+    assert [finding.help for finding in findings("PKG004", LAUNCH, **texts)] == told
+
+
 def test_what_cmake_does_not_install(findings):
     cmake = "project(robot)\nfind_package(ament_cmake REQUIRED)\nament_package()\n"
     (finding,) = findings("PKG004", LAUNCH, **{"package.xml": CMAKE, "setup.py": "", "CMakeLists.txt": cmake})

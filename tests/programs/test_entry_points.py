@@ -80,6 +80,36 @@ def test_setup_cfg_and_pyproject(installs_of):
     assert places == {"talker": ("robot/setup.cfg", 3), "listener": ("robot/pyproject.toml", 2)}
 
 
+DATA_FILES = """\
+[metadata]
+name = robot
+
+[options.data_files]
+share/robot =
+    package.xml
+share/robot/Launch = launch/*.launch.py
+share/robot/maps =
+    maps/hall.yaml
+    maps/hall.pgm
+"""
+
+
+@pytest.mark.parametrize("call", ["setup()", "setup(data_files=[('share/robot', ['README.md'])])"])
+def test_data_files_of_setup_cfg(installs_of, call):
+    installs = installs_of(**{"setup.cfg": DATA_FILES, "setup.py": f"from setuptools import setup\n{call}\n"})
+    listed = [(file.destination, file.source, file.place and file.place.line) for file in installs.files]
+    if call == "setup()":
+        assert listed == [
+            ("share/robot", "robot/package.xml", 6),
+            ("share/robot/Launch", "robot/launch/*.launch.py", 7),
+            ("share/robot/maps", "robot/maps/hall.yaml", 9),
+            ("share/robot/maps", "robot/maps/hall.pgm", 10),
+        ]
+    else:  # what setup.py lists itself counts
+        assert [row[:2] for row in listed] == [("share/robot", "robot/README.md")]
+    assert not installs.open_files
+
+
 def test_programs_of_cmake(installs_of):
     installs = installs_of(
         **{

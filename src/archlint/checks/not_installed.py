@@ -27,6 +27,7 @@ from archlint.finding import Finding, Related
 from archlint.suggestions import listed
 
 if TYPE_CHECKING:
+    from archlint.finding import Place
     from archlint.systems.model import System, WorkspaceIndex
     from archlint.workspace.installed import AbsentFolder
 
@@ -150,12 +151,11 @@ def _launch_files(row: LaunchFilesLeftOut) -> Finding:
     else:
         message = f"package '{row.package}' does not install these {len(names)} launch files: {listed(names)}"
     # The files by their names: not every setup.py imports glob.
-    listing = f"[{', '.join(map(repr, row.files[:_SHOWN]))}]"
     more = "" if len(row.files) <= _SHOWN else ", and so the others,"
     line = (
         "write install(DIRECTORY launch DESTINATION share/${PROJECT_NAME}) before ament_package()"
         if cmake
-        else f"add ('share/{row.package}/launch', {listing}){more} to data_files="
+        else _to_data_files(row.place, f"share/{row.package}/launch", row.files[:_SHOWN], more)
     )
     return finding(
         "PKG004",
@@ -167,6 +167,13 @@ def _launch_files(row: LaunchFilesLeftOut) -> Finding:
     )
 
 
+def _to_data_files(place: Place, folder: str, files: Sequence[str], more: str = "") -> str:
+    """How to install files with setuptools: what a setup.py lists itself would hide the list of its setup.cfg."""
+    if place.file.endswith("setup.cfg"):
+        return f"add {listed(files)}{more} under '{folder} =' in [options.data_files]"
+    return f"add ('{folder}', {list(files)}){more} to data_files="
+
+
 def _data(rows: Sequence[DataLeftOut]) -> Finding:
     [first, *_] = rows
     files = list(dict.fromkeys(row.file for row in rows))
@@ -175,7 +182,7 @@ def _data(rows: Sequence[DataLeftOut]) -> Finding:
     below = f"share/{first.package}/{folder}".rstrip("/")
     what = f"the file '{first.file}'" if len(files) == 1 else f"these {len(files)} files: {listed(files)}"
     cmake = f"write install(FILES {' '.join(alike)} DESTINATION share/${{PROJECT_NAME}}/{folder})"
-    setup = f"add ('{below}', {alike}) to data_files="
+    setup = _to_data_files(first.place, below, alike)
     return finding(
         "PKG004",
         first.place,

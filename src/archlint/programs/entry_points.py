@@ -11,6 +11,7 @@ import re
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
+from glob import has_magic
 from typing import TYPE_CHECKING, Protocol
 
 from archlint import model
@@ -24,7 +25,13 @@ from archlint.libraries.setuptools.setup_run import SetupRun
 from archlint.programs.installs import console_script, read_cmake
 from archlint.programs.linker import EntryPoint
 from archlint.programs.python_code import python_code
-from archlint.syntax.entry_point_tables import ScriptEntry, entries_of_pyproject, entries_of_setup_cfg, parse_entry
+from archlint.syntax.entry_point_tables import (
+    ScriptEntry,
+    data_files_of_setup_cfg,
+    entries_of_pyproject,
+    entries_of_setup_cfg,
+    parse_entry,
+)
 from archlint.workspace.installed import Executable, InstalledFiles, Installs
 from archlint.workspace.model import CODE_KINDS
 
@@ -189,6 +196,8 @@ def _read_setup(installs: Installs, module: Module, index: ModuleIndex, tree: Tr
     _scripts(installs, run, keywords.get("scripts"), where)
     _data_files(installs, run, keywords.get("data_files"))
     installs.data_files_at = run.data_files_at or where
+    if run.data_files_at is None and not run.open:  # what setup.py says itself counts
+        _data_files_of_table(installs, tree)
     if not run.open and not run.program.exhausted:
         installs.python = python_code(installs, run, keywords)
 
@@ -275,6 +284,27 @@ def _scripts(installs: Installs, run: SetupRun, value: Value | None, where: Plac
                 installs.open_executables = True
 
 
+def _data_files_of_table(installs: Installs, tree: Tree) -> None:
+    """The data files that a setup.cfg lists."""
+    path = posixpath.normpath(posixpath.join(installs.folder, "setup.cfg"))
+    for row in data_files_of_setup_cfg(tree.text(path) or ""):
+        if has_magic(posixpath.dirname(row.source)):  # files of several folders
+            installs.open_files = True
+            continue
+        place = Place(path, row.line, 1, row.line, 1)
+        installs.data_files_at = place
+        _data_file(installs, row.source, row.destination.lstrip("/"), place)
+
+
+def _data_file(installs: Installs, source: str, destination: str, place: Place | None) -> None:
+    shown = posixpath.normpath(posixpath.join(installs.folder, source))
+    if destination.rstrip("/") == f"lib/{installs.package}" and "*" not in shown:
+        name = posixpath.basename(shown)
+        at = Place(installs.build_files[-1], 1, 1, 1, 1)
+        installs.add(Executable(name, installs.package, at, script=shown))
+    installs.files.append(InstalledFiles(shown, destination or ".", place=place))
+
+
 def _data_files(installs: Installs, run: SetupRun, value: Value | None) -> None:
     rows, more = _items(run, value)
     installs.open_files |= more
@@ -290,9 +320,4 @@ def _data_files(installs: Installs, run: SetupRun, value: Value | None) -> None:
             more and not any("*" in str(pattern.value) for pattern in patterns)
         )
         for pattern in patterns:
-            shown = posixpath.normpath(posixpath.join(installs.folder, str(pattern.value)))
-            if destination.rstrip("/") == f"lib/{installs.package}" and "*" not in shown:
-                name = posixpath.basename(shown)
-                place = Place(installs.build_files[-1], 1, 1, 1, 1)
-                installs.add(Executable(name, installs.package, place, script=shown))
-            installs.files.append(InstalledFiles(shown, destination or ".", place=pattern.origin))
+            _data_file(installs, str(pattern.value), destination, pattern.origin)

@@ -1,4 +1,4 @@
-"""``console_scripts`` of setup.cfg and ``[project.scripts]`` of pyproject.toml, with their places."""
+"""``console_scripts`` and data files of setup.cfg, and ``[project.scripts]`` of pyproject.toml, with their places."""
 
 from __future__ import annotations
 
@@ -62,6 +62,50 @@ def entries_of_setup_cfg(text: str) -> list[ScriptEntry]:
     except configparser.Error:
         return []
     return list(_placed(text, value.splitlines()))
+
+
+class _CaseKept(configparser.RawConfigParser):
+    """A parser that does not write the names of options small: here they are folders."""
+
+    def optionxform(self, optionstr: str) -> str:
+        return optionstr
+
+
+@dataclass(frozen=True)
+class DataFile:
+    """A file, or a pattern for files, of ``[options.data_files]``, and the line that names it."""
+
+    destination: str
+    source: str
+    line: int
+
+
+def data_files_of_setup_cfg(text: str) -> list[DataFile]:
+    """``[options.data_files]``: lists of files by the folder that they go to; nothing for a file that cannot be parsed.
+
+    Source: ``setuptools/config/setupcfg.py``, ``parse_section_data_files``.
+    """
+    parser = _CaseKept(strict=False)
+    try:
+        parser.read_string(text)
+    except configparser.Error:
+        return []
+    if not parser.has_section(DATA_FILES):
+        return []
+    lines = text.splitlines()
+    header = next((number for number, line in enumerate(lines, 1) if line.startswith(f"[{DATA_FILES}]")), 1)
+    below = list(enumerate(lines[header:], header + 1))
+    numbers = {line.rpartition("=")[2].strip(): number for number, line in reversed(below)}
+    rows = []
+    for destination, value in parser.items(DATA_FILES):
+        sources = value.splitlines() if "\n" in value else value.split(",")
+        for source in filter(None, map(str.strip, sources)):
+            rows.append(DataFile(destination, source, numbers.get(source, header)))
+    return rows
+
+
+DATA_FILES = "options.data_files"
+"""The section of a setup.cfg that lists the data files."""
 
 
 def entries_of_pyproject(text: str) -> list[ScriptEntry]:
