@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING
 
 from archlint.syntax import facts
@@ -22,6 +23,9 @@ FIELDS = "__fields__"
 """The method that gives the fields of a class their first values."""
 BASES = "__bases__"
 """The method that makes the bases of a class where its constructor says nothing of them."""
+
+_SET = re.compile(r"\b(\w+)\s*\.\s*(?:reliable|best_effort|transient_local|durability_volatile|keep_all)\s*\(\s*\)")
+"""A variable that a setter of ``rclcpp::QoS`` without arguments is called on."""
 
 
 class FunctionLowering(StatementLowering):
@@ -162,9 +166,23 @@ class FunctionLowering(StatementLowering):
         is_given_itself = len(nodes) == 1 and self.source.text(nodes[0]) in ("this", "*this")
         if is_given_itself and (kind := self._type_of_member(name)) is not None:
             return self.construct(kind, arguments, span)
+        if len(nodes) == 1 and nodes[0].type == "number_literal" and self._is_profile(name):
+            return facts.Call(self.names.library("rclcpp.QoS", span), given(self.lower_all(nodes)), span)
         if len(nodes) == 1 and not is_given_itself:
             return self.lower(nodes[0])
         return facts.Call(facts.Name("__member__", span), given(self.lower_all(nodes)), span)
+
+    def _is_profile(self, name: Node) -> bool:
+        """Whether a member is an ``rclcpp::QoS``: its class says so or, where that is elsewhere, its constructor calls
+        a setter that only a QoS has."""
+        kind = self._type_of_member(name)
+        if kind is not None:
+            return self.names.path(self.names.parts(kind)) == "rclcpp.QoS"
+        around: Node | None = name
+        while around is not None and around.type != "function_definition":
+            around = around.parent
+        body = None if around is None else around.child_by_field_name("body")
+        return body is not None and self.source.text(name) in _SET.findall(self.source.text(body))
 
     def _type_of_member(self, name: Node) -> Node | None:
         """The type of a member that is an object, no pointer, where its class is around; None where it is elsewhere."""
