@@ -59,6 +59,43 @@ def test_arguments_that_stay_what_they_were(findings, launch):
     assert findings("LCH009", launch, **FILES) == []
 
 
+TIMED = """
+from launch import LaunchDescription
+from launch.actions import IncludeLaunchDescription, RegisterEventHandler, TimerAction
+from launch.event_handlers import OnProcessExit
+from launch_ros.actions import Node
+from launch_ros.substitutions import FindPackageShare
+
+def include(name, **arguments):
+    path = [FindPackageShare('robot'), f'/launch/{{name}}.launch.xml']
+    return IncludeLaunchDescription(path, launch_arguments=arguments.items())
+
+def generate_launch_description():
+    first = Node(package='robot', executable='talker')
+    return LaunchDescription([first, {actions}])
+"""
+DRIVER_FIRST = "include('driver', rviz='false')"
+
+
+@pytest.mark.parametrize(
+    ("actions", "told"),
+    [
+        (f"{DRIVER_FIRST}, include('panel')", True),
+        (f"TimerAction(period=5.0, actions=[{DRIVER_FIRST}, include('panel')])", True),
+        (f"{DRIVER_FIRST}, TimerAction(period=5.0, actions=[include('panel')])", True),
+        (f"TimerAction(period=5.0, actions=[{DRIVER_FIRST}]), include('panel')", False),
+        ("TimerAction(period=5.0, actions=[include('driver')]), include('panel')", False),
+        (
+            f"RegisterEventHandler(OnProcessExit(target_action=first, on_exit=[{DRIVER_FIRST}])), include('panel')",
+            False,
+        ),
+    ],
+)
+def test_what_a_timer_or_an_event_sets_comes_after_the_description(findings, actions: str, told: bool):
+    files = FILES | {"launch/timed.launch.py": TIMED.format(actions=actions)}
+    assert bool(findings("LCH009", **files)) is told
+
+
 def test_an_argument_that_nobody_takes_is_told_otherwise(findings):
     launch = OWN + include("driver", rviz="false") + '<let name="shown" value="$(var rviz)"/>'
     files = {"launch/driver.launch.xml": "<launch/>"}

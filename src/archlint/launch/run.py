@@ -121,8 +121,8 @@ class LaunchRun(Run):
         self._seen: set[object] = set()
         self._processes = StartedProcesses(result.started)
         self.in_handler = False
-        self.later = 0
-        """How many timers and event handlers are around what is visited now."""
+        self.later, self.set_later = 0, dict[str, Value]()
+        """How many timers and event handlers are around what is visited now, and what configurations such have set."""
         self.around_groups: Context | None = None
         """The context around the outermost group that is visited now."""
         self.without_namespace = False

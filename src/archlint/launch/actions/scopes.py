@@ -8,7 +8,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.finding import Place
-from archlint.interpreter.values import DictValue, Known, Unknown, Value, reason
+from archlint.interpreter.values import DictValue, Known, Unknown, Value, one_of, reason
 from archlint.launch.actions.branches import callable_value
 from archlint.launch.context import absolute, prefix_namespace
 from archlint.launch.model import DeclaredArgument
@@ -65,10 +65,30 @@ def later(run: LaunchRun) -> Iterator[None]:
     """
     run.later += 1
     try:
-        with _without_groups(run):
+        with _without_groups(run), _after_the_description(run):
             yield
     finally:
         run.later -= 1
+
+
+@contextmanager
+def _after_the_description(run: LaunchRun) -> Iterator[None]:
+    """What is set here is read by other timers and events only: by then all the rest has been visited.
+
+    Source: launch, ``TimerAction.execute`` schedules a future, and ``RegisterEventHandler.execute`` registers a
+    handler; both leave the actions to the event loop, which has visited the whole description before.
+    """
+    outside = run.launch.configurations
+    before = run.set_later | outside
+    run.launch.configurations = dict(before)
+    try:
+        yield
+    finally:
+        now, run.launch.configurations = run.launch.configurations, outside
+        if not run.is_dormant:
+            perhaps = (Unknown("a timer or an event sets it under a condition"),) if run.is_conditional else ()
+            changed = {name: value for name, value in now.items() if before.get(name) is not value}
+            run.set_later |= {name: one_of((*perhaps, value)) for name, value in changed.items()}
 
 
 @contextmanager
