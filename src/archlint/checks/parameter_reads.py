@@ -59,11 +59,15 @@ def _undeclared(
         "PRM003",
         place,
         f"parameter '{name}' is read, but {node.blueprint.class_name} never declares it" + did_you_mean(name, declared),
-        help=f"declare it first: self.declare_parameter('{name}', …)",
+        help=f"declare it first: {_declaration(name, place)}",
         related=[] if _encloses(call.place, place) else [Related(call.place, "it is read here")],
         node=node.name,
         identity=(node.blueprint.class_name, name),
     )
+
+
+def _declaration(name: str, place: Place) -> str:
+    return f"self.declare_parameter('{name}', …)" if place.file.endswith(".py") else f'declare_parameter("{name}", …)'
 
 
 def _where_named(system: System, call: ApiCall) -> Place:

@@ -118,3 +118,10 @@ def test_a_statement_outside_of_all_functions_is_none() -> None:
 )  # fmt: skip
 def test_code_that_only_the_grammar_does_not_understand_is_fine(source: str) -> None:
     assert told(source) == []
+
+
+def test_one_line_tells_of_all_that_a_file_loses() -> None:
+    source = changed("create_publisher<std_msgs", "create_publisher std_msgs")
+    (problem,) = lower(source.replace("create_subscription<std", "create_subscription std").encode()).problems
+    start = "the call of create_publisher is missing from the graph"
+    assert problem.message == f"{start} (1 more of this file, too): the code there is not understood"

@@ -23,9 +23,6 @@ if TYPE_CHECKING:
 
     from archlint.syntax.cpp.source import SourceText
 
-MOST = 20
-"""As many places of one file are told."""
-
 _NAMES = frozenset({"identifier", "field_identifier", "namespace_identifier", "type_identifier"})
 _STATEMENTS = ("_statement", "declaration", "_definition", "translation_unit")
 _DEFINITIONS = ("function_definition", "lambda_expression")
@@ -55,10 +52,11 @@ def problems_of(source: SourceText, root: Node, body: Sequence[facts.Stmt]) -> l
         start, what = bracket
         return [_problem(source, start, f"'{chr(source.data[start])}' {what}", partly=False)]
     missing = sorted({*_lost_calls(source, root, body), *_lost_classes(source, root)})
-    return [
-        _problem(source, start, f"{what} is missing from the graph: the code that it stands in is not understood")
-        for start, what in missing[:MOST]
-    ]
+    if not missing:
+        return []
+    (start, what), *others = missing
+    more = f" ({len(others)} more of this file, too)" if others else ""
+    return [_problem(source, start, f"{what} is missing from the graph{more}: the code there is not understood")]
 
 
 def _problem(source: SourceText, start: int, message: str, partly: bool = True) -> FileProblem:
