@@ -30,7 +30,7 @@ _FIXES: Final[dict[str, Safety]] = {"none": "", "safe": "safe", "unsafe": "unsaf
 CODE = re.compile(r"[A-Z]{3}\d{3}")
 PAGE_NAME = re.compile(rf"{CODE.pattern}-[a-z0-9-]+\.md")
 _FRONT_MATTER = re.compile(r"---\r?\n(.*?)\r?\n---\r?\n", re.DOTALL)
-_EXPECTATION = re.compile(r"[ \t]*(?:#|<!--) expect(?:-file)?:[^\n]*")
+_EXPECTATION = re.compile(r"[ \t]*(?:#|//|<!--) expect(?:-file)?:[^\n]*")
 
 
 class RuleBookError(ValueError):

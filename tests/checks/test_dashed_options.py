@@ -4,6 +4,10 @@ from __future__ import annotations
 
 import pytest
 
+from archlint.config.settings import load
+from archlint.engine.pipeline import Request, check
+from robot_package import SETUP_OF, manifest, write_files
+
 OLD = "[develop]\nscript-dir=$base/lib/robot\n[install]\ninstall-scripts=$base/lib/robot\n"
 
 
@@ -15,6 +19,21 @@ def test_the_old_template(findings):
     )
     assert finding.help == "write 'script_dir'"
     assert [row.place.line for row in (finding, *finding.related)] == [2, 4]
+
+
+def test_all_packages_of_one_template_are_one_finding(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    for name in ("arm", "base", "robot"):
+        setup = SETUP_OF.format(name=name)
+        write_files(tmp_path / name, {"setup.cfg": OLD, "package.xml": manifest(name), "setup.py": setup})
+    write_files(tmp_path, {"archlint.toml": 'select = ["PKG010"]'})
+    (finding,) = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+    assert finding.message.endswith("refuse it; 2 more setup.cfg files have such options, too")
+    assert {row.place.file for row in (finding, *finding.related)} == {
+        "arm/setup.cfg",
+        "base/setup.cfg",
+        "robot/setup.cfg",
+    }
 
 
 @pytest.mark.parametrize(

@@ -133,9 +133,13 @@ PURE = {
     "syntax/fields_with_facts.py": {"fields_with_facts"},
 }
 """What is kept for the process, since it follows from archlint's own files alone."""
-PURE_KEYS = re.compile(r"str|int|bool|tuple\[str, \.\.\.\]|frozenset\[str\]|Itself\[.*\]")
-"""Of these alone may anything else that is kept for the process be made: texts, numbers, truth, and pieces of source,
-each known by its identity.  What a function says of them is the same in every workspace."""
+PURE_KEYS = re.compile(
+    r"(?:str|int|bool|tuple\[str, \.\.\.\]|frozenset\[str\]|Itself\[.*\]|Tree"
+    r"|ParameterFileUse|tuple\[Rewriting \| Replacing \| Written, \.\.\.\])(?: \| None)?"
+)
+"""Of these alone may anything else that is kept for the process be made: texts, numbers, truth, what a launch file says
+of a parameter file, compared as texts are, and pieces of source, each known by its identity.  What a function says of
+them is the same in every workspace."""
 
 
 def sources(words: str = "") -> Iterator[tuple[str, ast.Module]]:

@@ -49,11 +49,6 @@ def test_what_is_around_a_call(tree: Tree):
     assert kinds == ["Lambda", "Argument", "Call", "Assign", "If", "Function", "Class"]
 
 
-def test_a_block_goes_on_to_its_end(tree: Tree):
-    [assign] = [one for one in tree.around(call_of(tree, "make")) if type(one) is facts.Assign]
-    assert [type(one).__name__ for one in tree.block_from(assign)] == ["Assign", "Assign", "Expression"]
-
-
 def test_what_a_call_is_given_is_known_by_where_it_stands():
     tree = Tree(lower("outer(inner(name), *names, key=name)\n"))
     [outer, inner] = tree.of_kind(facts.Call)

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.dashed_options import dashed_options
-from archlint.checks.folding import folds, with_others
+from archlint.checks.folding import folds, with_others, with_places
 from archlint.checks.packages import workspace_of
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -28,17 +29,22 @@ def dashed_option(system: System, options: Options) -> Iterator[Finding]:
             f"'{option.name}' has a dash: setuptools warns of it at each build, and says that it will refuse it",
             help=f"write '{right}'",
             identity=(option.name,),
-            group=(option.place.file,),
+            group=("dashed",),
             meant=right,
         )
 
 
 @folds("PKG010")
-def _of_one_file(findings: Sequence[Finding]) -> Finding:
-    """One finding for a file."""
+def _of_one_workspace(findings: Sequence[Finding]) -> Finding:
+    """One finding for all files: they come of one template."""
+    files = {diagnostic.place.file for diagnostic in findings}
     if len(findings) == 1:
         return findings[0]
-    return with_others(findings, "another option of the file has", "more options of the file have", "one, too")
+    if len(files) == 1:
+        return with_others(findings, "another option of the file has", "more options of the file have", "one, too")
+    first, others = with_places(findings, "so has this one"), len(files) - 1
+    subject = "another setup.cfg has" if others == 1 else f"{others} more setup.cfg files have"
+    return replace(first, message=f"{first.message}; {subject} such options, too")
 
 
 __all__ = ["dashed_option"]
