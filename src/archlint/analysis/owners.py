@@ -15,6 +15,7 @@ from archlint.analysis.coexistence import (
     launched_separately,
     named_by_library,
 )
+from archlint.analysis.in_sequence import run_in_sequence
 from archlint.analysis.left_over import is_left_over
 from archlint.model import EntityKind
 
@@ -32,6 +33,7 @@ def several_owners(system: System, connection: Connection) -> Iterator[list[Endp
             owner.node is other.node
             or launched_separately(system, owner.node, other.node)
             or _left_out(owner.node, other.node)
+            or run_in_sequence(system, owner, other)
         ):
             continue
         group = next((group for group in groups if owner in group or other in group), None)

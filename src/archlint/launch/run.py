@@ -103,8 +103,7 @@ class LaunchRun(Run):
         self.current_arms: BranchArms = frozenset()
         self.code_arms: BranchArms = frozenset()
         """Branches of the code that have already been taken note of."""
-        self.dormant = 0
-        self.undecided = 0
+        self.dormant = self.undecided = 0
         self.stack: list[str] = []
         self.includes: list[Place] = []
         """Where the files of the stack are included; nothing for the first."""
@@ -120,7 +119,8 @@ class LaunchRun(Run):
         self._values: dict[str, list[str]] = {}
         self._seen: set[object] = set()
         self._processes = StartedProcesses(result.started)
-        self.in_handler = False
+        self.in_handler, self.ended = False, frozenset[int]()
+        """Whether an event handler is around what is visited now, and which actions' processes have ended by then."""
         self.later, self.set_later = 0, dict[str, Value]()
         """How many timers and event handlers are around what is visited now, and what configurations such have set."""
         self.around_groups: Context | None = None

@@ -58,6 +58,13 @@ class Started:
     where it sets none."""
     visited: tuple[tuple[int, int], ...] = ()
     """The actions that lead to it, itself included, each with the number of its visit."""
+    after: frozenset[int] = frozenset()
+    """The actions whose processes have ended when this one starts (``OnProcessExit``)."""
+
+    @property
+    def action(self) -> int | None:
+        """The action that it is started by."""
+        return self.visited[-1][0] if self.visited else None
 
 
 class StartedProcesses:
@@ -82,6 +89,8 @@ class StartedProcesses:
         known = process in self._in_handler and not self._drop_dormant(process, started)
         self._in_handler[process] = self._in_handler.get(process, False) or in_handler
         if known and self._in_handler[process]:
+            if (first := self._first.get(process)) is not None:
+                first.after &= started.after
             return
         started.includes, started.visited = includes, visiting
         again = [other for other in self._by_place.setdefault(started.place, []) if _is_same_action(other, started)]
@@ -128,6 +137,7 @@ def _merge(process: Started, other: Started) -> bool:
     if any(getattr(process, name) != getattr(other, name) for name in _ALIKE):
         return False
     process.branch_arms &= other.branch_arms
+    process.after &= other.after
     process.dormant = process.dormant and other.dormant
     return True
 

@@ -16,7 +16,7 @@ from archlint.launch.context import Context
 from archlint.launch.functions import call_handler, call_opaque
 from archlint.launch.kinds import FileKind
 from archlint.launch.model import Included
-from archlint.launch.objects import LaunchObject, argument, class_name, entities_of, kind_of, place_of
+from archlint.launch.objects import LaunchObject, argument, class_name, entities_of, kind_of, made_by_base, place_of
 from archlint.launch.parameter_sources import files_among
 from archlint.launch.shared_paths import note_argument
 from archlint.launch.substitutions.texts import written_at
@@ -125,7 +125,17 @@ def event_handler(run: LaunchRun, entity: LaunchObject) -> None:
     for name in ("on_exit", "on_start", "on_completion", "on_shutdown", "entities", "on_stdout", "on_stderr"):
         value = argument(handler, name)
         if value is not None:
-            before, run.in_handler = run.in_handler, True
+            before = run.in_handler, run.ended
+            run.in_handler, run.ended = True, run.ended | _ended(run, handler)
             with later(run):
                 run.visit(call_handler(run, value, class_name(handler)) if callable_value(value) else value)
-            run.in_handler = before
+            run.in_handler, run.ended = before
+
+
+def _ended(run: LaunchRun, handler: Value | None) -> frozenset[int]:
+    """The action whose process has ended when a handler acts, unless launch starts that process again."""
+    target = argument(handler, "target_action")
+    action = made_by_base(run, target) or target
+    if kind_of(handler) != LaunchClass.ON_PROCESS_EXIT or not isinstance(action, LaunchObject):
+        return frozenset()
+    return frozenset({action.key}) if action.argument("respawn") in (None, Known(False)) else frozenset()

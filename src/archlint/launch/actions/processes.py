@@ -79,6 +79,7 @@ def _started(run: LaunchRun, entity: LaunchObject, kind: StartedKind) -> Started
         places=entity.places,
         without_namespace=run.without_namespace,
         domain=domain_of(run, entity),
+        after=run.ended,
     )
     started.remaps = [*(run.launch.remaps or ()), *_remaps(run, entity.argument("remappings"))]
     words, all_known = _texts(run, entity.argument("arguments"))
