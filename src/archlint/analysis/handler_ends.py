@@ -83,8 +83,19 @@ def _ends_with_the_first(function: facts.Function | None) -> bool:
     """Whether a function ends with a loop over what it is given that returns in its first round: rclpy never gives it
     an empty list."""
     match function:
-        case facts.Function(params=[*_, param], body=[*_, facts.For(iterable=over, body=[*_, facts.Return()])]):
-            return over.variable == param.name
+        case facts.Function(params=[*_, param], body=[*_, facts.For(iterable=over, body=body)]):
+            jumps = any(jump.kind != "pass" for jump in statements_of(body, facts.Jump))
+            return over.variable == param.name and not jumps and _returns_at_the_end(body)
+    return False
+
+
+def _returns_at_the_end(body: Sequence[facts.Stmt]) -> bool:
+    """Whether what stands last in a block returns, in each of its branches."""
+    match body:
+        case [*_, facts.Return() | facts.Raise()]:
+            return True
+        case [*_, facts.If(body=then, orelse=other)]:
+            return _returns_at_the_end(then) and _returns_at_the_end(other)
     return False
 
 
