@@ -330,3 +330,37 @@ def main():
 def test_the_default_of_a_parameter_that_launch_files_set(findings, launch: str, lines: list[int]):
     found = findings("NME002", launch, **{"robot/talker.py": TOPIC})
     assert [one.place.line for one in found] == lines
+
+
+@pytest.mark.parametrize(
+    ("default", "told"),
+    [
+        ("['/scan']", []),  # substitutions, which launch joins to one text: no list with a topic '/'
+        ("'/scan'", []),
+        ("""'["/scan"]'""", []),
+        ("""["['/sc", "an/']"]""", ["/scan/"]),
+        ("""'["/"]'""", ["/"]),
+    ],
+)
+@pytest.mark.parametrize("declared", ["['/odom', '/imu']", "Parameter.Type.STRING_ARRAY"])
+def test_a_list_of_names_that_a_launch_argument_sets(findings, declared, default, told):
+    launch = f"""\
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument
+from launch.substitutions import LaunchConfiguration
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    topics = {{'topics': LaunchConfiguration('topics')}}
+    return LaunchDescription([
+        DeclareLaunchArgument('topics', default_value={default}),
+        Node(package='robot', executable='talker', parameters=[topics]),
+    ])
+"""
+    lines = f"topics = self.declare_parameter('topics', {declared}).value\n        "
+    lines += "self.create_publisher(String, topics[0], 10)"
+    talker = TALKER.replace("self.declare_parameter('rate', 1.0)", lines)
+    files = {"robot/talker.py": "from rclpy.parameter import Parameter\n" + talker, "launch/all.launch.py": launch}
+    messages = [finding.message for finding in findings("NME002", **files)]
+    assert [message.split("'")[1] for message in messages] == told

@@ -13,6 +13,7 @@ from archlint.interpreter.values import (
     DictValue,
     Items,
     Known,
+    ListValue,
     Unknown,
     Value,
     alternatives,
@@ -79,7 +80,10 @@ def declare_one(
         elif text.text is None or text.resolution not in ("exact", "parameter"):
             value = Unknown("the parameter's name is not known")
         elif text.text in overrides and not ignore_override:
-            value = from_parameter(run, value_from_python(run, overrides[text.text]), text.text)
+            value = value_from_python(run, overrides[text.text])
+            if value.text is not None and not dynamic and _is_of_lists(default, kind):
+                value = Unknown("it is set to a text, and declared as a list: the node stops there")
+            value = from_parameter(run, value, text.text)
         elif has_default:
             assert default is not None
             value = from_parameter(run, default, text.text)
@@ -89,6 +93,10 @@ def declare_one(
             run.store.set(nodes.node_key(run, call.receiver), PARAMETERS[text.text], value)
         parameters.append(new_parameter(run, option, value))
     return one_of(parameters)
+
+
+def _is_of_lists(default: Value | None, kind: ParameterType | None) -> bool:
+    return isinstance(default, ListValue) or (kind or "").endswith("_array")
 
 
 def _is_dynamic(run: Run, descriptor: Value | None) -> bool:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from archlint.syntax import facts
 from archlint.syntax.cpp import calls
-from archlint.syntax.cpp.known_names import DURATIONS, MAKERS, SAME
+from archlint.syntax.cpp.known_names import DURATIONS, MAKERS, SAME, SEQUENCES
 from archlint.syntax.cpp.lower_expressions import given
 from archlint.syntax.cpp.lower_objects import ObjectLowering
 from archlint.syntax.cpp.names import FunctionScope, Names, Part
@@ -144,6 +144,9 @@ class CallLowering(ObjectLowering):
             return [facts.Literal(float(number), span)]
         if number is not None and _PARAMETER_TYPES.get(of_type) == "INTEGER":
             return [facts.Literal(int(number), span)]
+        match values[0]:
+            case facts.Call(func=constructor, args=[]) if constructor.last_name in SEQUENCES:
+                return [facts.Sequence("list", [], span)]  # std::vector<std::string>()
         return [values[0]]
 
     def _write(self, target: Expr, value: Expr, span: Span) -> None:
