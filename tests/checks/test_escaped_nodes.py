@@ -290,3 +290,61 @@ RCLPY = "from rclpy.node import Node"
 )
 def test_methods_of_a_base_elsewhere_may_spin_a_node(judge: Judge, imports: str, base: str, then: str, mark: str):
     judge("EXE008", NAVIGATOR.format(imports=imports, base=base, then=then, mark=mark))
+
+
+WRAPPER = """
+    import rclpy
+    from rclpy.node import Node
+
+
+    class Clock:
+        def __init__(self, node):
+            self.node = node
+
+        def start(self, period, callback):
+            self.node.create_timer(period, callback)
+
+
+    class Arm(Node):
+        def __init__(self):
+            super().__init__('arm')
+            self.clock = Clock(self)
+            {arm}
+
+        def tick(self):
+            pass
+
+
+    class Base(Node):
+        def __init__(self):
+            super().__init__('base')
+            self.arm = Arm(){mark}
+            self.clock = Clock(self)
+            {base}
+
+        def tick(self):
+            pass
+
+
+    def main():
+        rclpy.init()
+        rclpy.spin(Base())
+
+
+    if __name__ == '__main__':
+        main()
+"""
+START = "self.clock.start(1.0, self.tick)"
+
+
+@pytest.mark.parametrize(
+    ("arm", "base", "mark"),
+    [
+        ("pass", START, ""),  # the timer is that of the other node
+        ("pass", "pass", ""),
+        (START, START, "  # here"),
+        ("self.create_timer(1.0, self.tick)", START, "  # here"),
+    ],
+)
+def test_a_helper_creates_only_what_it_is_asked_for(judge: Judge, arm: str, base: str, mark: str):
+    judge("EXE008", WRAPPER.format(arm=arm, base=base, mark=mark))

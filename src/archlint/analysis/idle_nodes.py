@@ -13,6 +13,7 @@ from archlint.libraries import tables
 from archlint.model import (
     EntityKind,
     ExecutorKind,
+    Role,
     SpinDuration,
 )
 
@@ -58,7 +59,7 @@ def _all_is_seen(program: Program, node: Blueprint) -> bool:
 
 def idle_of(system: System, program: Program, node: Blueprint) -> Idle | None:
     """Why nothing serves what a node certainly offers; None where something may."""
-    served = [c for c in node.creations if c.api in _OWN_API and not c.conditional and not c.destroyed]
+    served = [c for c in node.creations if c.api in _OWN_API and _is_certain(c)]
     if node.executor == ExecutorKind.NONE:
         return Idle(served) if served else None
     spells = [spell for use in program.executors if use.spun for spell in use.spells.get(node, ())]
@@ -74,3 +75,11 @@ def idle_of(system: System, program: Program, node: Blueprint) -> Idle | None:
         last = max(spell.creations for spell in spells)
         served = [c for c in served if c in node.creations[last:]]
     return Idle(served, spin=spells[0].place) if served else None
+
+
+def _is_certain(creation: Creation) -> bool:
+    """Whether a program surely gets to a create call, and keeps what it creates: a method of a helper which is given
+    the node creates nothing where nobody here calls it with a callback."""
+    uncalled = creation.context is not None and creation.context.role == Role.METHOD
+    is_given_none = all(callback.name == "?" for callback in creation.callbacks.values())
+    return not (creation.conditional or creation.destroyed or (uncalled and is_given_none))
