@@ -23,19 +23,23 @@ FORMS = {
     "process_wait": "subprocess.Popen(['sleep', '0.8']).wait()",
     "process_ended": "process = subprocess.Popen(['sleep', '5'])\nprocess.terminate()\nprocess.wait(timeout=2.0)",
     "network": "with urlopen(f'http://127.0.0.1:{PORT}/') as page:\n    page.read()",
+    "lock": "with open(LOCK, 'w') as file:\n    fcntl.flock(file, fcntl.LOCK_EX)",
     "discovery": "self.absent.wait_for_service(timeout_sec=1.2)",
     "pool": "POOL.submit(time.sleep, 0.8)",
     "thread": "threading.Thread(target=time.sleep, args=(0.8,), daemon=True).start()",
     "task": "self.executor.create_task(self.work)",
 }
 _WORLD = """\
+import fcntl
 import os
 import socket
 import subprocess
+import tempfile
 from concurrent.futures import ThreadPoolExecutor
 from urllib.request import urlopen
 
 POOL = ThreadPoolExecutor()
+LOCK = os.path.join(tempfile.gettempdir(), f'lock-{os.getpid()}')
 SERVER = socket.create_server(('127.0.0.1', 0))
 PORT = SERVER.getsockname()[1]
 
@@ -47,8 +51,17 @@ def serve():
         time.sleep(0.8)
         connection.sendall(b'HTTP/1.0 200 OK\\r\\n\\r\\nfine')
         connection.close()
+
+
+def hold():
+    while True:
+        with open(LOCK, 'w') as file:
+            fcntl.flock(file, fcntl.LOCK_EX)
+            time.sleep(1.4)
+        time.sleep(0.02)
 """
 _RUNS = {"network": "threading.Thread(target=serve, daemon=True).start()\n"}
+_RUNS["lock"] = "threading.Thread(target=hold, daemon=True).start()\ntime.sleep(0.1)\n"
 
 PLACES = (
     ("spin", "default"),
@@ -136,6 +149,19 @@ def _gap(said: Said) -> str:
     return RUN if sum(when > first and word == "says beat" for when, word in said) >= 10 else WAIT
 
 
+def left_alone(claim: Claim) -> bool:
+    """A file lock, which other processes rarely hold for as long as the one here does."""
+    return claim.form == "lock"
+
+
 JUDGED = Judged(
-    "EXE003", claims, source, outcome, frozenset({WAIT}), needs, seconds=4.0, judges=("EXE003", "SRV003", "SRV008")
+    "EXE003",
+    claims,
+    source,
+    outcome,
+    frozenset({WAIT}),
+    needs,
+    seconds=4.0,
+    judges=("EXE003", "SRV003", "SRV008"),
+    left_alone=left_alone,
 )
