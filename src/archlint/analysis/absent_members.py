@@ -14,6 +14,7 @@ from archlint.analysis.class_chains import chain_of, classes_of, files_with, met
 from archlint.analysis.kept import once_for_each_file
 from archlint.analysis.offered_names import MAKES_NAMES
 from archlint.analysis.own_calls import bindings_of, class_meant_by
+from archlint.analysis.tried_code import tried_for
 from archlint.analysis.unassigned_attributes import may_get, members_of
 from archlint.place import Place
 from archlint.suggestions import nearest
@@ -27,7 +28,6 @@ _OF_INTERFACES = {
     "srv": frozenset({"Event", "Request", "Response"}),
     "action": frozenset({"Feedback", "Goal", "Impl", "Result"}),
 }
-_REFUSAL = "AttributeError"
 
 
 @dataclass(frozen=True)
@@ -103,7 +103,7 @@ def _calls(code: facts.Facts) -> list[_Called]:
     if not MAKES_NAMES.isdisjoint(code.names):
         return []
     variables = _made(code)
-    forgiven = _forgiven(code)
+    forgiven = tried_for(code.body, {"AttributeError"})
     rows = []
     for call in everything_in(code.body, facts.Call):
         match call.func:
@@ -117,7 +117,7 @@ def _calls(code: facts.Facts) -> list[_Called]:
                 case facts.Attribute(value=facts.Attribute(value=facts.Name(id="self"), attr=attr)) as part:
                     if attr in attributes:
                         rows.append(_Called(part, attributes[attr], attr))
-    return [row for row in rows if Itself[object](row.part) not in forgiven]
+    return [row for row in rows if Itself[facts.Base](row.part) not in forgiven]
 
 
 def _made(code: facts.Facts) -> dict[str, str]:
@@ -142,15 +142,6 @@ def _made_for(cls: facts.Class) -> dict[str, str]:
             ) if times.count(attr) == 1:
                 makers[attr] = name
     return makers
-
-
-def _forgiven(code: facts.Facts) -> set[Itself[object]]:
-    tried = (
-        statement.body
-        for statement in everything_in(code.body, facts.Try)
-        if any(_REFUSAL in handler.caught for handler in statement.handlers)
-    )
-    return {Itself[object](part) for body in tried for part in everything_in(body)}
 
 
 def _absent(workspace: WorkspaceIndex, file: str, called: _Called) -> AbsentMember | None:

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.class_chains import classes_of, files_with, methods_of
 from archlint.analysis.kept import once_for_each_file
+from archlint.analysis.tried_code import tried_for
 from archlint.libraries.api_signatures import distros
 from archlint.model import Misuse, RefusedCall
 from archlint.place import Place
@@ -115,12 +116,7 @@ class _Code:
             for call in parts_of(handler.body, facts.Call)
         }
 
-        self._tried = {
-            Itself(call)
-            for attempt in everything_in(body, facts.Try)
-            if not all(handler.caught.isdisjoint(_REFUSALS) for handler in attempt.handlers)
-            for call in everything_in(attempt.body, facts.Call)
-        }
+        self._tried = tried_for(body, _REFUSALS)
 
     def _note(self, part: facts.Base) -> None:
         """Note what a name or an attribute is given; None where that is not written."""
@@ -143,7 +139,7 @@ class _Code:
                     self._assigned.setdefault(other.last_name, []).append(None)
 
     def is_tried(self, call: facts.Call) -> bool:
-        return Itself(call) in self._tried
+        return Itself[facts.Base](call) in self._tried
 
     def refusal(self, call: facts.Call) -> _Refusal | None:
         starred = any(argument.star for argument in call.args)

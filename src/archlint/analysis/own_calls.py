@@ -23,6 +23,7 @@ from archlint.analysis.class_chains import (
 )
 from archlint.analysis.kept import once_for_each_file
 from archlint.analysis.offered_names import MAKES_NAMES, stars
+from archlint.analysis.tried_code import tried_for
 from archlint.model import Misuse
 from archlint.place import Place
 from archlint.syntax import facts
@@ -33,10 +34,9 @@ from archlint.syntax.walk import statements_of
 if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
 
-_FORGIVING = "TypeError"
 _PLAIN_DECORATORS = frozenset({"abstractmethod", "classmethod", "override", "staticmethod"})
 _DEPTH = 4
-"""How many imports are followed to a function."""
+"""How many imports are followed to a definition."""
 
 
 @dataclass(frozen=True)
@@ -124,7 +124,7 @@ def _calls(code: facts.Facts) -> list[tuple[facts.Call, facts.Class | None]]:
     """The calls of plain names, and those of methods of ``self`` with the class that the method around them is of."""
     if not MAKES_NAMES.isdisjoint(code.names):
         return []
-    forgiven = {Itself(part) for block in _forgiving(code) for part in everything_in(block)}
+    forgiven = tried_for(code.body, {"TypeError"})
     around = {Itself(call): cls for cls in classes_of(code) for call in _on_self(cls)}
     rows: list[tuple[facts.Call, facts.Class | None]] = []
     for call in everything_in(code.body, facts.Call):
@@ -132,12 +132,6 @@ def _calls(code: facts.Facts) -> list[tuple[facts.Call, facts.Class | None]]:
         if Itself[facts.Base](call) not in forgiven and (cls is not None or call.func.variable):
             rows.append((call, cls))
     return rows
-
-
-def _forgiving(code: facts.Facts) -> Iterator[list[facts.Stmt]]:
-    for statement in everything_in(code.body, facts.Try):
-        if any(_FORGIVING in handler.caught for handler in statement.handlers):
-            yield statement.body
 
 
 def _on_self(cls: facts.Class) -> Iterator[facts.Call]:
@@ -162,40 +156,42 @@ def _on_self(cls: facts.Class) -> Iterator[facts.Call]:
 def _meant(workspace: WorkspaceIndex, file: str, call: facts.Call, cls: facts.Class | None) -> FunctionInFile | None:
     if cls is not None:
         return _method(workspace, ClassInFile(file, cls), call.func.attribute)
-    return _function(workspace, file, call.func.variable, _DEPTH)
+    return _function(workspace, file, call.func.variable)
 
 
-def _function(workspace: WorkspaceIndex, file: str, name: str, depth: int) -> FunctionInFile | None:
+def _function(workspace: WorkspaceIndex, file: str, name: str) -> FunctionInFile | None:
     """The function that a name means in a file, or the constructor of the class."""
-    code = workspace.facts_at(file)
-    if code is None or depth <= 0 or stars(code) or bindings_of(code)[name] != 1:
-        return None
-    for statement in code.body:
-        match statement:
-            case facts.Function(name=defined, decorators=[]) if defined == name:
-                return FunctionInFile(file, statement)
-            case facts.Class(name=defined) if defined == name:
-                return _constructor(workspace, ClassInFile(file, statement))
-            case facts.ImportFrom(names=names) if any(bound == name for _, bound in names):
-                own = next(own for own, bound in names if bound == name)
-                path = _file_of(workspace, file, statement)
-                return None if path is None else _function(workspace, path, own, depth - 1)
+    match _definition(workspace, file, name):
+        case path, facts.Function(decorators=[]) as function:
+            return FunctionInFile(path, function)
+        case path, facts.Class() as cls:
+            return _constructor(workspace, ClassInFile(path, cls))
     return None
 
 
-def class_meant_by(workspace: WorkspaceIndex, file: str, name: str, depth: int = _DEPTH) -> ClassInFile | None:
+def class_meant_by(workspace: WorkspaceIndex, file: str, name: str) -> ClassInFile | None:
     """The class of the workspace that a name means in a file."""
+    match _definition(workspace, file, name):
+        case path, facts.Class() as cls:
+            return ClassInFile(path, cls)
+    return None
+
+
+def _definition(
+    workspace: WorkspaceIndex, file: str, name: str, depth: int = _DEPTH
+) -> tuple[str, facts.Function | facts.Class] | None:
+    """What defines a name that a file binds once, and the file that this is in."""
     code = workspace.facts_at(file)
     if code is None or depth <= 0 or stars(code) or bindings_of(code)[name] != 1:
         return None
     for statement in code.body:
         match statement:
-            case facts.Class(name=defined) if defined == name:
-                return ClassInFile(file, statement)
+            case facts.Function(name=defined) | facts.Class(name=defined) if defined == name:
+                return file, statement
             case facts.ImportFrom(names=names) if any(bound == name for _, bound in names):
                 own = next(own for own, bound in names if bound == name)
                 path = _file_of(workspace, file, statement)
-                return None if path is None else class_meant_by(workspace, path, own, depth - 1)
+                return None if path is None else _definition(workspace, path, own, depth - 1)
     return None
 
 
