@@ -36,11 +36,9 @@ def always_comes_after(code: SourceCode, last: ApiCall, earlier: ApiCall) -> boo
 
 
 def _comes_after(code: SourceCode, last: _Path, earlier: _Path) -> bool:
-    shared = 0
-    while last[shared] == earlier[shared]:
-        shared += 1
-        if shared == min(len(last), len(earlier)):
-            return False
+    shared = _shared(last, earlier)
+    if shared is None:
+        return False
     here, *inside = last[shared:]
     if here.file != earlier[shared].file:
         return False
@@ -51,13 +49,17 @@ def _comes_after(code: SourceCode, last: _Path, earlier: _Path) -> bool:
 
 
 def _comes_before(code: SourceCode, first: _Path, later: _Path) -> bool:
-    shared = 0
-    while first[shared] == later[shared]:
-        shared += 1
-        if shared == min(len(first), len(later)):
-            return False
+    shared = _shared(first, later)
+    if shared is None:
+        return False
     here, *inside = first[shared:]
     return _dominates(code, here, later[shared]) and all(_always_runs(code, place) for place in inside)
+
+
+def _shared(path: _Path, other: _Path) -> int | None:
+    """How many steps two ways have in common before they part; None where one of them goes on from the other."""
+    steps = enumerate(zip(path, other, strict=False))
+    return next((number for number, (here, there) in steps if here != there), None)
 
 
 def _dominates(code: SourceCode, first: Place, later: Place) -> bool:
