@@ -134,7 +134,7 @@ PURE = {
 }
 """What is kept for the process, since it follows from archlint's own files alone."""
 PURE_KEYS = re.compile(
-    r"(?:str|int|bool|tuple\[str, \.\.\.\]|frozenset\[str\]|Itself\[.*\]|Tree"
+    r"(?:str|int|bool|tuple\[str, \.\.\.\]|frozenset\[str\]|Itself\[.*\]"
     r"|ParameterFileUse|tuple\[Rewriting \| Replacing \| Written, \.\.\.\])(?: \| None)?"
 )
 """Of these alone may anything else that is kept for the process be made: texts, numbers, truth, what a launch file says

@@ -5,7 +5,7 @@ from __future__ import annotations
 import posixpath
 from typing import TYPE_CHECKING
 
-from archlint.analysis.kept import once
+from archlint.analysis.kept import kept
 
 if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
@@ -17,16 +17,7 @@ _LEVELS = 60
 
 def package_around(workspace: WorkspaceIndex, folder: str) -> Package | None:
     """The package whose package.xml is the nearest one upwards from a folder; None where that one makes no package."""
-    known = _known(workspace)
-    if folder not in known:
-        known[folder] = _nearest(workspace, folder)
-    return known[folder]
-
-
-@once
-def _known(workspace: WorkspaceIndex) -> dict[str, Package | None]:
-    """What was asked before: rules ask for each name and each message."""
-    return {}
+    return kept(workspace, (package_around, folder), lambda: _nearest(workspace, folder))
 
 
 def _nearest(workspace: WorkspaceIndex, folder: str) -> Package | None:

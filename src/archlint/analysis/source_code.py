@@ -9,14 +9,13 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
-from functools import lru_cache
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
 from archlint.finding import Place
 from archlint.syntax import facts
-from archlint.syntax.parts import Itself
+from archlint.syntax.parts import once_for
 from archlint.syntax.walk import calls_in, main_guard
 
 if TYPE_CHECKING:
@@ -173,7 +172,7 @@ def _look_up(file_facts: facts.Facts, span: facts.Span) -> _Spot:
 def _step(span: facts.Span, blocks: Sequence[Sequence[facts.Stmt]]) -> tuple[Sequence[facts.Stmt], facts.Stmt | None]:
     """The block, and the statement of it, that holds a span."""
     for block in blocks:
-        starts = _starts(Itself(block))
+        starts = _starts(block)
         last = bisect_right(starts, span[:2])
         for statement in block if not starts else block[last - 1 : last]:
             if _holds(statement, span):
@@ -181,11 +180,11 @@ def _step(span: facts.Span, blocks: Sequence[Sequence[facts.Stmt]]) -> tuple[Seq
     return (), None
 
 
-@lru_cache(maxsize=4096)
-def _starts(block: Itself[Sequence[facts.Stmt]]) -> Sequence[tuple[int, int]]:
+@once_for
+def _starts(block: Sequence[facts.Stmt]) -> Sequence[tuple[int, int]]:
     """Where the statements of a block begin; nothing where one does not begin behind the end of the one before, as in
     C++, where several may come of one."""
-    spans: list[facts.Span] = [getattr(statement, "span", (0, 0, 0, 0)) for statement in block.fact]
+    spans: list[facts.Span] = [getattr(statement, "span", (0, 0, 0, 0)) for statement in block]
     in_order = all(before[2:] <= after[:2] < after[2:] for before, after in pairwise([(0, 0, 0, 0), *spans]))
     return [span[:2] for span in spans] if in_order else ()
 

@@ -6,12 +6,12 @@ For fixes, which must know more than a rule does: code that is moved has to mean
 from __future__ import annotations
 
 from collections.abc import Iterator
-from functools import lru_cache
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once, once_for_each_file
 from archlint.place import Place
 from archlint.syntax import facts
+from archlint.syntax.parts import once_for
 from archlint.syntax.tree import Tree
 from archlint.syntax.walk import called_name
 
@@ -78,7 +78,7 @@ def own_node(tree: Tree, node: facts.Expr, statement: facts.Stmt) -> bool:
     return len(values) == 1 and _makes_node(values[0])
 
 
-@lru_cache(maxsize=256)
+@once_for
 def _has_declaring_calls(tree: Tree) -> bool:
     return any(_declares_itself(call) for call in tree.of_kind(facts.Call))
 
