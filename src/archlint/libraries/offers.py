@@ -13,14 +13,10 @@ from archlint.libraries.setuptools import setup_run
 OFFERS = Offers(
     tables.find,
     {**EFFECTS, **effects.EFFECTS},
-    {
-        **{**argument_parsers.METHODS, **clocks.METHODS},
-        **{**profiles.METHODS, **transports.METHODS, **node_options.METHODS, **filters.METHODS},
-    },
-    {
-        **{**effects.PLAIN, **setup_run.PLAIN, **command_line.PLAIN},
-        **{**profiles.PLAIN, **transports.PLAIN, **node_options.PLAIN, **filters.PLAIN},
-    },
+    {**argument_parsers.METHODS, **clocks.METHODS}
+    | {**profiles.METHODS, **transports.METHODS, **node_options.METHODS, **filters.METHODS},
+    {**effects.PLAIN, **setup_run.PLAIN, **command_line.PLAIN}
+    | {**profiles.PLAIN, **transports.PLAIN, **node_options.PLAIN, **filters.PLAIN},
     frozenset({"endpoint"}),
 )
 

@@ -47,7 +47,7 @@ def _images_later(run: Run, receiver: Value, site: CallSite) -> Value:
 
 
 def _subscribe(run: Run, site: CallSite, kind: Value, at_qos: int) -> Value:
-    """The subscription; without arguments a filter subscribes once more to what it knows."""
+    """The subscription to a topic; ``at_qos`` is the position of the profile."""
     if len(site.args) < 2:
         return Unknown("a filter without a topic")
     arguments = {"node": site.args[0], "topic": site.args[1], "msg_type": kind}
