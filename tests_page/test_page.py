@@ -90,6 +90,14 @@ class Reader:
     def text(self, id: str) -> str:
         return str(self.browser.run(f"document.getElementById({id!r}).innerText"))
 
+    def waits_until(self, condition: str) -> bool:
+        """Whether a condition of the page comes true; on a busy machine a drawing may take seconds."""
+        for _ in range(200):
+            if self.browser.run(condition):
+                return True
+            self.browser.run("new Promise((done) => setTimeout(done, 50))")
+        return False
+
     def pixels(self) -> str:
         """A picture of the canvas, to say whether something has changed."""
         self.browser.settle()
@@ -242,9 +250,8 @@ def test_a_large_picture_is_moved_as_it_is_and_then_painted_anew(reader: Reader)
     before = reader.pixels()
     reader.browser.run("document.getElementById('canvas').focus()")
     reader.browser.press("ArrowLeft")
-    assert "translate(" in reader.browser.run("document.querySelector('#moving canvas').style.transform")
-    reader.browser.run("new Promise((done) => setTimeout(done, 400))")
-    assert reader.browser.run("document.getElementById('moving').hidden"), "it is painted anew"
+    assert reader.waits_until("document.querySelector('#moving canvas').style.transform.includes('translate(')")
+    assert reader.waits_until("document.getElementById('moving').hidden"), "it is painted anew"
     assert reader.pixels() != before
     assert reader.browser.complaints() == []
 
