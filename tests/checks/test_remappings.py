@@ -62,6 +62,20 @@ def test_dead_remappings_of_one_node_are_one_finding(findings):
     assert len(findings("LCH002", node(misspelt), **{"launch/more.launch.xml": "<launch/>"})) == 2
 
 
+def test_copies_of_a_remapping_of_a_well_known_node_are_one_finding(findings):
+    publisher = (
+        '<node pkg="robot_state_publisher" exec="robot_state_publisher" name="{}">'
+        '<remap from="/cmd_vel" to="x"/></node>'
+    )
+    copy = {"launch/more.launch.xml": f"<launch>{publisher.format('state')}</launch>"}
+    (found,) = findings("LCH002", publisher.format("state"), **copy)
+    assert found.message == "/state has no name '/cmd_vel', so this remapping has no effect"
+    assert [(row.place.file, row.message) for row in found.related] == [
+        ("launch/more.launch.xml", "it is remapped here, too")
+    ]
+    assert len(findings("LCH002", publisher.format("state") + publisher.format("other"))) == 2
+
+
 def test_a_parameter_is_no_name_to_remap(findings):
     (found,) = findings("LCH002", node('<remap from="use_sim_time" to="false"/>'))
     assert found.help == "'use_sim_time' is a parameter: set it with <param>"

@@ -120,13 +120,7 @@ def _finding(remap: Remap, nodes: list[Node], dead: _Dead) -> Finding:
     is_name = "/" not in dead.source.strip("/") and not dead.source.startswith("/")
     shown = [name.rpartition("/")[2] if is_name else name for name in dead.known]
     node_name, hint = nodes[0].name, did_you_mean(dead.source, shown)
-    blueprint = nodes[0].blueprint
     parameter = _parameter_meant(nodes, dead.source)
-    cause = (
-        ()
-        if hint or blueprint is None or parameter is not None
-        else (*map(str, astuple(blueprint.place)), blueprint.class_name)
-    )
     return finding(
         "LCH002",
         remap.place,
@@ -134,8 +128,17 @@ def _finding(remap: Remap, nodes: list[Node], dead: _Dead) -> Finding:
         help=_advice(remap, dead, hint) if parameter is None else _as_parameter(remap, parameter),
         node=node_name,
         identity=(node_name or "", dead.expanded),
-        group=cause,
+        group=() if hint or parameter is not None else _source_of(nodes[0]),
     )
+
+
+def _source_of(node: Node) -> tuple[str, ...]:
+    """What the same node has in common in all launch files: its class, or the executable of an external one."""
+    if node.blueprint is not None:
+        return *map(str, astuple(node.blueprint.place)), node.blueprint.class_name
+    started = node.started
+    package, executable = (None, None) if started is None else (started.package.text, started.executable.text)
+    return (package, executable, node.name) if package and executable and node.name else ()
 
 
 def _parameter_meant(nodes: Sequence[Node], source: str) -> str | None:
