@@ -96,6 +96,34 @@ def test_what_a_timer_or_an_event_sets_comes_after_the_description(findings, act
     assert bool(findings("LCH009", **files)) is told
 
 
+REWRITTEN = """
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, IncludeLaunchDescription
+from launch.substitutions import LaunchConfiguration
+from launch_ros.substitutions import FindPackageShare
+from nav2_common.launch import RewrittenYaml
+
+def generate_launch_description():
+    rviz = LaunchConfiguration('rviz')
+    given = {given}
+    path = [FindPackageShare('robot'), '/launch/driver.launch.xml']
+    return LaunchDescription([
+        DeclareLaunchArgument('rviz', default_value='/etc/robot.yaml'),
+        IncludeLaunchDescription(path, launch_arguments={{'rviz': given}}.items()),
+        IncludeLaunchDescription(path, launch_arguments={{'rviz': rviz}}.items()),
+    ])
+"""
+
+
+@pytest.mark.parametrize(
+    ("given", "told"),
+    [("RewrittenYaml(source_file=rviz, param_rewrites={}, convert_types=True)", 0), ("'/etc/other.yaml'", 1)],
+)
+def test_a_file_that_a_launch_makes_of_the_other_is_no_leak(findings, given: str, told: int):
+    files = FILES | {"launch/rewritten.launch.py": REWRITTEN.format(given=given)}
+    assert len(findings("LCH009", **files)) == told
+
+
 def test_an_argument_that_nobody_takes_is_told_otherwise(findings):
     launch = OWN + include("driver", rviz="false") + '<let name="shown" value="$(var rviz)"/>'
     files = {"launch/driver.launch.xml": "<launch/>"}

@@ -40,19 +40,14 @@ def qos_contradiction(system: System, options: Options) -> Iterator[Finding]:
             related=[*related, *(Related(other, "it is used here, too") for other, _ in others)],
             node=end.node.name,
             identity=(end.kind, end.name or "", contradiction),
-            group=(place.file, _class_of(end), contradiction),
+            group=(contradiction,),
         )
 
 
-def _class_of(end: Endpoint) -> str:
-    return end.node.name or "" if end.node.blueprint is None else end.node.blueprint.class_name
-
-
-@folds("QOS004")
-def _of_one_class(findings: Sequence[Finding]) -> Finding:
-    """The finding for all profiles of a node class that are wrong in the same way: one habit."""
-    same = f"the same in {findings[0].group[1]}"
-    return with_others(findings, "another profile does", "more profiles do", same, "the same again")
+@folds("QOS004", across_systems=True)
+def _of_one_habit(findings: Sequence[Finding]) -> Finding:
+    """The finding for all profiles of a workspace that are wrong in the same way: one was copied from the other."""
+    return with_others(findings, "another profile does", "more profiles do", "the same", "the same again")
 
 
 class _Creations:

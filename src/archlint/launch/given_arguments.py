@@ -11,6 +11,7 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING, NamedTuple
 
 from archlint.launch.mistakes import LeakedArgument
+from archlint.launch.named_files import is_made_by_launch
 from archlint.launch.objects import known_text
 
 if TYPE_CHECKING:
@@ -117,7 +118,10 @@ class GivenArguments:
         default: bool = False,
     ) -> None:
         text, own_text = known_text(value), known_text(own)
-        if text is not None and own_text is not None and text.lower() != own_text.lower():
+        if text is None or own_text is None or is_made_by_launch(text):
+            # A file that a launch makes, of another mostly: it may well have what the other has.
+            return
+        if text.lower() != own_text.lower():
             leak = LeakedArgument(name, text, own_text, given, read, file, include, default)
             if leak not in self._result.leaked:
                 self._result.leaked.append(leak)

@@ -64,5 +64,18 @@ class MadeFile:
     changes: tuple[Rewriting | Replacing | Written, ...]
 
 
+_MADE = "$(file-made-by-launch"
+
+
+def path_made_by_launch(*words: object) -> str:
+    """What stands for the path of a file that exists only while a launch runs; ``words`` tell it from others."""
+    return f"{' '.join((_MADE, *map(str, words)))})"
+
+
+def is_made_by_launch(path: str) -> bool:
+    """Whether :func:`path_made_by_launch` gave the path."""
+    return path.startswith(_MADE)
+
+
 def why_unknown(reference: FileReference) -> str:
     return reference.reason or f"it is not known which file '{reference.written}' is"

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from archlint.interpreter import containers
 from archlint.interpreter.values import NONE, External, Instance, Known, Unknown, Value, reason
 from archlint.launch import file_texts
+from archlint.launch.named_files import path_made_by_launch
 from archlint.launch.objects import argument, known_text
 
 if TYPE_CHECKING:
@@ -29,12 +30,12 @@ def written_file(run: LaunchRun, path: str) -> Instance:
 
 def _temporary(run: LaunchRun, site: CallSite) -> Instance:
     """``tempfile.NamedTemporaryFile('w', …)``: a file whose name is made up."""
-    return written_file(run, f"$(file-made-by-launch {len(run.written_files) + len(run.made_files) + 1})")
+    return written_file(run, path_made_by_launch(len(run.written_files) + len(run.made_files) + 1))
 
 
 def _folder(run: LaunchRun, site: CallSite) -> Value:
     """``tempfile.gettempdir()``: which folder it is, the machine says; what is written there is known."""
-    return Known("$(file-made-by-launch)")
+    return Known(path_made_by_launch())
 
 
 def _descriptor_and_path(run: LaunchRun, site: CallSite) -> Value:

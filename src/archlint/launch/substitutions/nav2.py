@@ -18,7 +18,7 @@ from archlint.interpreter.values import (
     reason,
 )
 from archlint.launch.kinds import FileKind
-from archlint.launch.named_files import MadeFile, Replacing, Rewriting
+from archlint.launch.named_files import MadeFile, Replacing, Rewriting, path_made_by_launch
 from archlint.launch.objects import LaunchObject, known_text, launch_object
 from archlint.launch.substitutions.texts import each_text
 from archlint.launch.tables import LaunchClass
@@ -108,7 +108,7 @@ def _path_of(run: LaunchRun, source: Known, change: Rewriting | Replacing) -> Kn
         MadeFile(str(source.value), (change,)) if before is None else MadeFile(before.source, (*before.changes, change))
     )
     same = [path for path, file in run.made_files.items() if file == made_file]
-    path = same[0] if same else f"$(file-made-by-launch {len(run.made_files) + 1} {made_file.source})"
+    path = same[0] if same else path_made_by_launch(len(run.made_files) + 1, made_file.source)
     run.made_files[path] = made_file
     return Known(path, source.via, source.origin)
 
