@@ -87,22 +87,18 @@ BRIDGE = """
 
 
 @pytest.mark.parametrize(
-    ("model", "bridged", "severity"),
+    ("model", "bridged", "told"),
     [
-        ("/ball/words", "/ball/words", None),
-        ("words", "/ball/words", Severity.WARNING),
-        ("/words", "/words", Severity.WARNING),
-        ("/ball/words", "/ball/other", Severity.WARNING),
+        ("/ball/words", "/ball/other", False),
+        ("words", "/ball/words", False),  # the bridge has it
+        ("words", "/ball/other", True),
     ],
 )
-def test_the_topic_of_a_model(judge: Judge, tmp_path: Path, model: str, bridged: str, severity: Severity | None):
+def test_the_topic_of_a_model(judge: Judge, tmp_path: Path, model: str, bridged: str, told: bool):
     (tmp_path / "package.xml").write_text("<package format='3'><name>ball</name><version>0.0.1</version></package>")
     (tmp_path / "models").mkdir()
     (tmp_path / "models" / "model.sdf").write_text(f"<sdf><plugin><topic>{model}</topic></plugin></sdf>")
     (tmp_path / "launch").mkdir()
     (tmp_path / "launch" / "bridge.launch.py").write_text(dedent(BRIDGE).format(name=bridged))
 
-    text = MOVER.replace("/ball/words", bridged if model == bridged else "/ball/words")
-    found = judge("NME001", text if severity is not None else text.replace("  # here", ""))
-
-    assert [one.severity for one in found] == ([] if severity is None else [severity])
+    judge("NME001", MOVER if told else MOVER.replace("  # here", ""))

@@ -105,10 +105,10 @@ def test_one_class_alone_is_told_by_its_name(folder: Path):
 
 
 def test_the_message_counts_more_than_what_is_related(folder: Path):
-    nodes = {f"arm{number}": node(f"Arm{number}", f"/arm{number}") for number in range(20)}
+    nodes = {f"arm{number}": node(f"Arm{number}", f"/arm{number}", f"state{number}") for number in range(20)}
     [finding] = check(request(folder, **nodes)).findings
 
-    assert finding.message.startswith("20 nodes of package 'robot' fix 20 absolute names")
+    assert finding.message.startswith("20 nodes of package 'robot' fix 20 absolute names, beside relative ones")
     assert len(finding.related) == 10
 
 
@@ -159,14 +159,97 @@ def test_a_class_that_mixes_both_forms_is_told_with_its_package(folder: Path):
     assert [related.place.file for related in mixed.related] == ["robot/arm.py", "robot/base.py"]
 
 
-def test_packages_that_have_both_forms_say_nothing_of_the_others(folder: Path):
+def test_packages_that_have_both_forms_are_told_with_the_others(folder: Path):
     write_package(folder, "lidars", node("Lidar", "/lidar/scan", "lidar/state"))
     write_package(folder, "arms", ARM)
     write_package(folder, "bases", BASE)
 
-    whole, mixed = check(Request((".",), load(folder), cached=False, jobs=1)).findings
-    assert whole.message.startswith("2 nodes in 2 packages fix 3 absolute names: no namespace")
-    assert places([mixed]) == [("lidars/robot/talker.py", 9)]
+    [finding] = check(Request((".",), load(folder), cached=False, jobs=1)).findings
+    assert finding.message.startswith("3 nodes in 3 packages fix 4 absolute names, beside relative ones such as")
+    assert places([finding]) == [("lidars/robot/talker.py", 9)]
+    assert [related.place.file for related in finding.related] == ["arms/robot/talker.py", "bases/robot/talker.py"]
+
+
+def many(*names: str) -> dict[str, str]:
+    """More nodes than a small workspace has, each with one name."""
+    return {f"node{number}": node(f"Node{number}", name) for number, name in enumerate(names)}
+
+
+ALL_ABSOLUTE = [f"/part{number}/state" for number in range(7)]
+
+
+@pytest.mark.parametrize(("count", "told"), [(6, [("robot/node0.py", 9)]), (7, [])])
+def test_a_large_workspace_with_nothing_else_is_built_so(folder: Path, count: int, told: list[tuple[str, int]]):
+    assert places(check(request(folder, **many(*ALL_ABSOLUTE[:count]))).findings) == told
+
+
+def test_a_large_workspace_hears_of_what_does_not_fit_and_what_goes_with_it(folder: Path):
+    lidar = node("Lidar", "/lidar/scan", "lidar/state")
+    user = node("User", "/lidar/scan", "/user/state")
+    [finding] = check(request(folder, lidar=lidar, user=user, **many(*ALL_ABSOLUTE))).findings
+
+    assert places([finding]) == [("robot/lidar.py", 9)]
+    assert finding.message.startswith("2 nodes of package 'robot' fix 2 absolute names, beside relative ones")
+    assert [related.place.file for related in finding.related] == ["robot/user.py"]
+
+
+@pytest.mark.parametrize(
+    ("namespace", "told"), [("", []), ('namespace="left"', [("robot/node0.py", 9)]), ('namespace="/"', [])]
+)
+def test_a_large_workspace_hears_of_what_launch_files_put_into_a_namespace(folder: Path, namespace: str, told):
+    launch = f'<node pkg="robot" exec="node0" {namespace}/><node pkg="robot" exec="node1"/>'
+    findings = check(request(folder, launch, **many(*ALL_ABSOLUTE))).findings
+
+    assert places(findings) == told
+
+
+@pytest.mark.parametrize(("other", "told"), [("/sentences", [("robot/arm.py", 9)]), ("/words", [])])
+def test_a_node_in_a_namespace_that_needs_somebody_outside(folder: Path, other: str, told: list[tuple[str, int]]):
+    """What is in ``left`` reaches ``/words`` of the other node by its absolute name alone."""
+    launch = '<node pkg="robot" exec="arm" namespace="left"/><node pkg="robot" exec="base"/>'
+    nodes = {"arm": node("Arm", "/words"), "base": node("Base", other)} | many(*ALL_ABSOLUTE)
+
+    assert places(check(request(folder, launch, **nodes)).findings) == told
+
+
+@pytest.mark.parametrize(
+    ("file", "text", "told"),
+    [
+        ("config/bridge.yaml", "- ros_topic_name: /arm/state\n", False),
+        ("config/bridge.yaml", "- ros_topic_name: /arm/states\n", True),
+        ("config/bridge.yaml", "# as /arm/state\n", True),
+        ("urdf/robot.xacro", "<remapping>~/out:=/arm/state</remapping>", False),
+        ("urdf/robot.xacro", "<mesh>/arm/state.stl</mesh>", True),
+    ],
+)
+def test_a_name_that_a_file_of_data_holds_to(folder: Path, file: str, text: str, told: bool):
+    asked = request(folder, arm=node("Arm", "/arm/state"))
+    (folder / file).parent.mkdir(exist_ok=True)
+    (folder / file).write_text(text)
+
+    assert bool(check(asked).findings) == told
+
+
+@pytest.mark.parametrize(
+    ("installs", "told"),
+    [("DIRECTORY launch", False), ("PROGRAMS scripts/arm.py", True)],
+)
+def test_a_script_of_a_package_whose_cmake_files_install_no_program(folder: Path, installs: str, told: bool):
+    (folder / "scripts").mkdir()
+    (folder / "scripts" / "arm.py").write_text(ARM)
+    (folder / "package.xml").write_text(manifest("robot"))
+    (folder / "CMakeLists.txt").write_text(f"install({installs} DESTINATION lib/robot)\n")
+    (folder / "archlint.toml").write_text('select = ["NME001"]')
+
+    assert bool(check(Request((".",), load(folder), cached=False, jobs=1)).findings) == told
+
+
+def test_a_node_that_speaks_with_a_fixed_system_cannot_be_started_twice(folder: Path):
+    commander = node("Commander", "/drone/cmd_pose", "/fmu/in/offboard_control_mode")
+    assert check(request(folder, commander=commander)).findings == []
+
+    [finding] = check(request(folder, commander=commander, arm=ARM)).findings
+    assert finding.message.startswith("2 names of Arm")
 
 
 def test_a_private_name_beside_an_absolute_one_is_no_mixture(folder: Path):
@@ -175,27 +258,20 @@ def test_a_private_name_beside_an_absolute_one_is_no_mixture(folder: Path):
     assert finding.message.startswith("2 nodes of package 'robot' fix 3 absolute names")
 
 
-def test_the_only_absolute_names_of_a_package_are_told_alone(folder: Path):
+def test_the_only_absolute_names_of_a_small_workspace(folder: Path):
     relative = {name.lower(): node(name, f"{name.lower()}/state") for name in ("Base", "Camera")}
     [finding] = check(request(folder, arm=ARM, **relative)).findings
 
-    assert finding.message.endswith(
-        "unlike those of other nodes of package 'robot', such as 'base/state': no namespace applies to them"
+    assert finding.message.startswith("2 names of Arm are absolute and fixed in the code")
+
+
+def test_a_name_that_another_node_has_as_a_relative_one(folder: Path):
+    [told] = check(request(folder, base=BASE, camera=node("Camera", "base/state"))).findings
+    assert told.message == (
+        "the topic '/base/state' is absolute and fixed in the code, and another node has 'base/state' as a relative "
+        "name: in a namespace, only that one moves"
     )
 
-
-def test_several_classes_that_are_unlike_their_package_are_one_finding(folder: Path):
-    relative = {name.lower(): node(name, f"{name.lower()}/state") for name in ("Camera", "Drive", "Lidar")}
-    [finding] = check(request(folder, arm=ARM, base=BASE, **relative)).findings
-
-    assert finding.message == (
-        "2 nodes of package 'robot' fix 3 absolute names, beside relative ones such as 'camera/state': in a namespace, "
-        "only those move"
-    )
-    assert places([finding]) == [("robot/arm.py", 9)]
-
-
-def test_a_name_that_another_node_of_the_package_has_as_a_relative_one(folder: Path):
     camera = node("Camera", "arm/state")
     [told] = check(request(folder, base=BASE, arm=ARM, drive=node("Drive", "/drive"), camera=camera)).findings
 

@@ -1,13 +1,11 @@
-"""Names that the workspace itself holds to a form: code that refuses any other, a model that a simulator loads."""
+"""Names that code of the workspace holds to a form, and where a name begins that goes through a helper."""
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.analysis.completeness import enclosing_function
-from archlint.analysis.kept import once
 from archlint.analysis.source_code import code_of
 from archlint.analysis.surrounding_code import tree_of
 from archlint.finding import Place
@@ -18,11 +16,6 @@ from archlint.syntax.walk import called_name, calls_in, parts_of, statements_of
 if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
     from archlint.systems.nodes import Endpoint
-
-_MODELS = (".sdf", ".world", ".urdf", ".xacro")
-_TOPIC = re.compile(r"<(?:topic|topic_name|odom_topic|service)>\s*(/[^<\s/]+/[^<\s]+)\s*</")
-"""A topic below the name of the model, such as ``/ball/cmd_vel``: ``/cmd_vel`` may be of any robot."""
-_BRIDGED = re.compile(r"[\"'](/[^\"'@\s]+)@[\w/]+[\[\]@]")
 
 
 def must_be_absolute(workspace: WorkspaceIndex | None, endpoint: Endpoint) -> bool:
@@ -100,22 +93,4 @@ def _called(workspace: WorkspaceIndex, file: str, body: Sequence[facts.Stmt]) ->
         )
 
 
-def is_of_a_model(workspace: WorkspaceIndex | None, name: str) -> bool:
-    """Whether a model of the workspace gives a plugin this topic and a launch file bridges it under the same name."""
-    return workspace is not None and name in _topics_of_models(workspace)
-
-
-@once
-def _topics_of_models(workspace: WorkspaceIndex) -> frozenset[str]:
-    texts = [workspace.tree.text(path) or "" for path in workspace.launch_files.all()]
-    bridged = {match[1] for text in texts for match in _BRIDGED.finditer(text)}
-    if not bridged:
-        return frozenset()
-    models = {
-        path for folder in workspace.manifests for path in workspace.tree.files_below(folder) if path.endswith(_MODELS)
-    }
-    named = {match[1] for path in sorted(models) for match in _TOPIC.finditer(workspace.tree.text(path) or "")}
-    return frozenset(bridged & named)
-
-
-__all__ = ["is_of_a_model", "must_be_absolute", "passed_from"]
+__all__ = ["must_be_absolute", "passed_from"]

@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING
 
-from archlint.analysis.fixed_names import is_of_a_model
 from archlint.analysis.kept import once
 
 if TYPE_CHECKING:
@@ -52,14 +51,10 @@ _OWNERS = (*_STARTED_OWNERS, "_controller", "_broadcaster", "controller_manager"
 
 
 def is_foreign(workspace: WorkspaceIndex | None, endpoint: Endpoint) -> bool:
-    """Whether something outside of the workspace chooses a name: a system that is no ROS, a plugin of a model, or a
-    node below whose name it is."""
+    """Whether something outside of the workspace chooses a name: a system that is no ROS, or a node below whose name
+    it is."""
     name = endpoint.written or ""
-    return (
-        _is_prescribed(workspace, endpoint)
-        or is_of_a_model(workspace, name)
-        or _is_private_to_foreign_node(workspace, name)
-    )
+    return _is_prescribed(workspace, endpoint) or _is_private_to_foreign_node(workspace, name)
 
 
 def _is_prescribed(workspace: WorkspaceIndex | None, endpoint: Endpoint) -> bool:

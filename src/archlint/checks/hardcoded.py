@@ -13,11 +13,12 @@ from archlint.analysis.completeness import enclosing_class
 from archlint.analysis.fixed_names import must_be_absolute, passed_from
 from archlint.analysis.manifests import package_around
 from archlint.analysis.name_sites import sites_of_name
+from archlint.analysis.names_in_data import is_in_data
 from archlint.branches import exclusive
 from archlint.checks.folding import all_sites, folds
 from archlint.checks.foreign_names import is_foreign
 from archlint.checks.name_conventions import CONVENTION, home_of, one_of_several_nodes
-from archlint.checks.name_evidence import FixedName, told_alone
+from archlint.checks.name_evidence import FixedName, is_needed_outside, told
 from archlint.checks.name_reasons import FIXED, PARAMETERS, RELATIVE, WITHOUT_PACKAGE, Reason, repeating, shared_by
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -38,15 +39,14 @@ _NAMES_SHOWN = 3
 
 @rule("NME001", scope=Scope.CODE, taste=True, says_if_installed=True, relative=False, allow=())
 def hardcoded_name(system: System, options: Options) -> Iterator[Finding]:
-    """Absolute names that only an edit of the code can change, one finding a create call and literal; those of one
-    class become one, and so do those of all classes that have nothing against the convention of their workspace."""
+    """Absolute names that only an edit of the code can change, one finding a create call and literal; those of a
+    class that launch files speak against become one, and so do those of all other classes."""
     relative, allowed = options.flag("relative"), options.texts("allow")
     names = _fixed_names(system, allowed, relative)
-    alone = told_alone(system.workspace, names)
     findings: dict[tuple[Place, Place, str], Finding] = {}
-    for name in names:
+    for name, evidence in told(system, names):
         if relative or name.text.startswith("/"):
-            diagnostic = _hardcoded(system, name, alone.get(name.home))
+            diagnostic = _hardcoded(system, name, evidence)
             findings.setdefault((diagnostic.place, name.endpoint.place, name.text), diagnostic)
     yield from (findings[key] for key in sorted(findings))
 
@@ -114,16 +114,12 @@ def _conventional(endpoint: Endpoint, name: str, allowed: tuple[str, ...]) -> bo
 
 
 def _hardcoded(system: System, fixed: FixedName, evidence: Reason | None) -> Finding:
-    """``evidence`` is what speaks against the absolute names of the class, where something does."""
-    endpoint, reason = fixed.endpoint, fixed.reason
+    """``evidence`` is what speaks against the form of the name, where something does."""
+    endpoint, reason = fixed.endpoint, evidence or fixed.reason
     name, word = fixed.text, NAMED[endpoint.kind]
-    if evidence is not None and fixed.is_absolute:
-        reason = evidence
     given = endpoint.creation.name_place or endpoint.place
     place = _begin(system.workspace, endpoint)
-    owner = ("", reason.package, "package") if reason.package else ("", "", CONVENTION)
-    if (evidence is not None and not evidence.package) or reason == RELATIVE:
-        owner = (*fixed.home, reason.key)
+    owner = (*fixed.home, reason.key) if reason.is_of_class else ("", "", CONVENTION)
     diagnostic = finding(
         "NME001",
         place,
@@ -154,10 +150,14 @@ def _reason(workspace: WorkspaceIndex | None, endpoint: Endpoint, users: int) ->
         _is_chosen(node, endpoint)
         or _is_remapped(workspace, endpoint)
         or _is_beside(workspace, _literal(endpoint).file)
+        or is_in_data(workspace, name)
+        or is_needed_outside(workspace, endpoint)
     ):
         return None
     if users > 1:
         return shared_by(users)
+    if _is_run_by_hand(workspace, endpoint.place.file):
+        return None
     if is_not_installed(workspace, endpoint.place.file):
         return None if workspace is not None and workspace.manifests else WITHOUT_PACKAGE
     return _by_namespace(workspace, node)
@@ -176,6 +176,15 @@ def _is_beside(workspace: WorkspaceIndex | None, file: str) -> bool:
     folder = posixpath.dirname(package.manifest.relative)
     inside = posixpath.dirname(file).removeprefix(folder).strip("/").split("/")
     return not (_SHOWN_OR_TOOL - {package.name}).isdisjoint(inside)
+
+
+def _is_run_by_hand(workspace: WorkspaceIndex | None, file: str) -> bool:
+    """Whether a script is in a package whose CMake files install no program at all."""
+    package = None if workspace is None or not file.endswith(".py") else workspace.package_of(file)
+    installs = None if workspace is None or package is None else workspace.installs.get(package)
+    if installs is None or installs.open_executables or installs.executables:
+        return False
+    return any(path.endswith("CMakeLists.txt") for path in installs.build_files)
 
 
 def _is_remapped(workspace: WorkspaceIndex | None, endpoint: Endpoint) -> bool:

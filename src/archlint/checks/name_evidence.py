@@ -1,25 +1,35 @@
-"""Which classes NME001 tells alone: the source shows that their absolute names do not fit what is around them."""
+"""Which absolute names NME001 tells, and what the source shows to speak against them."""
 
 from __future__ import annotations
 
-import posixpath
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
-from archlint.analysis.manifests import package_around
-from archlint.checks.name_reasons import FIXED, REPEATED, Reason, beside_relative, for_each_instance, unlike_its_package
+from archlint.checks.foreign_names import is_foreign
+from archlint.checks.name_reasons import (
+    FIXED,
+    INSTANCES,
+    REPEATED,
+    Reason,
+    beside_relative,
+    for_each_instance,
+    in_namespace,
+    unlike_another,
+)
 from archlint.model import EntityKind
 from archlint.systems.nodes import key_of
 
 if TYPE_CHECKING:
-    from archlint.systems.model import WorkspaceIndex
+    from archlint.systems.model import System, WorkspaceIndex
     from archlint.systems.nodes import Endpoint
 
 Home = tuple[str, str]
 """The file and the class that a name is fixed in; the class is empty where there is none."""
+_SMALL = 6
+"""How many nodes a workspace has at most that a lesson is about: three, and what is added to them."""
 _PROVIDES = frozenset({EntityKind.PUBLISHER, EntityKind.SERVICE, EntityKind.ACTION_SERVER})
 
 
@@ -51,22 +61,108 @@ class FixedName:
         return self.is_own and not self.text.startswith(("/", "~"))
 
 
-def told_alone(workspace: WorkspaceIndex | None, names: Iterable[FixedName]) -> dict[Home, Reason]:
-    """The classes whose absolute names do not fit what is around them, each with what is to be said of it: alone, or
-    together with the others of its package."""
+def told(system: System, names: Sequence[FixedName]) -> list[tuple[FixedName, Reason | None]]:
+    """The names that are worth a finding, each with what speaks against the form that it has: what launch files show of
+    a class, or relative names beside it.
+
+    A small workspace hears of all its absolute names, as one who learns does.  In a large one a form that all nodes
+    keep to, and that no launch file contradicts, is how its robot is built: there the names are told that do not fit
+    what is around them, with all that have to change together with these.
+    """
+    workspace = system.workspace
     by_home: dict[Home, list[FixedName]] = {}
     for name in names:
         by_home.setdefault(name.home, []).append(name)
-    alone = {home: reason for home, rows in by_home.items() if (reason := _as_started(workspace, rows)) is not None}
-    for package, homes in _by_package(workspace, by_home).items():
-        classes = {home: by_home[home] for home in homes if home not in alone}
-        absolute = [home for home, rows in classes.items() if any(name.is_absolute for name in rows)]
-        evidence = {**(_unlike(package, classes, absolute) if package else {}), **_mixed(classes)}
-        if package and evidence:
-            alone.update((home, replace(evidence.get(home, FIXED), package=package)) for home in absolute)
-        else:
-            alone.update(evidence)
-    return alone
+    started = {home: reason for home, rows in by_home.items() if (reason := _as_started(workspace, rows)) is not None}
+    others = {home: rows for home, rows in by_home.items() if home not in started}
+    evidence = {**_in_namespace(workspace, others), **_relative_elsewhere(others), **_mixed(others)}
+    chosen = _linked(others, evidence)
+    if _is_small(system):
+        chosen |= {home for home, rows in others.items() if not _is_tied(workspace, rows)}
+    return [
+        (name, (started.get(name.home) or evidence.get(name.home)) if name.is_absolute else None)
+        for name in names
+        if _is_told(workspace, name, started.get(name.home), name.home in chosen)
+    ]
+
+
+def _is_told(workspace: WorkspaceIndex | None, name: FixedName, started: Reason | None, is_chosen: bool) -> bool:
+    if not name.text.startswith("/"):
+        return True
+    if started is not None and started.key == INSTANCES and name.is_absolute:
+        return _instances(workspace, name.endpoint) > 1
+    return started is not None or is_chosen
+
+
+def _is_small(system: System) -> bool:
+    nodes = {key_of(node.blueprint) for node in system.nodes if node.blueprint is not None and not node.external}
+    return len(nodes) <= _SMALL
+
+
+def _is_tied(workspace: WorkspaceIndex | None, names: Iterable[FixedName]) -> bool:
+    """Whether a node with these names has another that something outside of the workspace fixes: a second one cannot be
+    started beside it, whatever becomes of these."""
+    ends = (end for node in {name.endpoint.node for name in names} for end in node.endpoints)
+    return any((end.written or "").startswith("/") and is_foreign(workspace, end) for end in ends)
+
+
+def _linked(homes: Mapping[Home, Sequence[FixedName]], evidence: Iterable[Home]) -> set[Home]:
+    """The classes that something speaks against, and those that have a name with one of them in common: where one drops
+    its '/', the others have to."""
+    users: dict[str, list[Home]] = {}
+    for home, rows in homes.items():
+        for name in rows:
+            if name.text.startswith("/"):
+                users.setdefault(name.text, []).append(home)
+    linked, waiting = set(evidence), list(evidence)
+    while waiting:
+        shared = [users.pop(name.text, []) for name in homes[waiting.pop()]]
+        new = {home for group in shared for home in group} - linked
+        linked |= new
+        waiting += new
+    return linked
+
+
+def is_needed_outside(workspace: WorkspaceIndex | None, endpoint: Endpoint) -> bool:
+    """Whether launch files start a node in namespaces only, and a node that is in none of these has its absolute name,
+    too: without the '/', the two would no longer meet."""
+    if workspace is None or endpoint.node.blueprint is None:
+        return False
+    given = workspace.namespaces.get(key_of(endpoint.node.blueprint), frozenset({""}))
+    users = _namespaces_of_users(workspace).get(endpoint.written or "", frozenset())
+    return "" not in given and not users <= given
+
+
+@once
+def _namespaces_of_users(workspace: WorkspaceIndex) -> Mapping[str, frozenset[str]]:
+    """The namespaces of the nodes whose code has each absolute name."""
+    users: dict[str, set[str]] = {}
+    for node in (node for system in workspace.systems if system.name is None for node in system.nodes):
+        given = {""} if node.blueprint is None else workspace.namespaces.get(key_of(node.blueprint), {""})
+        for end in node.endpoints:
+            if (end.written or "").startswith("/"):
+                users.setdefault(end.written or "", set()).update(given)
+    return {name: frozenset(given) for name, given in users.items()}
+
+
+def _in_namespace(workspace: WorkspaceIndex | None, homes: Mapping[Home, Sequence[FixedName]]) -> dict[Home, Reason]:
+    """The classes whose node launch files start in one namespace, which their names do not follow."""
+    reasons: dict[Home, Reason] = {}
+    for home, rows in homes.items():
+        blueprints = [name.endpoint.node.blueprint for name in rows if name.is_absolute]
+        given = (
+            set()
+            if workspace is None
+            else {
+                namespace
+                for blueprint in blueprints
+                if blueprint is not None
+                for namespace in workspace.namespaces.get(key_of(blueprint), ("",))
+            }
+        )
+        if len(given) == 1 and "" not in given and "?" not in given:
+            reasons[home] = in_namespace(*given)
+    return reasons
 
 
 def _as_started(workspace: WorkspaceIndex | None, names: Sequence[FixedName]) -> Reason | None:
@@ -112,29 +208,21 @@ def _provided(workspace: WorkspaceIndex) -> Mapping[tuple[object, EntityKind, st
     return most
 
 
-def _by_package(workspace: WorkspaceIndex | None, homes: Iterable[Home]) -> dict[str, list[Home]]:
-    """The classes with fixed names of each package; the name is empty for those in none."""
-    packages: dict[str, list[Home]] = {}
-    for home in homes:
-        package = None if workspace is None else package_around(workspace, posixpath.dirname(home[0]))
-        packages.setdefault("" if package is None else package.name, []).append(home)
-    return packages
+def _relative_elsewhere(homes: Mapping[Home, Sequence[FixedName]]) -> dict[Home, Reason]:
+    """The classes with an absolute name that another class has as a relative one."""
+    relative = {
+        (name.text, name.endpoint.type): home for home, rows in homes.items() for name in rows if name.is_relative
+    }
+    return {
+        home: unlike_another(same)
+        for home, rows in homes.items()
+        if (same := next(_same_as(rows, relative), "")) and relative
+    }
 
 
-def _unlike(package: str, classes: Mapping[Home, Sequence[FixedName]], absolute: Sequence[Home]) -> dict[Home, Reason]:
-    """The classes with absolute names in a package that has more classes without any, and in one where another class
-    has such a name as a relative one."""
-    others = [home for home in classes if home not in absolute]
-    relative = {name.text: home for home in others for name in classes[home] if name.is_relative}
-    if not relative:
-        return {}
-    few = len(absolute) < len(set(relative.values()))
-    same = {home: next(_same_as(classes[home], relative), "") for home in absolute}
-    return {home: unlike_its_package(package, same[home] or min(relative)) for home in absolute if few or same[home]}
+def _same_as(names: Iterable[FixedName], relative: Mapping[tuple[str, str | None], Home]) -> Iterator[str]:
+    keys = ((name.text[1:], name.endpoint.type) for name in names if name.is_absolute)
+    return (key[0] for key in keys if key in relative)
 
 
-def _same_as(names: Iterable[FixedName], relative: Mapping[str, Home]) -> Iterator[str]:
-    yield from (name.text[1:] for name in names if name.is_absolute and name.text[1:] in relative)
-
-
-__all__ = ["FixedName", "Home", "told_alone"]
+__all__ = ["FixedName", "Home", "is_needed_outside", "told"]

@@ -18,10 +18,13 @@ class Reason:
     severity: Severity | None = None
     namespace: str = ""
     """The one that launch files start the node in, where a name begins with it."""
-    package: str = ""
-    """The package whose absolute names are told together, since it has relative ones, too."""
     other: str = ""
     """One of the relative names that show it."""
+
+    @property
+    def is_of_class(self) -> bool:
+        """Whether it is about one class, whatever the form of other names in its workspace."""
+        return self.key in (REPEATED, INSTANCES, "relative")
 
     @property
     def has_fix(self) -> bool:
@@ -40,6 +43,8 @@ FIXED = Reason(
     "remove the leading '/', so that the node's namespace applies, or take the names from parameters",
 )
 """Nothing more than that: what is said once of all nodes of a workspace."""
+INSTANCES = "instances"
+"""The key where a launch file starts a node several times."""
 REPEATED = "repeated"
 """The key where a name begins with the namespace in which the node runs anyway."""
 PARAMETERS = replace(FIXED, key=REPEATED, cure="take the names from parameters")
@@ -68,20 +73,28 @@ def beside_relative(other: str) -> Reason:
 
 def repeating(namespace: str, cure: str) -> Reason:
     """For a node that launch files start in one namespace, with which a name of it begins."""
-    effect = f", and launch files start the node in the namespace '{namespace}', which does not apply to {{it}}"
-    return replace(FIXED, key=REPEATED, effect=effect, cure=cure, namespace=namespace)
+    return replace(FIXED, key=REPEATED, effect=_unmoved(namespace), cure=cure, namespace=namespace)
 
 
 def for_each_instance(count: int) -> Reason:
     """For a node that one launch file starts several times."""
     effect = f", and a launch file starts the node {count} times: all of them have the same one"
-    return replace(FIXED, key="instances", effect=effect)
+    return replace(FIXED, key=INSTANCES, effect=effect)
 
 
-def unlike_its_package(package: str, other: str) -> Reason:
-    """For a node among others of its package whose names are relative."""
-    others = f"those of other nodes of package '{package}', such as '{_kept(other)}'"
-    return replace(FIXED, key="unlike", effect=f", unlike {others}: no namespace applies to {{it}}", other=other)
+def unlike_another(other: str) -> Reason:
+    """For a name that another node has as a relative one."""
+    effect = f", and another node has '{_kept(other)}' as a relative name: in a namespace, only that one moves"
+    return replace(FIXED, key="unlike", effect=effect, other=other)
+
+
+def in_namespace(namespace: str) -> Reason:
+    """For a node that launch files start in one namespace."""
+    return replace(FIXED, key="in namespace", effect=_unmoved(namespace))
+
+
+def _unmoved(namespace: str) -> str:
+    return f", and launch files start the node in the namespace '{namespace}', which does not apply to {{it}}"
 
 
 def _kept(name: str) -> str:
@@ -91,6 +104,7 @@ def _kept(name: str) -> str:
 
 __all__ = [
     "FIXED",
+    "INSTANCES",
     "PARAMETERS",
     "RELATIVE",
     "REPEATED",
@@ -98,7 +112,8 @@ __all__ = [
     "Reason",
     "beside_relative",
     "for_each_instance",
+    "in_namespace",
     "repeating",
     "shared_by",
-    "unlike_its_package",
+    "unlike_another",
 ]
