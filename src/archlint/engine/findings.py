@@ -142,7 +142,7 @@ def _judged(
     about = _wanted([*stale, *suppressions.without_reason(by_file)], request.settings, workspace)
     kept = [*outcome.kept, *suppressions.apply(about, by_file).kept]
     sifted = sieve.part(dict.fromkeys(kept), {file.relative for file in workspace.files})
-    explained = uninstalled.with_reason(with_reason(folded(sifted.new), old), aside)
+    explained = uninstalled.once_for_a_file(with_reason(folded(sifted.new), old), aside)
     findings = once_for_twins(explained, _contents(workspace, facts))
     shown = as_asked_for(request, systems[0], workspace)
     summary = summarise(

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from collections.abc import Set as AbstractSet
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_not_installed
+from archlint.checks.folding import all_sites, with_places
 from archlint.checks.registry import registered
 from archlint.finding import Finding, Severity
 
@@ -36,16 +37,28 @@ def as_information(findings: Iterable[Finding], files: AbstractSet[str]) -> list
 
 
 _ENDINGS = (".py", ".pyw")
+_OF_CALLS = ("API", "EXE", "SRV", "TMO")
 
 
-def with_reason(findings: Iterable[Finding], files: AbstractSet[str]) -> list[Finding]:
-    """The findings, with the reason why some are only information in their message."""
-    return [
-        replace(finding, message=f"{finding.message}; no installed program uses this file")
-        if finding.place.file in files and finding.severity is Severity.INFO and _is_about_code(finding)
-        else finding
-        for finding in findings
-    ]
+def once_for_a_file(findings: Iterable[Finding], files: AbstractSet[str]) -> list[Finding]:
+    """The findings, those that are information for this reason with the reason in their message.  What a rule says of
+    calls and waits in one such file is one finding; each wrong name and message stays."""
+    rows: dict[tuple[object, ...], list[Finding]] = {}
+    shown: list[Finding] = []
+    for number, finding in enumerate(findings):
+        if finding.place.file in files and finding.severity is Severity.INFO and _is_about_code(finding):
+            apart = None if finding.code.startswith(_OF_CALLS) else number
+            rows.setdefault((finding.code, finding.place.file, finding.system, apart), []).append(finding)
+        else:
+            shown.append(finding)
+    return [*shown, *(_of_file(sorted(row, key=lambda finding: finding.sort_key)) for row in rows.values())]
+
+
+def _of_file(findings: Sequence[Finding]) -> Finding:
+    first, others = findings[0], len(findings) - 1
+    more = "" if not others else "; another line like it" if others == 1 else f"; {others} more lines like it"
+    message = f"{first.message}{more}; no installed program uses this file"
+    return replace(with_places(findings), message=message, sites=all_sites(findings))
 
 
 def _is_about_code(finding: Finding) -> bool:
@@ -53,4 +66,4 @@ def _is_about_code(finding: Finding) -> bool:
     return check is not None and check.scope.of_code and not check.says_if_installed
 
 
-__all__ = ["as_information", "files_of", "with_reason"]
+__all__ = ["as_information", "files_of", "once_for_a_file"]
