@@ -14,7 +14,7 @@ import msgspec
 import pytest
 
 from archlint.cli import main
-from archlint.engine.facts_file import PythonRow, Shard, packed, unpacked
+from archlint.engine.facts_file import CodeRow, Shard, packed, unpacked
 from archlint.engine.facts_folder import INDEX
 from archlint.workspace.snapshot import Entry
 from robot_package import manifest, write_files
@@ -130,6 +130,19 @@ def test_facts_say_what_the_sources_say(
     assert facts == sources
     assert "TOP001" in facts[0][1]
     assert "self.create_publisher(Float32, '/bad name', 10)" in facts[0][1]  # the line of a source that is gone
+
+
+def test_facts_of_cpp_are_linked_with_those_of_python(workspace: Path, elsewhere: Path, say: Say) -> None:
+    source = '#include "names.hpp"\nint main() { rclcpp::Node node(NAME); }\n'
+    header = '#include <rclcpp/rclcpp.hpp>\n#define NAME "talker"\n'
+    write_files(workspace / "src/driver", {"src/talker.cpp": source, "src/names.hpp": header})
+    sources = say("graph", "--format", "json", "--isolated", "--no-cache")
+    assert main(["facts", "-o", str(elsewhere / "facts")]) == 0
+    shutil.rmtree(workspace / "src")
+    say()
+    facts = say("graph", "--format", "json", "--isolated", "--facts", str(elsewhere / "facts"))
+    assert facts == sources
+    assert '"name": "/talker"' in facts[1]
 
 
 def test_the_disk_is_not_looked_at(workspace: Path, elsewhere: Path, say: Say, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -374,10 +387,10 @@ NODE_PATH = "src/driver/driver/node.py"
         ({"entries": {"a": Entry(b""), "a/b": Entry(b"")}}, "a is both a file and a folder"),
         ({"complete": ["/"]}, "'/' is not a path inside the workspace"),
         ({"entries": {}}, "is missing"),
-        ({"python": {}}, "has no facts, or has them without being Python"),
-        ({"python": {NODE_PATH: PythonRow(b"x", b"")}}, "is damaged"),
-        ({"python": {NODE_PATH: PythonRow(b"", b"\x90")}}, "are damaged, or of another version"),
-        ({"python": {NODE_PATH: PythonRow(b"", b"\x91" * 5000)}}, "are damaged, or of another version"),
+        ({"code": {}}, "has no facts, or has them without being code"),
+        ({"code": {NODE_PATH: CodeRow(b"x", b"")}}, "is damaged"),
+        ({"code": {NODE_PATH: CodeRow(b"", b"\x90")}}, "are damaged, or of another version"),
+        ({"code": {NODE_PATH: CodeRow(b"", b"\x91" * 5000)}}, "are damaged, or of another version"),
     ],
 )
 def test_an_odd_shard_is_refused(facts: Path, say: Say, change: dict[str, dict[str, object]], error: str) -> None:

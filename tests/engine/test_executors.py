@@ -5,11 +5,13 @@ from __future__ import annotations
 import importlib.util
 import os
 import re
+import socket
 import subprocess
 import sys
+import threading
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 import msgspec
@@ -20,11 +22,11 @@ from archlint.cli import main
 from archlint.engine import executors, remote
 from archlint.engine.executors import ExecutorPool, PoolError
 from archlint.engine.link_part import link_part
-from archlint.engine.remote import Done, identity, run_task
+from archlint.engine.remote import Done, Row, identity, run_task
 from archlint.engine.remote_jobs import rows_of
 from archlint.programs import linker
 from archlint.syntax import compile as compiler
-from archlint.syntax.facts import decode
+from archlint.syntax.facts import FACTS_VERSION, Facts, decode, encode
 from archlint.syntax.workers import Lost
 from robot_package import manifest, write_files
 
@@ -201,8 +203,20 @@ def raising(error: Exception) -> Callable[[], bytes]:
         lambda: b"\x93\x01\x02\x03",
         lambda: msgspec.msgpack.encode(Done(identity(), failed=True)),
         lambda: msgspec.msgpack.encode(Done(identity(), [])),
+        lambda: msgspec.msgpack.encode(Done(identity(), [Row("answer", b"+nonsense", 0.0)] * 20)),
+        lambda: msgspec.msgpack.encode(Done(identity(), [Row("answer", encode(Facts(FACTS_VERSION)), 0.0)] * 20)),
+        lambda: msgspec.msgpack.encode(Done(identity(), [Row("timed out", b"", float("nan"))] * 20)),
     ],
-    ids=["a worker died", "nothing", "nonsense", "the task failed", "too few answers"],
+    ids=[
+        "a worker died",
+        "nothing",
+        "nonsense",
+        "the task failed",
+        "too few answers",
+        "answers that are none",
+        "facts without a mark",
+        "no number of seconds",
+    ],
 )
 def test_what_does_not_come_back_is_done_here(
     workspace: Path,
@@ -256,6 +270,32 @@ def test_nobody_waits_for_ever_for_a_scheduler_that_is_gone(monkeypatch: pytest.
     pool = ExecutorPool(Silence(), link_part, 1, lambda: "the scheduler does not answer any more")
     with pytest.raises(PoolError, match="does not answer any more"):
         pool.map(compiler.encoded, [b"import rclpy"], 30, lambda number, seconds: None)
+
+
+def test_nobody_waits_for_ever_for_a_worker_that_says_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    """It is there, and may be busy with the work of others; or it is stuck."""
+
+    class Silence:
+        def submit(self, function: object, /, *arguments: object) -> Future[bytes]:
+            return Future()
+
+    monkeypatch.setattr(executors, "SILENCE", 0.02)
+    monkeypatch.setattr(executors, "_LOOK", 0.01)
+    pool = ExecutorPool(Silence(), link_part, 1)
+    with pytest.raises(PoolError, match="none has answered"):
+        pool.map(compiler.encoded, [b"import rclpy"], 30, lambda number, seconds: None)
+
+
+def test_sources_of_cpp_are_compiled_there_too(
+    workspace: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    source = '#include <rclcpp/rclcpp.hpp>\nint main() { rclcpp::Node node("talker"); }\n'
+    write_files(workspace / "src/base", {"src/talker.cpp": source})
+    alone, executor = say(capsys, *COMMANDS[1]), OneThread()
+    pool = use(monkeypatch, executor)
+    assert say(capsys, *COMMANDS[1], "--scheduler", "this thread") == alone
+    assert "encoded_cpp" in executor.jobs
+    assert pool.lost == 0
 
 
 def test_a_task_is_refused_by_another_archlint(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -337,18 +377,85 @@ def test_a_real_cluster_gives_the_same_bytes(workspace: Path, cluster: str, caps
 
 @needs_dask
 @pytest.mark.parametrize("address", ["tcp://127.0.0.1:9", "nonsense://x"])
-def test_a_scheduler_that_does_not_answer_is_an_error(
-    workspace: Path, monkeypatch: pytest.MonkeyPatch, address: str
-) -> None:
-    code = "from archlint.cli import main; from archlint.engine import dask_cluster; dask_cluster.TIMEOUT = 1; main()"
-    command = [sys.executable, "-c", code, "check", "--scheduler", address]
+def test_a_scheduler_that_does_not_answer_is_an_error(workspace: Path, address: str) -> None:
+    status, output, error = checked_with(address, "dask_cluster.TIMEOUT = 1", workspace)
+    assert (status, output) == (2, "")
+    assert f"--scheduler: no Dask scheduler answers at {address}" in error
+    assert len(error.splitlines()) == 1
+
+
+class Listener(threading.Thread):
+    """Takes connections at :attr:`address`, sends each the same bytes, and says no more."""
+
+    def __init__(self, greeting: bytes) -> None:
+        super().__init__(daemon=True)
+        self.greeting = greeting
+        self.socket = socket.create_server(("127.0.0.1", 0))
+        self.address = f"tcp://127.0.0.1:{self.socket.getsockname()[1]}"
+        self.connections: list[socket.socket] = []
+
+    def run(self) -> None:
+        with suppress(OSError):
+            while True:
+                self.connections.append(self.socket.accept()[0])
+                self.connections[-1].sendall(self.greeting)
+
+
+@needs_dask
+@pytest.mark.parametrize(
+    "greeting", [b"", b"HTTP/1.1 400 Bad Request\r\n\r\n", b"\0" * 100_000], ids=["nothing", "a web page", "zeros"]
+)
+def test_a_scheduler_that_is_none_is_an_error(workspace: Path, greeting: bytes) -> None:
+    listener = Listener(greeting)
+    listener.start()
+    status, output, error = checked_with(listener.address, "dask_cluster.TIMEOUT = 1", workspace)
+    listener.socket.close()
+    assert (status, output) == (2, "")
+    assert f"--scheduler: no Dask scheduler answers at {listener.address}" in error
+    assert len(error.splitlines()) == 1
+
+
+@needs_dask
+@pytest.mark.parametrize("end", ["SIGKILL", "SIGSTOP"])
+def test_a_scheduler_that_ends_half_way_is_an_error(workspace: Path, end: str) -> None:
+    """Killed, or stopped without a word, once it has the first task."""
+    code = (
+        "import sys; from distributed import LocalCluster; "
+        "cluster = LocalCluster(n_workers=1, processes=False, dashboard_address=None, protocol='tcp://', "
+        "host='127.0.0.1'); print(cluster.scheduler_address, flush=True); sys.stdin.read()"
+    )
+    command, environment = [sys.executable, "-c", code], {**os.environ, "PYTHONPATH": SRC}
+    with subprocess.Popen(
+        command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, env=environment
+    ) as cluster:
+        assert cluster.stdout is not None
+        address = cluster.stdout.readline().strip()
+        half_way = (
+            "dask_cluster.TIMEOUT, executors.PATIENCE = 2, 0; submit = executors.ExecutorPool._submit\n"
+            "def last(*task):\n"
+            f"    future = submit(*task); os.kill({cluster.pid}, signal.{end})\n"
+            "    return future\n"
+            "executors.ExecutorPool._submit = last"
+        )
+        status, output, error = checked_with(address, half_way, workspace)
+        cluster.kill()
+    assert (status, output) == (2, "")
+    assert error == f"archlint: error: --scheduler: the scheduler at {address} does not answer any more\n"
+
+
+def checked_with(address: str, before: str, workspace: Path) -> Said:
+    """What a check says with a scheduler, in a process that has run something before."""
+    code = (
+        "import os, signal; from archlint.cli import main; from archlint.engine import dask_cluster, executors\n"
+        "from archlint.syntax import compile; compile.PARALLEL_BYTES = 1\n"
+        f"{before}\nmain()"
+    )
     environment = {**os.environ, "PYTHONPATH": SRC}
+    command = [sys.executable, "-c", code, "check", "--isolated", "--no-cache", "--scheduler", address]
     done = subprocess.run(
         command, cwd=workspace, env=environment, capture_output=True, text=True, check=False, timeout=120
     )
-    assert (done.returncode, done.stdout) == (2, "")
-    assert f"--scheduler: no Dask scheduler answers at {address}" in done.stderr
-    assert len(done.stderr.splitlines()) == 1
+    return done.returncode, done.stdout, done.stderr
 
 
 def test_nothing_of_dask_is_imported_unless_it_is_asked_for(workspace: Path) -> None:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.pinned import PINNING_FILES, PINNING_FOLDERS
 from archlint.disk import read_regular
-from archlint.engine.facts_file import FileRow, ProblemRow, PythonRow, Shard
+from archlint.engine.facts_file import CodeRow, FileRow, ProblemRow, Shard
 from archlint.engine.facts_folder import FactsError
 from archlint.workspace.around import is_below
 from archlint.workspace.model import COMPILED_KINDS
@@ -63,7 +63,7 @@ def shards_of(
         row = FileRow(naming.of(file.path), file.kind, file.size, file.context, links)
         shard(file.path).files.append(row)
         if file.path in encoded:
-            shard(file.path).python[row.path] = encoded[file.path]
+            shard(file.path).code[row.path] = encoded[file.path]
     for path, entry in sorted(collecting.collected().items()):
         shard(path).entries[naming.of(path)] = naming.entry(entry)
     for path in sorted(collecting.empty):
@@ -79,10 +79,10 @@ def shards_of(
     return shards
 
 
-def _encoded(files: Iterable[SourceFile], facts: FactsOfFiles) -> dict[str, PythonRow]:
+def _encoded(files: Iterable[SourceFile], facts: FactsOfFiles) -> dict[str, CodeRow]:
     compiled = [file for file in files if file.kind in COMPILED_KINDS]
     rows = zip(compiled, facts.encoded(compiled), strict=True)
-    return {file.path: PythonRow(screened, payload) for file, (screened, payload) in rows}
+    return {file.path: CodeRow(screened, payload) for file, (screened, payload) in rows}
 
 
 class _Owners:

@@ -3,17 +3,24 @@
 from __future__ import annotations
 
 import logging
+import threading
 import warnings
 from collections.abc import Callable, Iterator
 from concurrent.futures import Future
-from contextlib import contextmanager
-from typing import Any
+from concurrent.futures import TimeoutError as NotInTime
+from contextlib import contextmanager, suppress
+from typing import Any, TypeVar
 
 from archlint.engine.executors import ExecutorPool, PoolError
 from archlint.engine.link_part import link_part
 
 TIMEOUT = 10
 """Seconds to wait for the scheduler, and then for a worker of it."""
+
+_GRACE = 2
+"""Seconds more for a call of Dask that keeps a time limit itself, so that it can say what it waited for."""
+
+T = TypeVar("T")
 
 
 class _ByName:
@@ -34,17 +41,16 @@ def dask_cluster(address: str) -> Iterator[ExecutorPool]:
     """The workers of a scheduler.  Raises :class:`~archlint.engine.executors.PoolError`."""
     client = _client(address)
     try:
-        client.wait_for_workers(1, timeout=TIMEOUT)
-    except Exception:
-        client.close(timeout=1)
-        raise PoolError(f"the scheduler at {address} has no worker: start one with `dask worker {address}`") from None
-    try:
+        _wait_for_a_worker(client, address)
         with warnings.catch_warnings():
             warnings.filterwarnings("ignore", "Sending large graph", UserWarning)
-            executor, width = _ByName(client.get_executor(pure=False)), max(1, len(client.nthreads()))
-            yield ExecutorPool(executor, link_part, width, lambda: _trouble(client, address))
+            width = max(1, len(_within(TIMEOUT, client.nthreads)))
+            yield ExecutorPool(
+                _ByName(client.get_executor(pure=False)), link_part, width, lambda: _trouble(client, address)
+            )
     finally:
-        client.close(timeout=1)
+        with suppress(Exception):  # whoever is gone need not be told
+            _within(1 + _GRACE, lambda: client.close(timeout=1))
 
 
 def _client(address: str) -> Any:
@@ -53,25 +59,56 @@ def _client(address: str) -> Any:
         import distributed
     except ImportError:
         raise PoolError("it needs Dask, which is not installed: pip install 'archlint[dask]'") from None
-    logging.getLogger("distributed").setLevel(logging.CRITICAL)  # what goes wrong is told here
+    for name in ("distributed", "distributed.client"):  # what goes wrong is told here
+        logging.getLogger(name).setLevel(logging.CRITICAL)
     dask.config.set({"distributed.comm.timeouts.connect": f"{TIMEOUT}s"})
     client: Any = distributed.Client  # it has no types
     try:
-        return client(address, timeout=TIMEOUT, set_as_default=False)
+        return _within(TIMEOUT + _GRACE, lambda: client(address, timeout=TIMEOUT, set_as_default=False))
+    except NotInTime:
+        raise PoolError(f"no Dask scheduler answers at {address}: nothing came within {TIMEOUT} seconds") from None
     except Exception as error:  # an address may be wrong in many ways
         why = str(error) or type(error).__name__
         raise PoolError(f"no Dask scheduler answers at {address}: {why}") from None
 
 
+def _wait_for_a_worker(client: Any, address: str) -> None:
+    try:
+        _within(TIMEOUT + _GRACE, lambda: client.wait_for_workers(1, timeout=TIMEOUT))
+    except Exception:
+        if _trouble(client, address) == _silent(address):
+            raise PoolError(_silent(address)) from None
+        raise PoolError(f"the scheduler at {address} has no worker: start one with `dask worker {address}`") from None
+
+
 def _trouble(client: Any, address: str) -> str | None:
     """Why nobody works; None where somebody may."""
     try:
-        if client.status == "running" and client.nthreads():
-            return None
+        workers = client.status == "running" and _within(TIMEOUT, client.nthreads)
     except Exception:
-        return f"the scheduler at {address} does not answer any more"
-    gone = "does not answer any more" if client.status != "running" else "has no worker any more"
-    return f"the scheduler at {address} {gone}"
+        return _silent(address)
+    if client.status != "running":
+        return _silent(address)
+    return None if workers else f"the scheduler at {address} has no worker any more"
+
+
+def _silent(address: str) -> str:
+    return f"the scheduler at {address} does not answer any more"
+
+
+def _within(seconds: float, call: Callable[[], T]) -> T:
+    """What a call of Dask returns.  Raises :class:`NotInTime`: several of them wait for ever for a scheduler that
+    takes the connection and says nothing."""
+    outcome: Future[T] = Future()
+    threading.Thread(target=_settle, args=(outcome, call), daemon=True).start()  # nobody waits for it at the end
+    return outcome.result(seconds)
+
+
+def _settle(outcome: Future[T], call: Callable[[], T]) -> None:
+    try:
+        outcome.set_result(call())
+    except BaseException as error:
+        outcome.set_exception(error)
 
 
 __all__ = ["dask_cluster"]

@@ -20,6 +20,8 @@ from archlint.syntax.workers import Answer, Crashed, Job, Lost, OnDone, TimedOut
 
 PATIENCE = 15.0
 """For how many seconds nobody may be there to work before the run gives up."""
+SILENCE = 1_800.0
+"""For how many seconds no answer may come, whoever is there: twice as long as any task may work."""
 _LOOK = 1.0
 _BATCHES = 3
 """How many tasks each worker gets: the last ones are not long."""
@@ -72,18 +74,20 @@ class ExecutorPool:
         try:
             return self.executor.submit(run_task, identity(), msgspec.msgpack.encode(task))
         except Exception as error:  # an executor may raise whatever it likes
-            raise PoolError(f"no work can be given to it: {_words(error)}") from None
+            raise PoolError(self.trouble() or f"no work can be given to it: {_words(error)}") from None
 
     def _as_completed(self, waiting: set[Future[bytes]]) -> Iterator[Future[bytes]]:
-        since = time.monotonic()
+        answered = well = time.monotonic()
         while waiting:
             completed, waiting = wait(waiting, _LOOK, FIRST_COMPLETED)
             yield from completed
-            trouble = None if completed else self.trouble()
-            if trouble is None:
-                since = time.monotonic()
-            elif time.monotonic() - since > PATIENCE:
+            trouble, now = None if completed else self.trouble(), time.monotonic()
+            answered = now if completed else answered
+            well = now if trouble is None else well
+            if trouble is not None and now - well > PATIENCE:
                 raise PoolError(trouble)
+            if now - answered > SILENCE:
+                raise PoolError(f"its workers are there, but none has answered for {SILENCE:,.0f} seconds")
 
     def _done(self, future: Future[bytes]) -> Done | None:
         """What a task has come to; None where nobody can say.  Raises :class:`PoolError` for another archlint."""
@@ -129,4 +133,4 @@ _ANSWERS: dict[str, Callable[[bytes], Answer]] = {
     "timed out": lambda payload: TimedOut(),
 }
 
-__all__ = ["PATIENCE", "Executor", "ExecutorPool", "PoolError"]
+__all__ = ["PATIENCE", "SILENCE", "Executor", "ExecutorPool", "PoolError"]

@@ -15,10 +15,10 @@ import msgspec
 
 from archlint.syntax import facts
 from archlint.workspace.folders import folders_above
-from archlint.workspace.model import PYTHON_KINDS, SourceKind
+from archlint.workspace.model import COMPILED_KINDS, SourceKind
 from archlint.workspace.snapshot import Entry
 
-FORMAT_VERSION = 2
+FORMAT_VERSION = 3
 """Of shards and of their index: raised whenever the form or its meaning changes."""
 MAX_BYTES = 1_000_000_000
 """A shard that is larger than this, once unpacked, is not read."""
@@ -42,10 +42,10 @@ class FileRow(msgspec.Struct, frozen=True, array_like=True, forbid_unknown_field
     """The paths of the symbolic links that give a Python file other names."""
 
 
-class PythonRow(msgspec.Struct, frozen=True, array_like=True, forbid_unknown_fields=True):
-    """What a Python file says: its encoded facts, empty where it could not be read.  ``screened`` is empty for a file
-    that has some of the words that matter in ROS; for others it names the modules that they import, a line each after
-    ``-`` (``-1`` for ROS 1)."""
+class CodeRow(msgspec.Struct, frozen=True, array_like=True, forbid_unknown_fields=True):
+    """What a file of Python or C++ says: its encoded facts, empty where it could not be read.  ``screened`` is empty
+    for a file that has some of the words that matter in ROS; for others it names the modules that they import, a line
+    each after ``-`` (``-1`` for ROS 1)."""
 
     screened: bytes
     facts: bytes
@@ -65,7 +65,7 @@ class Shard(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """All paths are relative to one folder, that of the workspace, with ``/``."""
 
     files: list[FileRow]
-    python: dict[str, PythonRow]
+    code: dict[str, CodeRow]
     entries: dict[str, Entry]
     """All files, whether archlint reads them or not."""
     folders: list[str]
@@ -111,14 +111,14 @@ def _check(shard: Shard) -> None:
     unknown = kinds.keys() - shard.entries.keys()
     if unknown:
         raise OddShard(f"the content of {min(unknown)} is missing")
-    python = {path for path, kind in kinds.items() if kind in PYTHON_KINDS}
-    if python != shard.python.keys():
-        raise OddShard(f"{min(python ^ shard.python.keys())} has no facts, or has them without being Python")
-    for path, row in shard.python.items():
+    compiled = {path for path, kind in kinds.items() if kind in COMPILED_KINDS}
+    if compiled != shard.code.keys():
+        raise OddShard(f"{min(compiled ^ shard.code.keys())} has no facts, or has them without being code")
+    for path, row in shard.code.items():
         _check_facts(path, row)
 
 
-def _check_facts(path: str, row: PythonRow) -> None:
+def _check_facts(path: str, row: CodeRow) -> None:
     if row.screened and not row.screened.startswith(b"-"):
         raise OddShard(f"what {path} imports is damaged")
     if row.facts and facts.decode(row.facts) is None:
@@ -132,4 +132,4 @@ def _check_paths(paths: Iterable[str]) -> None:
             raise OddShard(f"{path!r} is not a path inside the workspace")
 
 
-__all__ = ["FORMAT_VERSION", "FileRow", "OddShard", "ProblemRow", "PythonRow", "Shard", "packed", "unpacked"]
+__all__ = ["FORMAT_VERSION", "CodeRow", "FileRow", "OddShard", "ProblemRow", "Shard", "packed", "unpacked"]

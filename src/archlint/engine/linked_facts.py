@@ -11,7 +11,7 @@ from typing import TypeVar
 
 from msgspec import structs
 
-from archlint.engine.facts_file import FileRow, ProblemRow, PythonRow, Shard
+from archlint.engine.facts_file import CodeRow, FileRow, ProblemRow, Shard
 from archlint.engine.facts_folder import FactsError, read
 from archlint.engine.languages import is_cpp
 from archlint.syntax.cache import NullStore, Stamp, digest_of
@@ -43,10 +43,10 @@ class LinkedFacts:
         self._files = {
             path: row if path in asked else structs.replace(row, context=True) for path, row in files.items()
         }
-        python = _merged({name: shard.python for name, shard in shards.items()})
+        code = _merged({name: shard.code for name, shard in shards.items()})
         folders = [folder for shard in self._shards for folder in shard.folders]
         self.tree = Snapshot(self._base, self._entries, folders)
-        self.cache = FactsCache({self._path(path): (self._digest(path, row), row) for path, row in python.items()})
+        self.cache = FactsCache({self._path(path): (self._digest(path, row), row) for path, row in code.items()})
 
     @classmethod
     def of_folders(cls, folders: Sequence[str]) -> LinkedFacts:
@@ -81,7 +81,7 @@ class LinkedFacts:
             raise OSError(number, os.strerror(number), file.relative)
         return entry.data
 
-    def _digest(self, path: str, row: PythonRow) -> str:
+    def _digest(self, path: str, row: CodeRow) -> str:
         """That of the source, which is the same wherever it is compiled."""
         data = self._entries[path].data
         return digest_of(row.screened + b"\0" + row.facts) if data is None else source_digest(data, is_cpp(path))
@@ -99,7 +99,7 @@ class LinkedFacts:
 class FactsCache(NullStore):
     """A cache that knows every file: what it says, and what the screen says of it."""
 
-    def __init__(self, rows: Mapping[str, tuple[str, PythonRow]]) -> None:
+    def __init__(self, rows: Mapping[str, tuple[str, CodeRow]]) -> None:
         self._digests: dict[str, str] = {}
         self._payloads: dict[str, bytes] = {}
         for path, (digest, row) in rows.items():

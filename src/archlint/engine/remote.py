@@ -12,7 +12,7 @@ import subprocess
 import sys
 from functools import cache
 from pathlib import Path
-from typing import Literal
+from typing import Annotated, Literal
 
 import msgspec
 
@@ -33,7 +33,7 @@ class Row(msgspec.Struct, frozen=True, array_like=True):
 
     kind: Literal["answer", "crashed", "timed out"]
     payload: bytes
-    seconds: float
+    seconds: Annotated[float, msgspec.Meta(ge=0, le=1_000_000)]
 
 
 class Done(msgspec.Struct, frozen=True):

@@ -13,7 +13,7 @@ from archlint.syntax import workers
 from archlint.syntax.pools import OneProcess, Processes
 from archlint.syntax.workers import Answer, TimedOut
 
-_JOBS = {f"{job.__module__}.{job.__qualname__}": job for job in (compiler.encoded, link_part)}
+_JOBS = {f"{job.__module__}.{job.__qualname__}": job for job in (compiler.encoded, compiler.encoded_cpp, link_part)}
 
 
 def rows_of(task: Task) -> list[Row]:

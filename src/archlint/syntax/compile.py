@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Literal, NamedTuple
 from msgspec import structs
 
 from archlint.syntax import workers
-from archlint.syntax.facts import FACTS_VERSION, Facts, FileProblem, encode
+from archlint.syntax.facts import FACTS_VERSION, Facts, FileProblem, decode, encode
 from archlint.syntax.memory import MOST_BYTES, default_processes
 from archlint.syntax.pools import OneProcess, Processes, paused_collection
 from archlint.syntax.python import gate
@@ -64,16 +64,17 @@ def compile_sources(
     """
     if not sources:
         return []
-    job = _prepared(language)
-
+    job, elsewhere = _prepared(language), True
     if pool is None or sum(map(len, sources)) < PARALLEL_BYTES:  # nobody elsewhere starts as fast as this takes
+        elsewhere = False
         pool = Processes(_worker_count(sources, jobs), MOST_BYTES) if workers.can_fork() else OneProcess()
     try:
         answers = pool.map(job, sources, deadline, on_done)
     except OSError:  # no process to be had: this one does it all
         answers = OneProcess().map(job, sources, deadline, on_done)
+    answers = [workers.Lost() if elsewhere and _is_odd(answer) else answer for answer in answers]
     lost = [number for number, answer in enumerate(answers) if isinstance(answer, workers.Lost)]
-    if lost:  # whoever had them is gone
+    if lost:  # whoever had them is gone, or says nothing that can be read
         here = compile_sources([sources[number] for number in lost], jobs, deadline, language=language)
         return _with(here, lost, [_compiled(answer, deadline) for answer in answers])
     return [_compiled(answer, deadline) for answer in answers]
@@ -108,6 +109,11 @@ def _compiled(answer: Answer, deadline: float) -> Compiled:
     if isinstance(answer, workers.TimedOut):
         return Compiled(encode(_failed(f"takes longer than {deadline:g} s to parse")), False)
     return Compiled(encode(_failed(CRASHED)), False)
+
+
+def _is_odd(answer: Answer) -> bool:
+    """Whether an answer of another machine is no facts."""
+    return isinstance(answer, bytes) and (answer[:1] not in (_LASTING, _PASSING) or decode(answer[1:]) is None)
 
 
 def _marked(answer: bytes) -> Compiled:

@@ -260,8 +260,7 @@ class FactsOfFiles:
             self._monitor.compiled(files[numbers[number]].relative, seconds)
 
         chosen = [sources[number] for number in numbers]
-        pool = self._pool if language == "python" else None
-        return compile_sources(chosen, self._jobs, on_done=on_done, pool=pool, language=language)
+        return compile_sources(chosen, self._jobs, on_done=on_done, pool=self._pool, language=language)
 
     # --------------------------------------------------------------------------------------------- inside
 
