@@ -350,6 +350,27 @@ def test_a_repository_cannot_have_another_file_of_the_machine_shown(folder: Path
     assert "hunter2" not in told
 
 
+@pytest.mark.parametrize(
+    "cache", ["../cache", "{folder}/cache", "~/cache", "/proc/self", "link/cache", "a/../../cache"]
+)
+def test_a_repository_cannot_have_its_cache_written_elsewhere(folder: Path, repository: Path, cache: str):
+    (repository / "link").symlink_to(folder)
+    written = f'cache-dir = "{cache.format(folder=folder)}"'
+    told = complaint(repository, written)
+    assert "archlint.toml:1: `cache-dir` leads out of the repository" in told
+    assert "name such a folder with --cache-dir" in told
+    assert load(repository, repository / "archlint.toml").cache_dir is not None  # as --config names it
+
+
+def test_a_package_may_have_its_cache_elsewhere_in_the_repository(folder: Path, repository: Path):
+    write(repository, "package/archlint.toml", "cache-dir = '../build/cache'")
+    assert Path(load(repository / "package").cache_folder).resolve() == repository / "build/cache"
+
+
+def test_without_a_repository_the_cache_stays_below_the_configuration(folder: Path):
+    assert "`cache-dir` leads out of the repository" in complaint(folder, "cache-dir = '../cache'")
+
+
 def test_a_configuration_that_is_a_link_out_of_the_repository_is_not_shown(folder: Path, repository: Path):
     (repository / "archlint.toml").symlink_to(folder / "secret")
     with pytest.raises(ConfigurationError) as caught:

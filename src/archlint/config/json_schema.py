@@ -22,7 +22,7 @@ Schema = dict[str, Any]
 
 DESCRIPTIONS: Mapping[str, str] = {
     "baseline": "The file with the findings that are held back, relative to this file.",
-    "cache-dir": "The folder in which results are kept.",
+    "cache-dir": "The folder in which results are kept, inside of the repository.",
     "closed-world": "Whether nothing outside the workspace takes part: a topic without a publisher is a finding then.",
     "contracts": "What must be connected and what must not be, which types and which QoS a topic has (ARC001, ARC003).",
     "distro": "The ROS distribution to judge for. Without it: all that are supported.",

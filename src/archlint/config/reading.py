@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -13,9 +13,11 @@ from archlint.config.files import is_within, own_table, read_source, repository_
 from archlint.config.schema import ConfigurationFile
 from archlint.config.source import Key, Source
 
-_READERS: dict[str, Callable[[Any, Key], object]] = {
+Reading = Callable[[Any, Key], object]
+
+_READERS: Mapping[str, Reading] = {
     "baseline": read.file_in_repository,
-    "cache-dir": read.folder,
+    "cache-dir": read.folder_in_repository,
     "contracts": architecture_tables.contracts,
     "exclude": read.globs,
     "extend-select": read.selectors,
@@ -33,12 +35,15 @@ _READERS: dict[str, Callable[[Any, Key], object]] = {
 """The keys whose values are more than they look.  A new key is a field of :class:`ConfigurationFile` and one of
 ``Settings``, and a row here if its value has to be checked or changed."""
 
+_READERS_OF_USERS: Mapping[str, Reading] = {**_READERS, "cache-dir": read.folder}
+"""The same for a file that the user has named: it is no repository's."""
+
 Contents = list[tuple[dict[str, Any], Source]]
 
 
 def read_tables(source: Source, trail: tuple[Path, ...], named: bool) -> Contents:
     """What a file and those that it builds on say by key, as it is written, the farthest first; ``trail`` are those
-    that build on it.
+    that build on it.  Where the user has ``named`` the first of them, it is not the choice of a repository.
 
     Raises :class:`ConfigurationError`.
     """
@@ -49,13 +54,14 @@ def read_tables(source: Source, trail: tuple[Path, ...], named: bool) -> Content
     return [*below, (given, source)]
 
 
-def read_values(tables: Contents) -> Contents:
-    """The same with what the values mean.  Raises :class:`ConfigurationError`."""
-    return [({key: _value(key, value, source) for key, value in given.items()}, source) for given, source in tables]
+def read_values(tables: Contents, named: bool) -> Contents:
+    """The same with what the values mean; ``named`` as above.  Raises :class:`ConfigurationError`."""
+    readers = _READERS_OF_USERS if named else _READERS
 
+    def value_of(key: str, value: Any, source: Source) -> Any:
+        return readers[key](value, Key((key,), source)) if key in readers else value
 
-def _value(key: str, value: Any, source: Source) -> Any:
-    return _READERS[key](value, Key((key,), source)) if key in _READERS else value
+    return [({key: value_of(key, value, source) for key, value in given.items()}, source) for given, source in tables]
 
 
 def _extended(source: Source, extend: str, trail: tuple[Path, ...], named: bool) -> Contents:

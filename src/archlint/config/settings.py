@@ -123,7 +123,7 @@ def _settings_of(source: Source, named: bool, plugins: bool | None) -> Settings:
 
         running = activated(tables, plugins)
     settings = Settings()
-    for values, origin in read_values(tables):
+    for values, origin in read_values(tables, named):
         settings = _merged(settings, values, origin)
     files = tuple(origin.path.as_posix() for _, origin in tables)
     return replace(settings, file=source.path.as_posix(), read=files, running_plugins=running)

@@ -51,10 +51,18 @@ def folder(path: str, key: Key) -> str:
 
 
 def file_in_repository(path: str, key: Key) -> str:
-    """A file that archlint may read and write: a repository must not choose another one."""
+    return _in_repository(path, key)
+
+
+def folder_in_repository(path: str, key: Key) -> str:
+    return _in_repository(path, key, "; name such a folder with --cache-dir")
+
+
+def _in_repository(path: str, key: Key, advice: str = "") -> str:
+    """Where archlint may read and write: a repository must not choose another place."""
     absolute = folder(path, key)
     if not is_within(Path(absolute), repository_of(Path(key.base))):
-        raise key.error(f"`{key.path[-1]}` leads out of the repository: {path}", path)
+        raise key.error(f"`{key}` leads out of the repository: {path}{advice}", path)
     return absolute
 
 
