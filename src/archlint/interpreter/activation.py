@@ -1,4 +1,4 @@
-"""One running function, with its variables and what it has returned so far."""
+"""One running function, with its variables and what it has returned so far; and what calls of one have come to."""
 
 from __future__ import annotations
 
@@ -9,7 +9,9 @@ from archlint.branches import BranchArm
 from archlint.finding import Place
 
 if TYPE_CHECKING:
-    from archlint.interpreter.heap import Layer
+    from collections.abc import Mapping
+
+    from archlint.interpreter.heap import Layer, Slot
     from archlint.interpreter.modules import Module, Scope
     from archlint.interpreter.values import FunctionValue, Value
     from archlint.syntax import facts
@@ -67,4 +69,15 @@ class Activation:
         return self.module.place(span)
 
 
-__all__ = ["Activation"]
+@dataclass(slots=True)
+class Repeated:
+    """What is known of the calls of one function with the same arguments."""
+
+    count: int = 0
+    value: Value | None = None
+    """What the last call gave; None while it runs."""
+    around: Mapping[Slot, object] | None = None
+    """What it read of the state, and what it left there; None where that was not watched."""
+
+
+__all__ = ["Activation", "Repeated"]

@@ -24,7 +24,7 @@ def assign(machine: Machine, target: facts.Expr, value: Value) -> None:
             if itself is None or (
                 machine.lookup(target.name) is not None and not has_member(machine, itself, target.name)
             ):
-                machine.assign_name(target.name, value)
+                machine.assign_around(target.name, value)
             else:
                 set_attribute(machine, itself, target.name, value)
         case facts.Attribute():

@@ -60,6 +60,10 @@ def _name(machine: Machine, e: facts.Name) -> Value:
         return value
     if e.id in BUILTINS:
         return Builtin(e.id)
+    namespace, mark, name = e.id.rpartition("::")
+    if mark:  # of C++: what another file calls a namespace
+        alias = machine.lookup(f"{namespace}::")
+        return _name(machine, facts.Name(name, e.span)) if alias is None else get_attribute(machine, alias, name)
     foreign = machine.star_imported(machine.activation.module.star_externals, e.id)
     if foreign is not None:
         return foreign
@@ -75,12 +79,16 @@ def _implicit(machine: Machine, e: facts.Implicit) -> Value:
     if value is not None:
         return value
     cls = None if itself is None else itself.own_class
+    bases = () if cls is None else cls.mro
+    inherited = next((base for base in bases if base.dotted.rpartition(".")[2] == e.name), None)
+    if inherited is not None:  # the name of a base is known, too
+        return inherited
+    foreign = machine.star_imported(machine.activation.module.star_externals, e.name) if e.name[:1].isupper() else None
+    if foreign is not None:
+        return foreign
     if itself is None or cls is None:
         return Unknown(f"'{e.name}' is not defined in this file", name=e.name)
-    inherited = (
-        base for base in cls.mro if base.dotted.rpartition(".")[2] == e.name
-    )  # the name of a base is known, too
-    return next(inherited, None) or get_attribute(machine, itself, e.name)
+    return get_attribute(machine, itself, e.name)
 
 
 def _attribute(machine: Machine, e: facts.Attribute) -> Value:

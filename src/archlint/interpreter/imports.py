@@ -57,7 +57,8 @@ def import_from(machine: Machine, s: facts.ImportFrom) -> Status:
 
 def _import_star(machine: Machine, module: Module | None, dotted: str) -> None:
     if module is None:
-        if machine.activation.module.file.kind != "cpp":  # a header of elsewhere has no names that are looked for here
+        of_header = machine.activation.module.file.kind == "cpp" and not dotted.endswith((".msg", ".srv", ".action"))
+        if not of_header:  # one of elsewhere has no names that are looked for here
             machine.activation.module.star_externals.append(dotted)
         return
     machine.import_module(module)

@@ -8,19 +8,18 @@ them (:mod:`archlint.interpreter.interpreter` puts them together) and no library
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Hashable, Iterator, Mapping, Sequence
+from collections.abc import Hashable, Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
 from enum import Enum
 from typing import Literal
 
 from archlint.branches import Branch, BranchArm, CodeBranch
 from archlint.faults import Faults
 from archlint.finding import Place
-from archlint.interpreter.activation import Activation
+from archlint.interpreter.activation import Activation, Repeated
 from archlint.interpreter.call_site import NOTHING_GIVEN, CallSite
 from archlint.interpreter.caught import Raised
-from archlint.interpreter.heap import Layer, Slot, Store
+from archlint.interpreter.heap import Layer, Store
 from archlint.interpreter.implementations import sources_to_run
 from archlint.interpreter.library import Library
 from archlint.interpreter.limits import COMPREHENDED, IMPORTS, NESTED_CALLS, PROGRAM_STEPS, RUNS, STEPS, WORK_OF_A_STEP
@@ -47,17 +46,6 @@ class Phase(Enum):
     """While the program starts: nothing has come from outside."""
     LATER = "later"
     """Whenever something calls it."""
-
-
-@dataclass(slots=True)
-class Repeated:
-    """What is known of the calls of one function with the same arguments."""
-
-    count: int = 0
-    value: Value | None = None
-    """What the last call gave; None while it runs."""
-    around: Mapping[Slot, object] | None = None
-    """What it read of the state, and what it left there; None where that was not watched."""
 
 
 class _Arm:
@@ -210,11 +198,21 @@ class Machine(ABC):
             ):
                 target = target.parent
             scope = target or scope
+        self._assign_in(scope, name, value)
+
+    def _assign_in(self, scope: Scope, name: str, value: Value) -> None:
         if isinstance(value, Instance):
             self.library.rebound(value, self.store.get(scope.key, name))
         self.store.set(scope.key, name, value)
         if scope.kind == "module":
             self.library.module_variable(scope.module, name, value)
+
+    def assign_around(self, name: str, value: Value) -> None:
+        """Assign to a variable that a scope around the function has, such as the module."""
+        scope: Scope | None = self.activation.scope
+        while scope is not None and (scope.kind == "class" or self.store.get(scope.key, name) is None):
+            scope = scope.parent
+        self._assign_in(scope or self.activation.scope, name, value)
 
     # -------------------------------------------------------------------------------------------- modules
 
@@ -397,4 +395,4 @@ class Machine(ABC):
         """Call a value.  What is not known to be callable evaluates to unknown."""
 
 
-__all__ = ["Activation", "Machine", "Phase", "Refused", "Repeated"]
+__all__ = ["Activation", "Machine", "Phase", "Refused"]

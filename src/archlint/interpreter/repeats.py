@@ -9,9 +9,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from archlint.interpreter.activation import Repeated
 from archlint.interpreter.heap import Slot
 from archlint.interpreter.identity import Key, argument_key
-from archlint.interpreter.machine import Repeated
 from archlint.interpreter.values import FunctionValue, PythonValue, Unknown, Value
 
 if TYPE_CHECKING:

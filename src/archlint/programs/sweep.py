@@ -18,6 +18,7 @@ from archlint.programs.followed import Definition, Followed, FollowedProgram, Pr
 from archlint.programs.keys import DefinitionKey, ModuleKey, ProgramKey
 from archlint.programs.roots import flags_of
 from archlint.programs.top_level import definitions, place_of
+from archlint.syntax.facts import Function, Lambda
 from archlint.syntax.parts import names_in
 
 if TYPE_CHECKING:
@@ -55,7 +56,7 @@ class Sweep:
             with FollowedProgram(run, module) as root:
                 run.import_module(module)
             names = dict.fromkeys(statement.name for statement in definitions(module.facts.body))
-            rows = (_definition(module, name, self.value_of(module, name)) for name in names)
+            rows = (_definition(run, module, name, self.value_of(module, name)) for name in names)
             return root.result([row for row in rows if row is not None])
 
         return self.follow(ModuleKey(module.path), act).definitions
@@ -114,7 +115,7 @@ class Sweep:
         return root.result()
 
 
-def _definition(module: Module, variable: str, value: Value | None) -> Definition | None:
+def _definition(run: Run, module: Module, variable: str, value: Value | None) -> Definition | None:
     """A class or function that a module's variable holds; None for anything else."""
     place = None if value is None else place_of(value)
     if place is None or not isinstance(value, (ClassValue, FunctionValue)):
@@ -123,7 +124,7 @@ def _definition(module: Module, variable: str, value: Value | None) -> Definitio
     if len(mro) > CLASSES:  # the end of it is unknown: too much for each of them to be run
         return None
     is_node = isinstance(value, ClassValue) and node_classes.is_node(value)
-    is_interesting = interesting(value.ir)
+    is_interesting = interesting(value.ir) or any(map(interesting, _defined_outside(run, value)))
     return Definition(
         variable,
         getattr(value.ir, "name", ""),
@@ -136,6 +137,13 @@ def _definition(module: Module, variable: str, value: Value | None) -> Definitio
         tuple(base for cls in mro[1:] if (base := place_of(cls)) is not None),
         names_in(value.ir) if is_interesting and not is_node else frozenset(),
     )
+
+
+def _defined_outside(run: Run, value: ClassValue | FunctionValue) -> list[Function | Lambda]:
+    """The methods of a class of C++, which are mostly defined outside of it."""
+    if not isinstance(value, ClassValue) or value.scope.module.file.kind != "cpp":
+        return []
+    return [method.ir for _, method in run.store.variables(value.key) if isinstance(method, FunctionValue)]
 
 
 __all__ = ["Sweep"]

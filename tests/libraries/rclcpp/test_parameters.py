@@ -33,6 +33,50 @@ def test_what_reads_parameters_adds_nothing_to_a_node():
     assert node["complete"]
 
 
+def test_the_parameters_of_another_node_are_asked_for_by_its_services():
+    [node] = graph_of('auto reader = std::make_shared<rclcpp::AsyncParametersClient>(this, "arm");')
+    assert {client["name"] for client in node["clients"]} >= {"/arm/get_parameters", "/arm/set_parameters"}
+    assert len(node["clients"]) == 6
+
+
+@pytest.mark.parametrize(
+    ("declaration", "expected"),
+    [
+        ('declare_parameter("speed", rclcpp::PARAMETER_DOUBLE);', ("double", None)),
+        ('declare_parameter("speed", rclcpp::ParameterType::PARAMETER_INTEGER);', ("integer", None)),
+        ('declare_parameter("speed", std::vector<double>{1.0, 2.0});', ("double_array", [1.0, 2.0])),
+        ('declare_parameter("speed", std::vector<int64_t>({1, 2}));', ("integer_array", [1, 2])),
+        ('declare_parameter("speed", std::vector<double>(first, last));', (None, None)),
+        ('declare_parameter("speed", acme::SPEED);', (None, None)),
+    ],
+)
+def test_the_type_of_a_parameter(declaration, expected):
+    [node] = graph_of(declaration)
+    assert [(row["type"], row["default"]) for row in node["parameters"]] == [expected]
+
+
+def test_a_parameter_that_is_read_with_an_alternative_has_what_was_declared():
+    statements = """
+      declare_parameter("declared", "here");
+      create_publisher<std_msgs::msg::String>(get_parameter_or<std::string>("declared", "elsewhere"), 10);
+      create_publisher<std_msgs::msg::String>(get_parameter_or<std::string>("nowhere", "alternative"), 10);
+    """
+    [node] = graph_of(statements)
+    assert {end["name"] for end in node["publishers"]} == {"/here", "/alternative"}
+
+
+def test_what_is_done_when_a_parameter_changes():
+    statements = """
+      handler_ = std::make_shared<rclcpp::ParameterEventHandler>(this);
+      auto create = [this](const auto &) { create_publisher<std_msgs::msg::String>("later", 10); };
+      handle_ = handler_->add_parameter_callback("gain", create, "arm");
+    """
+    [node] = graph_of(statements)
+    assert [end["name"] for end in node["publishers"]] == ["/later"]
+    assert [end["name"] for end in node["subscribers"]] == ["/parameter_events"]
+    assert node["complete"]
+
+
 def test_what_is_not_known_may_add_something():
     [node] = graph_of("auto updater = std::make_shared<acme::Updater>(this);")
     assert not node["complete"]

@@ -303,3 +303,9 @@ def test_a_suppression_above_another_comment_covers_the_next_statement() -> None
     source = "void f() {\n  // archlint: ignore[TOP001] why\n  // and more\n  g();\n}\n"
     [row] = lower(source.encode()).suppressions
     assert row.applies_to == (4, 4)
+
+
+def test_only_the_variable_of_a_loop_is_a_pair() -> None:
+    loop = in_a_method("for (auto & row : rows_) use(row.second, other.first);")
+    assert loop == "for row in std.pairs(?rows_):\n    ?use(row[1], ?other.first)"
+    assert in_a_method("for (auto & row : rows_) use(row.third);") == "for row in ?rows_:\n    ?use(row.third)"

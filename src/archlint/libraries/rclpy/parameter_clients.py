@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 from archlint import model
 from archlint.interpreter.values import (
     Known,
-    Unknown,
     Value,
     join_texts,
 )
@@ -33,10 +32,13 @@ _PARAMETER_SERVICES = (
 
 
 def parameter_client(run: Run, call: ApiUse) -> Value:
-    """``AsyncParameterClient(node, 'other')``: a client for each of the six parameter services of the other."""
+    """``AsyncParameterClient(node, 'other')``: a client for each of the six parameter services of the other.  In C++
+    there may be no other: then it is for the node's own, which every node has."""
     row = Api(call.api.path, "", "endpoint", kind=model.EntityKind.CLIENT, default_qos="services_default")
     clients = []
-    remote = call.get("remote_node_name") or Unknown("no name is given")
+    remote = call.get("remote_node_name")
+    if remote is None:
+        return EntityValue((), call.api.path, run.store.new_key())
     for blueprint in nodes.given_nodes(run, call.get("node")):
         for name, type_ in _PARAMETER_SERVICES:
             text = text_of_value(join_texts((remote, Known(f"/{name}"))), "no name is given")

@@ -24,6 +24,18 @@ ROWS = (
         )
         for when in ("on", "post", "pre")
     ),
+    *(
+        Api(
+            f"rclpy.parameter_event_handler.ParameterEventHandler.{name}",
+            parameters,
+            effect="callbacks",
+            callbacks=(("callback", Role.EVENT),),
+        )
+        for name, parameters in (
+            ("add_parameter_callback", "parameter_name node_name callback"),
+            ("add_parameter_event_callback", "callback"),
+        )
+    ),
     Api(
         "rclpy.task.Future.add_done_callback",
         "callback",

@@ -36,7 +36,13 @@ class Declared:
     is_extern: bool = False
 
 
-_AROUND = frozenset({"pointer_declarator", "reference_declarator", "array_declarator", "parenthesized_declarator"})
+_AROUND = frozenset(
+    {
+        *("pointer_declarator", "reference_declarator", "array_declarator", "parenthesized_declarator"),
+        *("function_declarator", "structured_binding_declarator"),
+    }
+)
+"""Declarators that another one, such as a reference, may be around."""
 _NAMES = frozenset({"identifier", "field_identifier", "type_identifier"})
 
 
@@ -82,11 +88,7 @@ def _declared(node: Node, names: Names, source: SourceText) -> Declared:
         inner = node.child_by_field_name("declarator")
         if inner is None:
             inner = next(
-                (
-                    c
-                    for c in node.named_children
-                    if c.type in _NAMES or c.type in _AROUND or c.type == "function_declarator"
-                ),
+                (child for child in node.named_children if child.type in _NAMES or child.type in _AROUND),
                 None,
             )
         if inner is None:

@@ -40,7 +40,18 @@ IN_PYTHON = {
     "tf2_ros.StaticTransformBroadcaster": "tf2_ros.static_transform_broadcaster.StaticTransformBroadcaster",
     "tf2_ros.TransformListener": "tf2_ros.transform_listener.TransformListener",
     "std.string": "str",
+    "std.string_view": "str",
     "std.to_string": "str",
+    "rclcpp.ParameterEventHandler": "rclpy.parameter_event_handler.ParameterEventHandler",
+    "rclcpp.AsyncParametersClient": "rclpy.parameter_client.AsyncParameterClient",
+    **{
+        f"rclcpp.{scope}PARAMETER_{name}": f"rclpy.parameter.Parameter.Type.{name}"
+        for scope in ("", "ParameterType.")
+        for name in (
+            *("BOOL", "INTEGER", "DOUBLE", "STRING"),
+            *("BYTE_ARRAY", "BOOL_ARRAY", "INTEGER_ARRAY", "DOUBLE_ARRAY", "STRING_ARRAY"),
+        )
+    },
 }
 
 RMW_PROFILES = {
@@ -70,7 +81,6 @@ SAME = frozenset(
             "std.make_optional",
             "rclcpp.ParameterValue",
             "std.chrono.duration_cast",
-            "std.string_view",
         ),
         *("std.reference_pointer_cast", "static_cast", "dynamic_cast", "const_cast", "reinterpret_cast"),
     }
@@ -90,6 +100,8 @@ DURATIONS = {
 }
 """In seconds."""
 
+PAIRS = "std.pairs"
+"""The function that gives the pairs of a map, and any other container as it is; the standard library has none."""
 SEQUENCES = frozenset({"vector", "list", "deque", "set", "unordered_set", "array", "initializer_list"})
 MAPS = frozenset({"map", "unordered_map", "multimap"})
 STREAMS = frozenset({"stringstream", "ostringstream"})
@@ -101,6 +113,7 @@ __all__ = [
     "LIBRARIES",
     "MAKERS",
     "MAPS",
+    "PAIRS",
     "POINTERS",
     "RMW_PROFILES",
     "SAME",

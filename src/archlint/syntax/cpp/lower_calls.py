@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from archlint.syntax import facts
 from archlint.syntax.cpp import calls
-from archlint.syntax.cpp.known_names import DURATIONS, MAKERS, SAME, SEQUENCES
+from archlint.syntax.cpp.known_names import DURATIONS, MAKERS, PAIRS, SAME, SEQUENCES
 from archlint.syntax.cpp.lower_expressions import given
 from archlint.syntax.cpp.lower_objects import ObjectLowering
 from archlint.syntax.cpp.names import FunctionScope, Names, Part
@@ -40,6 +40,7 @@ class CallLowering(ObjectLowering):
         self._kinds |= {
             "call_expression": self._call,
             "lambda_expression": self._lambda,
+            "parameter_declaration": self._parameter_like,
         }
 
     # --------------------------------------------------------------------------------------------- calls
@@ -57,6 +58,14 @@ class CallLowering(ObjectLowering):
             return self._function_call(self.names.parts(function), function, arguments, span)
         return facts.Call(self.lower(function), given(self.lower_all(arguments.named_children)), span)
 
+    def _parameter_like(self, node: Node, span: Span) -> Expr:
+        """An argument that reads like the parameter of a function: ``name``, ``name(…)``."""
+        kind, declarator = node.child_by_field_name("type"), node.child_by_field_name("declarator")
+        arguments = None if declarator is None else declarator.child_by_field_name("parameters")
+        if kind is None or arguments is None:
+            return self._inner(node, span)
+        return self._function_call(self.names.parts(kind), kind, arguments, span)
+
     def _method_call(self, function: Node, arguments: Node, span: Span) -> Expr:
         owner, field = function.child_by_field_name("argument"), function.child_by_field_name("field")
         if owner is None or field is None:
@@ -70,7 +79,7 @@ class CallLowering(ObjectLowering):
         values, name = self.lower_all(arguments.named_children), part.name
         if name in calls.NODE_INTERFACES:
             return value
-        types = [self.lower(argument) for argument in part.arguments]
+        types = [self.lower_type(argument) for argument in part.arguments]
         created = self._created(value, name, types, values, span)
         if created is not None:
             return created
@@ -81,6 +90,10 @@ class CallLowering(ObjectLowering):
         of_parameter = self._parameter_call(value, name, part, values, span)
         if of_parameter is not None:
             return of_parameter
+        if name == "add_parameter_callback":
+            words = ("parameter_name", "callback", "node_name")
+            listed = [facts.Argument(given_as, word) for word, given_as in zip(words, values, strict=False)]
+            return facts.Call(facts.Attribute(value, name, function_span), listed, span)
         renamed = f"with_{name}" if name in _POLICIES and len(values) == 1 else _LIST_METHODS.get(name, name)
         method = facts.Attribute(value, renamed, function_span)
         if name == "at" and len(values) == 1:
@@ -118,6 +131,13 @@ class CallLowering(ObjectLowering):
             default = self._default(part, values[1:2], span)
             declared = facts.Call(facts.Attribute(value, name, span), given([values[0], *default]), span)
             return facts.Attribute(declared, "value", span)
+        if name == "declare_parameters" and len(values) == 2:
+            rows = self._pairs_of(values[1], span)
+            return facts.Call(facts.Attribute(value, name, span), given([values[0], rows]), span)
+        if name == "get_parameter_or" and len(values) == 2:
+            other = facts.Call(self.names.library("rclcpp.Parameter", span), calls.parameter(values), span)
+            read = facts.Call(facts.Attribute(value, name, span), given([values[0], other]), span)
+            return facts.Attribute(read, "value", span)
         if name == "get_parameter" and len(values) == 2:
             read = facts.Call(facts.Attribute(value, name, span), given(values[:1]), span)
             self._write(values[1], facts.Attribute(read, "value", span), span)
@@ -128,6 +148,12 @@ class CallLowering(ObjectLowering):
             self._write(values[1], facts.Attribute(read, "value", span), span)
             return facts.Opaque("whether there is such a parameter", span)
         return None
+
+    def _pairs_of(self, value: Expr, span: Span) -> Expr:
+        """The items of a container whose items are pairs, which those of a map are in C++."""
+        if isinstance(value, facts.Sequence):
+            return value
+        return facts.Call(self.names.library(PAIRS, span), given([value]), span)
 
     def _default(self, part: Part, values: Sequence[Expr], span: Span) -> list[Expr]:
         """The default of a parameter, as its type takes it, or where there is none the type.
@@ -169,7 +195,7 @@ class CallLowering(ObjectLowering):
         if last.name == "RCLCPP_COMPONENTS_REGISTER_NODE" and arguments.named_child_count:
             plugin = facts.Literal("".join(self.source.text(arguments.named_children[0]).split()), span)
             return facts.Call(facts.Name(last.name, span), given([plugin]), span)
-        types = [self.lower(argument) for argument in last.arguments]
+        types = [self.lower_type(argument) for argument in last.arguments]
         values = self.lower_all(arguments.named_children)
         called = self.names.resolve(parts, self.source.span(function))
         if isinstance(called, facts.Attribute) and len(parts) > 1:  # Base::method(…), on this very object
@@ -196,7 +222,7 @@ class CallLowering(ObjectLowering):
             return values[0] if values else facts.Opaque(path, span)
         if path in DURATIONS or path == "std.chrono.duration":
             return _seconds(values, DURATIONS.get(path, 1.0), span)
-        types = [self.lower(argument) for argument in last.arguments]
+        types = [self.lower_type(argument) for argument in last.arguments]
         if path in calls.FREE and values:
             created = self._created(values[0], calls.FREE[path], types, values[1:], span)
             return created or facts.Opaque(path, span)
@@ -257,7 +283,12 @@ class CallLowering(ObjectLowering):
         raise NotImplementedError
 
 
-_OF_NODE = frozenset({"declare_parameter", "get_parameter", "get_parameter_or", "has_parameter", "set_parameter"})
+_OF_NODE = frozenset(
+    {
+        *("declare_parameter", "declare_parameters", "get_parameter", "get_parameter_or", "has_parameter"),
+        *("set_parameter",),
+    }
+)
 """Other methods of a node whose arguments are changed here."""
 
 

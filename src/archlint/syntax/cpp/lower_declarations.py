@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from archlint.syntax import facts
 from archlint.syntax.cpp.declared import Declared, declared, is_pointer
-from archlint.syntax.cpp.known_names import MAPS, RMW_PROFILES, SEQUENCES, STREAMS
+from archlint.syntax.cpp.known_names import INTERFACE_KINDS, MAPS, RMW_PROFILES, SEQUENCES, STREAMS
 from archlint.syntax.cpp.lower_calls import CallLowering
 from archlint.syntax.cpp.names import Part
 
@@ -42,9 +42,10 @@ class DeclarationLowering(CallLowering):
                 body.append(facts.Assign([target], value, self.source.span(node)))
 
     def _are_values(self, variable: Declared) -> bool:
-        """Whether what reads like the parameters of a function are arguments: ``rclcpp::Rate rate(hz);``."""
+        """Whether what reads like the parameters of a function are arguments: ``rclcpp::Rate rate(hz);``, and
+        ``ImageTransport transport(shared_from_this());``, which reads like a function that takes a function."""
         nodes = [] if variable.parameters is None else variable.parameters.named_children
-        if not nodes or any(node.type != "parameter_declaration" or node.named_child_count != 1 for node in nodes):
+        if not nodes or not all(_reads_like_a_value(node) for node in nodes):
             return False
         variable.value = variable.parameters
         return True
@@ -108,15 +109,6 @@ class DeclarationLowering(CallLowering):
         """Whether a type is a class of this file, or a message: those are made without arguments."""
         return parts[-1].name in self.names.classes or any(part.name == "msg" for part in parts[:-1])
 
-    def mapping(self, node: Node, span: Span) -> Expr:
-        """``{{"a", 1}, {"b", 2}}`` of a map."""
-        pairs = [child.named_children for child in node.named_children if child.type == "initializer_list"]
-        if any(len(pair) != 2 for pair in pairs) or len(pairs) != len(
-            [c for c in node.named_children if c.type != "comment"]
-        ):
-            return facts.Opaque("a map", span)
-        return facts.Mapping([self.lower(key) for key, _ in pairs], [self.lower(value) for _, value in pairs], span)
-
     def alias(self, node: Node, body: list[Stmt]) -> None:
         name, kind = node.child_by_field_name("name"), node.child_by_field_name("type")
         if name is not None and kind is not None:
@@ -142,6 +134,8 @@ class DeclarationLowering(CallLowering):
         names = [part.name for child in node.named_children for part in self.names.parts(child)]
         if any(child.type == "namespace" for child in node.children):
             self.names.opened.append(names)
+            if len(names) == 2 and names[-1] in INTERFACE_KINDS:  # whoever includes this file sees them, too
+                body.append(facts.ImportFrom(".".join(names), 0, [("*", "*")], self.source.span(node)))
         elif len(names) > 1 and names[-2] != names[-1]:  # not the constructors of a base
             self.names.aliases[names[-1]] = names
             span = self.source.span(node)
@@ -152,8 +146,28 @@ class DeclarationLowering(CallLowering):
 
     def namespace_alias(self, node: Node, body: list[Stmt]) -> None:
         name, *rest = [part for child in node.named_children for part in self.names.parts(child)]
-        if rest:
-            self.names.aliases[name.name] = [part.name for part in rest]
+        if not rest:
+            return
+        self.names.aliases[name.name] = [part.name for part in rest]
+        if rest[-1].name in INTERFACE_KINDS and len(rest) == 2:
+            module = ".".join(part.name for part in rest)
+            body.append(facts.Import(module, f"{name.name}::", self.source.span(node)))
+
+
+def _reads_like_a_value(node: Node) -> bool:
+    """Whether a parameter without a name may be a value: a name alone, or one that is called."""
+    if node.type != "parameter_declaration":
+        return False
+    declarator = node.child_by_field_name("declarator")
+    if declarator is None:
+        return node.named_child_count == 1
+    parameters = declarator.child_by_field_name("parameters")
+    return (
+        declarator.type == "abstract_function_declarator"
+        and declarator.named_child_count == 1
+        and parameters is not None
+        and all(_reads_like_a_value(inner) for inner in parameters.named_children)
+    )
 
 
 _DEFAULT_MADE = frozenset(

@@ -24,6 +24,7 @@ _BINARY: dict[str, facts.BinaryOperator] = {
     **{"+": "+", "-": "-", "*": "*", "/": "/", "%": "%"},
     **{"<<": "<<", ">>": ">>", "&": "&", "|": "|", "^": "^"},
 }
+_OF_PAIR = {"first": 0, "second": 1}
 _COMPARE: dict[str, facts.CompareOperator] = {"==": "==", "!=": "!=", "<": "<", "<=": "<=", ">": ">", ">=": ">="}
 
 
@@ -69,7 +70,6 @@ class ExpressionLowering:
             "cast_expression": self._cast,
             "initializer_list": self._list,
             "comma_expression": self._comma,
-            "parameter_declaration": self._inner,
         }
 
     def lower(self, node: Node) -> Expr:
@@ -83,6 +83,13 @@ class ExpressionLowering:
             return lowering(node, span)
         finally:
             self._depth -= 1
+
+    def lower_type(self, node: Node) -> Expr:
+        """A template argument.  The namespace of an interface may be an alias that a header has."""
+        parts = self.names.parts(node) if node.type in ("type_descriptor", "qualified_identifier") else []
+        if len(parts) == 2 and self.names.may_be_elsewhere(parts[0].name):
+            return facts.Name(f"{parts[0].name}::{parts[1].name}", self.source.span(node))
+        return self.lower(node)
 
     def lower_all(self, nodes: Sequence[Node]) -> list[Expr]:
         return [self.lower(node) for node in nodes if node.type != "comment"]
@@ -137,7 +144,10 @@ class ExpressionLowering:
         value = self.lower_field(node, "argument")
         if field is None:
             return value
-        return facts.Attribute(value, self.names.parts(field)[-1].name, span)
+        name = self.names.parts(field)[-1].name
+        if isinstance(value, facts.Name) and name in _OF_PAIR and self.names.is_pair(value.id):
+            return facts.Subscript(value, facts.Literal(_OF_PAIR[name], span), span)
+        return facts.Attribute(value, name, span)
 
     # ------------------------------------------------------------------------------------------ operators
 

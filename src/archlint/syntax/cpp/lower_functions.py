@@ -86,6 +86,9 @@ class FunctionLowering(StatementLowering):
                 return None
             body = self._initialised(node, owner, span) if owner is not None and part.name == owner else []
             body += [] if block is None else self.block(block.named_children)
+            of_file = sorted(scope.assigned - scope.variables)
+            if of_file:
+                body.insert(0, facts.Global("global", of_file))
         first = [facts.Param("self", "normal")] if owner is not None else []
         unknown = facts.Opaque("a template argument", span)
         numbered = [(calls.template_parameter(at), own) for at, own in enumerate(self._template_parameters)]

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from archlint.syntax import facts
 from archlint.syntax.cpp import calls
-from archlint.syntax.cpp.known_names import IN_PYTHON
+from archlint.syntax.cpp.known_names import IN_PYTHON, MAPS, SEQUENCES
 from archlint.syntax.cpp.lower_expressions import ExpressionLowering, given
 from archlint.syntax.cpp.names import Names, Part
 from archlint.syntax.facts import Argument
@@ -61,6 +61,8 @@ class ObjectLowering(ExpressionLowering):
         """An object of a library's class, or what its function gives."""
         if values is None:
             values = [] if arguments is None else self.lower_all(arguments.named_children)
+        if path.startswith("std.") and (collection := self._collection(last.name, arguments, values, span)) is not None:
+            return collection
         mapped = IN_PYTHON.get(path, "")
         function = self.names.library(path, span)
         if mapped in ("rclpy.node.Node", "rclpy.lifecycle.node.LifecycleNode"):
@@ -70,7 +72,7 @@ class ObjectLowering(ExpressionLowering):
         if mapped == "str":
             if len(values) > 1:
                 return facts.Opaque("a text", span)
-            return values[0] if values and path == "std.string" else facts.Call(function, given(values), span)
+            return values[0] if values and path != "std.to_string" else facts.Call(function, given(values), span)
         if (
             mapped.startswith("tf2_ros.")
             and mapped.endswith("Listener")
@@ -83,11 +85,38 @@ class ObjectLowering(ExpressionLowering):
             return facts.Call(function, calls.parameter(values), span)
         return facts.Call(function, given(values), span)
 
+    def _collection(self, name: str, arguments: Node | None, values: list[Expr], span: Span) -> Expr | None:
+        """A container of the standard library; None for anything else."""
+        if name in SEQUENCES:
+            return self.sequence(arguments, values, span)
+        if name not in MAPS:
+            return None
+        is_written = arguments is not None and arguments.type == "initializer_list"
+        return self.mapping(arguments, span) if arguments is not None and is_written else None
+
+    def mapping(self, node: Node, span: Span) -> Expr:
+        """``{{"a", 1}, {"b", 2}}`` of a map."""
+        pairs = [child.named_children for child in node.named_children if child.type == "initializer_list"]
+        if any(len(pair) != 2 for pair in pairs) or len(pairs) != len(
+            [c for c in node.named_children if c.type != "comment"]
+        ):
+            return facts.Opaque("a map", span)
+        return facts.Mapping([self.lower(key) for key, _ in pairs], [self.lower(value) for _, value in pairs], span)
+
+    def sequence(self, arguments: Node | None, values: list[Expr], span: Span) -> Expr | None:
+        """``std::vector<int>{1, 2}`` and ``std::vector<int>({1, 2})``; None for what is made in another way, such as
+        of two iterators."""
+        if arguments is not None and arguments.type == "initializer_list":
+            return facts.Sequence("list", values, span)
+        if len(values) == 1 and isinstance(values[0], facts.Sequence):
+            return values[0]
+        return None if values else facts.Sequence("list", [], span)
+
     def filtered(self, last: Part, values: Sequence[Expr], span: Span) -> Expr:
         """``message_filters::Subscriber<T>(node, "topic", qos)``."""
         if not last.arguments:
             return facts.Opaque("a subscriber without a type", span)
-        kind = self.lower(last.arguments[0])
+        kind = self.lower_type(last.arguments[0])
         if len(values) < 2:  # it subscribes later
             return facts.Call(self.names.library("message_filters.cpp.Subscriber", span), [Argument(kind)], span)
         words = ("node", "topic", "qos_profile")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING
 
@@ -285,12 +286,22 @@ class StatementLowering(DeclarationLowering):
                 for name in variable.bound:
                     self.names.declare(name)
                 target = facts.Sequence("tuple", [facts.Name(name, span) for name in variable.bound], span)
-                iterable = facts.Call(facts.Attribute(iterable, "items", span), [], span)
+                iterable = self._pairs_of(iterable, span)
             else:
                 self.names.declare(variable.name)
                 target = facts.Name(variable.name, span)
+                if self._is_pair(variable.name, node.child_by_field_name("body")):
+                    iterable = self._pairs_of(iterable, span)
         inner = self._block_of(node.child_by_field_name("body"))
         body.append(facts.For(target, iterable, inner, [], False, span))
+
+    def _is_pair(self, name: str, body: Node | None) -> bool:
+        """Whether a loop takes the two parts of what its variable holds."""
+        written = "" if body is None else self.source.text(body)
+        is_pair = re.search(rf"\b{re.escape(name)}(?:\.|->)(?:first|second)\b", written) is not None
+        if is_pair and self.names.scopes:
+            self.names.scopes[-1].pairs.add(name)
+        return is_pair
 
     def _switch(self, node: Node, body: list[Stmt]) -> None:
         """Cases that end are arms of an ``if``; where one falls through to the next, each may run."""

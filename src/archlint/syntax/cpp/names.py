@@ -44,6 +44,8 @@ class FunctionScope:
     """Variables that texts are written into with ``<<``."""
     texts: set[str] = field(default_factory=set)
     """Variables of the type ``std::string``, which methods can change."""
+    pairs: set[str] = field(default_factory=set)
+    """Variables of loops that hold pairs, such as the items of a map."""
     is_lambda: bool = False
 
 
@@ -82,6 +84,15 @@ class Names:
     def is_variable(self, name: str) -> bool:
         """Whether a name is a variable or parameter of a function around."""
         return any(name in scope.variables for scope in self.scopes)
+
+    def may_be_elsewhere(self, namespace: str) -> bool:
+        """Whether another file says what a namespace is."""
+        known = (*self.namespaces, *self.aliases, *self.classes, *LIBRARIES)
+        return namespace[:1].islower() and namespace not in known and not self.is_variable(namespace)
+
+    def is_pair(self, name: str) -> bool:
+        """Whether a variable holds a pair, as far as a loop says."""
+        return any(name in scope.pairs for scope in self.scopes)
 
     @property
     def is_in_method(self) -> bool:

@@ -1,0 +1,27 @@
+"""Containers of C++'s standard library, as far as they are not those of Python."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from archlint.interpreter.containers import new_list
+from archlint.interpreter.values import DictValue, Unknown, Value
+
+if TYPE_CHECKING:
+    from archlint.interpreter.call_site import CallSite
+    from archlint.libraries.api_use import Plain
+    from archlint.libraries.run import Run
+
+
+def _pairs(run: Run, site: CallSite) -> Value:
+    """What a loop over a container goes through: keys with their values, where it is a map."""
+    container = site.args[0] if site.args else Unknown("no container")
+    if not isinstance(container, DictValue):
+        return container
+    entries = container.entries(run)
+    return new_list(run, [new_list(run, pair, "tuple") for pair in entries.entries.values()], open_=entries.open)
+
+
+PLAIN: dict[str, Plain] = {"std.pairs": _pairs}
+
+__all__ = ["PLAIN"]

@@ -1,0 +1,129 @@
+"""What the names of C++ mean across functions and files: variables of a file, namespaces of a header."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from tests.cpp_nodes import graph
+
+PROGRAM = """
+#include "rclcpp/rclcpp.hpp"
+#include "std_msgs/msg/string.hpp"
+using String = std_msgs::msg::String;
+rclcpp::Node::SharedPtr node;
+std::string topic = "before";
+void create() {
+  node->create_publisher<String>(topic, 10);
+}
+%s
+int main(int argc, char ** argv) {
+  rclcpp::init(argc, argv);
+  node = std::make_shared<rclcpp::Node>("robot");
+  %s
+  create();
+  rclcpp::spin(node);
+}
+"""
+
+
+def publishers(definitions: str = "", statements: str = "") -> list[str | None]:
+    [node] = graph({"src/robot.cpp": PROGRAM % (definitions, statements)})["nodes"]
+    assert node["name"] == "/robot"
+    return [end["name"] for end in node["publishers"]]
+
+
+def test_a_node_in_a_variable_of_the_file() -> None:
+    assert publishers() == ["/before"]
+
+
+def test_a_function_assigns_a_variable_of_the_file() -> None:
+    assert publishers(statements='topic = "after";') == ["/after"]
+    assert publishers('void choose() { topic = "chosen"; }', "choose();") == ["/chosen"]
+    assert publishers('void choose() { auto set = [&]() { topic = "in_lambda"; }; set(); }', "choose();") == [
+        "/in_lambda"
+    ]
+
+
+def test_a_variable_of_the_same_name_is_another_one() -> None:
+    assert publishers('void choose() { std::string topic = "own"; topic = "other"; }', "choose();") == ["/before"]
+    assert publishers('void choose(std::string topic) { topic = "other"; }', 'choose("own");') == ["/before"]
+
+
+def test_a_method_assigns_a_variable_of_the_file() -> None:
+    of_file = 'struct Chooser { void choose() { topic = "of_file"; } };'
+    assert publishers(of_file, "Chooser chooser; chooser.choose();") == ["/of_file"]
+    of_object = 'struct Chooser { std::string topic; void choose() { topic = "of_object"; } };'
+    assert publishers(of_object, "Chooser chooser; chooser.choose();") == ["/before"]
+
+
+HEADER = """
+#pragma once
+#include "rclcpp/rclcpp.hpp"
+namespace first = first_msgs::msg;
+namespace second = second_msgs::msg;
+using namespace third_msgs::msg;
+namespace own { struct Text {}; }
+class Robot : public rclcpp::Node { public: Robot(); };
+"""
+
+
+def types(statements: str) -> dict[str, Any]:
+    source = f"""
+    #include "robot.hpp"
+    Robot::Robot() : Node("robot") {{ {statements} }}
+    int main(int argc, char ** argv) {{ rclcpp::init(argc, argv); rclcpp::spin(std::make_shared<Robot>()); }}
+    """
+    [node] = graph({"src/robot.hpp": HEADER, "src/robot.cpp": source})["nodes"]
+    return {end["name"]: end["type"] for end in node["publishers"]}
+
+
+def test_a_header_gives_a_namespace_another_name() -> None:
+    found = types("""
+      create_publisher<first::Text>("a", 10);
+      create_publisher<second::Text>("b", 10);
+      create_publisher<own::Text>("c", 10);
+      create_publisher<unknown::Text>("d", 10);
+    """)
+    assert found == {"/a": "first_msgs/msg/Text", "/b": "second_msgs/msg/Text", "/c": None, "/d": None}
+
+
+def test_a_header_opens_the_namespace_of_an_interface() -> None:
+    assert types('create_publisher<Note>("a", 10);') == {"/a": "third_msgs/msg/Note"}
+    assert types('create_publisher<Text>("a", 10);') == {"/a": None}  # a class of the workspace
+
+
+def test_what_reads_like_a_function_makes_an_object() -> None:
+    found = types("""
+      image_transport::ImageTransport transport(shared_from_this());
+      transport.advertise("image", 1);
+      image_transport::ImageTransport declared(image_transport::Kind);
+    """)
+    assert found == {"/image": "sensor_msgs/msg/Image"}
+
+
+PANEL = """
+#include "rclcpp/rclcpp.hpp"
+#include "rviz_common/panel.hpp"
+class Panel : public rviz_common::Panel {
+  Q_OBJECT
+public:
+  explicit Panel(QWidget * parent = nullptr);
+public Q_SLOTS:
+  void press();
+private:
+  rclcpp::Node::SharedPtr node_;
+};
+"""
+
+
+def test_methods_outside_of_their_class_share_its_object() -> None:
+    source = """
+    #include "panel.hpp"
+    #include "std_srvs/srv/trigger.hpp"
+    Panel::Panel(QWidget * parent) : rviz_common::Panel(parent) {
+      node_ = std::make_shared<rclcpp::Node>("panel");
+    }
+    void Panel::press() { node_->create_client<std_srvs::srv::Trigger>("go"); }
+    """
+    [node] = graph({"src/panel.hpp": PANEL, "src/panel.cpp": source})["nodes"]
+    assert (node["name"], [client["name"] for client in node["clients"]]) == ("/panel", ["/go"])
