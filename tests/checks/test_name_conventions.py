@@ -105,11 +105,11 @@ def test_one_class_alone_is_told_by_its_name(folder: Path):
 
 
 def test_the_message_counts_more_than_what_is_related(folder: Path):
-    nodes = {f"arm{number}": node(f"Arm{number}", f"/arm{number}", f"state{number}") for number in range(20)}
-    [finding] = check(request(folder, **nodes)).findings
+    nodes = {f"arm{number}": node(f"Arm{number}", "/state", f"/arm{number}") for number in range(20)}
+    [finding] = check(request(folder, viewer=node("Viewer", "state"), **nodes)).findings
 
-    assert finding.message.startswith("20 nodes of package 'robot' fix 20 absolute names, beside relative ones")
-    assert len(finding.related) == 10
+    assert finding.message.startswith("20 nodes of package 'robot' fix 21 absolute names, beside relative ones")
+    assert len(finding.related) == 11
 
 
 def test_it_stays_the_same_finding_when_a_name_is_added(folder: Path):
@@ -178,19 +178,39 @@ def many(*names: str) -> dict[str, str]:
 ALL_ABSOLUTE = [f"/part{number}/state" for number in range(7)]
 
 
-@pytest.mark.parametrize(("count", "told"), [(6, [("robot/node0.py", 9)]), (7, [])])
+@pytest.mark.parametrize(("count", "told"), [(4, [("robot/node0.py", 9)]), (5, [])])
 def test_a_large_workspace_with_nothing_else_is_built_so(folder: Path, count: int, told: list[tuple[str, int]]):
     assert places(check(request(folder, **many(*ALL_ABSOLUTE[:count]))).findings) == told
 
 
 def test_a_large_workspace_hears_of_what_does_not_fit_and_what_goes_with_it(folder: Path):
-    lidar = node("Lidar", "/lidar/scan", "lidar/state")
-    user = node("User", "/lidar/scan", "/user/state")
-    [finding] = check(request(folder, lidar=lidar, user=user, **many(*ALL_ABSOLUTE))).findings
+    nodes = {
+        "lidar": node("Lidar", "lidar/scan"),
+        "user": node("User", "/user/state", "/lidar/scan"),
+        "viewer": node("Viewer", "/user/state"),
+    }
+    [finding] = check(request(folder, **nodes, **many(*ALL_ABSOLUTE))).findings
 
-    assert places([finding]) == [("robot/lidar.py", 9)]
-    assert finding.message.startswith("2 nodes of package 'robot' fix 2 absolute names, beside relative ones")
-    assert [related.place.file for related in finding.related] == ["robot/user.py"]
+    assert places([finding]) == [("robot/user.py", 10)]
+    assert finding.message.startswith(
+        "2 nodes of package 'robot' fix 2 absolute names, beside relative ones such as 'lid"
+    )
+    assert [(related.place.file, related.message) for related in finding.related] == [
+        ("robot/lidar.py", "'lidar/scan' is relative here"),
+        ("robot/viewer.py", "Viewer fixes the topic '/user/state'"),
+    ]
+
+
+def test_a_large_workspace_may_mix_names_that_nobody_else_has(folder: Path):
+    nodes = {"lidar": node("Lidar", "lidar/scan", "/lidar/state")}
+    assert check(request(folder, **nodes, **many(*ALL_ABSOLUTE))).findings == []
+
+
+@pytest.mark.parametrize(("call", "told"), [("self.get_topic_names_and_types()", False), ("print('/words')", True)])
+def test_a_name_that_is_held_against_those_of_the_graph(folder: Path, call: str, told: bool):
+    """The names that ROS answers with are absolute, whatever namespace the node is in."""
+    arm = node("Arm", "/words").replace("\n\n\ndef main", f"\n        {call}\n\n\ndef main")
+    assert bool(check(request(folder, arm=arm)).findings) == told
 
 
 @pytest.mark.parametrize(
@@ -271,6 +291,12 @@ def test_a_name_that_another_node_has_as_a_relative_one(folder: Path):
         "the topic '/base/state' is absolute and fixed in the code, and another node has 'base/state' as a relative "
         "name: in a namespace, only that one moves"
     )
+
+    [told] = check(request(folder, base=node("Base", "/base/state", "/base/goal"))).findings
+    assert told.message.startswith(
+        "2 names of Base are absolute and fixed in the code, such as the topic '/base/state', and"
+    )
+    assert [related.message for related in told.related] == ["'base/state' is relative here", "the topic '/base/goal'"]
 
     camera = node("Camera", "arm/state")
     [told] = check(request(folder, base=BASE, arm=ARM, drive=node("Drive", "/drive"), camera=camera)).findings

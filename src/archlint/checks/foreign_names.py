@@ -17,8 +17,10 @@ _PRESCRIBED = (
     *("/carla/",),
     *("/api/sport/", "/lf/lowstate", "/lf/sportmodestate", "/lowcmd", "/lowstate", "/sportmodestate"),  # Unitree
     *("/utlidar/",),
+    *("/camera/camera/",),  # the driver of RealSense cameras, for a camera that nobody gives a name
 )
-"""How the names begin that bridges of systems outside of ROS choose, of which one robot or one simulation has one."""
+"""How the names begin that drivers and bridges of systems outside of ROS choose, of which one robot or one simulation
+has one."""
 _OF_A_JOINT = re.compile(r"/model/[^/]+/joint/[^/]+/")
 """How Gazebo's joint plugins (JointController, JointPositionController, Thruster) begin the topics that nobody names.
 

@@ -120,12 +120,15 @@ def _hardcoded(system: System, fixed: FixedName, evidence: Reason | None) -> Fin
     given = endpoint.creation.name_place or endpoint.place
     place = _begin(system.workspace, endpoint)
     owner = (*fixed.home, reason.key) if reason.is_of_class else ("", "", CONVENTION)
+    related = [] if given == place else [Related(given, f"the {word} is created under this name here")]
+    if reason.place is not None:
+        related.append(Related(reason.place, f"'{reason.other}' is relative here"))
     diagnostic = finding(
         "NME001",
         place,
         reason.message(f"the {word} '{name}'", "", plural=False),
         help=_help(name, reason),
-        related=[] if given == place else [Related(given, f"the {word} is created under this name here")],
+        related=related,
         node=endpoint.node.name,
         identity=(fixed.home[1], word, name),
         group=(
@@ -152,6 +155,7 @@ def _reason(workspace: WorkspaceIndex | None, endpoint: Endpoint, users: int) ->
         or _is_beside(workspace, _literal(endpoint).file)
         or is_in_data(workspace, name)
         or is_needed_outside(workspace, endpoint)
+        or _is_looked_up(workspace, endpoint)
     ):
         return None
     if users > 1:
@@ -176,6 +180,17 @@ def _is_beside(workspace: WorkspaceIndex | None, file: str) -> bool:
     folder = posixpath.dirname(package.manifest.relative)
     inside = posixpath.dirname(file).removeprefix(folder).strip("/").split("/")
     return not (_SHOWN_OR_TOOL - {package.name}).isdisjoint(inside)
+
+
+_NAMES_OF_THE_GRAPH = ("get_topic_names_and_types", "get_service_names_and_types")
+
+
+def _is_looked_up(workspace: WorkspaceIndex | None, endpoint: Endpoint) -> bool:
+    """Whether code beside a name asks ROS which names there are: those are absolute, and are compared with it."""
+    files = (endpoint.place.file, _literal(endpoint).file)
+    return workspace is not None and any(
+        workspace.code.mentions(file, word) for file in files for word in _NAMES_OF_THE_GRAPH
+    )
 
 
 def _is_run_by_hand(workspace: WorkspaceIndex | None, file: str) -> bool:
@@ -284,11 +299,11 @@ _DECISIVE = 3
 def of_one_cause(findings: Sequence[Finding]) -> Finding:
     """The finding for all names that one class fixes, at the first literal, the others related; or for those of a
     package that has both forms, or of all classes whose workspace has nothing else."""
+    findings = sorted(findings, key=lambda diagnostic: not diagnostic.group[_DECISIVE + 1])  # evidence comes first
     first = findings[0]
     if len(set(map(home_of, findings))) > 1:
-        ordered = sorted(findings, key=lambda diagnostic: not diagnostic.group[_DECISIVE + 1])  # evidence comes first
         packages = [diagnostic.group[_DECISIVE] for diagnostic in findings]
-        return one_of_several_nodes(ordered, packages, ordered[0].group[_DECISIVE + 1])
+        return one_of_several_nodes(findings, packages, first.group[_DECISIVE + 1])
     at: dict[Place, dict[str, None]] = {}
     for diagnostic in findings:
         at.setdefault(diagnostic.place, {})[_shown(diagnostic)] = None
@@ -296,8 +311,10 @@ def of_one_cause(findings: Sequence[Finding]) -> Finding:
     sites = all_sites(findings)
     here = ", ".join(list(at.pop(first.place))[:_NAMES_SHOWN])
     related = tuple(Related(place, ", ".join(at[place])) for place in sorted(at))
+    if len(names) == 1 or first.group[_DECISIVE + 1]:  # what is at the other end belongs to it
+        related = (*first.related, *related)
     if len(names) == 1:
-        return replace(first, related=(*first.related, *related), sites=sites)
+        return replace(first, related=related, sites=sites)
     state, effect, cure = first.group[_DECISIVE + 2 :]
     reason = Reason(first.group[2], state, effect, cure)
     return replace(

@@ -34,7 +34,7 @@ def one_of_several_nodes(findings: Sequence[Finding], packages: Sequence[str], o
         severity=severity,
         message=f"{whose} {subject}{effect}",
         help=_help(findings),
-        related=tuple(_related(home, rows) for home, rows in list(by_home.items())[1 : _RELATED + 1]),
+        related=(*first.related, *(_related(home, rows) for home, rows in list(by_home.items())[1 : _RELATED + 1])),
         sites=all_sites(findings),
         identity=("absolute names",),  # neither a count nor the names, so that it stays the same finding
     )

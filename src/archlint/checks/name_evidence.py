@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -23,13 +23,15 @@ from archlint.model import EntityKind
 from archlint.systems.nodes import key_of
 
 if TYPE_CHECKING:
+    from archlint.model import Blueprint
     from archlint.systems.model import System, WorkspaceIndex
     from archlint.systems.nodes import Endpoint
 
 Home = tuple[str, str]
 """The file and the class that a name is fixed in; the class is empty where there is none."""
-_SMALL = 6
-"""How many nodes a workspace has at most that a lesson is about: three, and what is added to them."""
+_SMALL = 4
+"""How many nodes a workspace has at most that a lesson is about."""
+_ROOT = frozenset({""})
 _PROVIDES = frozenset({EntityKind.PUBLISHER, EntityKind.SERVICE, EntityKind.ACTION_SERVER})
 
 
@@ -65,9 +67,9 @@ def told(system: System, names: Sequence[FixedName]) -> list[tuple[FixedName, Re
     """The names that are worth a finding, each with what speaks against the form that it has: what launch files show of
     a class, or relative names beside it.
 
-    A small workspace hears of all its absolute names, as one who learns does.  In a large one a form that all nodes
-    keep to, and that no launch file contradicts, is how its robot is built: there the names are told that do not fit
-    what is around them, with all that have to change together with these.
+    A small workspace hears of all its absolute names, as one who learns does.  In a large one they are how its robot is
+    built, unless another node has one of them as a relative name, or launch files start the node in a namespace: these
+    are told, with all that have to change together with them.
     """
     workspace = system.workspace
     by_home: dict[Home, list[FixedName]] = {}
@@ -75,15 +77,22 @@ def told(system: System, names: Sequence[FixedName]) -> list[tuple[FixedName, Re
         by_home.setdefault(name.home, []).append(name)
     started = {home: reason for home, rows in by_home.items() if (reason := _as_started(workspace, rows)) is not None}
     others = {home: rows for home, rows in by_home.items() if home not in started}
-    evidence = {**_in_namespace(workspace, others), **_relative_elsewhere(others), **_mixed(others)}
+    evidence = {**_in_namespace(workspace, others), **_relative_elsewhere(others)}
     chosen = _linked(others, evidence)
     if _is_small(system):
+        evidence = {**_mixed(others), **evidence}
         chosen |= {home for home, rows in others.items() if not _is_tied(workspace, rows)}
+    against = {**evidence, **started}
     return [
-        (name, (started.get(name.home) or evidence.get(name.home)) if name.is_absolute else None)
+        (name, reason if (reason := against.get(name.home)) is not None and _is_of(reason, name) else None)
         for name in names
         if _is_told(workspace, name, started.get(name.home), name.home in chosen)
     ]
+
+
+def _is_of(reason: Reason, name: FixedName) -> bool:
+    """Whether what speaks against the names of a class does so against this one."""
+    return name.is_absolute and (reason.place is None or name.text[1:] == reason.other)
 
 
 def _is_told(workspace: WorkspaceIndex | None, name: FixedName, started: Reason | None, is_chosen: bool) -> bool:
@@ -123,14 +132,21 @@ def _linked(homes: Mapping[Home, Sequence[FixedName]], evidence: Iterable[Home])
     return linked
 
 
+def _namespaces(workspace: WorkspaceIndex | None, blueprint: Blueprint | None) -> frozenset[str]:
+    """The namespaces that launch files start a node in, the root where none starts it."""
+    if workspace is None or blueprint is None:
+        return _ROOT
+    return workspace.namespaces.get(key_of(blueprint), _ROOT)
+
+
 def is_needed_outside(workspace: WorkspaceIndex | None, endpoint: Endpoint) -> bool:
     """Whether launch files start a node in namespaces only, and a node that is in none of these has its absolute name,
     too: without the '/', the two would no longer meet."""
-    if workspace is None or endpoint.node.blueprint is None:
+    given = _namespaces(workspace, endpoint.node.blueprint)
+    if workspace is None or "" in given:
         return False
-    given = workspace.namespaces.get(key_of(endpoint.node.blueprint), frozenset({""}))
     users = _namespaces_of_users(workspace).get(endpoint.written or "", frozenset())
-    return "" not in given and not users <= given
+    return not users <= given
 
 
 @once
@@ -138,7 +154,7 @@ def _namespaces_of_users(workspace: WorkspaceIndex) -> Mapping[str, frozenset[st
     """The namespaces of the nodes whose code has each absolute name."""
     users: dict[str, set[str]] = {}
     for node in (node for system in workspace.systems if system.name is None for node in system.nodes):
-        given = {""} if node.blueprint is None else workspace.namespaces.get(key_of(node.blueprint), {""})
+        given = _namespaces(workspace, node.blueprint)
         for end in node.endpoints:
             if (end.written or "").startswith("/"):
                 users.setdefault(end.written or "", set()).update(given)
@@ -150,16 +166,7 @@ def _in_namespace(workspace: WorkspaceIndex | None, homes: Mapping[Home, Sequenc
     reasons: dict[Home, Reason] = {}
     for home, rows in homes.items():
         blueprints = [name.endpoint.node.blueprint for name in rows if name.is_absolute]
-        given = (
-            set()
-            if workspace is None
-            else {
-                namespace
-                for blueprint in blueprints
-                if blueprint is not None
-                for namespace in workspace.namespaces.get(key_of(blueprint), ("",))
-            }
-        )
+        given = {namespace for blueprint in blueprints for namespace in _namespaces(workspace, blueprint)}
         if len(given) == 1 and "" not in given and "?" not in given:
             reasons[home] = in_namespace(*given)
     return reasons
@@ -210,19 +217,19 @@ def _provided(workspace: WorkspaceIndex) -> Mapping[tuple[object, EntityKind, st
 
 def _relative_elsewhere(homes: Mapping[Home, Sequence[FixedName]]) -> dict[Home, Reason]:
     """The classes with an absolute name that another class has as a relative one."""
-    relative = {
-        (name.text, name.endpoint.type): home for home, rows in homes.items() for name in rows if name.is_relative
-    }
-    return {
-        home: unlike_another(same)
-        for home, rows in homes.items()
-        if (same := next(_same_as(rows, relative), "")) and relative
-    }
-
-
-def _same_as(names: Iterable[FixedName], relative: Mapping[tuple[str, str | None], Home]) -> Iterator[str]:
-    keys = ((name.text[1:], name.endpoint.type) for name in names if name.is_absolute)
-    return (key[0] for key in keys if key in relative)
+    users: dict[tuple[str, str | None], dict[Home, FixedName]] = {}
+    for home, rows in homes.items():
+        for name in rows:
+            if name.is_relative:
+                users.setdefault((name.text, name.endpoint.type), {}).setdefault(home, name)
+    reasons: dict[Home, Reason] = {}
+    for home, rows in homes.items():
+        for name in rows:
+            others = users.get((name.text[1:], name.endpoint.type), {}) if name.is_absolute else {}
+            other = next((user for user_home, user in others.items() if user_home != home), None)
+            if other is not None:
+                reasons.setdefault(home, unlike_another(other.text, other.endpoint.place))
+    return reasons
 
 
 __all__ = ["FixedName", "Home", "is_needed_outside", "told"]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from archlint.finding import Severity
+from archlint.finding import Place, Severity
 
 
 @dataclass(frozen=True)
@@ -20,6 +20,8 @@ class Reason:
     """The one that launch files start the node in, where a name begins with it."""
     other: str = ""
     """One of the relative names that show it."""
+    place: Place | None = None
+    """Where another node has that name, which is one of these without its '/'."""
 
     @property
     def is_of_class(self) -> bool:
@@ -82,10 +84,10 @@ def for_each_instance(count: int) -> Reason:
     return replace(FIXED, key=INSTANCES, effect=effect)
 
 
-def unlike_another(other: str) -> Reason:
+def unlike_another(other: str, place: Place) -> Reason:
     """For a name that another node has as a relative one."""
     effect = f", and another node has '{_kept(other)}' as a relative name: in a namespace, only that one moves"
-    return replace(FIXED, key="unlike", effect=effect, other=other)
+    return replace(FIXED, key="unlike", effect=effect, other=other, place=place)
 
 
 def in_namespace(namespace: str) -> Reason:
