@@ -22,6 +22,11 @@ def lesson(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(FIXTURES / "lesson")
 
 
+@pytest.fixture
+def transforms(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(FIXTURES / "transforms")
+
+
 def show(capsys: pytest.CaptureFixture[str], *words: str) -> str:
     assert main(["show", "--no-cache", *words]) == 0
     return capsys.readouterr().out
@@ -72,6 +77,22 @@ def test_a_parameter_and_what_sets_it(launched, capsys):
     assert [(row["node"], row["value"]) for row in parameter["values"]] == [("/north/scanner", "front/scan")]
 
 
+def test_a_frame_with_both_ends(transforms, capsys):
+    launch = "src/rover/launch/rover.launch.py"
+    assert show(capsys, "footprint").splitlines() == [
+        "frame footprint",
+        f"  sent by       /odometry      src/rover/rover/odometry.py:26:9       in odom, {launch}",
+        f"  sent in it    /camera_mount  {launch}:6:98  camera, {launch}",
+        f"  sent in it    /laser_mount   {launch}:6:98  laser, {launch}",
+        "  looked up by  no node here",
+    ]
+    [frame] = json.loads(show(capsys, "map", "--format", "json"))["matches"]
+    assert (frame["kind"], frame["sent"]) == ("frame", [])
+    assert [(row["node"], row["child"]) for row in frame["sent_in_it"]] == [("/localization", "odom")]
+    [row] = frame["looked_up"]
+    assert (row["node"], row["target"], row["source"], row["line"]) == ("/docking", "map", "camera", 18)
+
+
 def test_a_node_by_its_name_or_class(launched, capsys):
     north, south = show(capsys, "Scanner").split("\n\n")
     assert north.startswith("node /north/scanner  Scanner  patrol/scanner  src/patrol/patrol/scanner.py:6  src/patrol/")
@@ -99,7 +120,7 @@ def test_one_side_alone(launched, capsys):
 
 def test_a_name_that_nothing_has(lesson, capsys):
     assert main(["show", "--no-cache", "/sensor_dta"]) == 2
-    said = "no node, topic, service, action or parameter is called `/sensor_dta`; did you mean '/sensor_data'?"
+    said = "no node, topic, service, action, frame or parameter is called `/sensor_dta`; did you mean '/sensor_data'?"
     assert capsys.readouterr().err == f"archlint: error: {said}\n"
 
 

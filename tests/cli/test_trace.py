@@ -19,6 +19,11 @@ def lesson(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(FIXTURES / "lesson")
 
 
+@pytest.fixture
+def transforms(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(FIXTURES / "transforms")
+
+
 def trace(capsys: pytest.CaptureFixture[str], *words: str) -> str:
     assert main(["trace", "--no-cache", *words]) == 0
     return capsys.readouterr().out
@@ -89,9 +94,12 @@ def test_pictures(lesson, capsys, tmp_path):
 
 
 MISTAKES = {
-    ("/sensor_dta",): "no topic, service, action or node is called `/sensor_dta`; did you mean '/sensor_data'?",
-    ("sensor_data", "--to", "motr_node"): "no topic, service, action or node is called `motr_node`; did you mean "
-    "'/motor_node'?",
+    ("/sensor_dta",): "no topic, service, action, frame or node is called `/sensor_dta`; did you mean '/sensor_data'?",
+    (
+        "sensor_data",
+        "--to",
+        "motr_node",
+    ): "no topic, service, action, frame or node is called `motr_node`; did you mean '/motor_node'?",
     (
         "sensor_data",
         "--from",
@@ -106,3 +114,38 @@ MISTAKES = {
 def test_a_wrong_call_says_what_is_wrong(lesson, capsys, words, said):
     assert main(["trace", "--no-cache", *words]) == 2
     assert capsys.readouterr().err == f"archlint: error: {said}\n"
+
+
+def test_the_frames_between_what_is_looked_up(transforms, capsys):
+    rover = "src/rover/rover"
+    lines = trace(capsys, "cmd_vel").splitlines()
+    assert lines[1:11] == [
+        "comes from",
+        f"  published by /docking Docking.approach  {rover}/docking.py:24, timer, every 0.1 s",
+        "    looks up the frame camera",
+        "      sent by /camera_mount  src/rover/launch/rover.launch.py:6, its source is not here",
+        "    looks up the frame footprint  20 Hz",
+        f"      sent by /odometry Odometry.send  {rover}/odometry.py:26, timer, every 0.05 s",
+        "        reads /odometry self.speed",
+        f"          set by /odometry Odometry.drive  {rover}/odometry.py:16, subscription, every 0.1 s",
+        "    looks up the frame odom  5 Hz",
+        f"      sent by /localization Localization.locate  {rover}/localization.py:18, timer, every 0.2 s",
+    ]
+    assert "laser" not in trace(capsys, "cmd_vel")
+
+
+def test_a_frame_as_data_and_as_a_picture(transforms, capsys):
+    [traced] = json.loads(trace(capsys, "footprint", "--to", "cmd_vel", "--format", "json"))["traces"]
+    assert (traced["kind"], traced["name"]) == ("frame", "footprint")
+    [frame] = [step for step in traced["steps"] if step["name"] == "footprint"]
+    assert (frame["kind"], frame["rate_hz"]) == ("frame", 20)
+    [link] = [link for link in traced["links"] if link["from"] == frame["id"]]
+    assert (link["kind"], link["certain"], link["line"]) == ("read", True, 18)
+    assert '[/"frame footprint<br>20 Hz"/]' in trace(capsys, "footprint", "--format", "mermaid")
+    assert 'label="frame footprint\\n20 Hz", shape=tab' in trace(capsys, "footprint", "--format", "dot")
+
+
+def test_a_frame_that_nobody_sends_is_the_root(transforms, capsys):
+    lines = trace(capsys, "map").splitlines()
+    assert lines[2] == "  no node here is seen to send it as the child of another frame"
+    assert lines[4] == "  no transform that is looked up is seen to depend on it"

@@ -107,39 +107,6 @@ def test_goals_and_their_results(traced: Traced) -> None:
     assert counted == {"Client.on_feedback", "result /count", "Server.execute", "action /count", "Client.ask"}
 
 
-def test_transforms_go_to_the_callback_that_looks_them_up(traced: Traced) -> None:
-    traced(
-        sender="""
-        def __init__(self):
-            super().__init__("sender")
-            self.broadcaster = TransformBroadcaster(self)
-            self.create_timer(0.1, self.send)
-            self.create_timer(0.1, self.idle)
-
-        def send(self):
-            self.broadcaster.sendTransform([])
-
-        def idle(self):
-            pass
-        """,
-        user="""
-        def __init__(self):
-            super().__init__("user")
-            self.buffer = Buffer()
-            self.listener = TransformListener(self.buffer, self)
-            self.pub = self.create_publisher(String, "pose", 10)
-            self.create_timer(0.1, self.look)
-
-        def look(self):
-            self.buffer.lookup_transform("map", "base", rclpy.time.Time())
-            self.pub.publish(String())
-        """,
-    )
-    assert traced.before("/pose") == {"User.look", "topic /tf", "topic /tf_static", "Sender.send"}
-    [link] = links_of(traced.flow, "topic /tf", "User.look")
-    assert link.doubt == "which frames it is about is not known"
-
-
 def test_filtered_messages_come_together(traced: Traced) -> None:
     traced(
         fuser="""

@@ -46,7 +46,7 @@ def test_a_callback_waits_for_the_others_of_its_thread(traced: Traced) -> None:
     assert traced.way("stop", origin="talker")[1:4] == [
         (0.5, "Control.on_chatter of /control waits while Control.control runs: it sleeps for 0.5 s"),
         (2.0, "Control.control of /control reads it every 2 s"),
-        (0.5, "Control.control sleeps for 0.5 s at control.py:25"),
+        (0.5, "Control.control sleeps for 0.5 s at control.py:26"),
     ]
 
 
@@ -55,7 +55,7 @@ def test_a_wait_without_a_limit_is_no_figure(traced: Traced) -> None:
     [way] = traced.trace("stop", origin="talker").ways
     assert total(way.terms) == pytest.approx(0.2)
     waits = [term.words for term in way.terms if term.seconds is None]
-    assert waits[1] == "Control.control waits for the answer of the service 'stop' at control.py:25"
+    assert waits[1] == "Control.control waits for the answer of the service 'stop' at control.py:26"
 
 
 def test_the_period_of_a_timer_that_is_stopped_is_not_known(traced: Traced) -> None:

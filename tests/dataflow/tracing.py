@@ -24,7 +24,8 @@ import rclpy
 from rclpy.action import ActionClient, ActionServer
 from rclpy.node import Node
 from example_interfaces.action import Fibonacci
-from std_msgs.msg import String
+from geometry_msgs.msg import PointStamped, TransformStamped
+from std_msgs.msg import Header, String
 from std_srvs.srv import Trigger
 from tf2_ros import Buffer, TransformBroadcaster, TransformListener
 
@@ -64,14 +65,14 @@ class Traced:
         flow = self.flow
         [subject] = subjects(flow, name)
         seen = reached(flow, subject.arriving, "back")
-        return {shown(step) for step in flow.steps if id(step) in seen} - {f"topic {name}"}
+        return {shown(step) for step in flow.steps if id(step) in seen} - {f"{subject.kind} {subject.name}"}
 
     def after(self, name: str) -> set[str]:
         """Those to which data goes from a name."""
         flow = self.flow
         [subject] = subjects(flow, name)
         seen = reached(flow, subject.leaving, "on")
-        return {shown(step) for step in flow.steps if id(step) in seen} - {f"topic {name}"}
+        return {shown(step) for step in flow.steps if id(step) in seen} - {f"{subject.kind} {subject.name}"}
 
     def trace(self, name: str, origin: str | None = None, end: str | None = None) -> Trace:
         [trace] = traces_of(self.systems, name, origin, end)

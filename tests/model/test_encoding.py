@@ -41,6 +41,7 @@ from archlint.model import (
     programs,
     refused,
     texts,
+    transforms,
 )
 from archlint.model.encoding import NotEncodable, NotPrograms, decode, encode
 from archlint.programs.linker import EntryPoint, Linker
@@ -170,7 +171,7 @@ def test_a_payload_of_other_fields_is_refused(monkeypatch: pytest.MonkeyPatch):
 
 
 MODULES = (
-    *(calls, executors, futures, given, kinds, messages, nodes, programs, refused, texts),
+    *(calls, executors, futures, given, kinds, messages, nodes, programs, refused, texts, transforms),
     *(branches, finding, interfaces, origins, parameter_types, place, qos, reasons),
 )
 """Where the classes of programs and what their fields are annotated with are defined."""

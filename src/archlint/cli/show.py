@@ -35,7 +35,9 @@ if TYPE_CHECKING:
 def parser() -> Parser:
     parser = Parser("show", "Show one name with both ends: who publishes, who listens, types, QoS, values and places.")
     parser.add_argument(
-        "name", metavar="NAME", help="the name of a topic, service, action, node, node class or parameter"
+        "name",
+        metavar="NAME",
+        help="the name of a topic, service, action, node, node class, coordinate frame or parameter",
     )
     add_paths(parser)
     output = parser.add_argument_group("output")
@@ -78,7 +80,7 @@ def run(arguments: argparse.Namespace) -> int:
     if not answers:
         known = sorted({name for index in indexes for name in known_names(index)})
         near = name_meant(arguments.name, known)
-        raise UsageError(f"no node, topic, service, action or parameter is called `{arguments.name}`{near}")
+        raise UsageError(f"no node, topic, service, action, frame or parameter is called `{arguments.name}`{near}")
     color = arguments.file in (None, "-") and console.wants_color(arguments.color, sys.stdout)
     is_json = arguments.format == "json"
     text = render_json(arguments.name, answers) if is_json else render_text(answers, color=color)

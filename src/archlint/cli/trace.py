@@ -16,7 +16,9 @@ def parser() -> Parser:
         "Show where what arrives at a name comes from and what depends on it: through callbacks, timers, services, "
         "actions and transforms, with periods and waits.",
     )
-    parser.add_argument("name", metavar="NAME", help="the name of a topic, service, action, node or node class")
+    parser.add_argument(
+        "name", metavar="NAME", help="the name of a topic, service, action, node, node class or coordinate frame"
+    )
     ways = parser.add_argument_group("ways")
     ways.add_argument("--from", metavar="NAME", dest="origin", help="only the ways that come from this name")
     ways.add_argument("--to", metavar="NAME", dest="end", help="only the ways that lead to this name")
@@ -36,7 +38,7 @@ def run(arguments: argparse.Namespace) -> int:
     traced = traces_of(systems, arguments.name, arguments.origin, arguments.end)
     for name in filter(None, (arguments.name, arguments.origin, arguments.end)):
         if not traced and not traces_of(systems, name):
-            raise not_found(name, "topic, service, action or node", known)
+            raise not_found(name, "topic, service, action, frame or node", known)
     if not traced:
         raise UsageError(_no_way(arguments))
     return give(arguments, TRACES, traced, done)

@@ -113,6 +113,15 @@ class Builder:
         name = node.name or f"{node.package or '?'}/{node.executable or '?'}"
         return self._step((id(node), "stranger"), Step(StepKind.STRANGER, name, node, place=node.launch_place))
 
+    def frame(self, topic: str, name: str) -> Step:
+        """A coordinate frame, as the messages of a topic have it."""
+        reason = "which frames it is about is not known" if name == "?" else ""
+        return self._step((StepKind.FRAME, topic, name), Step(StepKind.FRAME, name, topic=topic, reason=reason))
+
+    def has_frame(self, topic: str, name: str) -> bool:
+        """Whether there is such a step."""
+        return (StepKind.FRAME, topic, name) in self._steps
+
     def kept(self, node: Node, names: Sequence[str]) -> Step:
         """Attributes of one object, or global variables, that the same callbacks set and read."""
         self._kept += 1
@@ -122,6 +131,11 @@ class Builder:
         return self._steps.setdefault(key, step)
 
     # -------------------------------------------------------------------------------------------- links
+
+    @property
+    def links(self) -> Sequence[Link]:
+        """The links found so far."""
+        return list(self._links.values())
 
     def link(
         self,

@@ -25,7 +25,12 @@ if TYPE_CHECKING:
     from archlint.place import Place
     from archlint.systems.model import System
 
-_LOOK_UPS = frozenset({"tf2_ros.buffer.Buffer.lookup_transform", "tf2_ros.buffer.Buffer.can_transform"})
+_LOOK_UPS = frozenset(
+    {
+        *("tf2_ros.buffer.Buffer.lookup_transform", "tf2_ros.buffer.Buffer.can_transform"),
+        *("tf2_ros.buffer_h.Buffer.lookupTransform", "tf2_ros.buffer_h.Buffer.canTransform"),
+    }
+)
 
 
 @dataclass(frozen=True)

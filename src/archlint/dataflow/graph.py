@@ -7,11 +7,13 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
 from archlint.analysis.loop_paces import is_decided
+from archlint.analysis.transforms import LOOK_UP, TRANSFORMS
 from archlint.dataflow.answers import answers_of
 from archlint.dataflow.builder import Builder
 from archlint.dataflow.idle_ends import is_idle
 from archlint.dataflow.model import Flow, How, Step, StepKind
-from archlint.dataflow.runs import LOOK_UP, PUBLISH, REQUESTS, SEND_TRANSFORMS, WAIT_FOR_MESSAGE, Run
+from archlint.dataflow.runs import PUBLISH, REQUESTS, SEND_TRANSFORMS, WAIT_FOR_MESSAGE, Run
+from archlint.dataflow.transforms import is_taken_by, link_transforms
 from archlint.dataflow.variables import link_variables
 from archlint.model import EntityKind, Role
 from archlint.systems.externals import connections_of_externals, may_use
@@ -55,6 +57,7 @@ def flow_of(system: System) -> Flow:
         _senders_not_known(builder, node)
     link_variables(builder)
     _strangers(builder)
+    link_transforms(builder)
     return builder.flow()
 
 
@@ -80,10 +83,10 @@ def _arrivals(builder: Builder, node: Node, end: Endpoint) -> None:
 def _takers(builder: Builder, node: Node, end: Endpoint) -> tuple[Sequence[Step], str]:
     """What gets what arrives at an end, and why that is in doubt."""
     creation = end.creation
-    if creation.api.startswith("tf2_ros."):
+    if creation.api.startswith(TRANSFORMS):
         readers = [run for run in builder.runs_on(node) if any(call.api.startswith(LOOK_UP) for call in run.calls)]
-        steps = [builder.step_of(run) for run in readers]
-        return (steps, FRAMES) if steps else ([builder.taker(node)], "where transforms are looked up is not known")
+        steps = [builder.step_of(run) for run in readers if is_taken_by(run)]
+        return (steps, FRAMES) if readers else ([builder.taker(node)], "where transforms are looked up is not known")
     if creation.api == WAIT_FOR_MESSAGE:
         waiting = builder.runs.of(node, creation.context)
         return ([builder.step_of(waiting)], "") if waiting is not None else ([builder.taker(node)], _NO_CALLBACK)

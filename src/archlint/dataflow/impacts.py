@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from archlint.systems.model import System, WorkspaceIndex
     from archlint.systems.nodes import Endpoint, Node
 
-ImpactKind = Literal["topic", "service", "action", "node", "interface"]
+ImpactKind = Literal["topic", "service", "action", "frame", "node", "interface"]
 
 
 @dataclass(frozen=True, order=True)

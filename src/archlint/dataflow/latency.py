@@ -24,7 +24,7 @@ ASSUMED = (
     "computing and the transport of messages, requests and answers take no time",
     "no message is lost, timers keep their periods, and what is sent under a condition is sent",
     "what a callback sends depends on all that it is called with and on all attributes that it reads",
-    "frames are not told apart: what looks up a transform depends on every node that sends some",
+    "a frame hangs from the frames that code here is seen to send it with, and from no other",
     "what callbacks leave in objects other than their node, by calling methods of these, is not followed",
 )
 """What the figures and ways rest on."""
@@ -86,7 +86,7 @@ def _of_first(flow: Flow, step: Step, link: Link) -> Iterator[Term]:
 
 
 def _of_callback(flow: Flow, link: Link, step: Step, following: Link | None) -> Iterator[Term]:
-    if link.tail.kind == StepKind.KEPT:
+    if link.tail.kind in (StepKind.KEPT, StepKind.FRAME):
         yield _next_turn(flow, step, following)
     elif link.tail.kind == StepKind.TOPIC:
         yield from _queue(flow, link, step)
@@ -96,7 +96,7 @@ def _of_callback(flow: Flow, link: Link, step: Step, following: Link | None) -> 
 
 
 def _next_turn(flow: Flow, step: Step, following: Link | None) -> Term:
-    """What is left in an attribute waits until the callback that reads it runs again."""
+    """What is left in an attribute, or in a buffer of transforms, waits until the callback that reads it runs again."""
     seconds = interval(flow, step)
     if seconds is None and following is not None:
         seconds = sending_interval(flow, following)

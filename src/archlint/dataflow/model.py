@@ -28,6 +28,8 @@ class StepKind(StringEnum):
     RESULT = "result"
     CALLBACK = "callback"
     """Code of a node that an executor, a thread or the program itself runs."""
+    FRAME = "frame"
+    """A coordinate frame of tf2: where it is, as the transforms say of which it is the child."""
     KEPT = "kept"
     """Attributes of an object in which a callback leaves something for another."""
     UNKNOWN = "unknown"
@@ -46,7 +48,7 @@ class How(StringEnum):
     SET = "set"
     """A callback leaves something in attributes."""
     READ = "read"
-    """A callback reads these."""
+    """A callback reads these, or looks up a transform."""
     MAY = "may"
     """A stranger may be at either end."""
 
@@ -67,6 +69,8 @@ class Step:
     calls: tuple[ApiCall, ...] = ()
     """What the callback calls of ROS, and where it waits."""
     connection: Connection | None = None
+    topic: str = ""
+    """Of a frame: the topic that brings its transforms."""
     reason: str = ""
     """Of unknown code and of a name that is not known: why."""
 

@@ -30,8 +30,6 @@ REQUESTS = frozenset(
         "rclpy.action.client.ActionClient.send_goal_async",
     }
 )
-LOOK_UP = "tf2_ros.buffer.Buffer."
-"""How the calls begin that read transforms."""
 ADD_DONE_CALLBACK = "rclpy.task.Future.add_done_callback"
 WAIT_FOR_MESSAGE = "rclpy.wait_for_message.wait_for_message"
 SENDS = frozenset({PUBLISH, *SEND_TRANSFORMS, *REQUESTS})
@@ -126,7 +124,6 @@ def registered_at(runs: Runs) -> Mapping[object, list[Run]]:
 
 __all__ = [
     "ADD_DONE_CALLBACK",
-    "LOOK_UP",
     "PUBLISH",
     "REQUESTS",
     "SCRIPT",

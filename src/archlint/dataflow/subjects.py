@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
+from archlint.analysis.transforms import looked_up_transforms, sent_transforms
 from archlint.dataflow.model import StepKind
 from archlint.model import NAMED
 
@@ -14,7 +15,7 @@ if TYPE_CHECKING:
     from archlint.systems.model import System
     from archlint.systems.nodes import Node
 
-SubjectKind = Literal["topic", "service", "action", "node"]
+SubjectKind = Literal["topic", "service", "action", "frame", "node"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,12 +43,13 @@ def subjects(flow: Flow, name: str) -> list[Subject]:
     wanted = {step.name for step in flow.steps if step.kind in _REQUESTS and step.name in (full, name)}
     wanted = wanted or _written(flow.system, name)
     meant = [_connection(flow, step) for step in flow.steps if step.kind in _REQUESTS and step.name in wanted]
+    meant += _frame(flow, name)
     nodes = [node for node in flow.system.entries if node.name == full or name in (node.name, _class_of(node))]
     meant += [_node(flow, node) for node in nodes]
     return sorted(meant, key=lambda subject: (_ORDER.index(subject.kind), subject.name))
 
 
-_ORDER: list[SubjectKind] = ["topic", "service", "action", "node"]
+_ORDER: list[SubjectKind] = ["topic", "service", "action", "frame", "node"]
 
 
 def known_names(system: System) -> Iterator[str]:
@@ -56,6 +58,8 @@ def known_names(system: System) -> Iterator[str]:
         yield from connections
     for node in system.entries:
         yield from (name for name in (node.name, _class_of(node)) if name)
+    for transform in (*sent_transforms(system), *looked_up_transforms(system)):
+        yield from (frame for frame in (transform.parent, transform.child) if frame is not None)
 
 
 def _written(system: System, name: str) -> set[str]:
@@ -67,7 +71,15 @@ def _written(system: System, name: str) -> set[str]:
 def _connection(flow: Flow, step: Step) -> Subject:
     back = [other for other in flow.steps if other.kind in _BACK and other.connection is step.connection]
     answered = [other for other in back if step.connection is not None and flow.out_of(other)]
-    return Subject(_REQUESTS[step.kind], step.name, (step,), (step, *answered))
+    frames = [other for other in flow.steps if other.kind == StepKind.FRAME and other.topic == step.name]
+    return Subject(_REQUESTS[step.kind], step.name, (step, *frames), (step, *answered, *frames))
+
+
+def _frame(flow: Flow, name: str) -> Iterator[Subject]:
+    """The coordinate frame of a name, on whatever topics its transforms are."""
+    steps = tuple(step for step in flow.steps if step.kind == StepKind.FRAME and step.name == name != "?")
+    if steps:
+        yield Subject("frame", name, steps, steps)
 
 
 _BACK = frozenset({StepKind.ANSWER, StepKind.RESULT})

@@ -44,7 +44,7 @@ def ranked(systems: Sequence[System]) -> Iterator[tuple[System, int]]:
 
 def _beside(systems: Sequence[System], trace: Trace) -> Iterator[Endpoint]:
     """The ends of a traced connection in nodes that no launch file starts."""
-    if trace.system.name is None or trace.subject.kind == "node":
+    if trace.system.name is None or trace.subject.kind in ("node", "frame"):
         return
     for system in systems:
         workspace = system.workspace

@@ -10,7 +10,7 @@ from archlint.interpreter.values import Value
 from archlint.libraries.api_use import argument_places
 from archlint.libraries.givens import given_by
 from archlint.libraries.python import clocks
-from archlint.libraries.rclpy import guards, message_contents, nodes, parameters
+from archlint.libraries.rclpy import guards, message_contents, nodes, parameters, transform_frames
 from archlint.libraries.tables import Api
 from archlint.libraries.values import MessageValue, creations_of
 from archlint.syntax import facts
@@ -31,11 +31,14 @@ def note(run: Run, api: Api, receiver: Value | None, bound: Bound, expression: f
     on = creations_of(receiver)
     key = _key(run, api, on, bound, expression)
     known = run.noted.watched.get(key)
+    frames = transform_frames.frames_of(run, api.path, bound)
     if known is not None:
+        known.frames += [pair for pair in frames if pair not in known.frames]
         _meet_again(run, known, on, bound)
         _sent_again(run, known, bound)
         return
     call = _new(run, api, receiver, bound, expression)
+    call.frames += dict.fromkeys(frames)
     run.noted.watched[key] = call
     run.program.calls.append(call)
 

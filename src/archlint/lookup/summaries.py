@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Union
 
 from archlint.analysis.kept import once
+from archlint.lookup.frames import FrameSummary, frame_summary, known_frames
 from archlint.lookup.index import Index
 from archlint.lookup.mentions import Subject
 from archlint.model import NAMED
@@ -52,7 +53,7 @@ class NodeSummary:
     node: Node
 
 
-Summary = Union[ConnectionSummary, ParameterSummary, NodeSummary]
+Summary = Union[ConnectionSummary, ParameterSummary, NodeSummary, FrameSummary]
 
 
 def connection_summary(index: Index, kind: ConnectionKind, name: str) -> ConnectionSummary:
@@ -90,11 +91,14 @@ def parameter_summary(index: Index, subject: Subject) -> ParameterSummary:
 
 def summaries(index: Index, name: str) -> list[Summary]:
     """All that has a name: topics, services and actions by their full names (the first slash may be missing) or else as
-    the code writes them, nodes by their names or the names of their classes, parameters by theirs."""
+    the code writes them, nodes by their names or the names of their classes, coordinate frames and parameters by
+    theirs."""
     full = name if name.startswith("/") else f"/{name}"
     connected = {key for key in _connected(index) if key[1] == full} or _written(index, name)
     answers: list[Summary] = [connection_summary(index, *key) for key in sorted(connected)]
     answers += [NodeSummary(node) for node in _nodes(index) if name in _names_of(node) or node.name == full]
+    frame = frame_summary(index, name)
+    answers += [frame] if frame is not None else []
     parameters = sorted(s for s in index.subjects() if s.kind == "parameter" and s.name == name)
     return [*answers, *(parameter_summary(index, subject) for subject in parameters)]
 
@@ -103,7 +107,9 @@ def known_names(index: Index) -> list[str]:
     """All names that :func:`summaries` knows, sorted."""
     names = {name for _, name in _connected(index)}
     names.update(name for node in _nodes(index) for name in (*_names_of(node), node.name or "") if name)
-    return sorted(names | {subject.name for subject in index.subjects() if subject.kind == "parameter"})
+    return sorted(
+        names | known_frames(index) | {subject.name for subject in index.subjects() if subject.kind == "parameter"}
+    )
 
 
 @once
@@ -144,6 +150,7 @@ def _names_of(node: Node) -> Iterable[str]:
 
 __all__ = [
     "ConnectionSummary",
+    "FrameSummary",
     "NodeSummary",
     "ParameterSummary",
     "Summary",

@@ -35,6 +35,7 @@ from archlint.model.overrides import Overrides, node_key
 from archlint.model.programs import Program
 from archlint.model.refused import Misuse, RefusedCall
 from archlint.model.texts import Resolution, Text
+from archlint.model.transforms import FramePair
 
 __all__ = [
     "ENDPOINT_KINDS",
@@ -51,6 +52,7 @@ __all__ = [
     "ExecutorUse",
     "FieldUse",
     "Frame",
+    "FramePair",
     "FunctionRef",
     "Group",
     "GroupKind",

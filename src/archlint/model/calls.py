@@ -10,6 +10,7 @@ if TYPE_CHECKING:
     from archlint.finding import Place
     from archlint.model.given import Given
     from archlint.model.nodes import Blueprint, Callback, Creation, Frame
+    from archlint.model.transforms import FramePair
 
 
 @dataclass(eq=False)
@@ -49,6 +50,8 @@ class ApiCall:
     """Whether it is reached only where something has failed, and the callback ends with it."""
     call_chains: list[tuple[tuple[Frame, ...], tuple[Place, ...], tuple[Creation, ...]]] = field(default_factory=list)
     """Other chains (the loops on them, the endpoints it is for) from the same context, through the same arms."""
+    frames: list[FramePair] = field(default_factory=list)
+    """The coordinate frames that it is about, if it sends or looks up transforms."""
 
     @property
     def looped(self) -> bool:

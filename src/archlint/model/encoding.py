@@ -39,6 +39,7 @@ from archlint.model.nodes import (
 from archlint.model.programs import Program
 from archlint.model.refused import Misuse, RefusedCall
 from archlint.model.texts import Text
+from archlint.model.transforms import FramePair
 from archlint.reasons import NotPassed, Uninformative
 from archlint.ros.qos import Qos
 
@@ -94,7 +95,7 @@ PROGRAMS: Final = Language(
         *(NotPassed, Uninformative),
     ),
     (
-        *(ApiCall, Blueprint, Callback, Creation, ExecutorUse, FieldUse, Frame, FunctionRef, Group),
+        *(ApiCall, Blueprint, Callback, Creation, ExecutorUse, FieldUse, Frame, FramePair, FunctionRef, Group),
         *(
             MistakenFuture,
             NodeClass,

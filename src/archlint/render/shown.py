@@ -7,17 +7,19 @@ from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from archlint.json_text import json_text
-from archlint.lookup.summaries import ConnectionSummary, NodeSummary, ParameterSummary, Summary
+from archlint.lookup.summaries import ConnectionSummary, FrameSummary, NodeSummary, ParameterSummary, Summary
 from archlint.model import EntityKind
 from archlint.render import json, look, text
 
 if TYPE_CHECKING:
+    from archlint.analysis.transforms import Transform
     from archlint.place import Place
     from archlint.render.text import Cell, Paint
     from archlint.systems.nodes import Endpoint
 
 VERSION = 1
 _SIDES = {"topic": ("publishers", "subscribers"), "service": ("servers", "clients"), "action": ("servers", "clients")}
+_NO_FRAME = "a frame that is not known"
 _OF_TOPICS = (EntityKind.PUBLISHER, EntityKind.SUBSCRIBER)
 
 
@@ -33,11 +35,35 @@ def _block(answer: Summary, paint: Paint) -> Iterator[str]:
             yield from _connection(answer, paint)
         case ParameterSummary():
             yield from _parameter(answer, paint)
+        case FrameSummary():
+            yield from _frame(answer, paint)
         case NodeSummary(node=node):
             launched = f"  {paint(node.launched_by, 'quiet')}" if node.launched_by else ""
             first, *rest = text.entry(node, paint).split("\n")
             yield f"{paint('node', 'plain')} {first}{launched}"
             yield from rest
+
+
+def _frame(answer: FrameSummary, paint: Paint) -> Iterator[str]:
+    yield f"{paint('frame', 'plain')} {paint(answer.name, 'name')}"
+    rows = [_transform_row("sent by", row, f"in {row.parent or _NO_FRAME}") for row in answer.sent]
+    rows += [_transform_row("sent in it", row, row.child or _NO_FRAME) for row in answer.hanging]
+    rows += [
+        _transform_row("looked up by", row, f"from {row.child or _NO_FRAME} to {row.parent or _NO_FRAME}")
+        for row in answer.looked_up
+    ]
+    if not answer.sent:
+        rows.insert(0, [("sent by", "plain"), ("no node here", "quiet"), ("", "plain"), ("", "plain")])
+    if not answer.looked_up:
+        rows.append([("looked up by", "plain"), ("no node here", "quiet"), ("", "plain"), ("", "plain")])
+    yield from text.table(rows, paint)
+
+
+def _transform_row(words: str, row: Transform, frames: str) -> Sequence[Cell]:
+    name = "?" if row.node is None else row.node.name or "a node whose name is not known"
+    notes = [frames, *([] if row.certain else ["perhaps"])]
+    notes += [row.node.launched_by] if row.node is not None and row.node.launched_by else []
+    return [(words, "plain"), (name, "node"), (_where(row.place), "quiet"), (", ".join(notes), "quiet")]
 
 
 def _connection(answer: ConnectionSummary, paint: Paint) -> Iterator[str]:
@@ -121,7 +147,27 @@ def _document(answer: Summary) -> dict[str, Any]:
             }
         case ParameterSummary():
             return {"kind": "parameter", **_parameter_document(answer)}
+        case FrameSummary():
+            return {
+                "kind": "frame",
+                "name": answer.name,
+                "sent": [_transform_document(row, "parent", "child") for row in answer.sent],
+                "sent_in_it": [_transform_document(row, "parent", "child") for row in answer.hanging],
+                "looked_up": [_transform_document(row, "target", "source") for row in answer.looked_up],
+            }
     return {"kind": "node", **json.node_data(answer.node)}
+
+
+def _transform_document(row: Transform, parent: str, child: str) -> dict[str, Any]:
+    node = row.node
+    return {
+        "node": None if node is None else node.name,
+        "launched_by": None if node is None else node.launched_by,
+        parent: row.parent,
+        child: row.child,
+        "certain": row.certain,
+        **_place_document(row.place),
+    }
 
 
 def _end_document(end: Endpoint, rate: float | None) -> dict[str, Any]:

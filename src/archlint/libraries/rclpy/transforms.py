@@ -70,4 +70,4 @@ def transform_buffer(run: Run, call: ApiUse) -> Value:
         for blueprint in nodes.given_nodes(run, node):
             text = model.Text("tf2_frames", "exact")
             create(run, part, blueprint, text, "tf2_msgs/srv/FrameGraph", None, presets.DEFAULT, None)
-    return Instance(External("tf2_ros.buffer.Buffer"), run.store.new_key())
+    return Instance(External(call.api.path), run.store.new_key())

@@ -67,6 +67,7 @@ ROWS = (
         returns="tf2_ros.static_transform_listener.StaticTransformListener",
     ),
     Api("tf2_ros.buffer.Buffer", "cache_time node", effect="transform_buffer", node="node"),
+    Api("tf2_ros.buffer_h.Buffer", "clock cache_time node qos", effect="transform_buffer", node="node"),
     Api(
         "tf2_ros.buffer_client.BufferClient",
         "node ns check_frequency timeout_padding",

@@ -6,6 +6,8 @@ from archlint import model
 from archlint.libraries.tables.api import Api
 from archlint.model import Role
 
+_FULL = "target_frame target_time source_frame source_time fixed_frame timeout"
+
 ROWS = (
     # ---- clients
     Api("rclpy.client.Client.call", "request timeout_sec", effect="wait_answer", watched=True),
@@ -57,15 +59,21 @@ ROWS = (
     ),
     Api("rclpy.timer.Rate.sleep", watched=True),
     Api("rclpy.node.Node.wait_for_node", "fully_qualified_node_name timeout", watched=True),
-    Api(
-        "tf2_ros.buffer.Buffer.lookup_transform",
-        "target_frame source_frame time timeout",
-        watched=True,
+    *(
+        Api(f"tf2_ros.buffer.Buffer.{method}", signature, watched=True)
+        for method, signature in (
+            ("lookup_transform", "target_frame source_frame time timeout"),
+            ("lookup_transform_async", "target_frame source_frame time"),
+            ("lookup_transform_full", _FULL),
+            ("wait_for_transform_async", "target_frame source_frame time"),
+            ("can_transform", "target_frame source_frame time timeout return_debug_tuple"),
+            ("can_transform_full", f"{_FULL} return_debug_tuple"),
+            ("transform", "object_stamped target_frame timeout new_type"),
+        )
     ),
-    Api(
-        "tf2_ros.buffer.Buffer.can_transform",
-        "target_frame source_frame time timeout return_debug_tuple",
-        watched=True,
+    *(  # C++'s buffer, which other names are for: tf2_ros/buffer.h
+        Api(f"tf2_ros.buffer_h.Buffer.{method}", "target_frame source_frame time timeout", watched=True)
+        for method in ("lookupTransform", "canTransform")
     ),
 )
 

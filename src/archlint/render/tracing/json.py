@@ -69,7 +69,7 @@ def step_data(flow: Flow, step: Step, number: int) -> dict[str, Any]:
         "role": None if step.callback is None else str(step.callback.role),
         "types": [] if step.connection is None else step.connection.types,
         "period_s": interval(flow, step),
-        "rate_hz": (topic_rate(flow, step) or None) if step.kind == StepKind.TOPIC else None,
+        "rate_hz": (topic_rate(flow, step) or None) if step.kind in (StepKind.TOPIC, StepKind.FRAME) else None,
         "pauses": [
             {"message": pause.words, "most_s": pause.most, "least_s": pause.least, **_place(pause.place)}
             for pause in pauses(flow.system, step)

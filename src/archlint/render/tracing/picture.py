@@ -27,6 +27,7 @@ _COLOURS = {
     StepKind.ACTION: "action",
     StepKind.RESULT: "action",
     StepKind.CALLBACK: "node",
+    StepKind.FRAME: "topic",
     StepKind.KEPT: "topic",
     StepKind.UNKNOWN: "aside",
     StepKind.STRANGER: "aside",
@@ -37,6 +38,7 @@ _SHAPES = {
     StepKind.ANSWER: "hexagon",
     StepKind.ACTION: "octagon",
     StepKind.RESULT: "octagon",
+    StepKind.FRAME: "tab",
     StepKind.KEPT: "note",
 }
 _BRACKETS = {
@@ -45,6 +47,7 @@ _BRACKETS = {
     StepKind.ANSWER: ('{{"', '"}}'),
     StepKind.ACTION: ('[["', '"]]'),
     StepKind.RESULT: ('[["', '"]]'),
+    StepKind.FRAME: ('[/"', '"/]'),
     StepKind.KEPT: ('>"', '"]'),
 }
 Row = tuple["Flow", Sequence[Step], Sequence[Link], frozenset[int]]

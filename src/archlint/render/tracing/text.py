@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from archlint.dataflow.latency import Term
     from archlint.dataflow.model import Flow
     from archlint.dataflow.paths import Branch, Direction
+    from archlint.dataflow.subjects import SubjectKind
     from archlint.dataflow.traces import Trace, Way
     from archlint.render.text import Paint
 
@@ -77,10 +78,22 @@ def _body(trace: Trace, paint: Paint) -> Iterator[str]:
 
 
 def _nothing(trace: Trace, direction: Direction) -> str:
-    kind = trace.subject.kind
-    if direction == "back":
-        return {"topic": "nobody here publishes it", "node": "nothing that is known"}.get(kind, "nobody here calls it")
-    return {"topic": "nobody here subscribes to it", "node": "nothing that is known"}.get(kind, "nobody here serves it")
+    return _NOTHING[direction].get(trace.subject.kind, "nothing that is known")
+
+
+_NOTHING: Mapping[Direction, Mapping[SubjectKind, str]] = {
+    "back": {
+        "topic": "nobody here publishes it",
+        **dict.fromkeys(("service", "action"), "nobody here calls it"),
+        "frame": "no node here is seen to send it as the child of another frame",
+    },
+    "on": {
+        "topic": "nobody here subscribes to it",
+        **dict.fromkeys(("service", "action"), "nobody here serves it"),
+        "frame": "no transform that is looked up is seen to depend on it",
+    },
+}
+"""What is said where a trace has nothing to show, by what is traced."""
 
 
 # -------------------------------------------------------------------------------------------------- the tree
@@ -99,7 +112,7 @@ def _tree(flow: Flow, root: Branch, direction: Direction, paint: Paint, with_roo
 
 def _step_line(flow: Flow, branch: Branch, direction: Direction, paint: Paint) -> str:
     step, link = branch.step, branch.link
-    if link is None and step.connection is not None:
+    if link is None and (step.connection is not None or step.kind == StepKind.FRAME):
         return paint(title(step), "name")
     words = [paint(relation(link, direction), "plain")] if link is not None else []
     if step.node is not None and step.kind != StepKind.STRANGER:

@@ -45,6 +45,7 @@ _BACK: dict[tuple[How, StepKind], str] = {
     (How.SEND, StepKind.ANSWER): "answered by",
     (How.SEND, StepKind.ACTION): "sent by",
     (How.SEND, StepKind.RESULT): "given by",
+    (How.SEND, StepKind.FRAME): "sent by",
     (How.SET, StepKind.KEPT): "set by",
     (How.SET, StepKind.UNKNOWN): "perhaps from",
     (How.MAY, StepKind.STRANGER): "perhaps from",
@@ -57,6 +58,7 @@ _ARRIVES = {
     StepKind.ACTION: "on a goal of",
     StepKind.RESULT: "on feedback or a result of",
     StepKind.KEPT: "reads",
+    StepKind.FRAME: "looks up the frame",
 }
 _ON: dict[tuple[How, StepKind], str] = {
     (How.SEND, StepKind.TOPIC): "publishes",
@@ -64,6 +66,7 @@ _ON: dict[tuple[How, StepKind], str] = {
     (How.SEND, StepKind.ANSWER): "answers",
     (How.SEND, StepKind.ACTION): "sends a goal to",
     (How.SEND, StepKind.RESULT): "gives feedback and result of",
+    (How.SEND, StepKind.FRAME): "sends the frame",
     (How.SET, StepKind.KEPT): "sets",
     (How.SET, StepKind.UNKNOWN): "perhaps goes on to",
     (How.READ, StepKind.CALLBACK): "read by",
@@ -85,6 +88,8 @@ def relation(link: Link, direction: Direction) -> str:
         if link.how in (How.ARRIVE, How.READ):
             return _ARRIVES.get(link.tail.kind, "from")
         return _BACK.get((link.how, link.head.kind), "perhaps from")
+    if link.tail.kind == StepKind.FRAME:
+        return "looked up by"
     if link.how == How.ARRIVE:
         return _TAKEN.get(link.tail.kind, "taken by")
     return _ON.get((link.how, link.head.kind), "perhaps to")
@@ -99,6 +104,8 @@ def step_name(step: Step) -> str:
     """What a step is called; code that is not known has no name."""
     if step.kind == StepKind.UNKNOWN:
         return "" if step.name == IDLE else "code that is not known"
+    if step.kind == StepKind.FRAME and step.reason:
+        return "that is not known"
     names = step.name.split(", ")
     return step.name if len(names) <= _NAMES else f"{', '.join(names[:_NAMES])} and {len(names) - _NAMES} more"
 
@@ -112,6 +119,7 @@ _TITLES = {
     StepKind.ANSWER: "answers of ",
     StepKind.ACTION: "goals of ",
     StepKind.RESULT: "feedback and results of ",
+    StepKind.FRAME: "frame ",
 }
 
 
@@ -131,7 +139,7 @@ def notes(flow: Flow, step: Step) -> Iterator[str]:
         elif callback.role == Role.TIMER:
             period = None if callback.creation is None else callback.creation.period
             yield f"every {period:.3g} s unless it is stopped" if period else "period not known"
-    if step.kind == StepKind.TOPIC:
+    if step.kind in (StepKind.TOPIC, StepKind.FRAME):
         hertz = topic_rate(flow, step)
         if hertz:
             yield f"{hertz:.3g} Hz"

@@ -35,7 +35,7 @@ IN_PYTHON = {
     "rclcpp_action.create_server": "rclpy.action.server.ActionServer",
     "rclcpp_action.create_client": "rclpy.action.client.ActionClient",
     "message_filters.Subscriber": "message_filters.Subscriber",
-    "tf2_ros.Buffer": "tf2_ros.buffer.Buffer",
+    "tf2_ros.Buffer": "tf2_ros.buffer_h.Buffer",
     "tf2_ros.TransformBroadcaster": "tf2_ros.transform_broadcaster.TransformBroadcaster",
     "tf2_ros.StaticTransformBroadcaster": "tf2_ros.static_transform_broadcaster.StaticTransformBroadcaster",
     "tf2_ros.TransformListener": "tf2_ros.transform_listener.TransformListener",

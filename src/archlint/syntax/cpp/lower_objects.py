@@ -78,7 +78,7 @@ class ObjectLowering(ExpressionLowering):
             and mapped.endswith("Listener")
             and (len(values) < 2 or isinstance(values[1], facts.Literal))
         ):
-            return facts.Opaque("a listener with a node of its own", span)
+            values = values[:1]  # a listener with a node of its own
         if mapped.endswith("Executor") and not mapped.endswith("MultiThreadedExecutor"):
             values = []
         if path == "rclcpp.Parameter":
