@@ -6,7 +6,7 @@ import contextlib
 import errno
 import os
 import stat
-from collections.abc import Collection
+from collections.abc import Collection, Iterator
 from pathlib import Path
 
 
@@ -29,6 +29,29 @@ def read_regular(path: str | Path, limit: int) -> bytes:
     if len(data) > limit:
         raise OSError(errno.EFBIG, f"the file is too large: the limit is {limit // 1000} kB", path)
     return data
+
+
+def walk(top: str | Path) -> Iterator[tuple[str, list[str], list[str]]]:
+    """As :func:`os.walk`, which before Python 3.12 calls itself for each folder: it fails in a tree of 1,000 levels."""
+    waiting = [os.fspath(top)]
+    while waiting:
+        folder = waiting.pop()
+        try:
+            with os.scandir(folder) as entries:
+                is_folder = {entry.name: _leads_to_folder(entry) for entry in entries}
+        except OSError:
+            continue
+        folders = [name for name, leads_on in is_folder.items() if leads_on]
+        yield folder, folders, [name for name, leads_on in is_folder.items() if not leads_on]
+        below = (os.path.join(folder, name) for name in reversed(folders))
+        waiting.extend(path for path in below if not os.path.islink(path))
+
+
+def _leads_to_folder(entry: os.DirEntry[str]) -> bool:
+    try:
+        return entry.is_dir()
+    except OSError:  # a link to itself
+        return False
 
 
 def lies_in(path: str | Path, folders: Collection[str]) -> bool:

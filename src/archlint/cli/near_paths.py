@@ -6,6 +6,7 @@ import os
 from collections.abc import Iterator
 
 from archlint.cli import COMMANDS, habits
+from archlint.disk import walk
 from archlint.rulebook import codes_of
 from archlint.suggestions import listed, meant, nearest
 from archlint.workspace.around import workspace_around
@@ -75,7 +76,7 @@ def named_below(name: str) -> list[str]:
 
 def _all_below(start: str = ".") -> Iterator[str]:
     left = _MOST
-    for folder, folders, files in os.walk(start):
+    for folder, folders, files in walk(start):
         folders[:] = sorted(name for name in folders if not name.startswith(".") and name not in _PASSED_OVER)
         left -= len(folders) + len(files)
         if left < 0:

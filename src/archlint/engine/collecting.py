@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from archlint.analysis.pinned import PINNING_FILES, PINNING_FOLDERS
-from archlint.disk import read_regular
+from archlint.disk import read_regular, walk
 from archlint.engine.facts_file import CodeRow, FileRow, ProblemRow, Shard
 from archlint.engine.facts_folder import FactsError
 from archlint.workspace.around import is_below
@@ -142,7 +142,7 @@ class _Collecting:
     def add_folder(self, top: str) -> None:
         bare: set[str] = set()
         """Folders of which only the names are written down."""
-        for folder, folders, names in os.walk(top):
+        for folder, folders, names in walk(top):
             folders[:] = sorted(name for name in folders if not name.startswith((".", "__pycache__")))
             if folder in self._done:
                 continue

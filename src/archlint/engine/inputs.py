@@ -133,9 +133,10 @@ def refuse_nothing(request: Request, workspace: Workspace, facts: FactsOfFiles) 
         return
     if not _is_for_ros(workspace):
         files = len(compiled_files(workspace))
+        problems = "".join(f"\n{problem.file}: {problem.message}" for problem in workspace.problems[:3])
         raise NothingToDo(
-            f"nothing to check in {', '.join(request.paths)}: no package.xml, no launch file, "
-            f"and nothing that uses rclpy or rclcpp in {files} file{'s' if files > 1 else ''} of Python or C++"
+            f"nothing to check in {', '.join(request.paths)}: no package.xml, no launch file, and nothing that uses "
+            f"rclpy or rclcpp in {files} file{'' if files == 1 else 's'} of Python or C++{problems}"
         )
 
 

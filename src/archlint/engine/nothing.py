@@ -7,6 +7,7 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from itertools import islice
 
+from archlint.disk import walk
 from archlint.suggestions import listed
 from archlint.workspace.kinds import kind_of
 from archlint.workspace.model import CODE_KINDS, LAUNCH_TEXT_KINDS, SourceKind
@@ -67,7 +68,7 @@ def _files(path: str) -> Iterator[tuple[str, str]]:
     """The files there that are not hidden: the folder and the name of each."""
     if os.path.isfile(path):
         yield os.path.split(path)
-    for around, folders, names in os.walk(path):
+    for around, folders, names in walk(path):
         folders[:] = sorted(name for name in folders if not name.startswith("."))
         yield from ((around, name) for name in sorted(names) if not name.startswith("."))
 

@@ -18,6 +18,7 @@ from pathlib import Path
 from types import FrameType
 from typing import TYPE_CHECKING
 
+from archlint.disk import walk
 from archlint.engine.git import GitError, Repository, TreeEntry
 from archlint.workspace.around import ROOT_MARKS, has, is_below
 from archlint.workspace.kinds import kind_of
@@ -124,7 +125,7 @@ class OldTree:
     def _remove_ways_out(self, root: str) -> None:
         """Remove the symbolic links of a repository that lead out of it, by whichever others."""
         top = os.path.realpath(self.place(root))
-        for folder, folders, names in os.walk(top):
+        for folder, folders, names in walk(top):
             for name in (*folders, *names):
                 path = os.path.join(folder, name)
                 if os.path.islink(path) and not is_below(os.path.realpath(path), top):

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from archlint.disk import read_regular, replace_file
+from archlint.disk import read_regular, replace_file, walk
 from archlint.render.pages import MARK
 
 _LIMIT = 20_000_000
@@ -76,7 +76,7 @@ def _ours(path: Path) -> bytes:
 def _written_before(folder: Path) -> Iterator[str]:
     """The pages in a folder that have archlint's mark; links lead elsewhere and are not followed."""
     looked_at = 0
-    for parent, folders, files in os.walk(folder):
+    for parent, folders, files in walk(folder):
         folders.sort()
         for name in sorted(files):
             looked_at += 1

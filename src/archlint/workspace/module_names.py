@@ -43,19 +43,26 @@ class ModuleNames:
 
     def _packages(self, folder: str) -> tuple[str, ...]:
         """The names of the Python packages that a file in ``folder`` is in, the outermost first."""
-        if folder not in self._known:
-            self._known[folder] = self._find_packages(folder)
-        return self._known[folder]
+        inner: list[str] = []
+        while folder not in self._known:
+            outermost = self._outermost(folder)
+            if outermost is None:
+                inner.append(folder)
+                folder = os.path.dirname(folder)
+            else:
+                self._known[folder] = outermost
+        around = self._known[folder]
+        for folder in reversed(inner):
+            # A folder inside a package is one too, with __init__.py or without.
+            is_package = around or self._is_package(folder) or self._is_own_folder(folder)
+            around = self._known[folder] = (*around, os.path.basename(folder)) if is_package else ()
+        return around
 
-    def _find_packages(self, folder: str) -> tuple[str, ...]:
+    def _outermost(self, folder: str) -> tuple[str, ...] | None:
+        """The packages of a folder that is in none of the folders above it; None where those decide."""
         if folder in self._installed_as:
             return (self._installed_as[folder],)
-        parent, name = os.path.split(folder)
-        if folder == self._root or not name.isidentifier():
-            return ()
-        around = self._packages(parent)
-        # A folder inside a package is one too, with __init__.py or without.
-        return (*around, name) if around or self._is_package(folder) or self._is_own_folder(folder) else ()
+        return () if folder == self._root or not os.path.basename(folder).isidentifier() else None
 
     def _is_package(self, folder: str) -> bool:
         if folder in self._inits:

@@ -12,7 +12,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Protocol
 
-from archlint.disk import read_regular
+from archlint.disk import read_regular, walk
 from archlint.workspace.words import Words
 
 if TYPE_CHECKING:
@@ -244,7 +244,7 @@ class SourceTree:
         files: list[str] = []
         if real is None:
             return files
-        for top, folders, names in os.walk(real):
+        for top, folders, names in walk(real):
             folders[:] = sorted(name for name in folders if not name.startswith((".", "__pycache__")))
             below = Path(top).relative_to(real).as_posix()
             for name in names:
