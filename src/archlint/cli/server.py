@@ -25,7 +25,10 @@ def parser() -> Parser:
 def run(arguments: argparse.Namespace) -> int:
     if importlib.util.find_spec("pygls") is None or importlib.util.find_spec("lsprotocol") is None:
         raise UsageError('the server needs what is not installed: pip install "archlint[lsp]"')
-    from archlint.server.language_server import serve  # with all that analyses
+    from archlint.server.language_server import DamagedFrame, serve  # with all that analyses
 
-    serve()
+    try:
+        serve()
+    except DamagedFrame as error:
+        raise UsageError(f"standard input is no language client: {error}") from None
     return CLEAN

@@ -6,7 +6,7 @@ import asyncio
 import gc
 import sys
 from collections.abc import Callable, Sequence
-from typing import TypeVar
+from typing import BinaryIO, TypeVar, cast
 
 from lsprotocol import types as lsp
 from pygls.lsp.server import LanguageServer
@@ -14,6 +14,7 @@ from pygls.lsp.server import LanguageServer
 from archlint import __version__
 from archlint.server.actions import FIX_ALL
 from archlint.server.editor import Client, Editor, Published
+from archlint.server.frames import DamagedFrame, Frames
 from archlint.server.name_features import answer_about_names
 from archlint.server.uris import path_of
 
@@ -131,18 +132,20 @@ def _answer(server: ArchlintServer) -> None:
 
 
 def serve() -> None:
-    """Serve one client over standard input and output, until it leaves.
+    """Serve one client over standard input and output, until it leaves.  Raises :class:`DamagedFrame`.
 
     Garbage is collected between analyses only (:data:`archlint.server.worker.REST`): it takes a third of their time.
     """
     gc.disable()
     server = make_server()
-    output = sys.stdout.buffer
+    messages, output = Frames(sys.stdin.buffer), sys.stdout.buffer
     sys.stdout = sys.stderr  # whatever else is printed must not come between the messages
     try:
-        server.start_io(sys.stdin.buffer, output)
+        server.start_io(cast("BinaryIO", messages), output)
     finally:
         server.editor.close()
+    if messages.mistake is not None:
+        raise DamagedFrame(messages.mistake)
 
 
-__all__ = ["ArchlintServer", "make_server", "serve"]
+__all__ = ["ArchlintServer", "DamagedFrame", "make_server", "serve"]

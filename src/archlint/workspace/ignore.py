@@ -1,5 +1,6 @@
 """What git ignores: ``.gitignore`` files, each for its folder, and ``.git/info/exclude``.
 
+The ``info/exclude`` of a linked worktree lies in another repository, outside of what is checked, and is not read.
 pathspec does the matching, and is imported only where there is a pattern.
 """
 
