@@ -1007,3 +1007,81 @@ def test_messages_of_which_none_takes_back_another(judge: Judge, package: str, k
     mark = "  # here" if told else ""
     nodes = node.format(name="Left", kind=kind, mark="") + node.format(name="Right", kind=kind, mark=mark)
     judge("OWN001", head + nodes + end)
+
+
+SENDING = """
+    import rclpy
+    from geometry_msgs.msg import Twist
+    from rclpy.executors import SingleThreadedExecutor
+    from rclpy.node import Node
+    from sensor_msgs.msg import Image
+    from std_msgs.msg import String
+    from std_srvs.srv import Trigger
+
+
+    class Left(Node):
+        def __init__(self):
+            super().__init__('left')
+            self.moving, self.image = False, None
+            self.pub = self.create_publisher(Twist, '/cmd_vel', 10)
+            self.create_subscription(Image, '/camera', self.keep, 10)
+            {left}
+
+        def on(self, *given):
+            {body}
+
+        def keep(self, image):
+            self.moving, self.image = image.width > 0, image
+
+        def send(self):
+            command = Twist()
+            command.linear.x = 1.0
+            self.pub.publish(command)
+
+
+    class Right(Node):
+        def __init__(self):
+            super().__init__('right')
+            self.pub = self.create_publisher(Twist, '/cmd_vel', 10)
+            self.create_service(Trigger, '/go', self.on)
+
+        def on(self, request, response):
+            command = Twist()
+            command.linear.x = 2.0
+            self.pub.publish(command)
+            return response
+
+
+    def main():
+        rclpy.init()
+        executor = SingleThreadedExecutor()
+        executor.add_node(Left())
+        executor.add_node(Right())
+        executor.spin()
+
+
+    main()
+"""
+TIMER = "self.create_timer(0.1, self.on)"
+IMAGES = "self.create_subscription(Image, '/image', self.on, 10)"
+
+
+@pytest.mark.parametrize(
+    ("left", "body", "told"),
+    [
+        (TIMER, "self.send()", True),
+        (IMAGES, "self.send()", True),
+        (TIMER, "if self.image is None:\n                return\n            self.send()", True),
+        (TIMER, "if self.image is not None:\n                self.send()", True),
+        (TIMER, "if self.moving:\n                self.send()\n            else:\n                self.send()", True),
+        (TIMER, "if self.moving:\n                self.send()", False),
+        ("self.create_subscription(String, '/word', self.on, 10)", "self.send()", False),
+        ("self.create_service(Trigger, '/halt', self.on)", "self.send()", False),
+    ],
+)
+def test_two_that_each_speak_on_an_occasion_share_a_topic(judge: Judge, left: str, body: str, told: bool):
+    """Right sends when it is asked to: the two disagree only where Left sends again and again."""
+    source = SENDING.replace("{left}", left).replace("{body}", body)
+    # The last publisher in the source is where the finding is.
+    last = source.rindex("'/cmd_vel', 10)") + len("'/cmd_vel', 10)")
+    judge("OWN001", source[:last] + ("  # here" if told else "") + source[last:])

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
 _PUBLISH = "rclpy.publisher.Publisher.publish"
 _WORD = frozenset({"Bool", "String", "Int8", "Int16", "Int32", "Int64", "UInt8", "UInt16", "UInt32", "UInt64"})
-_WORDS = frozenset({f"std_msgs/msg/{name}" for name in _WORD} | {"std_srvs/srv/SetBool", "std_srvs/srv/Trigger"})
+WORDS = frozenset({f"std_msgs/msg/{name}" for name in _WORD} | {"std_srvs/srv/SetBool", "std_srvs/srv/Trigger"})
 """Messages and requests that can say whose turn it is; measurements have types of their own."""
 _HALTS = frozenset(
     {"collision", "emergency", "estop", "fault", "halt", "kill", "obstacle", "obstacles", "pause", "safety", "stop"}
@@ -226,7 +226,7 @@ def _attribute_words(code: SourceCode, node: Node) -> dict[tuple[str, str], set[
     """The attributes of ``self``, with their file, that callbacks for such words set."""
     words: dict[tuple[str, str], set[_Word]] = {}
     for end in node.of_kind(EntityKind.SUBSCRIBER, EntityKind.SERVICE):
-        if end.type not in _WORDS or end.name is None or _halts(end.name):
+        if end.type not in WORDS or end.name is None or _halts(end.name):
             continue
         for callback in end.creation.callbacks.values():
             for attribute in _sets(code.definition(callback)):
@@ -298,4 +298,4 @@ def _gives(node: Node) -> frozenset[_Word]:
     )
 
 
-__all__ = ["never_speaks", "publishes_of", "publishes_with", "speaks_once", "take_turns"]
+__all__ = ["WORDS", "never_speaks", "publishes_of", "publishes_with", "speaks_once", "take_turns"]

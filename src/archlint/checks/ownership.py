@@ -16,6 +16,7 @@ from archlint.analysis.echoes import is_driven, repeats
 from archlint.analysis.happenings import are_events, are_requests
 from archlint.analysis.owners import several_owners, some_coexist
 from archlint.analysis.sharing import are_words, is_bus, is_state
+from archlint.analysis.streams import sends_again_and_again, waits_for_nobody
 from archlint.analysis.switched_off import switch_of
 from archlint.analysis.taken_in import ask_with_true, say_whose
 from archlint.checks.folding import folds
@@ -64,8 +65,10 @@ def _is_meant(system: System, connection: Connection, owners: list[Endpoint]) ->
     speaking = [end for end in owners if not is_driven(system, end, owners) and not repeats(system, end)]
     if len({id(end.node) for end in speaking}) < 2:
         return True
-    if sum(switch_of(system, end) is None for end in owners) < 2:
+    if sum(switch_of(system, end) is None and not waits_for_nobody(system, end) for end in owners) < 2:
         return True  # as started here, one of them says something
+    if not any(sends_again_and_again(system, end) for end in owners):
+        return True  # each speaks on an occasion: who sent last is meant to be obeyed
     if not some_coexist(system, owners) and (
         has_launch_files(system)
         or _says_what_happens(connection.name)
