@@ -474,28 +474,37 @@ def test_an_error_in_code_that_no_package_installs_is_information(tmp_path, monk
     assert sleep.message.endswith("; no installed program uses this file") == (severity is Severity.INFO)
 
 
-@pytest.mark.parametrize(("path", "count"), [("robot/driver.py", 2), ("tools/reference.py", 1)])
-def test_what_a_rule_says_of_such_a_file_is_one_finding(tmp_path, monkeypatch, path: str, count: int):
+@pytest.mark.parametrize(
+    ("paths", "count", "copies"),
+    [
+        (["robot/driver.py"], 2, ""),
+        (["tools/reference.py"], 1, ""),
+        (["tools/reference.py", "tools/reference_2.py"], 1, " so does a copy beside it;"),
+        (["tools/reference.py", "more/reference.py"], 2, ""),
+    ],
+)
+def test_what_a_rule_says_of_such_a_file_is_one_finding(tmp_path, monkeypatch, paths, count: int, copies: str):
     again = SLEEPS.replace(
         "        self.rate.sleep()\n", "        self.rate.sleep()\n\n    def more(self):\n        lost.x\n"
     )
     again += "\n\ndef other():\n    return missing\n"
     files = {"package.xml": MANIFEST.strip(), "setup.py": SETUP.replace("{more}", ""), "robot/__init__.py": ""}
-    for name, text in {**files, "robot/driver.py": "def main(): pass\n", path: again}.items():
+    for name, text in {**files, "robot/driver.py": "def main(): pass\n"}.items():
         (tmp_path / name).parent.mkdir(exist_ok=True, parents=True)
         (tmp_path / name).write_text(text, encoding="utf-8")
+    for number, path in enumerate(paths):
+        (tmp_path / path).parent.mkdir(exist_ok=True)
+        (tmp_path / path).write_text(f"{again}# {number}\n", encoding="utf-8")
     monkeypatch.chdir(tmp_path)
     rows = check(Request((".",), Settings(), cached=False, jobs=1)).findings
     undefined = [finding for finding in rows if finding.code == "API005"]
     assert len(undefined) == count
     if count == 1:
         assert undefined[0].message == (
-            "nothing defines 'lost': this line fails with a NameError; another line like it; "
+            f"nothing defines 'lost': this line fails with a NameError; another line like it;{copies} "
             "no installed program uses this file"
         )
-        assert [row.message for row in undefined[0].related] == [
-            "nothing defines 'missing': this line fails with a NameError"
-        ]
+        assert undefined[0].related[0].message == "nothing defines 'missing': this line fails with a NameError"
 
 
 @pytest.mark.parametrize(

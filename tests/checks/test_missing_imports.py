@@ -70,6 +70,18 @@ def test_an_import_that_finds_nothing(said: Callable[..., list[Finding]], line: 
     assert (finding.message, finding.help, finding.place.line) == (message, help, 3)
 
 
+def test_modules_of_a_folder_beside_the_script_are_one_finding(said: Callable[..., list[Finding]]) -> None:
+    files = {"robot/tools/lens.py": "", "robot/tools/shutter.py": ""}
+    (finding,) = said("import tools.lens\nimport tools.shutter", **files)
+    assert finding.message == (
+        "'tools.lens' is not found once a console script imports this file: its folder is not on Python's path; "
+        "another import of the file does the same"
+    )
+    assert finding.help == "write `from robot.tools.lens import …`, and give tools an __init__.py"
+    (finding,) = said("import tools.lens", **files, **{"robot/tools/__init__.py": ""})
+    assert finding.help == "write `from robot.tools.lens import …`"
+
+
 @pytest.mark.parametrize(
     "line",
     [

@@ -87,6 +87,42 @@ def test_a_local_variable_that_is_only_added_to(judge: Judge, line: str, hint: s
     assert finding.help == help
 
 
+@pytest.mark.parametrize(
+    ("method", "message", "help"),
+    [
+        (
+            "    def move():\n        helper()  # here\n        print(limit)\n",
+            "nothing defines 'helper': this line fails with a NameError; move() has no parameter 'self'; another line "
+            "of the file does the same",
+            "write `def move(self):`, and write self.helper",
+        ),
+        (
+            "    def move():\n        self.helper()  # here\n",
+            "nothing defines 'self': this line fails with a NameError; move() has no parameter 'self'",
+            "write `def move(self):`",
+        ),
+        (
+            "    def move():\n        limit += 1  # here\n",
+            "nothing defines 'limit': this line fails with an UnboundLocalError; move() has no parameter 'self'",
+            "write `def move(self):`, and write self.limit",
+        ),
+        (
+            "    @staticmethod\n    def move():\n        print(limit)  # here\n",
+            "nothing defines 'limit': this line fails with a NameError",
+            "define it, or remove the line",
+        ),
+        (
+            "    def move(other):\n        print(limit)  # here\n",
+            "nothing defines 'limit': this line fails with a NameError",
+            "define it, or remove the line",
+        ),
+    ],
+)
+def test_a_method_without_self(judge: Judge, method: str, message: str, help: str) -> None:
+    (finding,) = judge("API005", _node("pass").replace("\n\n\ndef main", f"\n\n{method}\n\ndef main"))
+    assert (finding.message.partition(" (")[0], finding.help) == (message, help)
+
+
 def test_all_reads_in_a_file_are_one_finding(judge: Judge) -> None:
     (finding,) = judge("API005", _node("time.sleep(0.1)  # here") + "\n\ndef wait():\n    time.sleep(1.0)\n")
     assert finding.message.endswith("; another line of the file does the same")

@@ -45,6 +45,8 @@ class MissingImport:
     name: str = ""
     near: str = ""
     beside: str = ""
+    without_init: str = ""
+    """The folder of that module, where it is no package that ``find_packages()`` would install."""
 
 
 def missing_imports(workspace: WorkspaceIndex) -> Iterator[MissingImport]:
@@ -154,7 +156,12 @@ def _beside(workspace: WorkspaceIndex, file: SourceFile, module: str, place: Pla
         return None
     above = (file.module or "").rpartition(".")[0]
     named = _is_named_in_setup(workspace, file.package or "", top)
-    return MissingImport(place, module, beside=f"{above}.{module}") if above and not named else None
+    if not above or named:
+        return None
+    inside = "" if path.endswith("/__init__.py") else module.rpartition(".")[0].replace(".", "/")
+    folder = posixpath.join(posixpath.dirname(file.relative), inside)
+    without_init = inside if inside and not workspace.tree.is_file(f"{folder}/__init__.py") else ""
+    return MissingImport(place, module, beside=f"{above}.{module}", without_init=without_init)
 
 
 def _is_named_in_setup(workspace: WorkspaceIndex, package: str, top: str) -> bool:

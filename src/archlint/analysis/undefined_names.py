@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import builtins
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.offered_names import MAKES_NAMES, bound_in, own_names, starred
@@ -50,6 +50,8 @@ class Undefined:
     """Whether the class of the method has an attribute or a method of the name."""
     added: bool = False
     """Whether it is a local variable, since the function changes it with ``+=``, and nothing gives it a value."""
+    without_self: str = ""
+    """The method that it is read in, where that has no parameter at all and the class has one of the name."""
 
 
 def undefined_names(workspace: WorkspaceIndex) -> Iterator[Undefined]:
@@ -64,7 +66,7 @@ def undefined_names(workspace: WorkspaceIndex) -> Iterator[Undefined]:
         for read in unbound:
             if read.added or not brought.has(read.name.id):
                 known, place = read.known | brought.names, Place(file.relative, *read.name.span)
-                yield Undefined(place, read.name.id, known, read.of_self, read.added)
+                yield Undefined(place, read.name.id, known, read.of_self, read.added, read.without_self)
 
 
 # ------------------------------------------------------------------------------------------------------ scopes
@@ -78,17 +80,25 @@ class _Read:
     known: frozenset[str]
     of_self: bool
     added: bool = False
+    without_self: str = ""
 
 
 @dataclass(frozen=True)
 class _Scope:
-    """The names that code can read, and those of the class that a method is of."""
+    """The names that code can read, and those of the class that a method is of; ``without_self`` is the name of a
+    method that has no parameter."""
 
     names: frozenset[str]
     members: frozenset[str] = frozenset()
+    without_self: str = ""
 
     def within(self, names: frozenset[str]) -> _Scope:
-        return _Scope(self.names | names, self.members)
+        return replace(self, names=self.names | names)
+
+    def read(self, name: facts.Name, *, added: bool = False) -> _Read:
+        is_member = name.id in self.members or (name.id == "self" and bool(self.without_self))
+        of_self = is_member and "self" in self.names
+        return _Read(name, self.names, of_self, added, self.without_self if is_member and not of_self else "")
 
 
 @once_for
@@ -126,7 +136,7 @@ def _reads(body: Sequence[facts.Base], scope: _Scope) -> Iterator[_Read]:
             case facts.Name(id=name):
                 if name not in scope.names and name not in seen:
                     seen.add(name)
-                    yield _Read(part, scope.names, name in scope.members)
+                    yield scope.read(part)
             case _:
                 stack += reversed(part.children())
 
@@ -151,13 +161,14 @@ def _reads_inside(part: facts.Function | facts.Lambda | facts.Class, scope: _Sco
             for statement in body:
                 if isinstance(statement, facts.Function):  # which does not see what the body of the class binds
                     yield from _reads(_evaluated_outside(statement), scope.within(own))
-                    yield from _reads_inside(statement, _Scope(scope.names, members))
+                    without_self = "" if statement.params or statement.decorators else statement.name
+                    yield from _reads_inside(statement, _Scope(scope.names, members, without_self))
                 else:
                     yield from _reads([statement], scope.within(own))
         case facts.Function(params=params, body=body):
-            own = frozenset((*(param.name for param in params), *bound_in(body)))
-            yield from _reads(body, scope.within(own))
-            yield from _only_added_to(part, scope)
+            inside = scope.within(frozenset(param.name for param in params))
+            yield from _reads(body, inside.within(frozenset(bound_in(body))))
+            yield from _only_added_to(part, inside)
         case facts.Lambda(params=params, body=body):
             yield from _reads([body], scope.within(frozenset((*(param.name for param in params), *bound_in([body])))))
 
@@ -173,7 +184,7 @@ def _only_added_to(function: facts.Function, scope: _Scope) -> Iterator[_Read]:
         match part.target:
             case facts.Name(id=name) if name not in others | params | seen:
                 seen.add(name)
-                yield _Read(part.target, scope.names, name in scope.members, added=True)
+                yield scope.read(part.target, added=True)
 
 
 def _set_on_self(body: Sequence[facts.Stmt]) -> Iterator[facts.Attribute]:

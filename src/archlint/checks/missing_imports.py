@@ -28,6 +28,7 @@ def _finding(missing: MissingImport) -> Finding:
     if missing.beside:
         message = f"'{module}' is not found once a console script imports this file: its folder is not on Python's path"
         help = f"write `from {missing.beside} import …`"
+        help += f", and give {missing.without_init} an __init__.py" if missing.without_init else ""
     elif name:
         message = f"{module} has no '{name}': the import fails with an ImportError"
         help = f"define {name} there, or import what there is"
@@ -40,7 +41,7 @@ def _finding(missing: MissingImport) -> Finding:
         message,
         help=help,
         identity=(module, name),
-        group=(missing.place.file, module, name),
+        group=(missing.place.file, "beside") if missing.beside else (missing.place.file, module, name),
         meant=missing.near,
     )
 

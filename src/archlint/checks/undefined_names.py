@@ -28,8 +28,27 @@ def undefined_name(system: System, options: Options) -> Iterator[Finding]:
     """Names that code reads and that neither the file nor Python defines."""
     if system.workspace is not None:
         for read in undefined_names(system.workspace):
-            diagnostic = _unbound_local(read) if read.added else _finding(system.workspace, read)
-            yield mild_if_uncalled(system, diagnostic)
+            yield mild_if_uncalled(system, _finding(system.workspace, read))
+
+
+def _finding(workspace: WorkspaceIndex, read: Undefined) -> Finding:
+    if read.without_self:
+        return _without_self(read)
+    return _unbound_local(read) if read.added else _undefined(workspace, read)
+
+
+def _without_self(read: Undefined) -> Finding:
+    """A method whose author forgot ``self``: whatever it reads of its object is not there."""
+    error = "an UnboundLocalError" if read.added else "a NameError"
+    cure = "" if read.name == "self" else f", and write self.{read.name}"
+    return finding(
+        "API005",
+        read.place,
+        f"nothing defines '{read.name}': this line fails with {error}; {read.without_self}() has no parameter 'self'",
+        help=f"write `def {read.without_self}(self):`{cure}",
+        identity=(read.name,),
+        group=(read.place.file, read.without_self, "self"),
+    )
 
 
 def _unbound_local(read: Undefined) -> Finding:
@@ -50,7 +69,7 @@ def _cure_of(read: Undefined) -> str:
     return f"write self.{read.name}" if read.of_self else f"give {read.name} a value before"
 
 
-def _finding(workspace: WorkspaceIndex, read: Undefined) -> Finding:
+def _undefined(workspace: WorkspaceIndex, read: Undefined) -> Finding:
     near, statement = "", ""
     if read.of_self:
         near = f"self.{read.name}"

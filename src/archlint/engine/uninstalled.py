@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import posixpath
 from collections.abc import Iterable, Sequence
 from collections.abc import Set as AbstractSet
 from dataclasses import replace
@@ -42,23 +43,31 @@ _OF_CALLS = ("API", "EXE", "SRV", "TMO")
 
 def once_for_a_file(findings: Iterable[Finding], files: AbstractSet[str]) -> list[Finding]:
     """The findings, those that are information for this reason with the reason in their message.  What a rule says of
-    calls and waits in one such file is one finding; each wrong name and message stays."""
-    rows: dict[tuple[object, ...], list[Finding]] = {}
+    calls and waits in one such file is one finding, and so is the same in a copy beside it; each wrong name and message
+    stays."""
+    of_files: dict[tuple[str, str, str | None, int | None], list[Finding]] = {}
     shown: list[Finding] = []
     for number, finding in enumerate(findings):
         if finding.place.file in files and finding.severity is Severity.INFO and _is_about_code(finding):
             apart = None if finding.code.startswith(_OF_CALLS) else number
-            rows.setdefault((finding.code, finding.place.file, finding.system, apart), []).append(finding)
+            of_files.setdefault((finding.code, finding.place.file, finding.system, apart), []).append(finding)
         else:
             shown.append(finding)
-    return [*shown, *(_of_file(sorted(row, key=lambda finding: finding.sort_key)) for row in rows.values())]
+    of_copies: dict[tuple[str, str, str, int | None], list[Finding]] = {}
+    for (code, file, _, apart), row in of_files.items():
+        finding = _first_of(row, "another line like it", "more lines like it")
+        of_copies.setdefault((code, posixpath.dirname(file), finding.message, apart), []).append(finding)
+    copies = (_first_of(row, "so does a copy beside it", "copies beside it do, too") for row in of_copies.values())
+    reason = "; no installed program uses this file"
+    return [*shown, *(replace(finding, message=f"{finding.message}{reason}") for finding in copies)]
 
 
-def _of_file(findings: Sequence[Finding]) -> Finding:
-    first, others = findings[0], len(findings) - 1
-    more = "" if not others else "; another line like it" if others == 1 else f"; {others} more lines like it"
-    message = f"{first.message}{more}; no installed program uses this file"
-    return replace(with_places(findings), message=message, sites=all_sites(findings))
+def _first_of(findings: Sequence[Finding], another: str, more: str) -> Finding:
+    """The first finding for all; the message ends with how many others there are."""
+    ordered = sorted(findings, key=lambda finding: finding.sort_key)
+    first, others = ordered[0], len(ordered) - 1
+    words = "" if not others else f"; {another}" if others == 1 else f"; {others} {more}"
+    return replace(with_places(ordered), message=f"{first.message}{words}", sites=all_sites(ordered))
 
 
 def _is_about_code(finding: Finding) -> bool:
