@@ -8,6 +8,7 @@ import pytest
 
 from archlint.config.settings import Settings
 from archlint.engine.pipeline import Request, check, graph
+from archlint.programs.linker import Linker
 from archlint.render.json import document
 from archlint.render.text import render
 from archlint.systems.overrides import key_matches
@@ -486,6 +487,49 @@ def main():
     executor.spin()
 """
 SILENT = ["/silence"]
+
+
+UNDECLARED = """\
+import rclpy
+from rclpy.node import Node
+from rclpy.parameter import Parameter
+from std_msgs.msg import String
+
+class Talker(Node):
+    def __init__(self):
+        super().__init__('talker', allow_undeclared_parameters=True)
+        if self.get_parameter_or('loud', Parameter('loud', value=False)).value:
+            self.create_publisher(String, 'shout', 10)
+
+def main():
+    rclpy.init()
+    rclpy.spin(Talker())
+"""
+
+
+def test_a_program_runs_again_only_for_parameters_that_it_asks_for(robot, monkeypatch):
+    given = {"a": ("true", "red"), "b": ("true", "blue"), "c": ("false", "blue"), "d": ("false", "red")}
+    nodes = [
+        f"""<node pkg="robot" exec="talker" namespace="{name}">
+        <param name="loud" value="{loud}"/><param name="color" value="{color}"/></node>"""
+        for name, (loud, color) in given.items()
+    ]
+    robot("".join(nodes), **{"robot/talker.py": UNDECLARED})
+    runs: list[object] = []
+    run_entry = Linker._run_entry
+
+    def counted(linker, entry, module, overrides, words):
+        runs.append(overrides)
+        return run_entry(linker, entry, module, overrides, words)
+
+    monkeypatch.setattr(Linker, "_run_entry", counted)
+    assert topics(system()) == {
+        "/a/talker": ["/a/shout"],
+        "/b/talker": ["/b/shout"],
+        "/c/talker": [],
+        "/d/talker": [],
+    }
+    assert len(runs) == 3  # by itself, loud and not loud
 
 
 @pytest.mark.parametrize(

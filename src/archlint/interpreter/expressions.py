@@ -75,14 +75,14 @@ def _implicit(machine: Machine, e: facts.Implicit) -> Value:
     itself = machine.lookup("self")
     if itself is not None and has_member(machine, itself, e.name):
         return get_attribute(machine, itself, e.name)
+    cls = None if itself is None else itself.own_class
+    bases = cls.mro if cls is not None and e.name[:1].isupper() else ()
+    inherited = next((base for base in bases if base.dotted.rpartition(".")[2] == e.name), None)
+    if inherited is not None:  # the name of a base means that class, whatever else is called so
+        return inherited
     value = machine.lookup(e.name)
     if value is not None:
         return value
-    cls = None if itself is None else itself.own_class
-    bases = () if cls is None else cls.mro
-    inherited = next((base for base in bases if base.dotted.rpartition(".")[2] == e.name), None)
-    if inherited is not None:  # the name of a base is known, too
-        return inherited
     foreign = machine.star_imported(machine.activation.module.star_externals, e.name) if e.name[:1].isupper() else None
     if foreign is not None:
         return foreign

@@ -144,7 +144,7 @@ class RosLibrary(Library):
         return interest.interesting(function)
 
     def are_settled(self, parameters: frozenset[str]) -> bool:
-        return self.run.context.role in (Role.MAIN, Role.INIT) and parameters <= self.run.overrides.settled
+        return self.run.context.role in (Role.MAIN, Role.INIT) and self.run.overrides.are_settled(parameters)
 
     # ----------------------------------------------------------------------------- events: objects and names
 

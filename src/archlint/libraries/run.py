@@ -40,7 +40,7 @@ class Run(Interpreter):
         self.refused = program.refused
         self.context = context
         self.interfaces = interfaces
-        self.overrides = overrides or model.Overrides()
+        self.overrides = model.Asked(overrides or model.Overrides())
         self.first_module: Module | None = None
         """The module that the program begins with."""
         self.distro: str | None = None

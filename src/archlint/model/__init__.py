@@ -31,7 +31,7 @@ from archlint.model.nodes import (
     ParameterDeclaration,
     ParameterDescription,
 )
-from archlint.model.overrides import Overrides, node_key
+from archlint.model.overrides import Asked, Overrides, node_key
 from archlint.model.programs import Program
 from archlint.model.refused import Misuse, RefusedCall
 from archlint.model.texts import Resolution, Text
@@ -43,6 +43,7 @@ __all__ = [
     "NEVER_CONSTRUCTED",
     "Access",
     "ApiCall",
+    "Asked",
     "Blueprint",
     "Callback",
     "ClassKey",

@@ -58,6 +58,8 @@ class Followed:
     """The nodes that objects of a class hold in an attribute in the end."""
     definitions: list[Definition] = field(default_factory=list)
     """What a module defines, where nothing but the module was run."""
+    asked: model.Asked | None = None
+    """What it has asked of its overrides; None for one that an earlier run has followed."""
 
 
 @dataclass
@@ -155,7 +157,9 @@ class FollowedProgram:
         classes = [instance.own_class for instance in run.instances.values()]
         bases = {id(base): base for cls in classes if cls is not None for base in cls.mro}
         instantiated = frozenset(place for base in bases.values() if (place := place_of(base)) is not None)
-        return Followed(run.program, steps_of(run), _ran(run), instantiated, self._holders, list(definitions))
+        return Followed(
+            run.program, steps_of(run), _ran(run), instantiated, self._holders, list(definitions), run.overrides
+        )
 
 
 def _ran(run: Run) -> frozenset[Place]:

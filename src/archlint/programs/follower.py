@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 from archlint.interpreter.reads import Reads
@@ -13,10 +13,20 @@ from archlint.programs.followed import Followed, Progress
 if TYPE_CHECKING:
     from archlint.faults import Faults
     from archlint.interpreter.modules import ModuleIndex
-    from archlint.model import Program
+    from archlint.model import Asked, Overrides, Program
     from archlint.monitor import Monitor
     from archlint.programs.kept import KeptPrograms, NothingKept
-    from archlint.programs.keys import ProgramKey
+    from archlint.programs.keys import EntryKey, ProgramKey
+
+
+@dataclass(frozen=True)
+class _Entry:
+    """What is known of the run of an executable, for others of it."""
+
+    key: EntryKey
+    late: bool
+    asked: Asked
+    steps: int
 
 
 @dataclass
@@ -36,6 +46,8 @@ class Follower:
     """Of all programs, by the ``id`` of each, which lives as long as this."""
     _shared: dict[int, ProgramKey] = field(default_factory=dict)
     """The same of those that an earlier run has followed."""
+    _entries: dict[EntryKey, list[_Entry]] = field(default_factory=dict)
+    """The runs of each executable with its command line."""
 
     def follow(self, key: ProgramKey, act: Callable[[], Followed]) -> Followed:
         """What becomes of a program: known from an earlier run, or what ``act`` says now."""
@@ -55,6 +67,25 @@ class Follower:
         self._keys[id(followed.program)] = key
         self.progress.add(followed)
         return followed
+
+    def follow_entry(
+        self, key: EntryKey, overrides: Overrides, act: Callable[[], Followed], current: Callable[[EntryKey], Program]
+    ) -> tuple[Program, bool]:
+        """The program of an executable, and whether it is one that was followed before with other overrides, of which
+        it asks nothing that they say otherwise.  ``current`` is what a program of that key is by now."""
+        late = self.progress.budget.is_spent
+        alike = self._entries.setdefault(replace(key, overrides=None), [])
+        before = next((row for row in alike if row.late is late and row.asked.hold_for(overrides)), None)
+        if before is not None and self.kept.get(key, late) is None:
+            self.kept.put_again(key, before.key)
+            self.progress.budget.spend(before.steps)
+            program = current(before.key)
+            self.monitor.followed(key.text, _words(key, program), 0.0)
+            return program, True
+        followed = self.follow(key, act)
+        if followed.asked is not None:
+            alike.append(_Entry(key, late, followed.asked, followed.steps))
+        return followed.program, False
 
     def own(self, programs: Sequence[Program]) -> Mapping[int, Program]:
         """Go on with copies of those of these programs that other runs have, too: the copies, by the ids of what they

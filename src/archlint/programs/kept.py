@@ -233,6 +233,14 @@ class KeptResults(ABC, Generic[Result]):
             payload,
         )
 
+    def put_again(self, key: ProgramKey, before: ProgramKey) -> None:
+        """Keep that a program becomes what another one has become."""
+        row = self._rows.get(before.text)
+        if row is not None and self.keeps:
+            self.changed = True
+            self._new.append(key.text)
+            self._rows[key.text] = row
+
     def _owner(self, item: object, name: str) -> str:
         return self._owners.setdefault(id(item), (name, item))[0]
 
@@ -284,6 +292,9 @@ class NothingKept:
         return None
 
     def put(self, key: ProgramKey, late: bool, result: Followed, reads: Reads) -> None:
+        return None
+
+    def put_again(self, key: ProgramKey, before: ProgramKey) -> None:
         return None
 
     def copy_of(self, key: ProgramKey) -> Followed | None:

@@ -105,6 +105,8 @@ class Linker:
         self.progress = self.follower.progress
         self.started: dict[tuple[str | None, str], model.Program] = {}
         """The program of each entry point, by package and executable."""
+        self._entries: dict[EntryKey, model.Program] = {}
+        """The same, by all that each was started with."""
         self.helpers: list[model.Blueprint] = []
         """What works on nodes that are not known, once all programs have run."""
         self._settled = False
@@ -183,6 +185,7 @@ class Linker:
         copies = self.follower.own(programs)
         if copies:
             self.started = {entry: copies.get(id(program), program) for entry, program in self.started.items()}
+            self._entries = {key: copies.get(id(program), program) for key, program in self._entries.items()}
         return [copies.get(id(program), program) for program in programs]
 
     def _import(self, module: Module) -> None:
@@ -268,12 +271,15 @@ class Linker:
         key = EntryKey(module.path, entry.package, entry.executable, entry.function, changes, given)
         if self._settled:
             self.monitor.following(1)
-        program = self.follower.follow(key, act).program
-        if self._settled:
+        program, is_settled = self.follower.follow_entry(
+            key, overrides or model.Overrides(), act, self._entries.__getitem__
+        )
+        if self._settled and not is_settled:
             if changed_by_settling([program], {}, self._names_in_file, self.helpers):
                 [program] = self.own([program])
             settle_helpers([program], {})
             note_unfollowed([program], self._names_in_file, self.helpers)
+        self._entries[key] = program
         return program
 
     def _run_entry(

@@ -52,13 +52,14 @@ def declare_one(
     """Declare a parameter on the node of a call; returns the Parameter object."""
     place = span_place or (run.place(call.expression.span) if call.expression is not None else Place("", 1, 1, 1, 1))
     parameters = []
-    overrides = run.overrides.of(nodes.known_node(run, call.receiver))
     for option in alternatives(name):
         text = text_of_value(option, "no name is given")
         dynamic = _is_dynamic(run, descriptor)
         kind = None if dynamic else type_name(run, default)
         typed = is_type(default)
         has_default = default is not None and not typed and default != NONE
+        known = nodes.known_node(run, call.receiver)
+        from_outside = () if text.text is None or ignore_override else run.overrides.value(known, text.text)
         override = run.store.get(nodes.node_key(run, call.receiver), OVERRIDES[text.text or ""])
         given = override if override is not None and not ignore_override else None
         for blueprint in nodes.nodes_of(run, call.receiver):
@@ -79,8 +80,8 @@ def declare_one(
             value = from_parameter(run, override, text.text)
         elif text.text is None or text.resolution not in ("exact", "parameter"):
             value = Unknown("the parameter's name is not known")
-        elif text.text in overrides and not ignore_override:
-            value = value_from_python(run, overrides[text.text])
+        elif from_outside:
+            value = value_from_python(run, from_outside[0])
             if value.text is not None and not dynamic and _is_of_lists(default, kind):
                 value = Unknown("it is set to a text, and declared as a list: the node stops there")
             value = from_parameter(run, value, text.text)

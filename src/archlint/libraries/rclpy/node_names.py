@@ -39,7 +39,7 @@ def get_name(run: Run, call: ApiUse) -> Value:
 def _final_names(run: Run, node: model.Blueprint) -> tuple[model.Text, model.Text]:
     """The name and the namespace that a node has in this process."""
     run.program.reads_node_names = True
-    return run.overrides.names.get(model.node_key(node), (node.name, node.namespace))
+    return run.overrides.names(node)
 
 
 def get_namespace(run: Run, call: ApiUse) -> Value:

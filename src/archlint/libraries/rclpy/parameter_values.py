@@ -83,7 +83,7 @@ def from_parameter(run: Run, value: Value, name: str) -> Value:
         case ListValue():
             items = value.items(run)
             # An empty default waits for somebody to fill it, unless a launch file is seen to leave it so.
-            open_ = items.open or not (items.values or name in run.overrides.settled)
+            open_ = items.open or not (items.values or run.overrides.are_settled(frozenset({name})))
             filled = [from_parameter(run, item, name) for item in items.values]
             return containers.new_list(run, filled, value.kind, open_)
         case Unknown(reason=why):

@@ -51,9 +51,8 @@ def value_in_reach(run: Run, call: ApiUse, name: str) -> Value | None:
     value = run.store.get(nodes.node_key(run, call.receiver), PARAMETERS[name])
     if value is not None:
         return value
-    overrides = run.overrides.of(nodes.known_node(run, call.receiver))
-    if name in overrides:
-        return from_parameter(run, value_from_python(run, overrides[name]), name)
+    for given in run.overrides.value(nodes.known_node(run, call.receiver), name):
+        return from_parameter(run, value_from_python(run, given), name)
     return Known(False, frozenset({name})) if name == "use_sim_time" else None
 
 
@@ -106,7 +105,7 @@ def has_parameter(run: Run, call: ApiUse) -> Value:
         value = run.store.get(nodes.node_key(run, call.receiver), PARAMETERS[str(name.value)])
         if value is not None:
             return TRUE
-        if run.context.role == model.Role.INIT and not run.branch_arms and run.overrides == model.Overrides():
+        if run.context.role == model.Role.INIT and not run.branch_arms and run.overrides.are_none:
             return FALSE
     return Unknown("whether the parameter is declared")
 
