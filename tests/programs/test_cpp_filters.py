@@ -59,3 +59,40 @@ def test_images_name_their_transport_before_the_profile() -> None:
 def test_a_filter_that_never_subscribes_is_no_subscription() -> None:
     assert subscriptions("subscribe_ = false;") == []
     assert subscriptions("info_.unsubscribe();") == []
+
+
+IN_A_HEADER = """
+#include "rclcpp/rclcpp.hpp"
+#include "message_filters/subscriber.h"
+#include "sensor_msgs/msg/camera_info.hpp"
+class Robot : public rclcpp::Node {
+public:
+  Robot();
+private:
+  message_filters::Subscriber<sensor_msgs::msg::CameraInfo> info_;
+  acme::Driver driver_;
+};
+"""
+SOURCE = """
+#include "robot.hpp"
+Robot::Robot() : Node("robot"), %s {}
+int main(int argc, char ** argv) {
+  rclcpp::init(argc, argv);
+  rclcpp::spin(std::make_shared<Robot>());
+}
+"""
+
+
+def robot(members: str) -> dict[str, Any]:
+    (node,) = graph({"src/robot.hpp": IN_A_HEADER, "src/robot.cpp": SOURCE % members})["nodes"]
+    return dict(node)
+
+
+def test_a_filter_that_the_list_of_a_constructor_makes() -> None:
+    (found,) = robot('info_(this, "camera_info")')["subscribers"]
+    assert (found["name"], found["type"]) == ("/camera_info", "sensor_msgs/msg/CameraInfo")
+
+
+def test_a_member_of_a_class_from_elsewhere_may_subscribe_to_anything() -> None:
+    node = robot('driver_(this, "camera_info")')
+    assert (node["subscribers"], node["complete"]) == ([], False)

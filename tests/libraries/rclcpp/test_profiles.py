@@ -12,6 +12,7 @@ DEFAULT = ("keep_last", 10, "reliable", "volatile")
     ("written", "expected"),
     [
         ("10", DEFAULT),
+        ("{3}", ("keep_last", 3, "reliable", "volatile")),
         ("rclcpp::QoS(3)", ("keep_last", 3, "reliable", "volatile")),
         ("rclcpp::QoS{rclcpp::KeepLast(3)}.best_effort()", ("keep_last", 3, "best_effort", "volatile")),
         ("rclcpp::QoS(1).transient_local().reliable()", ("keep_last", 1, "reliable", "transient_local")),

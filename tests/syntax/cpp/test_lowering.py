@@ -86,7 +86,7 @@ def test_parameters_are_declared_and_read_by_value(written: str, expected: str) 
             "std::stringstream ss; (ss << ... << n_); auto s = ss.str();",
             "ss = ''\nss = <a text that is changed in place>\ns = ss",
         ),
-        ('std::string s = ""; s.push_back(n_);', "s = ''\ns = <a text that is changed in place>"),
+        ('std::string s = ""; s.push_back(n_);', "s = ''\ns += ?n_"),
         ('std::string s = "a"; s.size();', "s = 'a'\nlen(s)"),
         ("for (int i = 0; i < 3; ++i) { go(i); }", "for i in range(0, 3):\n    ?go(i)"),
         ('for (const auto & n : {"a", "b"}) { go(n); }', "for n in ['a', 'b']:\n    ?go(n)"),
@@ -309,3 +309,45 @@ def test_only_the_variable_of_a_loop_is_a_pair() -> None:
     loop = in_a_method("for (auto & row : rows_) use(row.second, other.first);")
     assert loop == "for row in std.pairs(?rows_):\n    ?use(row[1], ?other.first)"
     assert in_a_method("for (auto & row : rows_) use(row.third);") == "for row in ?rows_:\n    ?use(row.third)"
+
+
+@pytest.mark.parametrize(
+    ("statement", "expected"),
+    [
+        ('s.append("more");', "s += 'more'"),
+        ("s.append(3, x);", "s = <a text that is changed in place>"),
+        ('s.insert(0, "/");', "s = <a text that is changed in place>"),
+        ('snprintf(buffer, sizeof(buffer), "cam_%zu", n);', "?buffer = 'cam_%u' % [?n]"),
+        ('std::sprintf(buffer, "camera");', "?buffer = 'camera'"),
+        ("snprintf(buffer, 3);", "?snprintf(?buffer, 3)"),
+    ],
+)
+def test_texts_that_are_written_in_place(statement: str, expected: str) -> None:
+    written = in_a_method(f'std::string s = "a"; {statement}')
+    assert written.removeprefix("s = 'a'\n") == expected
+
+
+@pytest.mark.parametrize(
+    ("loop", "expected"),
+    [
+        ("for (auto it = names_.begin(); it != names_.end(); ++it) use(*it);", "for it in ?names_:\n    ?use(it)"),
+        (
+            "for (auto it = map->cbegin(); it != map->cend(); it++) use(it->second);",
+            "for it in std.pairs(?map):\n    ?use(it[1])",
+        ),
+    ],
+)
+def test_an_iterator_is_what_it_points_to(loop: str, expected: str) -> None:
+    assert in_a_method(loop) == expected
+
+
+def test_a_loop_to_the_end_of_another_container_is_none_over_the_first() -> None:
+    assert "in ?a_:" not in in_a_method("for (auto it = a_.begin(); it != b_.end(); ++it) use(*it);")
+
+
+def test_a_member_is_made_with_what_its_class_elsewhere_takes() -> None:
+    source = 'Robot::Robot() : Node("robot"), image_(this, "image"), helper_(this), rate_(10) {}'
+    lines = in_python(source).splitlines()
+    assert "    self.image_ = self.image_.__made_with__(self, 'image')" in lines
+    assert "    self.helper_ = __member__(self)" in lines
+    assert "    self.rate_ = 10" in lines

@@ -59,7 +59,9 @@ def _subscribe(run: Run, site: CallSite, kind: Value, at_qos: int) -> Value:
 PLAIN: dict[str, Plain] = {SUBSCRIBER: _new, IMAGES: _new_of_images}
 METHODS: dict[str, Method] = {
     f"{SUBSCRIBER}.subscribe": _later,
+    f"{SUBSCRIBER}.__made_with__": _later,
     f"{IMAGES}.subscribe": _images_later,
+    f"{IMAGES}.__made_with__": _images_later,
 }
 
 __all__ = ["IMAGES", "METHODS", "PLAIN", "SUBSCRIBER"]

@@ -46,6 +46,9 @@ FREE = {
 }
 """Functions that take the node first, and then what its method takes."""
 
+MADE_WITH = "__made_with__"
+"""The method of a member that stands for its constructor, where the type of the member is written elsewhere."""
+
 NODE_INTERFACES = (
     *("get_node_base_interface", "get_node_topics_interface", "get_node_parameters_interface"),
     *("get_node_services_interface", "get_node_timers_interface", "get_node_clock_interface"),
@@ -62,7 +65,11 @@ def method(node: Expr, name: str, types: Sequence[Expr], arguments: Sequence[Exp
         return None
     renamed, of_types, of_arguments = row
     given = [Argument(value, keyword) for keyword, value in zip(of_types, types, strict=False)]
-    given += [Argument(value, keyword) for keyword, value in zip(of_arguments, arguments, strict=False)]
+    for keyword, value in zip(of_arguments, arguments, strict=False):
+        match value:
+            case facts.Sequence(elements=[only]) if keyword == "qos_profile":  # ``{10}`` makes a QoS of it
+                value = only
+        given.append(Argument(value, keyword))
     return facts.Call(facts.Attribute(node, renamed, span), given, span)
 
 
@@ -149,6 +156,7 @@ def free_timer(path: str, values: Sequence[Expr], span: Span) -> Expr:
 __all__ = [
     "FREE",
     "GENERIC",
+    "MADE_WITH",
     "METHODS",
     "NODE_INTERFACES",
     "WITH_TYPE",

@@ -160,20 +160,21 @@ class FunctionLowering(StatementLowering):
             called = facts.Attribute(base, "__init__", span)
             return facts.Expression(facts.Call(called, [facts.Argument(itself), *listed], span), span)
         target = facts.Attribute(itself, last.name, span)
-        return facts.Assign([target], self._member_value(name, arguments, span), span)
+        return facts.Assign([target], self._member_value(name, target, arguments, span), span)
 
-    def _member_value(self, name: Node, arguments: Node | None, span: Span) -> Expr:
+    def _member_value(self, name: Node, member: Expr, arguments: Node | None, span: Span) -> Expr:
         """What ``member(…)`` of a constructor's list sets.  The type of the member is hardly known here; the object
         itself makes another one of it, such as a helper that is given its node."""
         nodes = [] if arguments is None else [child for child in arguments.named_children if child.type != "comment"]
         is_given_itself = len(nodes) == 1 and self.source.text(nodes[0]) in ("this", "*this")
-        if is_given_itself and (kind := self._type_of_member(name)) is not None:
+        if (is_given_itself or len(nodes) > 1) and (kind := self._type_of_member(name)) is not None:
             return self.construct(kind, arguments, span)
         if len(nodes) == 1 and nodes[0].type == "number_literal" and self._is_profile(name):
             return facts.Call(self.names.library("rclcpp.QoS", span), given(self.lower_all(nodes)), span)
         if len(nodes) == 1 and not is_given_itself:
             return self.lower(nodes[0])
-        return facts.Call(facts.Name("__member__", span), given(self.lower_all(nodes)), span)
+        maker = facts.Name("__member__", span) if len(nodes) < 2 else facts.Attribute(member, calls.MADE_WITH, span)
+        return facts.Call(maker, given(self.lower_all(nodes)), span)
 
     def _is_profile(self, name: Node) -> bool:
         """Whether a member is an ``rclcpp::QoS``: its class says so or, where that is elsewhere, its constructor calls

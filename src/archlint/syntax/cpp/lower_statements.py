@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 
 from archlint.syntax import facts
 from archlint.syntax.cpp.declared import declared
-from archlint.syntax.cpp.lower_declarations import DeclarationLowering
 from archlint.syntax.cpp.lower_expressions import is_target
+from archlint.syntax.cpp.lower_texts import TextLowering
 from archlint.syntax.facts import Param
 from archlint.syntax.statements import JumpKind
 
@@ -26,15 +26,10 @@ MAX_NESTING = 100
 _AUGMENTED: dict[str, facts.BinaryOperator] = {"+=": "+", "-=": "-", "*=": "*", "/=": "/", "%=": "%"}
 
 
-_CHANGES_TEXT = frozenset(
-    {"append", "assign", "clear", "erase", "insert", "pop_back", "push_back", "replace", "resize", "str", "swap"}
-)
-"""Methods that change a ``std::string`` in place, and what a stream is given a new text with."""
-
 StatementKind = Callable[["Node", "list[Stmt]"], None]
 
 
-class StatementLowering(DeclarationLowering):
+class StatementLowering(TextLowering):
     """Lowers statements, too."""
 
     def __init__(self, source: SourceText, names: Names) -> None:
@@ -122,10 +117,12 @@ class StatementLowering(DeclarationLowering):
                     body.append(facts.Augmented(target, op, facts.Literal(1, span), span))
             case "delete_expression":
                 return
-            case _ if (changed := self._changed_text(value)) is not None:
+            case _ if (written := self.written_text(value, span)) is not None:
+                body.append(written)
+            case _ if (changed := self.changed_text(value)) is not None:
                 unknown = facts.Opaque("a text that is changed in place", span)
                 body.append(facts.Assign([facts.Name(changed, span)], unknown, span))
-            case _ if not self._is_logging(value) and not self._streamed(value, span, body):
+            case _ if not self._is_logging(value) and not self.streamed(value, span, body):
                 lowered = self.lower(value)
                 if not isinstance(lowered, (facts.Literal, facts.Opaque, facts.Name, facts.Implicit)):
                     body.append(facts.Expression(lowered, span))
@@ -155,39 +152,6 @@ class StatementLowering(DeclarationLowering):
             body.append(facts.Augmented(target, _AUGMENTED[word], value, span))
         else:
             body.append(facts.Assign([target], facts.Opaque(f"the operator {word}", span), span))
-
-    def _changed_text(self, node: Node) -> str | None:
-        """The variable whose text becomes another one in a way that is not followed: ``text.push_back(c)``, or a stream
-        that a fold writes to, ``(stream << ... << values)``."""
-        called = node.child_by_field_name("function") if node.type == "call_expression" else None
-        if called is not None and called.type == "field_expression":
-            owner, method = called.child_by_field_name("argument"), called.child_by_field_name("field")
-            name = "" if owner is None else self.source.text(owner)
-            is_text = any(name in scope.texts or name in scope.streams for scope in self.names.scopes)
-            return name if is_text and method is not None and self.source.text(method) in _CHANGES_TEXT else None
-        name = (
-            self.source.text(node.named_children[0]) if node.type == "fold_expression" and node.named_children else ""
-        )
-        return name if any(name in scope.streams for scope in self.names.scopes) else None
-
-    def _streamed(self, node: Node, span: Span, body: list[Stmt]) -> bool:
-        """``stream << "a" << b``: the text grows."""
-        parts: list[Node] = []
-        while node.type == "binary_expression" and _word(node) == b"<<":
-            left, right = node.child_by_field_name("left"), node.child_by_field_name("right")
-            if left is None or right is None:
-                return False
-            parts.append(right)
-            node = left
-        name = self.source.text(node)
-        if not parts or not any(name in scope.streams for scope in self.names.scopes):
-            return False
-        fields: list[str | facts.Field] = [facts.Field(self.lower(part)) for part in reversed(parts)]
-        value = facts.FormatString(
-            [field.value.text or field for field in fields if isinstance(field, facts.Field)], span
-        )
-        body.append(facts.Augmented(facts.Name(name, span), "+", value, span))
-        return True
 
     def _return(self, node: Node, body: list[Stmt]) -> None:
         values = [child for child in node.named_children if child.type != "comment"]
@@ -241,6 +205,10 @@ class StatementLowering(DeclarationLowering):
         span = self.source.span(node)
         first, test = node.child_by_field_name("initializer"), node.child_by_field_name("condition")
         update, inner = node.child_by_field_name("update"), node.child_by_field_name("body")
+        iterated = self._iterated(first, test)
+        if iterated is not None:
+            self._loop_over(*iterated, inner, span, body)
+            return
         counted = self._counted(first, test, update)
         if counted is not None:
             variable, start, end = counted
@@ -257,6 +225,29 @@ class StatementLowering(DeclarationLowering):
             if is_target(target):
                 block.append(facts.Assign([target], facts.Opaque("what a loop counts", span), span))
         body.append(facts.While(condition, block, [], span))
+
+    def _loop_over(self, name: str, container: Node, inner: Node | None, span: Span, body: list[Stmt]) -> None:
+        """A loop with an iterator, which is taken for what it points to."""
+        self.names.declare(name)
+        iterable = self.lower(container)
+        if self._is_pair(name, inner):
+            iterable = self._pairs_of(iterable, span)
+        body.append(facts.For(facts.Name(name, span), iterable, self._block_of(inner), [], False, span))
+
+    def _iterated(self, first: Node | None, test: Node | None) -> tuple[str, Node] | None:
+        """The iterator and the container of ``for (auto it = names.begin(); it != names.end(); ++it)``."""
+        if first is None or test is None or first.type != "declaration":
+            return None
+        variables = declared(first, self.names, self.source)
+        value = variables[0].value if len(variables) == 1 else None
+        begin = None if value is None else value.child_by_field_name("function")
+        container = None if begin is None else begin.child_by_field_name("argument")
+        if begin is None or container is None:
+            return None
+        name, owner = variables[0].name, self.source.text(container)
+        ends = {f"{name}!={owner}{dot}{end}()" for dot in (".", "->") for end in ("end", "cend")}
+        is_begin = self.source.text(begin).endswith(("begin", "cbegin"))
+        return (name, container) if is_begin and "".join(self.source.text(test).split()) in ends else None
 
     def _counted(self, first: Node | None, test: Node | None, update: Node | None) -> tuple[str, Expr, Expr] | None:
         """The variable and the bounds of ``for (int i = a; i < b; ++i)``."""
@@ -367,11 +358,6 @@ class StatementLowering(DeclarationLowering):
         defined = [child for child in node.named_children if child.type == "preproc_def"]
         given = defined[0].child_by_field_name("name") if defined else None
         return given is not None and self.source.text(given) == self.source.text(name)
-
-
-def _word(node: Node) -> bytes:
-    operator = node.child_by_field_name("operator")
-    return b"" if operator is None or operator.text is None else operator.text
 
 
 __all__ = ["Param", "StatementLowering"]

@@ -22,7 +22,8 @@ _EXPORT_MACRO = re.compile(
 )
 """``DEMO_NODES_CPP_PUBLIC``: the grammar knows no macro in front of a class or a function."""
 _MACRO_OF_CLASS = re.compile(rb"\b(?:class|struct)\s+([A-Z][A-Z0-9_]{3,})\s+(?=[A-Za-z_]\w*\s*(?:final\s*)?[:{])")
-_QT_MACRO = re.compile(rb"\bQ_(?:OBJECT|GADGET)\b|\bQ_SLOTS(?=\s*:)|\b(?:Q_SIGNALS|signals)\s*:|\bslots(?=\s*:)")
+_QT_MACRO = re.compile(rb"\bQ_(?:OBJECT|GADGET)\b|^[ \t]*(?:Q_SIGNALS|signals)\s*:", re.M)
+_QT_SLOTS = re.compile(rb"\b(?:public|protected|private)\s+(Q_SLOTS|slots)\s*:")
 _MODULE_MACRO = re.compile(
     rb"^[ \t]*RCLCPP_(?:SMART_PTR\w*|SHARED_PTR\w*|UNIQUE_PTR\w*|WEAK_PTR\w*|DISABLE_COPY)\([^()\n]*\)", re.M
 )
@@ -35,7 +36,13 @@ def _parser() -> Parser:
 
 def parse(data: bytes) -> Tree:
     """The tree of a file.  Damaged code has nodes of the type ``ERROR`` where it is not understood."""
-    for pattern, group in ((_EXPORT_MACRO, 0), (_MACRO_OF_CLASS, 1), (_QT_MACRO, 0), (_MODULE_MACRO, 0)):
+    for pattern, group in (
+        (_EXPORT_MACRO, 0),
+        (_MACRO_OF_CLASS, 1),
+        (_QT_MACRO, 0),
+        (_QT_SLOTS, 1),
+        (_MODULE_MACRO, 0),
+    ):
         data = pattern.sub(lambda match, group=group: _blanked(match, group), data)  # type: ignore[misc]
     return _parser().parse(with_whole_branches(data))
 

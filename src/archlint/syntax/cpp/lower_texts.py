@@ -1,0 +1,91 @@
+"""Statements of C++ that change a text in place, lowered to :mod:`archlint.syntax.facts`."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING
+
+from archlint.syntax import facts
+from archlint.syntax.cpp.lower_declarations import DeclarationLowering
+from archlint.syntax.cpp.lower_expressions import is_target
+
+if TYPE_CHECKING:
+    from tree_sitter import Node
+
+    from archlint.syntax.facts import Span, Stmt
+
+_CHANGES_TEXT = frozenset(
+    {"append", "assign", "clear", "erase", "insert", "pop_back", "push_back", "replace", "resize", "str", "swap"}
+)
+"""Methods that change a ``std::string`` in place, and what a stream is given a new text with."""
+_PRINTS = {"sprintf": 1, "std::sprintf": 1, "snprintf": 2, "std::snprintf": 2}
+"""Functions that write a text, and where its pattern stands among their arguments."""
+
+
+class TextLowering(DeclarationLowering):
+    """Lowers what changes texts, too."""
+
+    def written_text(self, node: Node, span: Span) -> Stmt | None:
+        """``text.append("more")``, and ``snprintf(text, size, "cam_%d", number)``."""
+        called = node.child_by_field_name("function") if node.type == "call_expression" else None
+        listed = node.child_by_field_name("arguments")
+        nodes = [] if listed is None else [child for child in listed.named_children if child.type != "comment"]
+        if called is None:
+            return None
+        if called.type == "field_expression":
+            owner, method = called.child_by_field_name("argument"), called.child_by_field_name("field")
+            name = "" if owner is None else self.source.text(owner)
+            is_added = method is not None and self.source.text(method) in ("append", "push_back") and len(nodes) == 1
+            if not is_added or not any(name in scope.texts for scope in self.names.scopes):
+                return None
+            return facts.Augmented(facts.Name(name, span), "+", self.lower(nodes[0]), span)
+        first = _PRINTS.get(self.source.text(called))
+        if first is None or len(nodes) <= first:
+            return None
+        target, pattern, *values = [self.lower(node) for node in (nodes[0], *nodes[first:])]
+        self.note_assigned(target)
+        if pattern.text is not None:  # Python knows no size of a number
+            pattern = facts.Literal(re.sub(r"(%[-+ #0-9.]*)(?:hh|h|ll|l|z|j|t)([diuoxX])", r"\1\2", pattern.text), span)
+        text = facts.Binary("%", pattern, facts.Sequence("tuple", values, span), span)
+        return facts.Assign([target], text if values else pattern, span) if is_target(target) else None
+
+    def changed_text(self, node: Node) -> str | None:
+        """The variable whose text becomes another one in a way that is not followed: ``text.push_back(c)``, or a stream
+        that a fold writes to, ``(stream << ... << values)``."""
+        called = node.child_by_field_name("function") if node.type == "call_expression" else None
+        if called is not None and called.type == "field_expression":
+            owner, method = called.child_by_field_name("argument"), called.child_by_field_name("field")
+            name = "" if owner is None else self.source.text(owner)
+            is_text = any(name in scope.texts or name in scope.streams for scope in self.names.scopes)
+            return name if is_text and method is not None and self.source.text(method) in _CHANGES_TEXT else None
+        name = (
+            self.source.text(node.named_children[0]) if node.type == "fold_expression" and node.named_children else ""
+        )
+        return name if any(name in scope.streams for scope in self.names.scopes) else None
+
+    def streamed(self, node: Node, span: Span, body: list[Stmt]) -> bool:
+        """``stream << "a" << b``: the text grows."""
+        parts: list[Node] = []
+        while node.type == "binary_expression" and _word(node) == b"<<":
+            left, right = node.child_by_field_name("left"), node.child_by_field_name("right")
+            if left is None or right is None:
+                return False
+            parts.append(right)
+            node = left
+        name = self.source.text(node)
+        if not parts or not any(name in scope.streams for scope in self.names.scopes):
+            return False
+        fields: list[str | facts.Field] = [facts.Field(self.lower(part)) for part in reversed(parts)]
+        value = facts.FormatString(
+            [field.value.text or field for field in fields if isinstance(field, facts.Field)], span
+        )
+        body.append(facts.Augmented(facts.Name(name, span), "+", value, span))
+        return True
+
+
+def _word(node: Node) -> bytes:
+    operator = node.child_by_field_name("operator")
+    return b"" if operator is None or operator.text is None else operator.text
+
+
+__all__ = ["TextLowering"]
