@@ -3,9 +3,34 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
+from contextvars import ContextVar
+from dataclasses import dataclass
 from functools import lru_cache
 from itertools import takewhile
+
+MOST_COMPARED = 200_000
+"""Pairs of names that one rule holds against each other to say what was meant: a file may have thousands of names that
+are not known, and as many that are."""
+
+
+@dataclass
+class _Comparisons:
+    left: int
+
+
+_COMPARISONS: ContextVar[_Comparisons | None] = ContextVar("comparisons", default=None)
+
+
+@contextmanager
+def limited_suggestions() -> Iterator[None]:
+    """Inside, no more than so many names are compared; behind the limit none is near."""
+    token = _COMPARISONS.set(_Comparisons(MOST_COMPARED))
+    try:
+        yield
+    finally:
+        _COMPARISONS.reset(token)
 
 
 @lru_cache(maxsize=10_000)
@@ -64,11 +89,15 @@ def nearest(word: str, known: Iterable[str]) -> str | None:
     """The known word within a third of the word's length (at least one edit, but not all of it); the first of
     equals.  Names in which one whole word stands for another are two names, not one and a slip: ``publish_odom``
     and ``publish_rate``, ``motor_1`` and ``motor_2``."""
-    if len(word) > 256:
+    comparisons = _COMPARISONS.get()
+    if len(word) > 256 or (comparisons is not None and comparisons.left <= 0):
         return None
     limit = max(1, len(word) // 3)
+    candidates = sorted({candidate for candidate in known if abs(len(candidate) - len(word)) <= limit})
+    if comparisons is not None:
+        comparisons.left -= len(candidates)
     best: tuple[int, str] | None = None
-    for candidate in sorted(set(known)):
+    for candidate in candidates:
         edits = distance(word.lower(), candidate.lower(), limit)
         if edits > limit or edits >= len(word) or candidate == word or _are_two_names(word, candidate):
             continue

@@ -8,6 +8,7 @@ from unittest.mock import patch
 
 import pytest
 
+from archlint import suggestions
 from archlint.analysis import class_chains, coexistence, delivery, unassigned_attributes
 from archlint.checks import near_misses, service_cycles, unmatched
 from archlint.config import toml_places
@@ -236,3 +237,36 @@ def test_circles_of_services_are_looked_for_up_to_a_limit(tmp_path: Path, monkey
         return {finding.code for finding in findings} & {"SRV006"}
 
     assert (found(1000), found(3)) == ({"SRV006"}, set())
+
+
+def test_what_was_meant_is_looked_for_up_to_a_limit(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    compared = 0
+    distance = suggestions.distance
+
+    def counting(first: str, second: str, limit: int) -> int:
+        nonlocal compared
+        compared += 1
+        return distance(first, second, limit)
+
+    monkeypatch.setattr(suggestions, "distance", counting)
+    monkeypatch.setattr(suggestions, "MOST_COMPARED", 2_000)
+
+    def of(many: int) -> list[str]:
+        """The messages of a file with so many names, and as many that are misspelt."""
+        nonlocal compared
+        letters = [f"{chr(97 + number // 26)}{chr(97 + number % 26)}" for number in range(many)]
+        known = "".join(f"speed_of_{name} = 1\n" for name in letters)
+        reads = [f"        print(sped_of_{name})" for name in letters]
+        (tmp_path / "node.py").write_text(known + CROWDED.format(lines="\n".join(reads)))
+        compared = 0
+        report = check(Request((str(tmp_path),), Settings(), cached=False, jobs=1))
+        return [finding.message for finding in report.findings if finding.code == "API005"]
+
+    few = of(10)
+    assert len(few) == 10
+    assert all("did you mean 'speed_of_" in message for message in few)
+    many = of(300)
+    assert len(many) == 300  # only the suggestions end
+    assert "did you mean" in many[0]
+    assert "did you mean" not in many[-1]
+    assert compared < 3 * suggestions.MOST_COMPARED

@@ -11,6 +11,8 @@ import pytest
 
 from archlint.cli import main
 from archlint.edit_sites import IdleSuppression
+from archlint.finding import Edit, Finding, Fix, Severity
+from archlint.fixes.apply import apply
 from archlint.fixes.dependencies import free_line
 from archlint.fixes.source import Source
 from archlint.fixes.suppressions import shortened
@@ -622,6 +624,30 @@ def test_the_form_of_a_file_is_kept(workbench: Workbench, form: str):
 
 
 LINE = f"{HEAD}        {CLIENT}.wait_for_service()\n{TAIL}"
+
+
+@pytest.mark.parametrize(
+    ("name", "before", "after", "breaking", "whole"),
+    [
+        ("a.py", "x = f(1", ")\n", ")", "2"),
+        ("a.launch.xml", "<launch", "/>\n", "<", " "),
+        ("a.yaml", "a: [1, 2", "]\n", "[", "0"),
+    ],
+)
+def test_no_file_is_left_that_does_not_parse(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str, before: str, after: str, breaking: str, whole: str
+):
+    monkeypatch.chdir(tmp_path)
+    Path(name).write_text(before + after)
+    column = len(before) + 1
+
+    def texts_with(new: str) -> dict[str, str]:
+        place = Place(name, 1, column, 1, column)
+        fix = Fix("safe", (Edit(place, new),))
+        return apply([Finding("TMO001", "wait-without-timeout", Severity.ERROR, "", place, fix=fix)]).texts
+
+    assert texts_with(whole) == {name: before + whole + after}
+    assert texts_with(breaking) == {}
 
 
 def test_a_read_only_file_is_an_error(workbench: Workbench, capsys: pytest.CaptureFixture[str]):

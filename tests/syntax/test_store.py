@@ -249,6 +249,21 @@ def test_damage_is_a_miss_never_a_wrong_answer(root):
         path.write_bytes(data)
 
 
+def test_what_is_signed_with_another_key_is_a_miss(root):
+    """A repository may ship a cache of its own files, and a machine may have many users."""
+    filled(root)
+    store = Store(str(root), "1.0", b"o" * 32)
+    assert (store.get(DIGEST), store.get_run(RUN), store.lookup("/ws/node.py", OLD)) == (None, None, None)
+
+
+def test_an_entry_under_another_name_is_a_miss(root):
+    filled(root)
+    opened(root).put(OTHER, b"more")
+    [entry, other] = [next(root.rglob(digest)) for digest in (DIGEST, OTHER)]
+    other.write_bytes(entry.read_bytes())
+    assert (opened(root).get(DIGEST), opened(root).get(OTHER)) == (b"facts", None)
+
+
 def write_index(root: Path, content: object) -> None:
     """An index as somebody else would write it, if he knew the key."""
     filled(root)

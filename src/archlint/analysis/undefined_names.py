@@ -65,7 +65,8 @@ def undefined_names(workspace: WorkspaceIndex) -> Iterator[Undefined]:
             continue
         for read in unbound:
             if read.added or not brought.has(read.name.id):
-                known, place = read.known | brought.names, Place(file.relative, *read.name.span)
+                known = read.known | brought.names if brought.names else read.known  # a copy for each read is a square
+                place = Place(file.relative, *read.name.span)
                 yield Undefined(place, read.name.id, known, read.of_self, read.added, read.without_self)
 
 

@@ -76,7 +76,7 @@ def _undefined(workspace: WorkspaceIndex, read: Undefined) -> Finding:
     else:
         statement = import_of(workspace, read.name)
     if not near and not statement and len(read.name) >= _SHORT:
-        near = nearest(read.name, read.known - _BUILT_IN) or ""
+        near = nearest(read.name, (name for name in read.known if name not in _BUILT_IN)) or ""
     cure = f"write `{statement}`" if statement else f"write {near}" if near else "define it, or remove the line"
     hint = meant(f"'{near}'" if near else "")
     return finding(

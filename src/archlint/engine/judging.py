@@ -12,6 +12,7 @@ from archlint.faults import Fault
 from archlint.finding import Finding, Place
 from archlint.monitor import Monitor
 from archlint.rulebook import rules
+from archlint.suggestions import limited_suggestions
 from archlint.systems.variants import Arguments, condition
 
 if TYPE_CHECKING:
@@ -27,7 +28,8 @@ def judge(system: System, selected: Mapping[str, Options], monitor: Monitor = _N
             continue
         monitor.asking()
         try:
-            findings = list(check.function(system, selected[code]))
+            with limited_suggestions():
+                findings = list(check.function(system, selected[code]))
         except Exception as error:
             page = rules()[code]
             yield failure(Fault.of(f"the rule {page.title}", error, _place_of(system)), page.plugin)
