@@ -127,3 +127,31 @@ def test_methods_outside_of_their_class_share_its_object() -> None:
     """
     [node] = graph({"src/panel.hpp": PANEL, "src/panel.cpp": source})["nodes"]
     assert (node["name"], [client["name"] for client in node["clients"]]) == ("/panel", ["/go"])
+
+
+def test_the_name_of_a_base_is_that_class_whatever_else_is_called_so() -> None:
+    graph_header = "#pragma once\nnamespace path { class Node { public: Node(int cost); }; }"
+    source = """
+    #include "path.hpp"
+    #include "rclcpp/rclcpp.hpp"
+    class Robot : public rclcpp::Node { public: Robot() : Node("robot"), start_(path::Node(1)) {} path::Node start_; };
+    int main(int argc, char ** argv) { rclcpp::init(argc, argv); rclcpp::spin(std::make_shared<Robot>()); }
+    """
+    [node] = graph({"src/path.hpp": graph_header, "src/robot.cpp": source})["nodes"]
+    assert node["name"] == "/robot"
+
+
+def test_parameters_that_fields_are_set_to() -> None:
+    source = """
+    #include "rclcpp/rclcpp.hpp"
+    struct Limits { double low, high; };
+    class Robot : public rclcpp::Node {
+    public:
+      Robot() : Node("robot") {
+        Limits limits = {.low = declare_parameter("low", 0.1), .high = declare_parameter("high", 0.9)};
+      }
+    };
+    int main(int argc, char ** argv) { rclcpp::init(argc, argv); rclcpp::spin(std::make_shared<Robot>()); }
+    """
+    [node] = graph({"src/robot.cpp": source})["nodes"]
+    assert {parameter["name"]: parameter["default"] for parameter in node["parameters"]} == {"low": 0.1, "high": 0.9}

@@ -351,3 +351,17 @@ def test_a_member_is_made_with_what_its_class_elsewhere_takes() -> None:
     assert "    self.image_ = self.image_.__made_with__(self, 'image')" in lines
     assert "    self.helper_ = __member__(self)" in lines
     assert "    self.rate_ = 10" in lines
+
+
+@pytest.mark.parametrize(
+    ("statement", "expected"),
+    [
+        ("Limits l = {.low = go(1), .high = go(2)};", "l = ?Limits(?go(1), ?go(2))"),
+        ("use({.low = go(1)});", "?use([?go(1)])"),
+        ("go(1), go(2);", "?go(1)\n?go(2)"),
+        ("co_await go(1);", "?go(1)"),
+        ("if (x) [[likely]] { go(1); }", "if ?x:\n    ?go(1)"),
+    ],
+)
+def test_a_call_stays_a_call_wherever_it_stands(statement: str, expected: str) -> None:
+    assert in_a_method(statement) == expected

@@ -67,9 +67,11 @@ class ExpressionLowering:
             "condition_clause": self._condition,
             "conditional_expression": self._conditional,
             "assignment_expression": self._assignment,
-            "cast_expression": self._cast,
+            "cast_expression": self._value_of,
             "initializer_list": self._list,
+            "initializer_pair": self._value_of,
             "comma_expression": self._comma,
+            "co_await_expression": self._inner,
         }
 
     def lower(self, node: Node) -> Expr:
@@ -218,13 +220,18 @@ class ExpressionLowering:
         if isinstance(target, facts.Name) and self.names.scopes:
             self.names.scopes[-1].assigned.add(target.id)
 
-    def _cast(self, node: Node, span: Span) -> Expr:
-        return self.lower_field(node, "value")
-
     def _list(self, node: Node, span: Span) -> Expr:
         return facts.Sequence("list", self.lower_all(node.named_children), span)
 
+    def _value_of(self, node: Node, span: Span) -> Expr:
+        """``.rate = 10`` of an object that is made field by field."""
+        return self.lower_field(node, "value")
+
     def _comma(self, node: Node, span: Span) -> Expr:
+        """``a, b``: both are worked out, and the last is the value."""
+        first = self.lower_field(node, "left")
+        if not isinstance(first, (facts.Literal, facts.Opaque, facts.Name, facts.Implicit)):
+            self.before.append(facts.Expression(first, span))
         return self.lower_field(node, "right")
 
 

@@ -54,6 +54,7 @@ class StatementLowering(TextLowering):
             "continue_statement": lambda node, body: self._jump("continue", node, body),
             "labeled_statement": self._labelled,
             "else_clause": self._else,
+            "attributed_statement": self._else,
             "preproc_if": self._preprocessed,
             "preproc_ifdef": self._preprocessed,
             "alias_declaration": self.alias,
@@ -94,6 +95,7 @@ class StatementLowering(TextLowering):
         body.extend(self.block(node.named_children))
 
     def _else(self, node: Node, body: list[Stmt]) -> None:
+        """What stands behind ``else``, or behind ``[[likely]]``."""
         body.extend(self.block(node.named_children))
 
     def _labelled(self, node: Node, body: list[Stmt]) -> None:
