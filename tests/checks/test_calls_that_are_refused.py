@@ -12,11 +12,14 @@ from checks.judging import Judge
 RAISED = Path(__file__).parents[2] / "tests_ros" / "wrong_calls.tsv"
 
 NODE = """
+from threading import Thread
+
 import message_filters
 import rclpy
 from action_msgs.srv import CancelGoal
 from example_interfaces.action import Fibonacci
 from rclpy.action import ActionClient, ActionServer
+from rclpy.executors import SingleThreadedExecutor
 from rclpy.node import Node
 from rclpy.qos import QoSProfile, qos_profile_sensor_data
 from std_msgs.msg import String
@@ -69,6 +72,17 @@ def main():
         ("rclpy.spin(Robot)", "'node' takes a node, not the class Robot"),
         ("rclpy.spin_until_future_complete(rclpy.task.Future(), timeout_sec=1.0)", "'future' is missing"),
         ("self.declare_parameter()", "'name' is missing"),
+        ("self.destroy_timer(self.tick)", "'entity' takes a timer, not the method tick"),
+        ("self.destroy_publisher(self.create_client(Trigger, 'a'))", "'entity' takes a publisher, not a client"),
+        ("self.destroy_subscription('a')", "'entity' takes a subscription, not the text 'a'"),
+        ("SingleThreadedExecutor().add_node(Robot)", "'node' takes a node, not the class Robot"),
+        (
+            "Thread(target=print, args=(self.create_client(Trigger, 'a')))",
+            "'args' takes a tuple of arguments, not a client",
+        ),
+        ("Thread(target=print, args=(1.5))", "'args' takes a tuple of arguments, not the number 1.5"),
+        ("message_filters.TimeSynchronizer([])", "TimeSynchronizer() fails: 'queue_size' is missing"),
+        ("message_filters.ApproximateTimeSynchronizer([], 10)", "'slop' is missing"),
         ("self.get_parameter('a', 1)", "it takes at most 1 argument by position"),
         (
             "self.create_timer(self.declare_parameter('period', 1.0), self.tick)",
@@ -103,6 +117,16 @@ def test_a_call_that_is_refused(judge: Judge, call: str, wrong: str):
         "self.create_subscription(Trigger_Event, 'a/_service_event', self.listen, 10)",
         "self.create_publisher(Trigger.Request, 'a', 10)",
         "self.create_timer('1.0', self.tick)",
+        "self.destroy_timer(self.create_timer(1.0, self.tick))",
+        "self.destroy_publisher(self.create_publisher(String, 'a', 10))",
+        "self.destroy_subscription(self.kept)",
+        "SingleThreadedExecutor().add_node(self)",
+        "Thread(target=rclpy.spin, args=(self,))",
+        "Thread(target=print, args=[1.5])",
+        "Thread(target=print, args='a')",
+        "message_filters.TimeSynchronizer([], 10)",
+        "message_filters.ApproximateTimeSynchronizer([], 10, 0.1)",
+        "message_filters.ApproximateTimeSynchronizer([], 10, 0.1, sync_arrival_time=True)",
         "self.create_publisher(String, 'a', 10).publish(String())",
         "send = self.create_publisher(String, 'a', 10).publish; send(String())",
         "send = self.tick if rclpy.ok() else self.create_client(Trigger, 'a'); send()",
@@ -204,7 +228,7 @@ def test_calls_of_a_file_that_are_wrong_in_the_same_way_are_one_finding(judge: J
         "create_publisher() fails: 'qos_profile' is missing; another call in this file fails in the same way"
     )
     assert finding.help == "write create_publisher(msg_type, topic, qos_profile)"
-    assert [related.place.line for related in finding.related] == [16]
+    assert [related.place.line for related in finding.related] == [19]
 
 
 MIXED = """

@@ -81,6 +81,10 @@ def main():
         ("Header(stamp=now)", "takes a builtin_interfaces/msg/Time, not a Time of rclpy: sending it fails"),
         ("Header(stamp=time.time())", "takes a builtin_interfaces/msg/Time, not a float"),
         ("Header(frame_id=self.name)", "takes a string, not a function"),
+        ("Float64(data=np.float32(1.5))", "takes a float, not a float32 of numpy: something else is sent"),
+        ("Float64(data=np.argmax([1, 2]))", "takes a float, not an int of numpy: something else is sent"),
+        ("Float64(data=np.zeros(3))", "takes a float, not an array of numpy: something else is sent"),
+        ("Bool(data=np.any([0, 1]))", "takes a bool, not a bool of numpy: False is sent"),
         (
             "String('ok')",
             "std_msgs/msg/String takes its fields by name, not an argument without a name: this line fails",
@@ -132,6 +136,10 @@ def test_what_to_do_about_a_float_for_an_int(judge: Judge, line: str, help: str)
         "PoseWithCovariance(covariance=[0.1] * 36)",
         "PoseWithCovariance(covariance=[0] * 36)",  # converted when it is set; only humble refuses it
         "PoseWithCovariance(covariance=np.zeros(36))",
+        "Float64MultiArray(data=np.zeros(3))",
+        "Float64MultiArray(data=[np.float32(1.0)])",
+        "Float64MultiArray(data=np.float32(message.linear.x))",
+        "Int32(data=np.argmax([1, 2]))",
         "PoseWithCovariance(covariance=[message.linear.x for _ in range(36)])",
         "Header(stamp=self.get_clock().now().to_msg())",
         "Header(stamp=now.to_msg())",

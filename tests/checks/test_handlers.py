@@ -107,6 +107,8 @@ MISSING = {
     "a loop that may not run": ("for item in self.items:\n    return response", [1]),
     "a loop that is left": ("while True:\n    if self.ready:\n        break\n    return response", [1]),
     "an exception that is swallowed": ("try:\n    return self.start()\nexcept OSError:\n    self.note()", [1]),
+    "its request": ("request.done = True\nreturn request", [3]),
+    "the class of its response": ("return Trigger.Response", [2]),
     "two ways": ("if self.ready:\n    return\nreturn None", [3, 4]),
 }
 
@@ -136,6 +138,7 @@ def test_the_response_of_another_service(run: Run, body: str):
 
 
 RIGHT = {
+    "a variable of the request's name": "request = response\nreturn request",
     "its own": "answer = Trigger.Response()\nreturn answer",
     "its own, made of another's": "other = SetBool.Response()\nresponse.success = other.success\nreturn response",
     "a variable that is set again": "answer = SetBool.Response()\nanswer = Trigger.Response()\nreturn answer",

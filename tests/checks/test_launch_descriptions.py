@@ -75,6 +75,73 @@ def test_what_a_node_is_given(findings, given, message):
     assert all(message in one.message for one in told)
 
 
+@pytest.mark.parametrize(
+    ("rest", "message"),
+    [
+        (
+            "other = Node(package='robot', executable='talker'),\n    return LaunchDescription([talker, other])",
+            "'other' is a tuple, where launch wants an action: it stops with an AttributeError",
+        ),
+        (
+            "return LaunchDescription([Node(package='robot', executable='talker')(talker)])",
+            "this Node is called like a function: launch stops with a TypeError",
+        ),
+        ("other = talker,\n    return LaunchDescription([*other])", None),
+        ("return LaunchDescription([Node(package='robot', executable='talker'), talker])", None),
+    ],
+)
+def test_a_comma_too_many_or_too_few(findings, rest, message):
+    told = findings("LCH008", **_file(rest))
+    assert [one.message for one in told] == [message] * (message is not None)
+
+
+OPAQUE = """\
+from launch import LaunchDescription
+from launch.actions import OpaqueFunction
+from launch_ros.actions import Node
+
+{function}
+
+def generate_launch_description():
+    return LaunchDescription([OpaqueFunction({given})])
+"""
+ONE = "Node(package='robot', executable='talker')"
+
+
+@pytest.mark.parametrize(
+    ("function", "given", "message"),
+    [
+        (
+            f"def start(context):\n    return {ONE}",
+            "function=start",
+            "'start' returns a single Node, where launch wants",
+        ),
+        (f"def start(context):\n    one = {ONE}\n    return one", "function=start", "'start' returns a single Node"),
+        (f"def start(context):\n    return LaunchDescription([{ONE}])", "function=start", "a single LaunchDescription"),
+        (
+            f"def start():\n    return [{ONE}]",
+            "function=start",
+            "'start' takes no argument, and launch passes the context",
+        ),
+        (
+            f"def start(context=None):\n    return [{ONE}]",
+            "function=start()",
+            "'start' is called here, and OpaqueFunction",
+        ),
+        (f"def start(context):\n    return [{ONE}]", "function=start", None),
+        (f"def start(*given):\n    return [{ONE}]", "function=start", None),
+        (f"def start(context):\n    one = {ONE}\n    one = [one]\n    return one", "function=start", None),
+        (f"def start(context, n):\n    return [{ONE}] * n", "function=start, args=[2]", None),
+        (f"def make():\n    return lambda context: [{ONE}]", "function=make()", None),
+        (f"def make():\n    def start(context):\n        return [{ONE}]\n    return start", "function=make()", None),
+    ],
+)
+def test_the_function_of_an_opaque_function(findings, function, given, message):
+    told = findings("LCH008", **{"launch/it.launch.py": OPAQUE.format(function=function, given=given)})
+    assert len(told) == (message is not None)
+    assert all(message in one.message for one in told)
+
+
 def test_an_action_that_nothing_adds(findings):
     (told,) = findings("LCH008", **_file("return LaunchDescription([])"))
     assert told.message.startswith("nothing adds 'talker' to the launch description") and told.place.line == 6

@@ -64,6 +64,30 @@ GOOD = [
 ]
 
 
+NO_VALUES = {
+    "talker:\n  ros__parameters:\n    rate: 1.0\n    name:": (4, "the parameter 'name' has no value: 'talker' stops"),
+    "talker:\n  ros__parameters:\n    pid:\n      p:\n      i: 1.0": (4, "the parameter 'pid.p' has no value"),
+    "talker:\n  ros__parameters:\n    points: [[1, 2], [3, 4]]": (3, "'points' is a list of lists, and rcl has none"),
+    "talker:\n  ros__parameters:\n    points:\n      - x: 1\n        y: 2": (3, "'points' is a list of maps"),
+    "talker:\n  ros__parameters:\n    a: &a [1]\n    b: *a": (4, "'b' is an alias, and rcl has none"),
+    "one: &one\n  ros__parameters:\n    a: 1\ntwo:\n  <<: *one": (5, "'<<' is an alias, and rcl has none"),
+}
+
+
+@pytest.mark.parametrize("text", NO_VALUES)
+def test_a_value_that_rcl_takes_for_none(findings, text):
+    line, message = NO_VALUES[text]
+    (told,) = findings("PRM009", LOAD_IT, **{"config/p.yaml": text})
+    assert (told.place.file, told.place.line) == ("config/p.yaml", line)
+    assert message in told.message
+
+
+@pytest.mark.parametrize("value", ["''", '""', "null", "~", "[]", "{}", "[[1, 2]]", "&rate 1.0", "|\n      text"])
+def test_a_value_that_rcl_reads(findings, value):
+    text = f"talker:\n  ros__parameters:\n    rate: {value}\n"
+    assert findings("PRM009", LOAD_IT, **{"config/p.yaml": text}) == []
+
+
 @pytest.mark.parametrize("text", GOOD)
 def test_a_file_that_rcl_reads(findings, text):
     assert findings("PRM009", LOAD_IT, **{"config/p.yaml": text}) == []

@@ -50,6 +50,7 @@ SERVER = """
         ("goal_handle.succeed(Spin.Feedback())", "nav2_msgs/action/Spin.Feedback"),
         ("goal_handle.abort(response=Wait.Result())", "nav2_msgs/action/Wait.Result"),
         ("goal_handle.canceled(True)", "True"),
+        ("goal_handle.publish_feedback(goal_handle.request.target_yaw)", "a float"),
     ],
 )
 def test_what_a_goal_is_told(judge: Judge, line: str, given: str):

@@ -6,7 +6,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
+from archlint.analysis.annotations import interface_of
 from archlint.analysis.assumptions import Known, asked, proven, within
+from archlint.analysis.class_chains import targets_of
 from archlint.analysis.other_responses import other_response
 from archlint.analysis.raising_helpers import NeverReturns, never_returns
 from archlint.analysis.source_code import SourceCode, source_code
@@ -116,13 +118,29 @@ def _ends_of(
 ) -> Iterator[HandlerEnd]:
     ends = _ends_as_created(source_code(system), callback, function, raises)
     for end in {id(end): end for end, states in ends.returns if states - {None}}.values():
-        gives, place = _no_answer(end.value), Place.of(callback.file, end.span)
+        gives = _no_answer(end.value) or _request_or_class(system, callback, function, end.value)
+        place = Place.of(callback.file, end.span)
         if gives is not None:
             yield HandlerEnd(callback, place, "return", gives)
         elif other := other_response(system, callback, end.value):
             yield HandlerEnd(callback, place, "return", f"a response of {other[0]}", serves=other[1])
     if ends.falls - {None}:
         yield HandlerEnd(callback, callback.place, "end")
+
+
+def _request_or_class(
+    system: System, callback: Callback, function: facts.Function, value: facts.Expr | None
+) -> str | None:
+    """The request that a service handler was given, or a class of responses, where it returns one of these."""
+    code = source_code(system).facts_at(callback.file)
+    if callback.role != Role.SERVICE or value is None or code is None:
+        return None
+    request = next((param.name for param in function.params if param.name != "self"), "")
+    if value.variable and value.variable == request:
+        bound = {target.variable for target in targets_of(function.body)}
+        return None if request in bound else "its request"
+    interface, section = interface_of(code, value.dotted) if value.attribute == "Response" else (None, "")
+    return f"the class {interface.rpartition('/')[2]}.Response itself" if interface and section else None
 
 
 def _ends_as_created(

@@ -10,48 +10,18 @@ import posixpath
 import re
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once_for_each_file
 from archlint.analysis.launch_code import names_from_launch
+from archlint.analysis.opaque_functions import wrong_functions
+from archlint.analysis.wrong_launch_descriptions import Wrong, WrongDescription
 from archlint.launch.files import GENERATE
-from archlint.string_enum import StringEnum
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in, parts_of
 
 if TYPE_CHECKING:
     from archlint.systems.model import System, WorkspaceIndex
-
-
-class Wrong(StringEnum):
-    """What is wrong with what a launch file makes."""
-
-    NOTHING = "nothing"
-    """``generate_launch_description()`` returns nothing."""
-    LIST = "list"
-    """It returns a list, or a single action."""
-    NO_LIST = "no list"
-    """A list is wanted, and something else is given."""
-    IN_LIST = "in list"
-    """Something is in a list that does not belong there."""
-    MISNAMED = "misnamed"
-    """What makes the launch description has another name than launch looks for."""
-    PARAMETER = "parameter"
-    """It wants an argument, and launch passes none."""
-    NOT_ADDED = "not added"
-    """An action that nothing adds to the launch description."""
-
-
-@dataclass(frozen=True)
-class WrongDescription:
-    """One place: ``given`` is what is there, ``wanted`` what launch takes, ``of`` the argument or class it is for."""
-
-    kind: Wrong
-    span: facts.Span
-    given: str
-    of: str = ""
-    wanted: str = ""
 
 
 def wrong_descriptions(system: System) -> Iterator[tuple[str, WrongDescription]]:
@@ -140,6 +110,7 @@ ACTIONS = frozenset(
 )
 _STARTS = ACTIONS - {"DeclareLaunchArgument", "LogInfo", "SetEnvironmentVariable", "SetParameter", "PushRosNamespace"}
 """The actions whose absence leaves something out."""
+_ADDED = _STARTS | {"DeclareLaunchArgument"}
 _NODES = frozenset({"Node", "LifecycleNode", "ComposableNodeContainer"})
 
 
@@ -174,7 +145,11 @@ class _Code:
                 yield from (w for a in call.args if a.keyword for w in _argument_of_node(kind, a.keyword, a.value))
             elif kind == "LaunchDescription" and call.args and not call.args[0].star:
                 yield from self._entities(call.args[0].value)
+            match call.func:
+                case facts.Call(span=span) as called if self.made(called) in ACTIONS:
+                    yield WrongDescription(Wrong.COMMA, span, self.made(called))
         yield from self._not_added()
+        yield from wrong_functions(self.body, self.made)
 
     def describes(self, function: facts.Function) -> bool:
         """Whether a function returns a launch description that it makes."""
@@ -217,6 +192,20 @@ class _Code:
                         case facts.Sequence() | facts.Mapping() | facts.Literal() if what:
                             of = "the list of LaunchDescription()"
                             yield WrongDescription(Wrong.IN_LIST, element.span, what, of, "actions")
+                        case facts.Name(id=name, span=span) if action := self._action_in_tuple(name):
+                            yield WrongDescription(Wrong.TUPLE, span, name, action)
+
+    def _action_in_tuple(self, name: str) -> str:
+        """The class of the action that is all there is in a tuple, where a variable is that and nothing else."""
+        values = [
+            assign.value
+            for assign in everything_in(self.body, facts.Assign)
+            if any(target.variable == name for target in assign.targets)
+        ]
+        match values:
+            case [facts.Sequence(kind="tuple", elements=[facts.Call() as only])]:
+                return self.made(only) if self.made(only) in ACTIONS else ""
+        return ""
 
     def _not_added(self) -> Iterator[WrongDescription]:
         """The actions that a function assigns to a variable which nothing reads."""
@@ -224,7 +213,7 @@ class _Code:
         if any(names[maker] for maker in ("locals", "globals", "vars", "eval", "exec")):
             return
         for function in everything_in(self.body, facts.Function):
-            rows = [a for a in parts_of(function, facts.Assign) if self.made(a.value) in _STARTS]
+            rows = [a for a in parts_of(function, facts.Assign) if self.made(a.value) in _ADDED]
             for assign in rows:
                 match assign.targets:
                     case [facts.Name(id=name, span=span)] if names[name] == 1 and not name.startswith("_"):
@@ -275,4 +264,4 @@ def _argument_of_node(class_name: str, keyword: str, value: facts.Expr) -> Itera
             yield WrongDescription(Wrong.NO_LIST, value.span, what, of, "a list")
 
 
-__all__ = ["ACTIONS", "Wrong", "WrongDescription", "misnamed_functions", "wrong_descriptions"]
+__all__ = ["ACTIONS", "misnamed_functions", "wrong_descriptions"]

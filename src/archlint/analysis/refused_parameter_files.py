@@ -14,9 +14,11 @@ from archlint.finding import Place
 from archlint.launch.kinds import StartedKind
 from archlint.launch.parameter_sources import ParameterFileUse, files_among
 from archlint.syntax.parameter_structure import ROOT, Misplaced, Misplacement
+from archlint.syntax.refused_parameters import Refusal, RefusedParameter
 
 if TYPE_CHECKING:
     from archlint.launch.started import Started
+    from archlint.syntax.parameter_files import ParameterFacts
     from archlint.systems.model import System
 
 
@@ -63,25 +65,47 @@ class MixedList:
 _TYPES = {bool: "bool", int: "integer", float: "double", str: "string"}
 
 
+@dataclass(frozen=True)
+class NoValue:
+    """A parameter of a file whose value rcl takes for none."""
+
+    file: str
+    refused: RefusedParameter
+    user: str | None
+    given: Place
+
+
 def mixed_lists(system: System) -> Iterator[MixedList]:
     """The first such list of each file that is given to a process as it is: rcl refuses all of the file."""
+    for file, started, use, facts in _given_files(system):
+        for entry in (entry for section in facts.sections for entry in section.entries):
+            types = _types_of(entry.value)
+            if len(types) > 1:
+                user = (started.name or started.executable).text
+                place = Place(file, *entry.span)
+                yield MixedList(file, entry.name, types, place, user, _given_at(started, use.place))
+                break
+
+
+def refused_values(system: System) -> Iterator[NoValue]:
+    """The first such value of each file that is given to a process as it is."""
+    for file, started, use, facts in _given_files(system):
+        if facts.refused is not None and facts.misplaced is None:
+            user = (started.name or started.executable).text
+            yield NoValue(file, facts.refused, user, _given_at(started, use.place))
+
+
+def _given_files(system: System) -> Iterator[tuple[str, Started, ParameterFileUse, ParameterFacts]]:
+    """The files that are given to processes as they are, each once, with the first use."""
     if system.launched is None or system.workspace is None:
         return
     seen: set[str] = set()
     for started in system.launched.started:
         for use in files_among(started.parameters) if started.kind != StartedKind.COMPONENT else ():
             file = use.reference.source
-            if file is None or file in seen or use.changes:
-                continue
-            seen.add(file)
-            sections = system.workspace.parameters_of(file).sections
-            for entry in (entry for section in sections for entry in section.entries):
-                types = _types_of(entry.value)
-                if len(types) > 1:
-                    user = (started.name or started.executable).text
-                    place = Place(file, *entry.span)
-                    yield MixedList(file, entry.name, types, place, user, _given_at(started, use.place))
-                    break
+            if file is not None and file not in seen and not use.changes:
+                seen.add(file)
+                yield file, started, use, system.workspace.parameters_of(file)
 
 
 def _types_of(value: object) -> tuple[str, ...]:
@@ -110,4 +134,15 @@ def _given_at(started: Started, place: Place) -> Place:
     return place if inside or not place.file.endswith(".py") else parameters
 
 
-__all__ = ["ROOT", "Misplaced", "MisplacedIn", "Misplacement", "MixedList", "misplaced_in_files", "mixed_lists"]
+__all__ = [
+    "ROOT",
+    "Misplaced",
+    "MisplacedIn",
+    "Misplacement",
+    "MixedList",
+    "NoValue",
+    "Refusal",
+    "misplaced_in_files",
+    "mixed_lists",
+    "refused_values",
+]

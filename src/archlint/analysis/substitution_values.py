@@ -32,6 +32,8 @@ class Misuse(StringEnum):
     """``f'{LaunchConfiguration('x')}'``."""
     CONVERTED = "converted"
     """``str(LaunchConfiguration('x'))``."""
+    INDEX = "index"
+    """``files[LaunchConfiguration('x')]``."""
     TESTED = "tested"
     """``if LaunchConfiguration('x'):``, ``not LaunchConfiguration('x')``."""
     COMBINED = "combined"
@@ -171,8 +173,13 @@ def _misused(code: _Code) -> Iterator[Misused]:
             case facts.FormatString() if id(part) not in printed:
                 values = [field.value for field in part.parts if isinstance(field, facts.Field)]
                 yield from _each(code, Misuse.FORMATTED, values, part.span)
-            case facts.Call(func=facts.Name(id="str" | "int" | "float"), args=[argument]) if id(part) not in printed:
-                yield from _each(code, Misuse.CONVERTED, [argument.value], part.span, part.func.last_name)
+            case facts.Call(args=[argument, *others]) if (
+                part.func.last_name in _TAKE_VALUES and id(part) not in printed
+            ):
+                if not others or part.func.last_name not in _OF_PYTHON:
+                    yield from _each(code, Misuse.CONVERTED, [argument.value], part.span, part.func.last_name)
+            case facts.Subscript(index=index, span=span):
+                yield from _each(code, Misuse.INDEX, [index], span)
             case facts.Compare(comparators=[facts.Literal(value=None)]):
                 pass  # it asks whether there is a substitution
             case facts.Compare(ops=[op], comparators=[right]) if op in ("==", "!=", "in", "not in"):
@@ -186,6 +193,11 @@ def _misused(code: _Code) -> Iterator[Misused]:
                 pass  # the action only runs with the outcome that the test has
             case facts.If(test=test) | facts.While(test=test) | facts.Conditional(test=test):
                 yield from _tested(code, test)
+
+
+_OF_PYTHON = frozenset({"str", "int", "float", "len", "range"})
+_TAKE_VALUES = _OF_PYTHON | {"open", "get_package_share_directory", "get_package_share_path", "get_package_prefix"}
+"""Functions that need a value at once."""
 
 
 def _each(

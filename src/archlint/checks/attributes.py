@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.absent_members import AbsentMember, absent_members
 from archlint.analysis.launch_properties import ActionOverwritten, overwritten_actions
+from archlint.analysis.object_members import CalledProperty, object_members
 from archlint.analysis.unassigned_attributes import (
     Overwritten,
     Unassigned,
@@ -40,6 +41,9 @@ def attribute_findings(system: System) -> Iterator[Finding]:
     yield from map(_overwritten, overwritten_properties(system.workspace))
     yield from map(_action_overwritten, overwritten_actions(system.workspace))
     yield from (mild_if_uncalled(system, _absent(row)) for row in absent_members(system.workspace))
+    for row in object_members(system):
+        diagnostic = _called_property(row) if isinstance(row, CalledProperty) else _absent(row)
+        yield mild_if_uncalled(system, diagnostic)
     told = {(callback.place.file, callback.missing) for callback in system.callbacks if callback.missing}
     told |= {
         (call.place.file, name) for run in system.programs for call in run.refused_calls for name in call.parameters
@@ -85,6 +89,17 @@ def _absent(row: AbsentMember) -> Finding:
         identity=(row.owner, row.name),
         group=(OF_OBJECT, row.place.file, row.owner, row.name),
         meant=row.near,
+    )
+
+
+def _called_property(row: CalledProperty) -> Finding:
+    return finding(
+        "API002",
+        row.place,
+        f"'{row.name}' of a {row.owner} is a value, no method: calling it fails with a TypeError",
+        help=f"write {row.name} without parentheses",
+        identity=(row.owner, row.name),
+        group=(OF_OBJECT, row.place.file, row.owner, row.name),
     )
 
 

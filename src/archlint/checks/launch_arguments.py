@@ -9,11 +9,11 @@ from itertools import groupby
 from typing import TYPE_CHECKING
 
 from archlint.analysis.launch_code import listed_as, may_read_argument
+from archlint.analysis.unread_arguments import all_readers_are_known
 from archlint.checks.folding import folds, with_places
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related, Severity
-from archlint.launch.parameter_sources import ParameterFileUse
 from archlint.suggestions import did_you_mean, listed
 
 if TYPE_CHECKING:
@@ -221,7 +221,7 @@ def _unknown_arguments(
     if not given or len(sources) < len({include.reference for include in includes}):
         return
     targets = [workspace.launched_alone[source] for source in sources]
-    if not all(map(_is_known, targets)):
+    if not all(map(all_readers_are_known, targets)):
         return
     files = {source for target in targets for source in _files_of(target)}
     declared = sorted({argument.name for target in targets for argument in target.declared})
@@ -298,22 +298,5 @@ def _of_one_cause(findings: Sequence[Finding]) -> Finding:
     return replace(first, message=message, related=(*first.related, *rows))
 
 
-def _is_known(target: Launched) -> bool:
-    """Whether everything is seen that may take an argument of an included file."""
-    includes_others = any(include.reference.source is None for include in target.included)
-    if includes_others or target.gaps or target.ros1 or not target.is_launch_file or target.reads_any:
-        return False
-    return not _substitutes_in_parameters(target)
-
-
 def _files_of(target: Launched) -> set[str]:
     return {target.file, *(i.reference.source for i in target.included if i.reference.source is not None)}
-
-
-def _substitutes_in_parameters(target: Launched) -> bool:
-    """Whether parameter files may read any configuration: an include's arguments are set for these too."""
-    return any(
-        isinstance(parameter, ParameterFileUse) and parameter.substitutions
-        for started in target.started
-        for parameter in started.parameters
-    )

@@ -6,7 +6,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.analysis.launch_descriptions import Wrong, WrongDescription, misnamed_functions, wrong_descriptions
+from archlint.analysis.launch_descriptions import misnamed_functions, wrong_descriptions
+from archlint.analysis.wrong_launch_descriptions import Wrong, WrongDescription
 from archlint.checks.folding import folds, with_other_places
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -109,6 +110,21 @@ def _said(wrong: WrongDescription) -> tuple[str, str]:
         case Wrong.NOT_ADDED:
             text = f"nothing adds '{wrong.given}' to the launch description, so that launch never runs this {wrong.of}"
             return text, f"put '{wrong.given}' into the list of LaunchDescription(), or delete it"
+        case Wrong.TUPLE:
+            text = f"'{wrong.given}' is a tuple, where launch wants an action: it stops with an AttributeError"
+            return text, f"remove the comma behind the {wrong.of}, which makes the tuple"
+        case Wrong.COMMA:
+            text = f"this {wrong.given} is called like a function: launch stops with a TypeError"
+            return text, "put a comma behind it"
+        case Wrong.OPAQUE:
+            text = f"'{wrong.of}' returns a single {wrong.given}, where launch wants a list: it stops with a TypeError"
+            return text, "return the actions in a list: [...]"
+        case Wrong.OPAQUE_CALLED:
+            text = f"'{wrong.given}' is called here, and OpaqueFunction wants the function itself"
+            return text, f"write OpaqueFunction(function={wrong.given})"
+        case Wrong.OPAQUE_CONTEXT:
+            text = f"'{wrong.given}' takes no argument, and launch passes the context: a TypeError stops it"
+            return text, f"write def {wrong.given}(context)"
         case Wrong.NO_LIST:
             return f"{wrong.of} is given {wrong.given}, and launch wants {wrong.wanted}", "put it into a list: […]"
     advice = f"write {wrong.wanted}" if wrong.wanted != "actions" else "put the actions themselves into the list"

@@ -61,7 +61,7 @@ def parameters_for_unknown_node(system: System, options: Options) -> Iterator[Fi
         keys = [section.key for section in workspace.parameters_of(file).sections if "*" not in section.key]
         unmet = [node for node in started if not any(key_matches(key, node.name) for key in keys)]
         for section in workspace.parameters_of(file).sections:
-            if "*" in section.key or "$(" in section.key or _any_matches(section.key, started):
+            if section.key == "/" or "*" in section.key or "$(" in section.key or _any_matches(section.key, started):
                 continue
             finding_ = _judged(workspace, Place(file, *section.span), section.key, started, unmet)
             if finding_ is not None:

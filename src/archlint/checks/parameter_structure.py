@@ -1,4 +1,4 @@
-"""PRM009: parameter files that rcl refuses, for their structure or for a list of several types."""
+"""PRM009: parameter files that rcl refuses, for their structure, a list of several types or what is no value."""
 
 from __future__ import annotations
 
@@ -11,12 +11,15 @@ from archlint.analysis.refused_parameter_files import (
     MisplacedIn,
     Misplacement,
     MixedList,
+    NoValue,
+    Refusal,
     misplaced_in_files,
     mixed_lists,
+    refused_values,
 )
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
-from archlint.finding import Finding, Related
+from archlint.finding import Finding, Place, Related
 from archlint.suggestions import listed
 
 if TYPE_CHECKING:
@@ -36,6 +39,30 @@ def parameter_file_structure(system: System, options: Options) -> Iterator[Findi
             identity=(key.file, key.wrong.kind, key.wrong.key),
         )
     yield from map(_mixed, mixed_lists(system))
+    yield from map(_no_value, refused_values(system))
+
+
+def _no_value(row: NoValue) -> Finding:
+    whom = f"'{row.user}'" if row.user else "a node"
+    name = row.refused.name
+    stops = f"{whom} stops when it reads this file"
+    message, help = {
+        Refusal.EMPTY: (f"the parameter '{name}' has no value: {stops}", "give it a value, or remove the line"),
+        Refusal.ALIAS: (f"'{name}' is an alias, and rcl has none: {stops}", "write the values out"),
+        Refusal.NESTED: (f"'{name}' is a list of lists, and rcl has none: {stops}", "write all values in one list"),
+        Refusal.MAPS: (
+            f"'{name}' is a list of maps, which no parameter of ROS is",
+            "give each map a key of its own instead of a dash",
+        ),
+    }[row.refused.kind]
+    return finding(
+        "PRM009",
+        Place(row.file, *row.refused.span),
+        message,
+        help=help,
+        related=(Related(row.given, "this file is given to it here"),),
+        identity=(row.file, row.refused.kind, name),
+    )
 
 
 def _mixed(row: MixedList) -> Finding:

@@ -23,6 +23,7 @@ from archlint.model.given import (
     Message,
     Node,
     Object,
+    PlainValue,
 )
 
 if TYPE_CHECKING:
@@ -96,7 +97,12 @@ def _wrong(given: Given, type_: str, section_name: MessageClass) -> str | None:
             return repr(given.value)
         case Collection():
             return f"a {given.kind}"
+        case PlainValue(of_class=name):
+            return _PLAIN[name]
     return _object_of_rclpy(given)
+
+
+_PLAIN = {"bool": "a bool", "float": "a float", "int": "an int", "str": "a string"}
 
 
 def _object_of_rclpy(given: Given) -> str | None:

@@ -19,7 +19,7 @@ from archlint.checks.scope import Scope
 from archlint.checks.time_operators import OPERATOR, time_operator_findings
 from archlint.checks.uncalled import mild_if_uncalled
 from archlint.finding import Finding
-from archlint.libraries.api_signatures import attributes_of
+from archlint.libraries.api_signatures import attributes_of, signatures_of
 from archlint.model import Misuse, RefusedCall
 from archlint.ros.distros import DISTROS
 
@@ -158,7 +158,14 @@ def _judged(system: System) -> Iterator[RefusedCall]:
 def _is_refused(call: RefusedCall, distros: tuple[str, ...]) -> bool:
     """Whether all of the distributions to judge for refuse a call: one that works in some of them may be meant for
     those."""
-    return all(distro in call.distros or (distro in _NEWER and _AS_NEWEST in call.distros) for distro in distros)
+    refusing = {*call.distros}
+    known = [distro for distro in DISTROS if distro in signatures_of(call.api)]
+    if _AS_NEWEST in refusing:
+        refusing |= _NEWER
+    elif call.misuse is Misuse.MISSING and known and known[-1] in refusing:
+        # What a library needs in the newest distribution that the table has of it, it needs in later ones.
+        refusing.update(DISTROS[DISTROS.index(known[-1]) :])
+    return refusing.issuperset(distros)
 
 
 def _finding(call: RefusedCall) -> Finding:
@@ -220,6 +227,9 @@ def _what_is_wrong(call: RefusedCall) -> str:
             return f"{names} takes {call.wanted}, not {call.given}"
 
 
+_THREAD = "threading.Thread"
+
+
 def _cure(name: str, call: RefusedCall) -> str:
     if call.api == GET_LOGGER:
         return "write get_logger().info(…)"
@@ -234,6 +244,8 @@ def _cure(name: str, call: RefusedCall) -> str:
     if _is_inherited_constructor(call):
         return f"give {call.given} an __init__() that calls super().__init__({', '.join(call.signature)})"
     if call.misuse is Misuse.KIND:
+        if call.api == _THREAD:
+            return "put a comma behind it, which makes the tuple: args=(…,)"
         if call.parameters == ("executor",) and call.api.endswith("spin_until_future_complete"):
             return "give the timeout by name, timeout_sec=…: the executor comes before it"
         called = call.given.startswith("what ")

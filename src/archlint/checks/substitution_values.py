@@ -46,6 +46,12 @@ def _said(misused: Misused) -> tuple[str, str]:
         case Misuse.CONVERTED:
             help = "give the action the substitution itself: launch makes its value of it"
             return f"{misused.operator}() is called with a {what}, which has no value until launch performs it", help
+        case Misuse.INDEX:
+            effect = "which has no value until launch performs it: the launch stops here"
+            return (
+                f"[…] looks up a {what}, {effect}",
+                "look it up in an OpaqueFunction, with the text of perform(context)",
+            )
         case Misuse.COMPARED:
             result = "false" if misused.operator in ("==", "in") else "true"
             instead = "EqualsSubstitution" if misused.operator in ("==", "in") else "NotEqualsSubstitution"

@@ -1,10 +1,11 @@
-"""What API001 says of operators between times, durations and numbers."""
+"""What API001 says of times, durations and numbers: operators between them, and one in place of another."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from archlint.analysis.numbers_for_times import NumberForTime, numbers_for_times
 from archlint.analysis.time_operators import Kind, RefusedOperator, refused_operators
 from archlint.checks.registry import finding
 
@@ -17,9 +18,22 @@ OPERATOR = "operator"
 
 
 def time_operator_findings(system: System) -> Iterator[Finding]:
-    """The findings about such operators in the files that use rclpy."""
+    """The findings about such operators, and about numbers in their place, in the files that use rclpy."""
     if system.workspace is not None:
         yield from map(_finding, refused_operators(system.workspace))
+        yield from map(_of_number, numbers_for_times(system.workspace))
+
+
+def _of_number(row: NumberForTime) -> Finding:
+    cure = "Duration(seconds=…)" if row.wanted == "Duration" else "rclpy.time.Time(), the newest there is"
+    return finding(
+        "API001",
+        row.place,
+        f"{row.call}() fails: '{row.parameter}' takes a {row.wanted} of rclpy, not a number",
+        help=f"pass {cure}",
+        identity=(row.call, row.parameter),
+        group=(row.place.file, row.call, row.parameter),
+    )
 
 
 def _finding(row: RefusedOperator) -> Finding:

@@ -40,7 +40,9 @@ def call_external(run: Run, offers: Offers, function: External, site: CallSite) 
         return use(run, offers, api, receiver, site)
     noted = NOTED.get(path)
     if noted is not None and site.expression is not None:
-        watched_calls.note(run, noted, None, bind_api(noted, site.args, site.keywords)[0], site.expression)
+        bound, _ = bind_api(noted, site.args, site.keywords)
+        refused_calls.note(run, noted, None, site, bound)
+        watched_calls.note(run, noted, None, bound, site.expression)
     plain = offers.plain.get(path)
     if plain is not None:
         return plain(run, site)

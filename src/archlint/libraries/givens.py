@@ -11,6 +11,7 @@ from archlint.interpreter.values import (
     Known,
     ListValue,
     OneOf,
+    Unknown,
     Value,
 )
 from archlint.libraries.values import EntityValue, ExecutorValue, FutureValue, MessageValue, NodeValue
@@ -47,6 +48,8 @@ def given_by(value: Value, process: given.Process) -> given.Given:
             return given.Collection("list")
         case DictValue():
             return given.Collection("dict")
+        case Unknown(of_class="bool" | "float" | "int" | "str" as name) if not value.via:
+            return given.PlainValue(name)
         case _:
             return given.UNKNOWN
 

@@ -38,6 +38,12 @@ class Kind(Enum):
     SECONDS = "a number of seconds"
     HERTZ = "a number of hertz"
     EXECUTOR = "an executor"
+    PUBLISHER = "a publisher"
+    SUBSCRIPTION = "a subscription"
+    CLIENT = "a client"
+    SERVER = "a service"
+    TIMER = "a timer"
+    ARGUMENTS = "a tuple of arguments"
 
 
 _INTERFACES = {
@@ -55,7 +61,23 @@ _BY_NAME = {
     "executor": Kind.EXECUTOR,
 }
 _JUDGED = ("rclpy.", "message_filters.", "tf2_ros.")
+_DESTROYED = {
+    "rclpy.node.Node.destroy_publisher": Kind.PUBLISHER,
+    "rclpy.node.Node.destroy_subscription": Kind.SUBSCRIPTION,
+    "rclpy.node.Node.destroy_client": Kind.CLIENT,
+    "rclpy.node.Node.destroy_service": Kind.SERVER,
+    "rclpy.node.Node.destroy_timer": Kind.TIMER,
+}
+_CLASSES = {
+    Kind.PUBLISHER: "rclpy.publisher.Publisher",
+    Kind.SUBSCRIPTION: "rclpy.subscription.Subscription",
+    Kind.CLIENT: "rclpy.client.Client",
+    Kind.SERVER: "rclpy.service.Service",
+    Kind.TIMER: "rclpy.timer.Timer",
+}
+_THREAD = "threading.Thread"
 _SPINNING = frozenset({"rclpy.spin", "rclpy.spin_once", "rclpy.spin_until_future_complete"})
+_SPINNING |= {"rclpy.executors.Executor.add_node"}
 _AS_A_NODE = frozenset({"__getattr__", "__getattribute__", "handle", "subscriptions"})
 """Methods with which a class answers what executors ask a node."""
 
@@ -63,8 +85,12 @@ _AS_A_NODE = frozenset({"__getattr__", "__getattribute__", "handle", "subscripti
 @once_for
 def kinds_of(api: Api) -> Mapping[str, Kind]:
     """What the parameters of an API take, as far as archlint judges it."""
+    if api.path == _THREAD:
+        return {"args": Kind.ARGUMENTS}
     if not api.path.startswith(_JUDGED):
         return {}
+    if api.path in _DESTROYED:
+        return {"entity": _DESTROYED[api.path]}
     kinds = {name: kind for name, kind in _BY_NAME.items() if name in api.params}
     if api.type is not None and api.kind is not None and not api.type_as_text:
         kinds[api.type] = _INTERFACES[api.kind]
@@ -89,6 +115,8 @@ def is_other(api: Api, kind: Kind, value: Value, written: facts.Expr | None) -> 
         return False  # a parameter may have another value where the node runs
     if kind in _SECTIONS:
         return _is_no_interface(value, _SECTIONS[kind])
+    if kind in _CLASSES:
+        return _is_no_entity(value, _CLASSES[kind])
     if kind is Kind.NODE and api.path in _SPINNING and _is_other_object(value):
         return True
     return _IS_OTHER[kind](value, written)
@@ -181,6 +209,30 @@ def _is_no_number(value: Value, written: facts.Expr | None) -> bool:
     return _is_class(value) or _is_function(value) or isinstance(value, MessageValue)
 
 
+def _is_no_entity(value: Value, path: str) -> bool:
+    """Whether it is another endpoint than those of a class, or none."""
+    match value:
+        case EntityValue(path=own):
+            return own != path and own in _CLASSES.values()
+        case Known(value=str()):
+            return True
+    return _is_function(value) or isinstance(value, NodeValue)
+
+
+def _is_no_tuple(value: Value, written: facts.Expr | None) -> bool:
+    """Whether nothing can go through it: ``args=(node)`` is the node itself."""
+    match value:
+        case Known(value=bool() | int() | float()):
+            return True
+        case Instance(cls=ClassValue() as cls):
+            methods = {item.name for base in cls.classes for item in base.ir.body if isinstance(item, facts.Function)}
+            return node_classes.is_node(cls) and node_classes.has_only(cls) and methods.isdisjoint(_GONE_THROUGH)
+    return _is_function(value) or isinstance(value, (EntityValue, MessageValue, NodeValue))
+
+
+_GONE_THROUGH = frozenset({"__iter__", "__getitem__", "__getattr__"})
+
+
 _IS_OTHER: Mapping[Kind, Callable[[Value, facts.Expr | None], bool]] = {
     Kind.NAME: _is_no_text,
     Kind.PROFILE: _is_no_profile,
@@ -190,6 +242,7 @@ _IS_OTHER: Mapping[Kind, Callable[[Value, facts.Expr | None], bool]] = {
     Kind.SECONDS: _is_no_number,
     Kind.HERTZ: _is_no_number,
     Kind.EXECUTOR: _is_no_node,
+    Kind.ARGUMENTS: _is_no_tuple,
 }
 
 

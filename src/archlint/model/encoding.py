@@ -113,7 +113,7 @@ PROGRAMS: Final = Language(
         WrongValue,
         *(given.Given, given.Constant, given.OneOf, given.Entity, given.Future, given.Node, given.Executor),
         *(given.Message, given.Process, given.Object, given.GoalHandle, given.Duration),
-        *(given.ForeignClass, given.Collection),
+        *(given.ForeignClass, given.Collection, given.PlainValue),
         *(branches.CodeBranch, branches.ChoiceOfArgument, branches.ChoiceOfCallee),
     ),
 )

@@ -58,6 +58,13 @@ class Constant(Given):
 
 
 @dataclass(frozen=True, slots=True)
+class PlainValue(Given):
+    """A value of one of Python's own classes, of which no more is known: the text in a field of a message."""
+
+    of_class: str
+
+
+@dataclass(frozen=True, slots=True)
 class OneOf(Given):
     """One of several."""
 

@@ -9,6 +9,7 @@ from archlint.records import dataclass
 from archlint.syntax.facts import FileProblem, Span, Suppression
 from archlint.syntax.launch_yaml import suppressions_of_lines
 from archlint.syntax.parameter_structure import ROOT, Misplaced, first_misplaced
+from archlint.syntax.refused_parameters import RefusedParameter, first_refused
 from archlint.syntax.safe_yaml import YamlError, YamlReader, in_python, span_of
 
 if TYPE_CHECKING:
@@ -73,6 +74,8 @@ class ParameterFacts:
     """What a file without any ``ros__parameters`` gives to a component: launch_ros takes all of it for parameters."""
     misplaced: Misplaced | None = None
     """The first key that is not where rcl wants it."""
+    refused: RefusedParameter | None = None
+    """The first parameter whose value rcl takes for none."""
 
 
 def read_parameters(text: str) -> ParameterFacts:
@@ -87,12 +90,15 @@ def read_parameters(text: str) -> ParameterFacts:
         if len(reader.roots) == 1 and not sections:
             _entries(reader, reader.roots[0], (), plain, 0)
         misplaced = first_misplaced(reader.roots[0]) if reader.roots else None
+        refused = first_refused(reader.roots[0]) if reader.roots else None
     except YamlError as error:
         return ParameterFacts(problems=(FileProblem(error.line, error.column, error.message),))
     except RecursionError:
         return ParameterFacts(problems=(FileProblem(1, 1, "nested too deeply"),))
     suppressions = tuple(suppressions_of_lines(text))
-    return ParameterFacts(tuple(sections), suppressions=suppressions, plain=tuple(plain), misplaced=misplaced)
+    return ParameterFacts(
+        tuple(sections), suppressions=suppressions, plain=tuple(plain), misplaced=misplaced, refused=refused
+    )
 
 
 def _sections(

@@ -160,8 +160,12 @@ _NUMBERS = {
         "random": "gauss random uniform",
     },
     "int": {"time": "time_ns monotonic_ns perf_counter_ns", "random": "randint randrange", "math": "ceil floor trunc"},
+    "numpy.bool": {"numpy": "all any bool_"},
+    "numpy.integer": {"numpy": "argmax argmin int8 int16 int32 int64 uint8 uint16 uint32 uint64"},
+    "numpy.float32": {"numpy": "float16 float32"},
+    "numpy.ndarray": {"numpy": "arange array empty eye full identity linspace ones zeros"},
 }
-"""The functions of Python's modules that give a number, by its class."""
+"""The functions of Python's modules, and of numpy, that give a number or an array, by its class."""
 
 
 PLAIN: dict[str, Plain] = {

@@ -53,6 +53,7 @@ class _What(StringEnum):
     BYTES = "bytes"
     LIST = "list"
     DICT = "dict"
+    NUMPY = "number of numpy"
     MESSAGE = "message"
     OBJECT = "object"
 
@@ -145,6 +146,8 @@ def _of_integer(name: str, value: Value, shape: _Shape) -> Misfit | None:
         return None
     if shape.what is not _What.INT:
         number = value.constant
+        if shape == _OF_CLASSES["numpy.integer"]:  # what converts it asks for __index__()
+            return _wrong("an int", shape, ValueEffect.NONE, _TO_INT)
         is_part = isinstance(number, float) and not number.is_integer()
         cure = "use a whole number, or another field: int() would cut the fraction off" if is_part else _TO_INT
         return _wrong("an int", shape, ValueEffect.SENT, cure)
@@ -160,7 +163,8 @@ def _of_bool(value: Value, shape: _Shape) -> Misfit | None:
     if shape.what is _What.BOOL:
         return None
     false = isinstance(value, Known) and not value.value
-    return _wrong("a bool", shape, ValueEffect.NONE if false else ValueEffect.FALSE, "assign True or False")
+    cure = "convert it with bool()" if shape.what is _What.NUMPY else "assign True or False"
+    return _wrong("a bool", shape, ValueEffect.NONE if false else ValueEffect.FALSE, cure)
 
 
 def _of_message(run: Run, kind: FieldType, value: Value, shape: _Shape) -> Misfit | None:
@@ -185,7 +189,8 @@ def _has_fields_of(run: Run, value: MessageValue, wanted: str) -> bool:
 def _of_array(run: Run, kind: FieldType, value: Value, shape: _Shape) -> Misfit | None:
     if shape.what is _What.LIST:
         return _of_list(run, kind, value)
-    if shape.what is _What.DICT or shape.what is _What.BYTES:
+    of_numpy = shape.what is _What.NUMPY or shape == _OF_CLASSES["numpy.ndarray"]  # of arrays, arrays
+    if of_numpy or shape.what in (_What.DICT, _What.BYTES):
         return None
     many = _many(kind)
     if kind.name in _FLOATS | _INTEGERS:
@@ -220,9 +225,10 @@ def _effect_in_array(kind: FieldType, item: Value, fault: Misfit) -> ValueEffect
     if kind.name not in _FLOATS | _INTEGERS:
         return fault.effect
     shapes = {shape.what for option in alternatives(item) if (shape := _shape_of(option)) is not None}
-    if kind.name in _FLOATS and shapes <= _NUMBERS:
+    numbers = shapes <= _NUMBERS | {_What.NUMPY}
+    if kind.name in _FLOATS and numbers:
         return ValueEffect.NONE
-    return ValueEffect.CHANGED if kind.array == "fixed" and shapes <= _NUMBERS else ValueEffect.SET
+    return ValueEffect.CHANGED if kind.array == "fixed" and numbers else ValueEffect.SET
 
 
 def _many(kind: FieldType) -> str:
@@ -245,6 +251,10 @@ _OF_CLASSES = {
     "float": _Shape(_What.FLOAT, "a float"),
     "str": _Shape(_What.TEXT, "a string"),
     "bool": _Shape(_What.BOOL, "a bool"),
+    "numpy.bool": _Shape(_What.NUMPY, "a bool of numpy"),
+    "numpy.integer": _Shape(_What.NUMPY, "an int of numpy"),
+    "numpy.float32": _Shape(_What.NUMPY, "a float32 of numpy"),
+    "numpy.ndarray": _Shape(_What.OBJECT, "an array of numpy"),
     clocks.TIME: _Shape(_What.OBJECT, "a Time of rclpy", "add .to_msg()"),
     "rclpy.duration.Duration": _Shape(_What.OBJECT, "a Duration of rclpy", "add .to_msg()"),
     "rclpy.parameter.Parameter": _Shape(_What.OBJECT, "a Parameter", "add .value"),

@@ -1,0 +1,47 @@
+"""PRM011: a Parameter that is used as if it were the value in it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
+
+from archlint.analysis.parameters_as_values import Outcome, ParameterUse, parameter_uses
+from archlint.checks.folding import folds, with_places
+from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
+from archlint.finding import Finding
+
+if TYPE_CHECKING:
+    from archlint.systems.model import System
+
+
+@rule("PRM011", scope=Scope.CODE)
+def parameter_as_value(system: System, options: Options) -> Iterator[Finding]:
+    """Parameters without ``.value`` where code calculates, compares or decides."""
+    for use in parameter_uses(system):
+        yield finding(
+            "PRM011",
+            use.place,
+            f"get_parameter() returns a Parameter, and {_what_comes_of(use)}",
+            help="read the value that is in it: get_parameter(…).value",
+            identity=(use.outcome, use.by),
+            group=(use.place.file,),
+        )
+
+
+def _what_comes_of(use: ParameterUse) -> str:
+    match use.outcome:
+        case Outcome.FAILS:
+            return f"{use.by} fails with a TypeError for one"
+        case Outcome.TRUE if not use.by:
+            return "this condition takes it for true whatever its value is"
+    return f"{use.by} between it and a constant is always {'True' if use.outcome is Outcome.TRUE else 'False'}"
+
+
+@folds("PRM011")
+def _of_one_file(findings: Sequence[Finding]) -> Finding:
+    """One finding for all such uses of a file."""
+    return with_places(findings, "here, too")
+
+
+__all__ = ["parameter_as_value"]

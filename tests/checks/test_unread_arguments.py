@@ -1,0 +1,87 @@
+"""LCH011: launch arguments that are declared and never read."""
+
+from __future__ import annotations
+
+import pytest
+
+from archlint.finding import Severity
+
+FILE = """\
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, IncludeLaunchDescription, OpaqueFunction
+from launch.substitutions import LaunchConfiguration
+from launch_ros.actions import Node
+{top}
+
+def generate_launch_description():
+    {line}
+    return LaunchDescription([
+        DeclareLaunchArgument('speed', default_value='1.0'),
+        Node(package='robot', executable='talker', {given}),
+    ])
+"""
+
+
+def _file(line: str = "pass", given: str = "name='talker'", top: str = "") -> dict[str, str]:
+    return {"launch/it.launch.py": FILE.format(line=line, given=given, top=top)}
+
+
+@pytest.mark.parametrize(
+    "files",
+    [
+        _file(),
+        _file("speed = LaunchConfiguration('speed')"),
+        _file(given="parameters=[{'speed': 1.0}]"),
+    ],
+)
+def test_an_argument_that_nothing_reads(findings, files):
+    (told,) = findings("LCH011", **files)
+    assert told.message == "nothing reads the launch argument 'speed': setting it has no effect"
+    assert (told.place.file, told.place.line, told.severity) == ("launch/it.launch.py", 10, Severity.WARNING)
+
+
+def test_use_sim_time_is_declared_as_a_habit(findings):
+    (told,) = findings(
+        "LCH011", **{"launch/it.launch.py": _file()["launch/it.launch.py"].replace("speed", "use_sim_time")}
+    )
+    assert told.severity is Severity.INFO
+
+
+def test_all_of_a_file_are_one_finding(findings):
+    (told,) = findings("LCH011", '<arg name="speed" default="1"/><arg name="colour"/><node pkg="robot" exec="talker"/>')
+    assert "'speed' and 'colour'" in told.message and len(told.related) == 1
+
+
+@pytest.mark.parametrize(
+    "files",
+    [
+        _file(given="parameters=[{'speed': LaunchConfiguration('speed')}]"),
+        _file("speed = LaunchConfiguration('speed')", given="parameters=[{'speed': speed}]"),
+        _file("speed = LaunchConfiguration('speed')", given="parameters=[{'x': 1.0}], name=helper(speed)"),
+        _file(top="NAMES = ['speed']"),  # code that the run does not come to may read it
+        _file(given="parameters=[LaunchConfiguration(some())]"),
+    ],
+)
+def test_an_argument_that_may_be_read(findings, files):
+    assert findings("LCH011", **files) == []
+
+
+def test_an_include_may_read_it(findings):
+    """Includes are not scoped: what this file declares is known in the other one."""
+    other = '<launch><node pkg="robot" exec="talker" name="$(var speed)"/></launch>'
+    include = '<arg name="speed" default="1"/><include file="$(find-pkg-share robot)/launch/other.launch.xml"/>'
+    assert findings("LCH011", include, **{"launch/other.launch.xml": other}) == []
+
+
+def test_an_include_from_elsewhere_may_read_it(findings):
+    include = '<arg name="speed" default="1"/><include file="$(find-pkg-share nav2_bringup)/launch/nav.launch.py"/>'
+    assert findings("LCH011", include) == []
+
+
+def test_the_launch_file_that_includes_this_one_may_read_it(findings):
+    outer = (
+        '<launch><include file="$(find-pkg-share robot)/launch/it.launch.xml"/>'
+        '<node pkg="robot" exec="talker" name="$(var speed)"/></launch>'
+    )
+    declares = '<arg name="speed" default="a"/><node pkg="robot" exec="talker"/>'
+    assert findings("LCH011", declares, **{"launch/outer.launch.xml": outer}) == []
