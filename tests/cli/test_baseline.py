@@ -197,9 +197,12 @@ def test_a_configuration_cannot_choose_a_file_elsewhere(say):
     assert result.err.startswith("archlint: error: archlint.toml:1: `baseline` leads out of the repository")
 
 
-def test_no_line_that_moves_ends_an_entry(say, tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
-    shutil.copytree(Path(__file__).parents[2] / "fixtures" / "broken_system", tmp_path / "broken")
-    monkeypatch.chdir(tmp_path / "broken")
+def test_no_line_that_moves_ends_an_entry(
+    say, tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.MonkeyPatch
+):
+    broken = tmp_path_factory.mktemp("alone") / "broken"
+    shutil.copytree(Path(__file__).parents[2] / "fixtures" / "broken_system", broken)
+    monkeypatch.chdir(broken)
     assert say("--baseline", FILE, "--write-baseline").findings == []
     assert len(entries()) > 10
     for file in [*Path().rglob("*.py"), *Path().rglob("*.yaml"), *Path().rglob("*.msg")]:

@@ -180,18 +180,21 @@ def _spinner(call: ApiCall, program: Program) -> str:
     return _EXECUTOR if any(node not in use.spells for use in uses) else _NOBODY
 
 
+_LONGER = ", with more seconds than the server ever takes"
+
+
 def _help(code: SourceCode, call: ApiCall, spinner: str, distros: tuple[str, ...]) -> str:
     goal = call.api == _SEND_GOAL
     sent = "send_goal_async()" if goal else "call_async()"
     if spinner == _NOBODY:
-        return f"{sent} and rclpy.spin_until_future_complete(node, future, timeout_sec=2.0)"
+        return f"{sent} and rclpy.spin_until_future_complete(node, future, timeout_sec=…){_LONGER}"
     if spinner == _EXECUTOR:
         # rclpy's own function would take the node from its executor for good.
-        return f"{sent} and executor.spin_until_future_complete(future, timeout_sec=2.0)"
+        return f"{sent} and executor.spin_until_future_complete(future, timeout_sec=…){_LONGER}"
     unread = spinner == _UNKNOWN and stands_alone(code, call)
     if runs_in_executor(call.context) or (unread and not other_arm_only_sends(code, call)):
         return f"{sent} and continue in a done callback: future.add_done_callback(…)"
     if not goal and "humble" not in distros:
-        return "call(request, timeout_sec=2.0)"
+        return f"call(request, timeout_sec=…){_LONGER}"
     who = "in a thread that does not spin" if spinner == _UNKNOWN else "another thread spins the node"
-    return f"{who}: {sent}, and wait with event.wait(timeout=2.0) for an Event that a done callback sets"
+    return f"{who}: {sent}, and wait with event.wait(timeout=…) for an Event that a done callback sets{_LONGER}"

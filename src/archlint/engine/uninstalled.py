@@ -53,10 +53,12 @@ def once_for_a_file(findings: Iterable[Finding], files: AbstractSet[str]) -> lis
             of_files.setdefault((finding.code, finding.place.file, finding.system, apart), []).append(finding)
         else:
             shown.append(finding)
-    of_copies: dict[tuple[str, str, str, int | None], list[Finding]] = {}
+    of_copies: dict[tuple[object, ...], list[Finding]] = {}
     for (code, file, _, apart), row in of_files.items():
         finding = _first_of(row, "another line like it", "more lines like it")
-        of_copies.setdefault((code, posixpath.dirname(file), finding.message, apart), []).append(finding)
+        # The line and the message are those of a copy, which may have other values.
+        twin = posixpath.dirname(file), finding.message, finding.place.line
+        of_copies.setdefault((code, *twin, apart), []).append(finding)
     copies = (_first_of(row, "so does a copy beside it", "copies beside it do, too") for row in of_copies.values())
     reason = "; no installed program uses this file"
     return [*shown, *(replace(finding, message=f"{finding.message}{reason}") for finding in copies)]
