@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Union
 
-from archlint.analysis.kept import once_for_each_file
+from archlint.analysis.kept import kept_for_each_file
 from archlint.libraries.module_names import is_known, is_module, lacks
 from archlint.place import Place
 from archlint.syntax import facts
@@ -54,7 +54,7 @@ def absent_imports(workspace: WorkspaceIndex) -> Iterator[tuple[str, Absent]]:
                 yield file.relative, absent
 
 
-@once_for_each_file
+@kept_for_each_file
 def _absent(file_facts: facts.Facts) -> list[Absent]:
     code = _Code(file_facts)
     if not any(is_known(statement.module) for statement in code.statements):

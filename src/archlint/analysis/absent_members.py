@@ -11,9 +11,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.class_chains import chain_of, classes_of, files_with, methods_of, targets_of
-from archlint.analysis.kept import once_for_each_file
+from archlint.analysis.kept import kept_for_each_file
 from archlint.analysis.offered_names import MAKES_NAMES
-from archlint.analysis.own_calls import bindings_of, class_meant_by
+from archlint.analysis.own_calls import assigned_attributes, bindings_of, class_meant_by
 from archlint.analysis.tried_code import tried_for
 from archlint.analysis.unassigned_attributes import may_get, members_of
 from archlint.place import Place
@@ -49,7 +49,7 @@ def absent_members(workspace: WorkspaceIndex) -> Iterator[AbsentMember]:
         for row in _of_interfaces(workspace, file.relative) or ():
             if workspace.interfaces is None or workspace.interfaces.get(row.owner) is None:
                 continue
-            yield AbsentMember(Place(file.relative, *row.part.span), row.owner, row.part.attr, row.near, False)
+            yield AbsentMember(Place(file.relative, *row.span), row.owner, row.name, row.near, False)
         for called in _calls(workspace, file.relative) or ():
             absent = _absent(workspace, file.relative, called)
             if absent is not None:
@@ -61,12 +61,13 @@ def absent_members(workspace: WorkspaceIndex) -> Iterator[AbsentMember]:
 
 @dataclass(frozen=True)
 class _OfInterface:
-    part: facts.Attribute
+    span: facts.Span
     owner: str
+    name: str
     near: str
 
 
-@once_for_each_file
+@kept_for_each_file
 def _of_interfaces(code: facts.Facts) -> list[_OfInterface]:
     kinds: dict[str, tuple[str, frozenset[str]]] = {}
     for statement in everything_in(code.body, facts.ImportFrom):
@@ -78,9 +79,8 @@ def _of_interfaces(code: facts.Facts) -> list[_OfInterface]:
     for part in everything_in(code.body, facts.Attribute) if kinds else ():
         owner, has = kinds.get(part.value.variable, ("", frozenset()))
         if owner and part.attr not in has and not part.attr.startswith("_"):
-            rows.append(
-                _OfInterface(part, owner, next((name for name in has if name.lower() == part.attr.lower()), ""))
-            )
+            near = next((name for name in has if name.lower() == part.attr.lower()), "")
+            rows.append(_OfInterface(part.span, owner, part.attr, near))
     return rows
 
 
@@ -91,33 +91,38 @@ def _of_interfaces(code: facts.Facts) -> list[_OfInterface]:
 class _Called:
     """A method that is called on an object which one call makes."""
 
-    part: facts.Attribute
+    span: facts.Span
+    name: str
     made_by: str
     """The class that makes it, as it is written."""
     attribute: str
     """The attribute of ``self`` that holds it; empty where it is a variable."""
 
 
-@once_for_each_file
+@kept_for_each_file
 def _calls(code: facts.Facts) -> list[_Called]:
     if not MAKES_NAMES.isdisjoint(code.names):
         return []
     variables = _made(code)
     forgiven = tried_for(code.body, {"AttributeError"})
-    rows = []
+    rows: list[tuple[facts.Attribute, str, str]] = []
     for call in everything_in(code.body, facts.Call):
         match call.func:
-            case facts.Attribute(value=facts.Name(id=name)) as part if bindings_of(code)[name] == 1:
-                if name in variables:
-                    rows.append(_Called(part, variables[name], ""))
+            case facts.Attribute(value=facts.Name(id=name)) as part if name in variables:
+                if bindings_of(code)[name] == 1:
+                    rows.append((part, variables[name], ""))
     for cls in classes_of(code):
         attributes = _made_for(cls)
         for call in everything_in(cls.body, facts.Call) if attributes else ():
             match call.func:
                 case facts.Attribute(value=facts.Attribute(value=facts.Name(id="self"), attr=attr)) as part:
                     if attr in attributes:
-                        rows.append(_Called(part, attributes[attr], attr))
-    return [row for row in rows if Itself[facts.Base](row.part) not in forgiven]
+                        rows.append((part, attributes[attr], attr))
+    return [
+        _Called(part.span, part.attr, made_by, attribute)
+        for part, made_by, attribute in rows
+        if Itself[facts.Base](part) not in forgiven
+    ]
 
 
 def _made(code: facts.Facts) -> dict[str, str]:
@@ -148,24 +153,24 @@ def _absent(workspace: WorkspaceIndex, file: str, called: _Called) -> AbsentMemb
     cls = class_meant_by(workspace, file, called.made_by)
     if cls is None or (called.attribute and _is_given_elsewhere(workspace, file, called.attribute)):
         return None
-    name, chain = called.part.attr, chain_of(workspace, cls)
-    members = members_of(chain)
+    name, chain = called.name, chain_of(workspace, cls)
+    members = members_of(workspace, chain)
     if members is None or any(name in names for names in members) or may_get(workspace, cls, name):
         return None
     if any(method.name == "__new__" for own in chain.own for method in methods_of(own.code)):
         return None  # a call of the class may make something else
     own = {each for names in members for each in names if not each.startswith("__")}
-    return AbsentMember(Place(file, *called.part.span), f"class {cls.code.name}", name, nearest(name, own) or "", True)
+    return AbsentMember(Place(file, *called.span), f"class {cls.code.name}", name, nearest(name, own) or "", True)
 
 
 def _is_given_elsewhere(workspace: WorkspaceIndex, file: str, attribute: str) -> bool:
     """Whether another class of the file, or another file, assigns an attribute of that name: it may be the same one."""
     rows = 0
     for path in dict.fromkeys((file, *files_with(workspace, attribute))):
-        code = workspace.facts_at(path)
-        if code is None:
+        assigned = assigned_attributes(workspace, path)
+        if assigned is None:
             return True
-        rows += sum(target.attribute == attribute for target in targets_of(code.body))
+        rows += assigned.get(attribute, 0)
     return rows != 1
 
 

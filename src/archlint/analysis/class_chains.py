@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+from functools import cache, wraps
+from typing import TYPE_CHECKING, TypeVar
 
-from archlint.analysis.kept import kept
+from archlint.analysis.kept import HasFiles, kept, kept_as, name_of, result_type
 from archlint.libraries.rclpy.names import canonical
 from archlint.syntax import facts
 from archlint.syntax.parts import Itself, everything_in, once_for, targets_in
@@ -15,6 +16,7 @@ from archlint.syntax.walk import statements_of
 if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
 
+_Result = TypeVar("_Result")
 _DEPTH = 8
 """How many files an import is followed through, and how many classes derive from each other."""
 
@@ -45,6 +47,30 @@ class Chain:
 def classes_of(file_facts: facts.Facts) -> Sequence[facts.Class]:
     """Every class of a file, those inside functions and classes included."""
     return tuple(everything_in(file_facts.body, facts.Class))
+
+
+@once_for
+def _numbers(file_facts: facts.Facts) -> dict[int, int]:
+    """The position of each class among :func:`classes_of`, by its id."""
+    return {id(code): number for number, code in enumerate(classes_of(file_facts))}
+
+
+def kept_for_each_class(analysis: Callable[[facts.Class], _Result]) -> Callable[[HasFiles, ClassInFile], _Result]:
+    """As :func:`~archlint.analysis.kept.kept_for_each_file`, for an analysis of one class by its text."""
+    of_all = kept_as(
+        name_of(analysis),
+        cache(lambda: list[result_type(analysis)]),  # type: ignore[misc]
+        lambda file_facts: [*map(analysis, classes_of(file_facts))],
+    )
+
+    @wraps(analysis)
+    def of(workspace: HasFiles, cls: ClassInFile) -> _Result:
+        file_facts = workspace.facts_at(cls.file)
+        number = None if file_facts is None else _numbers(file_facts).get(id(cls.code))
+        rows = None if number is None else of_all(workspace, cls.file)
+        return analysis(cls.code) if rows is None or number is None else rows[number]
+
+    return of
 
 
 def chain_of(workspace: WorkspaceIndex, cls: ClassInFile) -> Chain:
@@ -175,12 +201,11 @@ def methods_of(cls: facts.Class) -> Iterator[facts.Function]:
 def targets_of(body: Sequence[facts.Stmt] | facts.Stmt) -> Iterator[facts.Base]:
     """Everything that statements assign, those of nested functions too: the parts of tuples one by one."""
     for part in everything_in(body):
-        match part:
-            case facts.Augmented():
-                continue
-            case facts.WithItem(target=target) if target is not None:
-                yield from targets_in(target)
-        for target in part.assigned:
+        if isinstance(part, facts.WithItem):
+            targets = [] if part.target is None else [part.target]
+        else:
+            targets = [] if isinstance(part, facts.Augmented) else part.assigned
+        for target in targets:
             yield from targets_in(target)
 
 
@@ -191,6 +216,7 @@ __all__ = [
     "classes_of",
     "derived_from",
     "files_with",
+    "kept_for_each_class",
     "methods_of",
     "targets_of",
 ]

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from functools import wraps
-from typing import Protocol, TypeVar, cast
+from collections.abc import Callable, Sequence
+from functools import cache, wraps
+from typing import Any, Protocol, TypeVar, cast, get_type_hints
 
 from archlint.syntax import facts
 from archlint.syntax.parts import once_for
+from archlint.syntax.summaries import Summaries
 
 
 class Keeps(Protocol):
@@ -21,6 +22,8 @@ class HasFiles(Keeps, Protocol):
     """A ``WorkspaceIndex``: it also has the facts of files."""
 
     def facts_at(self, file: str) -> facts.Facts | None: ...
+    @property
+    def summaries(self) -> Summaries: ...
 
 
 _Owner = TypeVar("_Owner", bound=Keeps)
@@ -55,3 +58,47 @@ def once_for_each_file(analysis: Callable[[facts.Facts], _Result]) -> Callable[[
         return None if file_facts is None else known(file_facts)
 
     return of
+
+
+def kept_for_each_file(analysis: Callable[[facts.Facts], _Result]) -> Callable[[HasFiles, str], _Result | None]:
+    """As :func:`once_for_each_file`, and kept for the next run with the facts: what it finds is data with no fact in
+    it."""
+    return wraps(analysis)(kept_as(name_of(analysis), cache(lambda: result_type(analysis)), analysis))
+
+
+def kept_as(
+    name: str, kind: Callable[[], Any], analysis: Callable[[facts.Facts], _Result]
+) -> Callable[[HasFiles, str], _Result | None]:
+    """The same under a name, for an analysis that finds something of a type ``kind``."""
+    known = once_for_each_file(analysis)
+
+    def of(workspace: HasFiles, file: str) -> _Result | None:
+        return workspace.summaries.of(file, name, kind() | None, lambda: known(workspace, file))
+
+    return of
+
+
+def kept_for_few_files(
+    analysis: Callable[[facts.Facts], Sequence[_Result]],
+) -> Callable[[HasFiles, str], Sequence[_Result]]:
+    """As :func:`once_for_each_file`, for what few files have, be it facts: whether there is anything is kept for the
+    next run."""
+    known = once_for(analysis)
+    has_any = kept_as(name_of(analysis), lambda: bool, lambda code: bool(known(code)))
+
+    @wraps(analysis)
+    def of(workspace: HasFiles, file: str) -> Sequence[_Result]:
+        code = workspace.facts_at(file) if has_any(workspace, file) else None
+        return () if code is None else known(code)
+
+    return of
+
+
+def name_of(analysis: Callable[..., object]) -> str:
+    """By which what an analysis finds is kept."""
+    return f"{analysis.__module__}.{analysis.__qualname__}"
+
+
+def result_type(analysis: Callable[..., object]) -> Any:
+    """What an analysis finds."""
+    return get_type_hints(analysis)["return"]

@@ -8,10 +8,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import partial
 from typing import TYPE_CHECKING
 
 from archlint.analysis.class_chains import classes_of, files_with, methods_of
-from archlint.analysis.kept import once_for_each_file
+from archlint.analysis.kept import kept_for_each_file, once_for_each_file
 from archlint.analysis.tried_code import tried_for
 from archlint.libraries.api_signatures import distros
 from archlint.model import Misuse, RefusedCall
@@ -43,8 +44,8 @@ def refused_logger_calls(workspace: WorkspaceIndex) -> Iterator[RefusedCall]:
                 yield RefusedCall(place, GET_LOGGER, Misuse.TOO_MANY, distros=distros())
             for refusal in _refused(workspace, file.relative) or ():
                 yield RefusedCall(
-                    Place(file.relative, *refusal.call.span),
-                    f"{LOGGER}.{refusal.call.func.attribute}",
+                    Place(file.relative, *refusal.span),
+                    f"{LOGGER}.{refusal.method}",
                     refusal.misuse,
                     refusal.parameters,
                     takes=1,
@@ -64,7 +65,8 @@ def _has_own_loggers(file_facts: facts.Facts) -> bool:
 
 @dataclass(frozen=True)
 class _Refusal:
-    call: facts.Call
+    span: facts.Span
+    method: str
     misuse: Misuse
     parameters: tuple[str, ...] = ()
     given: str = ""
@@ -72,7 +74,7 @@ class _Refusal:
     """What to pass."""
 
 
-@once_for_each_file
+@kept_for_each_file
 def _refused(file_facts: facts.Facts) -> list[_Refusal]:
     code = _Code(file_facts)
     calls = everything_in(file_facts.body, facts.Call) if code.uses_rclpy else ()
@@ -80,7 +82,7 @@ def _refused(file_facts: facts.Facts) -> list[_Refusal]:
     return [refusal for refusal in refusals if refusal is not None]
 
 
-@once_for_each_file
+@kept_for_each_file
 def _given_to_node(file_facts: facts.Facts) -> list[facts.Span]:
     """The calls ``self.get_logger('failed')`` in classes of nodes: the method takes nothing."""
     code = _Code(file_facts)
@@ -148,14 +150,15 @@ class _Code:
         given = [argument.value for argument in call.args if argument.keyword is None]
         keywords = [argument.keyword for argument in call.args if argument.keyword is not None]
         unknown = tuple(keyword for keyword in keywords if keyword not in _KEYWORDS)
+        refusal = partial(_Refusal, call.span, call.func.attribute)
         if len(given) > 1:
-            return _Refusal(call, Misuse.TOO_MANY, given=given[0].dotted)
+            return refusal(Misuse.TOO_MANY, given=given[0].dotted)
         if unknown:
-            return _Refusal(call, Misuse.UNKNOWN_KEYWORD, unknown)
+            return refusal(Misuse.UNKNOWN_KEYWORD, unknown)
         if not given:
-            return None if "message" in keywords else _Refusal(call, Misuse.MISSING, ("message",))
+            return None if "message" in keywords else refusal(Misuse.MISSING, ("message",))
         kind, instead = self._kind(call, given[0]), f"str({given[0].variable or '…'})"
-        return _Refusal(call, Misuse.KIND, ("message",), kind, instead) if kind else None
+        return refusal(Misuse.KIND, ("message",), kind, instead) if kind else None
 
     def _is_of_logger(self, function: facts.Expr) -> bool:
         match function:

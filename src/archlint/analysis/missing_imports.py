@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Union
 
 from archlint.analysis.absent_imports import forgiving, is_tolerant
 from archlint.analysis.entry_points import is_on_disk
-from archlint.analysis.kept import once, once_for_each_file
+from archlint.analysis.kept import kept_for_each_file, once
 from archlint.analysis.offered_names import offers
 from archlint.place import Place
 from archlint.ros.python_modules import key_of
@@ -54,19 +54,19 @@ def missing_imports(workspace: WorkspaceIndex) -> Iterator[MissingImport]:
     for file, _ in workspace.code.asked_for():
         if file.kind != "python" or file.package is None or workspace.roles.is_test(file.relative):
             continue
-        for statement in _imports(workspace, file.relative) or ():
-            place = Place(file.relative, *statement.span)
-            for module, names in _asked_for(statement):
-                missing = _beside(workspace, file, module, place) or _absent(workspace, file, module, place)
-                yield from [missing] if missing else _absent_names(workspace, file, module, names, place)
+        for module, names, span in _imports(workspace, file.relative) or ():
+            place = Place(file.relative, *span)
+            missing = _beside(workspace, file, module, place) or _absent(workspace, file, module, place)
+            yield from [missing] if missing else _absent_names(workspace, file, module, names, place)
 
 
-@once_for_each_file
-def _imports(code: facts.Facts) -> list[_Import]:
-    """The absolute imports of a file that nothing goes on without."""
+@kept_for_each_file
+def _imports(code: facts.Facts) -> list[tuple[str, list[str], facts.Span]]:
+    """The absolute imports of a file that nothing goes on without: modules, and names of these."""
     forgiven = {Itself[object](part) for block in _tried(code) for part in everything_in(block)}
     every: list[_Import] = [*everything_in(code.body, facts.Import), *everything_in(code.body, facts.ImportFrom)]
-    return [statement for statement in every if Itself(statement) not in forgiven]
+    left = [statement for statement in every if Itself(statement) not in forgiven]
+    return [(module, names, statement.span) for statement in left for module, names in _asked_for(statement)]
 
 
 def _tried(code: facts.Facts) -> Iterator[list[facts.Stmt]]:

@@ -10,7 +10,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from archlint.analysis.kept import once_for_each_file
+from archlint.analysis.kept import kept_for_each_file
 from archlint.analysis.rclpy_objects import Kind, objects_of
 from archlint.place import Place
 from archlint.syntax import facts
@@ -43,7 +43,7 @@ _LOOKS_UP: Mapping[str, tuple[int, str]] = {"time": (2, "Time"), "timeout": (3, 
 """The parameters that are no numbers, by position, and what they are."""
 
 
-@once_for_each_file
+@kept_for_each_file
 def _of_file(file_facts: facts.Facts) -> list[tuple[str, str, str, facts.Span]]:
     code = objects_of(file_facts)
     uses_tf2 = any(

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.absent_members import AbsentMember
 from archlint.analysis.class_chains import targets_of
-from archlint.analysis.kept import once_for_each_file
+from archlint.analysis.kept import kept_for_few_files
 from archlint.analysis.own_names import is_defined_somewhere
 from archlint.analysis.rclpy_objects import Kind, Objects, Variables, objects_of
 from archlint.analysis.tried_code import tried_for
@@ -78,7 +78,7 @@ def object_members(system: System) -> Iterator[AbsentMember | CalledProperty]:
         path = file.relative
         if file.kind != "python" or workspace.roles.is_test(path) or not workspace.code.mentions(path, "rclpy"):
             continue
-        for row in _of_file(workspace, path) or ():
+        for row in _of_file(workspace, path):
             by_parameter = row.kind in (Kind.PARAMETER, Kind.VALUE)
             if by_parameter and is_defined_somewhere(system, path, "get_parameter"):
                 continue
@@ -110,7 +110,7 @@ def _known(kind: Kind) -> frozenset[str]:
     return frozenset(name for name in names if not name.startswith("_"))
 
 
-@once_for_each_file
+@kept_for_few_files
 def _of_file(file_facts: facts.Facts) -> list[_Row]:
     code = objects_of(file_facts)
     tried = code.tried | tried_for(file_facts.body, ("AttributeError",))

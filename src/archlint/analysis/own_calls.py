@@ -21,7 +21,7 @@ from archlint.analysis.class_chains import (
     methods_of,
     targets_of,
 )
-from archlint.analysis.kept import once_for_each_file
+from archlint.analysis.kept import kept_for_each_file, once_for_each_file
 from archlint.analysis.offered_names import MAKES_NAMES, stars
 from archlint.analysis.tried_code import tried_for
 from archlint.model import Misuse
@@ -182,7 +182,7 @@ def _definition(
 ) -> tuple[str, facts.Function | facts.Class] | None:
     """What defines a name that a file binds once, and the file that this is in."""
     code = workspace.facts_at(file)
-    if code is None or depth <= 0 or stars(code) or bindings_of(code)[name] != 1:
+    if code is None or depth <= 0 or stars(code) or (_bindings(workspace, file) or {}).get(name) != 1:
         return None
     for statement in code.body:
         match statement:
@@ -207,6 +207,11 @@ def _file_of(workspace: WorkspaceIndex, file: str, statement: facts.ImportFrom) 
 def bindings_of(code: facts.Facts) -> Counter[str]:
     """How often a file binds each name, in whichever scope."""
     return Counter(name for part in everything_in(code.body) for name in bound_by(part))
+
+
+@kept_for_each_file
+def _bindings(code: facts.Facts) -> dict[str, int]:
+    return dict(bindings_of(code))
 
 
 def _constructor(workspace: WorkspaceIndex, cls: ClassInFile) -> FunctionInFile | None:
@@ -252,13 +257,22 @@ def _is_replaced(workspace: WorkspaceIndex, cls: ClassInFile, name: str) -> bool
     """Whether a derived class has a method of its own by a name, or any code assigns it."""
     if any(name in _methods(derived.code) for derived in derived_from(workspace, cls)):
         return True
-    read = (workspace.facts_at(file) for file in dict.fromkeys((cls.file, *files_with(workspace, name))))
-    return any(code is None or name in _assigned_attributes(code) for code in read)
+    files = dict.fromkeys((cls.file, *files_with(workspace, name)))
+    return any((assigned := assigned_attributes(workspace, file)) is None or name in assigned for file in files)
 
 
-@once_for
-def _assigned_attributes(code: facts.Facts) -> frozenset[str]:
-    return frozenset(target.attribute for target in targets_of(code.body) if target.attribute)
+@kept_for_each_file
+def assigned_attributes(code: facts.Facts) -> dict[str, int]:
+    """How often a file assigns an attribute of each name, of whatever object."""
+    return dict(Counter(target.attribute for target in targets_of(code.body) if target.attribute))
 
 
-__all__ = ["Misfit", "RefusedOwnCall", "bindings_of", "class_meant_by", "misfit", "refused_own_calls"]
+__all__ = [
+    "Misfit",
+    "RefusedOwnCall",
+    "assigned_attributes",
+    "bindings_of",
+    "class_meant_by",
+    "misfit",
+    "refused_own_calls",
+]

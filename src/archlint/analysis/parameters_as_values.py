@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.class_chains import Chain, ClassInFile, chain_of, classes_of
-from archlint.analysis.kept import once_for_each_file
+from archlint.analysis.kept import kept_for_few_files
 from archlint.analysis.own_names import is_defined_somewhere
 from archlint.analysis.rclpy_objects import Kind, Objects, Variables, objects_of
 from archlint.libraries.rclpy.names import NODE_CLASSES
@@ -62,7 +62,7 @@ def parameter_uses(system: System) -> Iterator[ParameterUse]:
         path = file.relative
         if file.kind != "python" or workspace.roles.is_test(path) or not workspace.code.mentions(path, "get_parameter"):
             continue
-        rows = [row for row in _of_file(workspace, path) or () if _is_of_node(workspace, path, row.cls)]
+        rows = [row for row in _of_file(workspace, path) if _is_of_node(workspace, path, row.cls)]
         if rows and not is_defined_somewhere(system, path, "get_parameter"):
             yield from (ParameterUse(row.outcome, row.by, Place(path, *row.span)) for row in rows)
 
@@ -73,7 +73,7 @@ def _is_of_node(workspace: WorkspaceIndex, file: str, cls: facts.Class | None) -
     return chain.complete and NODE_CLASSES.issuperset(set(chain.foreign) - {"object", "abc.ABC"})
 
 
-@once_for_each_file
+@kept_for_few_files
 def _of_file(file_facts: facts.Facts) -> list[_Row]:
     code = objects_of(file_facts)
     owners = {

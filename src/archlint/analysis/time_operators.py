@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from archlint.analysis.kept import once_for_each_file
+from archlint.analysis.kept import kept_for_each_file
 from archlint.analysis.rclpy_objects import Kind, objects_of
 from archlint.place import Place
 from archlint.syntax import facts
@@ -43,7 +43,7 @@ _ORDER = frozenset({"<", "<=", ">", ">="})
 _TIMES = frozenset({Kind.TIME, Kind.DURATION, Kind.STAMP})
 
 
-@once_for_each_file
+@kept_for_each_file
 def _refused(file_facts: facts.Facts) -> list[_Row]:
     code = objects_of(file_facts)
     rows: list[_Row] = []

@@ -16,6 +16,7 @@ from archlint.analysis.class_chains import (
     classes_of,
     derived_from,
     files_with,
+    kept_for_each_class,
     methods_of,
     targets_of,
 )
@@ -81,16 +82,17 @@ class Unassigned:
 def overwritten_properties(workspace: WorkspaceIndex) -> Iterator[Overwritten]:
     """Every such assignment in a class that is certainly a node of rclpy."""
     for cls in _classes(workspace):
-        if not _set_on_self(cls.code):
+        properties = _set_on_self(workspace, cls)
+        if not properties:
             continue
         chain = chain_of(workspace, cls)
         known = chain.complete and all(_of_foreign(path) is not None for path in chain.foreign)
         if not known or NODE_CLASSES.isdisjoint(chain.foreign):
             continue
         own = frozenset[str]().union(*(_taken_by(each.code) for each in chain.own))
-        for target in _set_on_self(cls.code):
-            if target.attr not in own:
-                yield Overwritten(_place(cls.file, target), cls.code.name, target.attr)
+        for name, span in properties:
+            if name not in own:
+                yield Overwritten(Place(cls.file, *span), cls.code.name, name)
 
 
 def unassigned_attributes(workspace: WorkspaceIndex) -> Iterator[Unassigned]:
@@ -98,10 +100,10 @@ def unassigned_attributes(workspace: WorkspaceIndex) -> Iterator[Unassigned]:
     workspace makes objects of that very class."""
     for cls in _classes(workspace):
         chain = chain_of(workspace, cls)
-        members = members_of(chain)
+        members = members_of(workspace, chain)
         if members is None:
             continue
-        missing = [read for read in _reads(cls.code) if not any(read.name in names for names in members)]
+        missing = [read for read in _reads(workspace, cls) if not any(read.name in names for names in members)]
         assigned = _assigned_in(chain) if missing else {}
         for read in missing:
             near = nearest(read.name, _candidates(assigned, read))
@@ -111,7 +113,7 @@ def unassigned_attributes(workspace: WorkspaceIndex) -> Iterator[Unassigned]:
             of_node = (
                 read.called and read.name in (attributes_of(_NODE) or ()) and NODE_CLASSES.isdisjoint(chain.foreign)
             )
-            yield Unassigned(_place(cls.file, read.part), cls.code.name, read.name, near, at, read.local, of_node)
+            yield Unassigned(Place(cls.file, *read.span), cls.code.name, read.name, near, at, read.local, of_node)
 
 
 @once_for
@@ -122,14 +124,15 @@ def _taken_by(code: facts.Class) -> frozenset[str]:
     return names | READ_ONLY if "__setattr__" in names else names
 
 
-@once_for
-def _set_on_self(code: facts.Class) -> list[facts.Attribute]:
+@kept_for_each_class
+def _set_on_self(code: facts.Class) -> list[tuple[str, facts.Span]]:
     """The properties of a node that methods of a class assign to ``self``."""
     rows = []
     for function in methods_of(code):
         written = {Itself(target) for target in targets_of(function.body)} if _has_self(function) else set()
         of_self = _of_self(function.body) if written else ()
-        rows += [part for part in of_self if part.attr in READ_ONLY and Itself[facts.Base](part) in written]
+        parts = (part for part in of_self if part.attr in READ_ONLY and Itself[facts.Base](part) in written)
+        rows += [(part.attr, part.span) for part in parts]
     return rows
 
 
@@ -141,19 +144,15 @@ def _classes(workspace: WorkspaceIndex) -> Iterator[ClassInFile]:
                 yield ClassInFile(file.relative, code)
 
 
-def _place(file: str, part: facts.Attribute) -> Place:
-    return Place(file, *part.span)
-
-
 # ------------------------------------------------------------------------------------------------ what a class has
 
 
-def members_of(chain: Chain) -> list[frozenset[str]] | None:
+def members_of(workspace: WorkspaceIndex, chain: Chain) -> list[frozenset[str]] | None:
     """All that an object of a class has, by what gives it that; None where it may have more."""
     foreign = [_of_foreign(path) for path in chain.foreign]
     if not chain.complete or any(names is None for names in foreign):
         return None
-    own = [_of_class(cls.code) for cls in chain.own]
+    own = [_of_class(workspace, cls) for cls in chain.own]
     if any(names is None for names in own):
         return None
     return [_OF_ALL, *filter(None, foreign), *filter(None, own)]
@@ -163,7 +162,7 @@ def _of_foreign(path: str) -> frozenset[str] | None:
     return frozenset() if path in _PLAIN else attributes_of(path)
 
 
-@once_for
+@kept_for_each_class
 def _of_class(code: facts.Class) -> frozenset[str] | None:
     """The names that the body of a class and its methods give an object; None where they may give any."""
     if any(part.last_name in _ANY_NAME for part in everything_in(code.body, facts.Name)):
@@ -231,14 +230,11 @@ class _Read:
     hardly that of data.  ``local`` says whether the method has a variable or parameter of that name.
     """
 
-    part: facts.Attribute
+    name: str
+    span: facts.Span
     looked_into: bool
     called: bool
     local: bool
-
-    @property
-    def name(self) -> str:
-        return self.part.attr
 
 
 def _candidates(assigned: Mapping[str, _Member], read: _Read) -> list[str]:
@@ -255,7 +251,7 @@ def _count(name: str) -> int:
     return name.strip("_").count("_")
 
 
-@once_for
+@kept_for_each_class
 def _reads(code: facts.Class) -> list[_Read]:
     """The attributes of ``self`` that the methods of a class read, or call; the first read of each name."""
     seen: set[str] = set()
@@ -271,7 +267,7 @@ def _reads(code: facts.Class) -> list[_Read]:
             key = Itself[facts.Base](part)
             if key not in written and part.attr not in seen and not part.attr.startswith("__"):
                 seen.add(part.attr)
-                reads.append(_Read(part, key in owners, key in called, part.attr in variables))
+                reads.append(_Read(part.attr, part.span, key in owners, key in called, part.attr in variables))
     return reads
 
 
@@ -338,7 +334,7 @@ def may_get(workspace: WorkspaceIndex, cls: ClassInFile, name: str) -> bool:
     """Whether a class that derives from one, or another base of such a class, has a name; or any code of the workspace
     assigns it to an object that is not ``self``, or names it in a text."""
     for derived in derived_from(workspace, cls):
-        members = members_of(chain_of(workspace, derived))
+        members = members_of(workspace, chain_of(workspace, derived))
         if members is None or any(name in names for names in members):
             return True
     file_facts = workspace.facts_at(cls.file)

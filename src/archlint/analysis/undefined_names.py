@@ -11,11 +11,12 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
+from archlint.analysis.kept import kept_for_few_files
 from archlint.analysis.offered_names import MAKES_NAMES, bound_in, own_names, starred
 from archlint.place import Place
 from archlint.syntax import facts
 from archlint.syntax.bindings import bound_by
-from archlint.syntax.parts import everything_in, once_for, parts_of
+from archlint.syntax.parts import everything_in, parts_of
 from archlint.syntax.walk import statements_of
 
 if TYPE_CHECKING:
@@ -59,7 +60,7 @@ def undefined_names(workspace: WorkspaceIndex) -> Iterator[Undefined]:
     for file, file_facts in workspace.code.asked_for():
         if file.kind != "python" or file.relative.endswith(_SPHINX) or workspace.roles.is_test(file.relative):
             continue
-        unbound = _unbound(file_facts)
+        unbound = _unbound(workspace, file.relative)
         brought = starred(workspace, file.relative, file_facts) if unbound else None
         if brought is None:
             continue
@@ -102,7 +103,7 @@ class _Scope:
         return _Read(name, self.names, of_self, added, self.without_self if is_member and not of_self else "")
 
 
-@once_for
+@kept_for_few_files
 def _unbound(code: facts.Facts) -> list[_Read]:
     """The first read of each such name in each function of a file."""
     if not _ROS_1.isdisjoint(_modules_of(code)) or not MAKES_NAMES.isdisjoint(code.names):

@@ -18,6 +18,7 @@ from archlint.engine.broken_packages import broken_packages
 from archlint.engine.half_ported import as_information, half_ported, with_reason
 from archlint.engine.inputs import Inputs, is_input, is_of_package, known_files, parts_of, python_files
 from archlint.engine.judging import judge_alternatives
+from archlint.engine.kept_summaries import keep_summaries, kept_summaries
 from archlint.engine.known import Sieve
 from archlint.engine.languages import for_their_languages
 from archlint.engine.launched_code import launched_files
@@ -58,6 +59,7 @@ def judged_in_parts(
     """What is found in each of the workspaces that stand side by side.  ``shown`` is given the system of each, unless
     there is nothing to do for one of them; ``loaded`` all systems of each."""
     request = inputs.request
+    inputs = replace(inputs, summaries=kept_summaries(inputs, facts))
     sieve = Sieve(request.baseline, request.before)
     ran: list[frozenset[str]] = []
     judged: list[Judged] = []
@@ -78,6 +80,8 @@ def judged_in_parts(
         raise refused
     if shown is not None and refused is None:
         shown.extend(systems)
+    if facts.lasting:
+        keep_summaries(inputs.summaries, inputs)
     joined = judged[0] if len(judged) == 1 else _joined(judged, inputs)
     if request.occurrences:
         joined = replace(joined, occurrences=sieve.occurrences)

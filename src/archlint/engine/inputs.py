@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from archlint.engine.request import NothingToDo, Request
+from archlint.syntax.summaries import Summaries
 from archlint.workspace.discovery import find
 from archlint.workspace.model import CODE_KINDS, COMPILED_KINDS, LAUNCH_TEXT_KINDS, PYTHON_KINDS, SourceKind
 from archlint.workspace.parts import parts
@@ -39,6 +40,8 @@ class Inputs:
     """The files of the workspace as they can be imported, where such a run has sorted them."""
     nodes: KnownNodes | None = None
     """The nodes that such runs have made."""
+    summaries: Summaries = field(default_factory=Summaries)
+    """What analyses say of single files, in this run and in those before."""
 
 
 _INPUTS: tuple[SourceKind, ...] = (*CODE_KINDS, *LAUNCH_TEXT_KINDS, "cpp")

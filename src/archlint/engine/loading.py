@@ -66,22 +66,7 @@ def systems_of(inputs: Inputs, facts: FactsOfFiles) -> list[System]:
         linker,
         entries,
         launches,
-        WorkspaceIndex(
-            installs,
-            {package.name: package for package in workspace.packages},
-            {package.relative: package for package in workspace.packages},
-            code=WorkspaceCode(files, launches.index, installs),
-            launch_files=launches.files,
-            tree=tree,
-            owners=launches.owners,
-            faults=faults,
-            interfaces=linker.interfaces,
-            is_subset=is_subset(request, workspace),
-            roles=linker.index.roles,
-            cut_short=linker.cut_short,
-            declaration_files=declaration_files(workspace),
-            beside=workspace.beside,
-        ),
+        _index(inputs, files, installs, linker, launches),
         closed=request.settings.closed_world,
         chosen=request.launch,
         arguments=dict(request.launch_arguments),
@@ -97,6 +82,30 @@ def systems_of(inputs: Inputs, facts: FactsOfFiles) -> list[System]:
     if request.observed is not None:
         systems[0] = _compared(systems[0], request.observed, request, workspace)
     return systems
+
+
+def _index(
+    inputs: Inputs, files: WorkspaceFiles, installs: Mapping[str, Installs], linker: Linker, launches: Launches
+) -> WorkspaceIndex:
+    """What is known of the whole workspace."""
+    workspace = inputs.workspace
+    return WorkspaceIndex(
+        installs,
+        {package.name: package for package in workspace.packages},
+        {package.relative: package for package in workspace.packages},
+        code=WorkspaceCode(files, launches.index, installs),
+        launch_files=launches.files,
+        tree=inputs.tree,
+        owners=launches.owners,
+        faults=launches.faults,
+        interfaces=linker.interfaces,
+        is_subset=is_subset(inputs.request, workspace),
+        roles=linker.index.roles,
+        cut_short=linker.cut_short,
+        declaration_files=declaration_files(workspace),
+        beside=workspace.beside,
+        summaries=inputs.summaries,
+    )
 
 
 def declaration_files(workspace: Workspace) -> list[str]:

@@ -7,9 +7,13 @@ from collections.abc import Sequence
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in
 
+_BINDING = (facts.Statement, facts.Param, facts.Handler, facts.Pattern, facts.WithItem, facts.Generator, facts.Assigned)
+
 
 def bound_by(part: facts.Base) -> Sequence[str]:
     """The names that a part binds, in whichever scope."""
+    if not isinstance(part, _BINDING):  # most parts, which the kinds below need not be tried on
+        return []
     match part:
         case facts.Function(name=name) | facts.Class(name=name) | facts.Param(name=name):
             return [name]

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import Generic, TypeVar, Union, overload
 
 from archlint.syntax import facts
+from archlint.syntax.fields_with_facts import fields_with_facts
 
 Kind = TypeVar("Kind", bound=facts.Base)
 Source = Union[facts.Base, Sequence[facts.Base], None]
@@ -67,7 +68,7 @@ class _Walks:
         key = tuple(map(id, block))  # with the facts of the block, whose ids are nobody else's for as long
         every = self._known.get(key)
         if every is None:
-            every = list(_walk(block, facts.Base, True))
+            every = _every(block)
             if len(every) > _FEW:
                 self._keep(key, every)
         return every
@@ -126,6 +127,18 @@ def _walk(fact: Source, kind: type[facts.Base], into_scopes: bool) -> Iterator[f
             yield item
         if into_scopes or item is fact or not item.is_scope:
             stack += (item.statements if of_statements else item.children())[::-1]
+
+
+def _every(block: Sequence[facts.Base]) -> list[facts.Base]:
+    """As :func:`_walk`, of everything at once: most facts are names and literals, which nothing is inside of."""
+    every: list[facts.Base] = []
+    stack = list(reversed(block))
+    while stack:
+        item = stack.pop()
+        every.append(item)
+        if fields_with_facts(type(item)):
+            stack += item.children()[::-1]
+    return every
 
 
 @once_for

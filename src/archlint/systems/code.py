@@ -67,11 +67,16 @@ class WorkspaceCode:
 
     def files_that_mention(self, name: str) -> Sequence[str]:
         """The Python files, but for launch files, in which a name stands anywhere."""
-        return self._tree.words.note(name, [path for path in self._modules if name in self._tree.words.of(path)])
+        return self._tree.words.note(name, self._mentioning.get(name, ()))
 
     @cached_property
-    def _modules(self) -> Sequence[str]:
-        return [file.relative for file in self._files if file.kind == "python"]
+    def _mentioning(self) -> Mapping[str, Sequence[str]]:
+        """The same files for each word of any of them."""
+        mentioning: dict[str, list[str]] = {}
+        for path in (file.relative for file in self._files if file.kind == "python"):
+            for word in self._tree.words.of(path):
+                mentioning.setdefault(word, []).append(path)
+        return mentioning
 
     # ------------------------------------------------------------------------------------------ by package
 

@@ -10,6 +10,7 @@ from archlint.branches import exclusive
 from archlint.faults import Faults
 from archlint.launch.files import LaunchFiles
 from archlint.model import EntityKind
+from archlint.syntax.summaries import Summaries
 from archlint.systems.code import WorkspaceCode
 from archlint.systems.nodes import Connection, key_of
 from archlint.workspace.owners import FileOwners
@@ -216,6 +217,8 @@ class WorkspaceIndex:
     """Which files are test code, or put aside."""
     cut_short: Callable[[], list[str]] = list
     """The files of the programs that were followed only in part, since the workspace has so many."""
+    summaries: Summaries = field(default_factory=Summaries)
+    """What analyses say of single files, in this run and in those before."""
     kept: dict[object, object] = field(default_factory=dict, init=False, repr=False)
     """What analyses found of it (:func:`archlint.analysis.kept.once`)."""
     _launched_names: dict[object, dict[tuple[str, Place], set[str | None]]] = field(

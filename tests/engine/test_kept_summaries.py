@@ -1,0 +1,188 @@
+"""What analyses say of single files is kept: after an edit they are asked of the edited file alone."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import msgspec
+import pytest
+
+from archlint.analysis import absent_members, logger_calls, missing_imports, own_calls, time_operators, undefined_names
+from archlint.analysis.kept import kept_for_each_file, kept_for_few_files
+from archlint.config.settings import load
+from archlint.engine.pipeline import Request, check
+from archlint.syntax import facts
+from archlint.syntax.cache import Store
+from archlint.syntax.python.lowering import lower
+from archlint.syntax.summaries import Summaries
+
+FILES = {
+    "clock.py": """\
+import rclpy
+from rclpy.node import Node
+
+
+class Clock(Node):
+    def __init__(self):
+        super().__init__('clock')
+        started = self.get_clock().now()
+        self.get_logger().info('since', started)
+        if started > 5.0:
+            self.get_logger().info(mesage)
+""",
+    "helper.py": """\
+from rclpy.node import Node
+
+
+class Helper(Node):
+    def __init__(self):
+        super().__init__('helper')
+        self.log = Log()
+        self.log.wirte(count)
+
+
+class Log:
+    def write(self, text):
+        print(text)
+""",
+}
+WRONG = {"API001", "API002", "API005"}
+
+
+@pytest.fixture
+def workspace(tmp_path, monkeypatch) -> Path:
+    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "home"))
+    folder = tmp_path / "src"
+    folder.mkdir()
+    for name, text in FILES.items():
+        (folder / name).write_text(text, "utf-8")
+    monkeypatch.chdir(folder)
+    return folder
+
+
+@pytest.fixture
+def findings(workspace) -> Callable[..., list[str]]:
+    def run(cached: bool = True) -> list[str]:
+        report = check(Request((".",), load(workspace), jobs=1, cached=cached))
+        return [f"{finding.place} {finding.code} {finding.message}" for finding in report.findings]
+
+    return run
+
+
+@pytest.fixture
+def worked_out(monkeypatch) -> Iterator[list[str]]:
+    """The summaries that are made, not read."""
+    names: list[str] = []
+    made = Summaries._stored_or_made
+
+    def note(self: Summaries, digest: str, name: str, kind: Any, work: Callable[[], Any]) -> Any:
+        return made(self, digest, name, kind, lambda: [names.append(name), work()][1])
+
+    monkeypatch.setattr(Summaries, "_stored_or_made", note)
+    return names
+
+
+def test_after_an_edit_only_the_edited_file_is_looked_at(workspace, findings, worked_out):
+    first = findings()
+    assert {code for line in first for code in WRONG if f" {code} " in line} == WRONG
+    for name in set(worked_out):
+        assert worked_out.count(name) <= len(FILES)
+    worked_out.clear()
+    (workspace / "clock.py").write_text(FILES["clock.py"].replace("'clock'", "'watch'"), "utf-8")
+    assert findings() == findings(cached=False)
+    assert worked_out
+    assert len(set(worked_out)) == len(worked_out)
+
+
+def test_what_is_kept_moves_with_the_lines(workspace, findings):
+    findings()
+    (workspace / "clock.py").write_text("# a line more\n" + FILES["clock.py"], "utf-8")
+    assert findings() == findings(cached=False)
+
+
+@pytest.mark.parametrize("payload", [b"", b"no such thing", msgspec.msgpack.encode(("another archlint", {"a": {}}))])
+def test_what_cannot_be_read_is_made_anew(workspace, findings, worked_out, monkeypatch, payload):
+    before = findings()
+    read = Store.get_programs
+    monkeypatch.setattr(
+        Store, "get_programs", lambda self, key: payload if key.startswith("summaries-") else read(self, key)
+    )
+    worked_out.clear()
+    (workspace / "helper.py").write_text(FILES["helper.py"].replace("'helper'", "'aide'"), "utf-8")
+    assert len(findings()) == len(before)
+    assert worked_out.count(f"{undefined_names.__name__}._unbound") == len(FILES)
+
+
+def test_a_summary_of_another_form_is_made_anew():
+    rows = {"digest": {"lines": msgspec.Raw(msgspec.msgpack.encode("not a list"))}}
+    stored = msgspec.msgpack.encode(("", rows))
+    summaries = Summaries(lambda: stored, lambda file: "digest")
+    assert summaries.of("a.py", "lines", list[int], lambda: [1]) == [1]
+    assert summaries.changed
+    again = Summaries(summaries.written, lambda file: "digest")
+    assert again.of("b.py", "lines", list[int], list) == [1]
+    assert not again.changed
+
+
+@pytest.mark.parametrize(
+    "analysis",
+    [
+        absent_members._calls,
+        absent_members._of_interfaces,
+        logger_calls._given_to_node,
+        logger_calls._refused,
+        missing_imports._imports,
+        own_calls.assigned_attributes,
+        time_operators._refused,
+    ],
+)
+@pytest.mark.parametrize("file", FILES)
+def test_what_is_read_again_is_what_was_said(analysis, file):
+    """Whatever an analysis finds is the same after it was kept."""
+    workspace = _Workspace(lower(FILES[file]))
+    said = analysis(workspace, file)
+    again = _Workspace(lower(""), Summaries(workspace.summaries.written, lambda path: "digest"))
+    assert analysis(again, file) == said
+
+
+class _Workspace:
+    def __init__(self, code: facts.Facts, summaries: Summaries | None = None) -> None:
+        self.code = code
+        self.kept: dict[object, object] = {}
+        self.summaries = summaries or Summaries(digest_of=lambda path: "digest")
+
+    def facts_at(self, file: str) -> facts.Facts | None:
+        return self.code
+
+
+@kept_for_each_file
+def _words(code: facts.Facts) -> list[str]:
+    return sorted(code.names)
+
+
+@kept_for_few_files
+def _imports(code: facts.Facts) -> list[facts.Stmt]:
+    return [statement for statement in code.body if isinstance(statement, facts.Import)]
+
+
+def test_of_what_few_files_have_is_kept_which_files_have_it():
+    """What is found may be facts: it is always that of the code of now."""
+    workspace = _Workspace(lower("import rclpy"))
+    [said] = _imports(workspace, "a.py")
+    assert said is workspace.code.body[0]
+    again = _Workspace(lower("import rclpy"), Summaries(workspace.summaries.written, lambda path: "digest"))
+    assert [*_imports(again, "a.py")] == [again.code.body[0]]
+    nothing = _Workspace(lower("rclpy = None"))
+    assert not _imports(nothing, "a.py")
+    again = _Workspace(lower("import rclpy"), Summaries(nothing.summaries.written, lambda path: "digest"))
+    assert not _imports(again, "a.py")
+
+
+def test_without_a_digest_nothing_is_kept():
+    workspace = _Workspace(lower("first"), Summaries())
+    assert _words(workspace, "a.py") == ["first"]
+    workspace.code = lower("second")
+    assert _words(workspace, "a.py") == ["second"]
+    assert not workspace.summaries.changed
