@@ -980,10 +980,14 @@ def test_a_loop_may_watch_the_clock(run: Run):
         ("start = time.time()", "time.time() - start < self.limit", "in each iteration of a loop"),
         ("end = time.time() + 1.5", "time.time() < end or read()", "in each iteration of a loop"),
         ("start = time.time()", "time.time() - start > 1.5", "in each iteration of a loop"),
+        ("end = time.time() + max(0.1, self.PARAMETER)", "time.time() < end", ""),
+        ("end = time.time() + max(8.0, self.PARAMETER)", "time.time() < end", "sleeps for up to 8 s in all, in a loop"),
+        ("end = time.time() + max(0.1, self.limit)", "time.time() < end", "in each iteration of a loop"),
     ],
 )
 def test_a_loop_may_watch_the_clock_for_a_moment(run: Run, before: str, test: str, expected: str):
     create = "self.limit = load()\nself.create_service(Trigger, 'home', self.home)\n"
+    create += "self.PARAMETER = self.declare_parameter('wait', 0.2).value\n"
     method = (
         "LIMIT = 1.5\n\n"
         f"def home(self, request, response):\n    {before}\n    while {test}:\n        time.sleep(0.02)\n"
@@ -993,6 +997,43 @@ def test_a_loop_may_watch_the_clock_for_a_moment(run: Run, before: str, test: st
     assert [one.code for one in found] == (["SRV008"] if expected else [])
     assert all(expected in one.message for one in found)
     assert all(one.severity is Severity.WARNING for one in found)
+
+
+ROUNDS_OF_ROS = """
+def home(self, request, response):
+    start = self.get_clock().now()
+    while rclpy.ok():
+        elapsed = {elapsed}
+        if elapsed > 4.0:
+            break
+        time.sleep(0.05)
+    return response
+"""
+
+
+@pytest.mark.parametrize(
+    ("elapsed", "codes"),
+    [
+        ("(self.get_clock().now() - start).nanoseconds * 1e-9", []),
+        ("(self.get_clock().now() - start).nanoseconds / 1e9", []),
+        ("(self.get_clock().now() - start).nanoseconds", ["SRV008"]),  # four nanoseconds: nobody meant that
+        ("read() - start", ["SRV008"]),
+    ],
+)
+def test_a_loop_may_watch_the_clock_of_the_node(run: Run, elapsed: str, codes: list[str]):
+    create = "self.create_service(Trigger, 'home', self.home)\n"
+    found = run(source(create, ROUNDS_OF_ROS.format(elapsed=elapsed)))
+    assert [one.code for one in found] == codes
+
+
+def test_the_long_handlers_of_a_node_are_one_finding(run: Run):
+    create = "".join(f"self.create_service(Trigger, '{name}', self.{name})\n" for name in ("home", "park", "pose"))
+    handler = "def {}(self, request, response):\n    time.sleep({})\n    return response\n\n"
+    [found] = run(
+        source(create, handler.format("home", 9.0) + handler.format("park", 8.0) + handler.format("pose", 0.1))
+    )
+    assert found.message.endswith("the caller waits and cannot cancel; another handler of the node takes long, too")
+    assert any("the service 'park' sleeps for 8 s" in related.message for related in found.related)
 
 
 def test_a_handler_is_told_where_it_takes_long(run: Run):

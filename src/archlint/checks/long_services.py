@@ -28,6 +28,7 @@ from archlint.analysis.sleeps import Stay, stay_of
 from archlint.analysis.source_code import SourceCode, source_code
 from archlint.analysis.stuck import clients_of_handlers
 from archlint.checks.callback_findings import finding_in_callback
+from archlint.checks.folding import folds, with_others
 from archlint.checks.registry import Options, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related, Severity
@@ -148,9 +149,16 @@ def _long_service(
         help=advice if action is None else _THAT_ACTION.format(endpoint_words(action)),
         further=further.values(),
         identity=(call.api,),
+        group=(callback.place.file, "" if callback.node is None else callback.node.class_name, advice),
         in_own_file=True,
     )
     return replace(diagnostic, severity=Severity.INFO) if asked or soon or pause else diagnostic
+
+
+@folds("SRV008")
+def _of_one_node(findings: Sequence[Finding]) -> Finding:
+    """The finding for all handlers of a node that wait in the same way."""
+    return with_others(findings, "another handler of the node takes", "more handlers of the node take", "long, too")
 
 
 def _action_beside(callback: Callback) -> Creation | None:

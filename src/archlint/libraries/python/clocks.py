@@ -44,21 +44,49 @@ def _limit(run: Run, test: facts.Expr, holds: bool) -> float | None:
             clock, end = right, left
         case _:
             return None
-    match clock:
+    if _is_elapsed(run, clock):
+        return _seconds(run, end)
+    return _until(run, end.variable) if _is_clock(clock) and end.variable else None
+
+
+def _is_elapsed(run: Run, expression: facts.Expr) -> bool:
+    """Whether an expression is the seconds since something: of the module ``time``, or of the clock of a node, which
+    counts nanoseconds."""
+    values = _assigned(run, expression.variable) if expression.variable else [expression]
+    return bool(values) and all(map(_is_difference, values))
+
+
+def _is_difference(expression: facts.Expr) -> bool:
+    match expression:
         case facts.Binary("-", now) if _is_clock(now):
-            return _seconds(run, end)
-        case facts.Call() if _is_clock(clock) and end.variable:
-            return _until(run, end.variable)
-    return None
+            return True
+        case facts.Binary("*", facts.Attribute(value=of, attr="nanoseconds"), facts.Literal(value=1e-9)):
+            return _is_ros_difference(of)
+        case facts.Binary("/", facts.Attribute(value=of, attr="nanoseconds"), facts.Literal(value=1e9)):
+            return _is_ros_difference(of)
+    return False
 
 
-def _until(run: Run, name: str) -> float | None:
-    """How far ahead of the clock a deadline is set."""
-    values = [
+def _is_ros_difference(expression: facts.Expr) -> bool:
+    return isinstance(expression, facts.Binary) and expression.op == "-" and _is_now(expression.left)
+
+
+def _is_now(expression: facts.Expr) -> bool:
+    return isinstance(expression, facts.Call) and not expression.args and called_name(expression) == "now"
+
+
+def _assigned(run: Run, name: str) -> list[facts.Expr]:
+    """What the function assigns to a variable."""
+    return [
         statement.value
         for statement in statements_of(run.activation.body, facts.Assign)
         if any(target.variable == name for target in statement.targets)
     ]
+
+
+def _until(run: Run, name: str) -> float | None:
+    """How far ahead of the clock a deadline is set."""
+    values = _assigned(run, name)
     ahead = [_ahead(run, value) for value in values]
     known = [seconds for seconds in ahead if seconds is not None]
     return max(known) if known and len(known) == len(values) else None
@@ -76,10 +104,16 @@ def _is_clock(expression: facts.Expr) -> bool:
 
 
 def _seconds(run: Run, expression: facts.Expr) -> float | None:
-    """What a number, a name or an attribute holds; nothing is called for it, and no parameter decides it."""
+    """What a number, a name or an attribute holds, or the larger or smaller of such; nothing else is called for it.  A
+    parameter counts as its default."""
+    match expression:
+        case facts.Call(func=facts.Name(id="max" | "min" as choice), args=given) if given:
+            numbers = [_seconds(run, argument.value) for argument in given]
+            known = [number for number in numbers if number is not None]
+            return None if len(known) < len(numbers) else max(known) if choice == "max" else min(known)
     if not isinstance(expression, (facts.Literal, facts.Name, facts.Attribute)):
         return None
     value = run.evaluate(expression)
-    if not isinstance(value, Known) or value.via or not isinstance(value.value, (int, float)):
+    if not isinstance(value, Known) or not isinstance(value.value, (int, float)):
         return None
     return float(value.value)
