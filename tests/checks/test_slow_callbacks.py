@@ -63,6 +63,7 @@ def test_what_counts_as_slow(run: Run, body: str, expected: list[str]):
         ("subprocess.run(['systemctl', '--quiet', 'is-active', 'robot'])", []),
         ("subprocess.check_output(['/sbin/iwconfig', 'wlan0'])", []),
         ("subprocess.check_output(['lsusb'])", []),
+        ("subprocess.run('i2cset -y 1 0x{:02x} 0x00'.format(self.sink), shell=True)", []),
         ("subprocess.run('ip -4 addr show', shell=True)", []),
         ("subprocess.run(['pkill', '-9', '-f', 'driver'], timeout=5)", []),
         ("subprocess.run(['nmcli', '-t', 'device', 'show'])", []),
@@ -94,6 +95,24 @@ def test_a_dialogue_in_the_terminal_is_information(run: Run):
 def test_a_short_sleep_is_long_for_a_short_period(run: Run):
     [found] = run(source("self.create_timer(0.02, self.tick)\n", timer("time.sleep(0.05)")))
     assert found.code == "EXE003" and "longer than its period of 0.02 s" in found.message
+
+
+@pytest.mark.parametrize(
+    ("body", "expected"),
+    [
+        ("if read():\n        time.sleep(0.3)", []),  # a key that bounces
+        ("if read():\n        time.sleep(1.5)", ["EXE003"]),
+        ("time.sleep(0.3)", ["EXE003"]),  # then the period is never kept
+    ],
+)
+def test_a_short_sleep_now_and_then_where_nobody_waits(run: Run, body: str, expected: list[str]):
+    assert codes(run(source("self.create_timer(0.02, self.tick)\n", timer(body)))) == expected
+
+
+@pytest.mark.parametrize(("seconds", "expected"), [(0.2, []), (0.3, ["EXE003"])])
+def test_a_moment_is_not_worth_a_word(run: Run, seconds: float, expected: list[str]):
+    others = TIMER + "self.create_subscription(Empty, 'stop', print, 10)\n"
+    assert codes(run(source(others, timer(f"time.sleep({seconds})")))) == expected
 
 
 def test_a_loop_makes_a_long_sleep_of_short_ones(run: Run):
@@ -1263,7 +1282,7 @@ def test_who_fails_may_take_time_to_clean_up(run: Run, body: str, expected: list
     [
         ("for register in (1, 2):", []),
         ("for register in range(2):", []),
-        ("for register in (1, 2, 3):", ["EXE003"]),
+        ("for register in (1, 2, 3, 4, 5, 6):", ["EXE003"]),
         ("for register in self.registers:", ["EXE003"]),
         ("while read():", ["EXE003"]),
     ],

@@ -120,6 +120,9 @@ def is_soon_over(code: SourceCode, call: ApiCall) -> bool:
 _SHORT = frozenset(
     {
         "amixer",
+        "i2cdetect",
+        "i2cget",
+        "i2cset",
         "lsblk",
         "lspci",
         "lsusb",

@@ -37,8 +37,8 @@ if TYPE_CHECKING:
     from archlint.model import ApiCall, Callback, Program
     from archlint.systems.model import System
 
-MOMENT = 0.1
-"""Seconds of a sleep that are not worth a word, unless a loop adds them up."""
+MOMENT = 0.25
+"""Seconds of a sleep that are not worth a word, unless a loop adds them up or a timer comes more often."""
 PAUSE = 1.0
 """Seconds of sleep that the next message may be late, where a node only takes in these messages."""
 DISCOVERY = 1.0
@@ -129,7 +129,10 @@ def _is_left_alone(system: System, program: Program, call: ApiCall, stay: Stay) 
     else:
         period = _period(system, call)
         in_time = period is None or (stay.seconds or 0.0) <= period
-        minor = role in _RUNS_AGAIN and (in_time or leaves_its_state(code, call))
+        brief = (
+            bool(call.branch_arms) and stay.kind == "sleep" and in_loops(code, call, stay, with_callers=True) <= PAUSE
+        )
+        minor = role in _RUNS_AGAIN and (in_time or brief or leaves_its_state(code, call))
     return minor and not made_here(call) and who_waits(code, call, program) == Waiting.NOBODY
 
 
