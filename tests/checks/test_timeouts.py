@@ -563,6 +563,40 @@ class TestCallWithoutTimeout:
         assert found.help == "call_async() and continue in a done callback: future.add_done_callback(…)"
 
 
+FILTER = """
+    import rclpy
+    from rclpy.node import Node
+    from std_msgs.msg import String
+    from std_srvs.srv import Trigger
+
+
+    class Filter(Node):
+        def __init__(self):
+            super().__init__('filter')
+            self.maps = self.create_client(Trigger, 'map')
+            self.other = self.create_client(Trigger, 'other')
+            {before}
+            {inside}
+            self.create_subscription(String, 'scan', print, 10)
+
+        def load(self):
+            future = self.maps.call_async(Trigger.Request())
+            rclpy.spin_until_future_complete(self, future){mark}
+            self.map = future.result()
+
+
+    def main():
+        rclpy.init()
+        node = Filter()
+        {later}
+        rclpy.spin(node)
+
+
+    if __name__ == '__main__':
+        main()
+"""
+
+
 class TestSpinWithoutTimeout:
     @pytest.mark.parametrize(
         "line",
@@ -617,6 +651,20 @@ class TestSpinWithoutTimeout:
     )
     def test_a_script_that_asks_a_server_which_it_has_found(self, judge: Judge, before: str, mark: str):
         judge("TMO003", script(f"{before}\n        rclpy.spin_until_future_complete(node, {FUTURE}){mark}"))
+
+    @pytest.mark.parametrize(
+        ("before", "inside", "mark"),
+        [
+            ("while not self.maps.wait_for_service(timeout_sec=1.0): print('waiting')", "self.load()", ""),
+            ("self.maps.wait_for_service()", "self.load()", ""),
+            ("self.maps.wait_for_service(timeout_sec=1.0)", "self.load()", "  # here"),  # it may not be there
+            ("self.other.wait_for_service()", "self.load()", "  # here"),
+            ("self.maps.wait_for_service()", "pass", "  # here"),  # main() calls it later
+        ],
+    )
+    def test_a_constructor_that_has_waited_for_the_server(self, judge: Judge, before: str, inside: str, mark: str):
+        later = "node.load()" if inside == "pass" else "pass"
+        judge("TMO003", FILTER.format(before=before, inside=inside, later=later, mark=mark))
 
     def test_a_loop_until_the_future_is_done_asks_already(self, judge: Judge):
         lines = (
@@ -828,14 +876,15 @@ class Panel(Node):
 {main}
 """
 MAIN = "def main():\n    rclpy.init()\n    rclpy.spin(Panel())\n\n\nif __name__ == '__main__':\n    main()\n"
+CALLS_IT = MAIN.replace("rclpy.spin(Panel())", "panel = Panel()\n    panel.blink()\n    rclpy.spin(panel)")
 
 
 @pytest.mark.parametrize(
-    ("line", "mark"), [("pass", ""), ("self.blink()", "  # here")], ids=["nothing calls it", "it is called"]
+    ("main", "mark"), [(MAIN, ""), (CALLS_IT, "  # here")], ids=["nothing calls it", "it is called"]
 )
-def test_a_spin_in_a_method_of_a_program_that_nothing_calls(judge: Judge, tmp_path, line: str, mark: str):
+def test_a_spin_in_a_method_of_a_program_that_nothing_calls(judge: Judge, tmp_path, main: str, mark: str):
     (tmp_path / "package.xml").write_text("<package format='3'><name>panel</name><version>0.0.1</version></package>")
-    text = UNUSED.format(line=f"self.create_timer(1.0, print)\n        {line}", main=MAIN)
+    text = UNUSED.format(line="self.create_timer(1.0, print)", main=main)
     text = text.replace("Trigger.Request()))", f"Trigger.Request())){mark}")
     judge("TMO003", text, "class Lamp:\n    def blink(self):\n        pass\n")
 
@@ -853,7 +902,7 @@ def test_a_method_of_that_name_in_a_file_that_only_says_the_name_of_the_module(j
     ("line", "main", "other", "expected"),
     [
         pytest.param("pass", MAIN, "", [], id="nothing names it"),
-        pytest.param("self.blink()", MAIN, "", ["TMO003", "TMO004"], id="it is called"),
+        pytest.param("pass", CALLS_IT, "", ["TMO003", "TMO004"], id="it is called"),
         pytest.param("start(self.blink)", MAIN, "", ["TMO003", "TMO004"], id="it is handed on"),
         pytest.param("pass", MAIN, "def use(panel):\n    panel.blink()\n", ["TMO003", "TMO004"], id="another file"),
         pytest.param("pass", "", "", ["TMO003", "TMO004"], id="a library's"),
@@ -876,11 +925,11 @@ def test_a_method_that_no_file_of_the_workspace_names_does_not_run(
 
 
 # The loop of TMO004 comes after the wait of TMO001, and never repeats.
-@pytest.mark.parametrize(("line", "count"), [("# self.blink()", 0), ("self.blink()", 2)])
+@pytest.mark.parametrize(("main", "count"), [(MAIN, 0), (CALLS_IT, 2)])
 def test_a_method_of_a_script_in_no_package_that_nothing_calls(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, line: str, count: int
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, main: str, count: int
 ):
-    text = UNUSED.format(line=f"pass\n        {line}", main=MAIN)
+    text = UNUSED.format(line="pass", main=main)
     more = "    def blink(self):\n        self.lamp.wait_for_service()\n"
     (tmp_path / "panel.py").write_text(text.replace("    def blink(self):\n", more), encoding="utf-8")
     (tmp_path / "lamp.py").write_text("class Lamp:\n    def blink(self):\n        pass\n", encoding="utf-8")

@@ -49,10 +49,11 @@ def is_there(system: System, call: ApiCall) -> bool:
     return _has_answered(system, call) or all(_was_found(system, path, _places(call)) for path in paths_to(call))
 
 
-def was_waited_for(system: System, call: ApiCall) -> bool:
+def was_waited_for(system: System, call: ApiCall, clients: Sequence[Creation] | None = None) -> bool:
     """Whether the same code has waited for the same client's server before, on every way to a call, and until it came:
-    a loop that waits again ends at once."""
-    code, clients = source_code(system), creations_of(call.receiver)
+    a loop that waits again ends at once.  The client is the call's own, unless ``clients`` are given."""
+    code = source_code(system)
+    clients = creations_of(call.receiver) if clients is None else clients
     return len(clients) == 1 and any(
         other.context is call.context
         and other.place != call.place

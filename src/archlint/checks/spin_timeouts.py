@@ -11,6 +11,7 @@ from archlint.analysis.left_over import is_dead, is_never_made
 from archlint.analysis.limit_sites import sites_of_spin, spins_for_a_result
 from archlint.analysis.loop_times import is_retried
 from archlint.analysis.own_futures import spins_for_a_message, spins_for_own_future, spins_for_own_task
+from archlint.analysis.present_servers import was_waited_for
 from archlint.analysis.reach import (
     argument,
     calls_of,
@@ -65,6 +66,7 @@ def spin_without_timeout(system: System, options: Options) -> Iterator[Finding]:
         if call.context.role != Role.METHOD or creations_of(argument(call, "future"))
         if not _is_refused(program, call) and not _may_be_meant_as_a_limit(source_code(system), call)
         if not _is_uncalled(system, call) and not _is_all_there_is_to_do(system, program, call)
+        if not _is_part_of_start(system, call)
     )
 
 
@@ -87,6 +89,13 @@ def _is_all_there_is_to_do(system: System, program: Program, call: ApiCall) -> b
         and (waits_for_ever(code, other, "timeout_sec") or not is_thrown_away(code, other))
         for other in program.calls
     )
+
+
+def _is_part_of_start(system: System, call: ApiCall) -> bool:
+    """Whether a constructor has waited for the server until it came: without its answer the node has nothing to do."""
+    functions = (call.function, *(hop.caller for hop in call.chain))
+    in_constructor = any(name.rpartition(".")[2] == "__init__" for name in functions)
+    return in_constructor and was_waited_for(system, call, creations_of(argument(call, "future")))
 
 
 def _is_refused(program: Program, call: ApiCall) -> bool:
