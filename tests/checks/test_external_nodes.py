@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from msgspec.structs import replace
 
 from archlint.config.settings import Settings
 from archlint.engine.pipeline import Request, check
@@ -134,6 +135,23 @@ def test_a_parameter_that_it_does_not_declare(told, known: ExternalNode, found: 
     assert len(told(("PRM004",), more=line.format("wheelbase"), known=(known,))) == found
     assert told(("PRM004",), more=line.format("wheel_base"), known=(known,)) == []
     assert told(("PRM004",), more=line.format("use_sim_time"), known=(known,)) == []
+
+
+def test_what_such_a_node_does_not_declare_is_one_finding_for_all_that_start_it(told):
+    line = '<node pkg="acme" exec="base"><param name="{}" value="0.2"/></node>'
+    twice = line.format("max_speed") + line.format("use_odometry")
+    (message,) = [message for _, _, message in told(("PRM004",), more=twice)]
+    assert message.startswith("/base declares none of these 2 parameters")
+
+
+@pytest.mark.parametrize(("distros", "named"), [((), True), (("humble", "jazzy"), True), (("jazzy",), False)])
+def test_a_parameter_that_only_some_distributions_have_is_no_advice(told, distros: tuple[str, ...], named: bool):
+    newer = ExternalParameter("wheel_bases", "double", 0.3, distros=distros)
+    known = replace(BASE, versions={"humble": "1.0", "jazzy": "2.0"}, parameters=(newer,))
+    ((_, _, message),) = told(
+        ("PRM004",), more='<node pkg="acme" exec="base"><param name="wheel_base" value="0.2"/></node>', known=(known,)
+    )
+    assert ("did you mean 'wheel_bases'?" in message) == named
 
 
 @pytest.mark.parametrize(("known", "found"), [(BASE, 1), (OPEN, 0)], ids=["all is known", "it may have more"])

@@ -18,6 +18,14 @@ def test_a_name_that_is_almost_use_sim_time(findings, name, start):
     assert finding.message == (f"no node has a parameter '{name}'; did you mean 'use_sim_time', which every node has?")
 
 
+def test_one_slip_in_several_nodes_and_launch_files_is_one_finding(findings):
+    twice = node(param("use_simtime")) + node(param("use_simtime"), name="other")
+    copy = {"launch/copy.launch.xml": f"<launch>{node(param('use_simtime'))}</launch>"}
+    (finding,) = findings("PRM004", twice, **copy)
+    assert len(finding.related) == 2
+    assert len(findings("PRM004", node(param("use_simtime") + param("use_sim_tiem")))) == 2
+
+
 def test_a_key_of_a_parameter_file(findings):
     files = {"config/all.yaml": "/**:\n  ros__parameters:\n    use_sim_tim: true\n"}
     (finding,) = findings("PRM004", node('<param from="$(find-pkg-share robot)/config/all.yaml"/>'), **files)

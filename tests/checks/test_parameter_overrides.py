@@ -171,6 +171,14 @@ def test_a_misspelt_name_has_a_finding_of_its_own(findings):
     ]
 
 
+def test_a_misspelt_name_in_copies_of_a_launch_file_is_one_finding(findings):
+    (found,) = findings("{'gian': 1.0}", copy="{'gian': 2.0}")
+    assert "did you mean 'gain'?" in found.message
+    assert [(row.place.file, row.message) for row in found.related][:1] == [
+        ("launch/it_too.launch.py", "it is set here, too")
+    ]
+
+
 def test_a_prefix_that_no_parameter_has_is_one_finding(findings):
     lines = "    from: {gain: 1.0, limits: a, speed: 2.0}\n"
     (found,) = findings("file", yaml=f"talker:\n  ros__parameters:\n{lines}")
@@ -204,16 +212,17 @@ THIRD = "Node(package='robot', executable='talker', name='c', parameters=[{'gian
 @pytest.mark.parametrize(
     ("more", "lines"),
     [
-        ("", [10]),  # one line, two nodes of it
-        (f"nodes.append({THIRD}))", [10, 11]),  # another line is another mistake
-        (f"nodes.append({THIRD}, condition=IfCondition(LaunchConfiguration('wide'))))", [10, 11]),
+        ("", []),  # one line, two nodes of it
+        (f"nodes.append({THIRD}))", [11]),
+        (f"nodes.append({THIRD}, condition=IfCondition(LaunchConfiguration('wide'))))", [11]),
     ],
 )
 def test_a_line_is_wrong_once_however_many_nodes_it_starts(findings, tmp_path: Path, more: str, lines: list[int]):
     (tmp_path / "launch").mkdir()
     (tmp_path / "launch/both.launch.py").write_text(ON_BOTH.replace("MORE", more or "pass"))
-    told = findings("{'gain': 2.0}")
-    assert [(one.place.file, one.place.line) for one in told] == [("launch/both.launch.py", line) for line in lines]
+    (told,) = findings("{'gain': 2.0}")
+    assert (told.place.file, told.place.line) == ("launch/both.launch.py", 10)
+    assert [row.place.line for row in told.related if row.message == "it is set here, too"] == lines
 
 
 @pytest.mark.parametrize(

@@ -49,7 +49,13 @@ def unknown_to_externals(system: System) -> Iterator[Finding]:
             several = (setting.written is not None and "*" in setting.key) or places[setting.place] > 1
             if several or any(name.startswith(f"{row}.") for row in declared):
                 continue  # what is for several nodes, each takes its part of
-            yield _finding(node, name, setting.place, declared - {other.name for other in node.settings})
+            given = {other.name for other in node.settings}
+            yield _finding(node, name, setting.place, _always_declared_by(node) - given)
+
+
+def _always_declared_by(node: Node) -> set[str]:
+    """The names that a node declares in each distribution that it is read in, and without conditions."""
+    return {row.name.text for row in node.declared if row.name.text is not None and not row.conditional}
 
 
 def _places(node: Node) -> set[Place]:
@@ -61,13 +67,15 @@ def _places(node: Node) -> set[Place]:
 def _finding(node: Node, name: str, place: Place, free: set[str]) -> Finding:
     read = sorted(dict.fromkeys(node.known.versions.values())) if node.known is not None else []
     of = f" (as read in {', '.join(read)})" if read else ""
+    meant = did_you_mean(name, free)
     return finding(
         "PRM004",
         place,
-        f"{node.name} declares no parameter '{name}'{of}, so this value has no effect{did_you_mean(name, free)}",
-        help=f"it declares {listed(sorted(free))}" if free else "remove it; it declares no other",
+        f"{node.name} declares no parameter '{name}'{of}, so this value has no effect{meant}",
+        help=f"it declares {listed(sorted(free))}" if free else "remove it",
         node=node.name,
         identity=(node.name or "", name),
+        group=(name if meant else f"{node.name} declares none of", node.package or "", node.executable or ""),
     )
 
 

@@ -47,6 +47,7 @@ def misspelt_for_every_node(system: System) -> Iterator[Finding]:
                 f"no node has a parameter '{name}'; did you mean '{_OF_EVERY_NODE}', which every node has?",
                 help=f"write '{_OF_EVERY_NODE}': until then the node goes by the time of the machine",
                 identity=(setting.key, name),
+                group=("no node has", name),
                 meant=_OF_EVERY_NODE,
             )
 

@@ -205,14 +205,14 @@ def _never_used(
         node=node.name,
         identity=(node.name or "", setting.name),
         # A misspelt name has advice of its own.
-        group=() if meant else (f"{called(node)} declares none of", *_cause(setting, blueprint)),
+        group=(setting.name if meant else f"{called(node)} declares none of", *_cause(setting, blueprint)),
     )
 
 
 def _cause(setting: Setting, blueprint: Blueprint) -> tuple[str, ...]:
-    """What the values have in common that a node does not declare: the section of a file that sets them, or, as one
-    launch file is copied from the other, the node."""
-    if setting.written is not None:
+    """What the values have in common that a node does not declare: the node, as one launch or parameter file is copied
+    from the other; or a section that is for several nodes."""
+    if setting.written is not None and "*" in setting.key:
         return setting.place.file, setting.key
     return (*map(str, astuple(blueprint.place)), blueprint.class_name)
 

@@ -155,6 +155,7 @@ def _declarations(
         types = {row.type for row in same}
         defaults = [row.default for row in same]
         known = defaults[0] is not None and all(default == defaults[0] for default in defaults)
+        everywhere = all(any(_is_in(row.distros, (distro,)) for row in same) for distro in asked)
         yield ParameterDeclaration(
             Text(name, "exact"),
             same[0].type if len(types) == 1 else None,
@@ -162,7 +163,7 @@ def _declarations(
             known,
             place,
             node,
-            conditional=any(row.conditional for row in same),
+            conditional=any(row.conditional for row in same) or not everywhere,
         )
 
 
