@@ -851,6 +851,20 @@ class TestPolling:
         [found] = run(source(apart + "self.create_timer(5.0, self.tick)\n", "async def tick(self):\n" + awaits))
         assert found.code == "SRV005" and "await their futures" in found.help
 
+    @pytest.mark.parametrize(
+        ("line", "told"),
+        [
+            ("await self.ask(self.client0)\n    await self.ask(self.client1)\n    await self.ask(self.client2)", True),
+            ("await asyncio.gather(self.ask(self.client0), self.ask(self.client1), self.ask(self.client2))", False),
+        ],
+    )
+    def test_coroutines_that_run_beside_each_other(self, run: Run, line: str, told: bool):
+        apart = self.THREE.replace("')", "', callback_group=MutuallyExclusiveCallbackGroup())")
+        methods = f"async def tick(self):\n    {line}\n\n"
+        methods += "async def ask(self, client):\n    await client.call_async(Trigger.Request())\n"
+        text = "import asyncio\n" + source(apart + "self.create_timer(5.0, self.tick)\n", methods)
+        assert ("SRV005" in codes(run(text))) is told
+
     def test_waits_of_different_branches_do_not_add_up(self, run: Run):
         calls = [f"if self.mode == {i}: self.client{i}.call(Trigger.Request(), timeout_sec=1.0)" for i in range(3)]
         assert codes(run(source("self.mode = load()\n" + self.THREE, self.in_turn(*calls), self.MAIN))) == []

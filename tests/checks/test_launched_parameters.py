@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from archlint.finding import Finding, Severity
-from robot_package import SETUP, TALKER, node
+from robot_package import CMAKE, SETUP, TALKER, node
 
 
 def test_values_of_the_right_type(findings):
@@ -148,6 +148,50 @@ def test_a_section_for_another_program_of_the_package(findings, source: str, tol
     load_it = '<param from="$(find-pkg-share robot)/config/p.yaml"/>'
     yaml = "talker: {ros__parameters: {rate: 1.0}}\nother_base: {ros__parameters: {speed: 1.0}}"
     assert len(findings("PRM005", node(load_it), **{"config/p.yaml": yaml, "src/other.cpp": source})) == told
+
+
+CPP = """
+#include <rclcpp/rclcpp.hpp>
+#include "lidar.hpp"
+
+Lidar::Lidar() : rclcpp::Node("lidar"), range_(20) {{
+  {declaration};
+}}
+
+int main(int argc, char ** argv) {{
+  rclcpp::init(argc, argv);
+  rclcpp::spin(std::make_shared<Lidar>());
+}}
+"""
+LIDAR_HPP = """
+class Lidar : public rclcpp::Node {
+public:
+  Lidar();
+private:
+  double range_;
+};
+"""
+LIDAR_CMAKE = """
+project(robot)
+add_executable(lidar src/lidar.cpp)
+install(TARGETS lidar DESTINATION lib/${PROJECT_NAME})
+"""
+
+
+@pytest.mark.parametrize(
+    ("declaration", "told"),
+    [
+        ('declare_parameter("range", range_)', 0),  # a double that is given a whole number
+        ('declare_parameter("range", 20)', 1),
+        ('declare_parameter<int>("range", range_)', 1),
+        ('declare_parameter<double>("range", 20)', 0),
+    ],
+)
+def test_a_type_that_cpp_takes_from_a_variable(findings, declaration: str, told: int):
+    start = '<node pkg="robot" exec="lidar"><param name="range" value="-1.0"/></node>'
+    files = {"src/lidar.cpp": CPP.format(declaration=declaration), "src/lidar.hpp": LIDAR_HPP}
+    files |= {"CMakeLists.txt": LIDAR_CMAKE, "package.xml": CMAKE, "setup.py": ""}
+    assert len(findings("PRM002", start, **files)) == told
 
 
 def test_a_section_for_a_node_inside_a_process_that_is_not_here(findings):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING
 
 from archlint.analysis.completeness import enclosing_function
@@ -45,4 +46,13 @@ def may_be_dynamic(workspace: WorkspaceIndex | None, declarations: Iterable[Para
     return workspace is None or any(workspace.code.mentions(file, "dynamic_typing") for file in files)
 
 
-__all__ = ["is_guarded", "may_be_dynamic", "surely_run_both"]
+def is_of_variable(workspace: WorkspaceIndex | None, declared: ParameterDeclaration) -> bool:
+    """Whether C++ takes the type from a variable, which may be a ``double`` that was given a whole number."""
+    place = declared.place
+    if workspace is None or place.file.endswith(".py"):
+        return False
+    lines = (workspace.tree.text(place.file) or "").splitlines()[place.line - 1 : place.end_line]
+    return not any(re.search(rf"(?<![\w.]){declared.default}(?![\w.])|<\s*(?:\w+::)*u?int", line) for line in lines)
+
+
+__all__ = ["is_guarded", "is_of_variable", "may_be_dynamic", "surely_run_both"]

@@ -3,10 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
+from typing import TYPE_CHECKING
 
 from archlint.syntax import facts
 from archlint.syntax.parts import names_in
-from archlint.syntax.walk import statements_of
+from archlint.syntax.walk import called_name, calls_in, statements_of
+
+if TYPE_CHECKING:
+    from archlint.analysis.source_code import SourceCode
+    from archlint.model import Frame
 
 _DECIDES = (facts.If, facts.While, facts.Match, facts.Assert, facts.Return, facts.Raise)
 
@@ -40,4 +45,19 @@ def _stands_in(statement: facts.Assign, lines: Collection[int]) -> bool:
     return any(line in lines for line in range(statement.span[0], statement.span[2] + 1))
 
 
-__all__ = ["build_on_answers"]
+_BESIDE = frozenset({"as_completed", "create_task", "ensure_future", "gather", "run_coroutine_threadsafe"})
+
+
+def runs_beside_others(code: SourceCode, chain: Sequence[Frame]) -> bool:
+    """Whether the coroutine that a chain of calls leads to runs beside others:
+    ``await asyncio.gather(self.ask(), self.look())``."""
+    for frame in chain:
+        statement = code.statement_at(frame.place)
+        around = [] if statement is None else [call for call in calls_in(statement) if called_name(call) in _BESIDE]
+        begin, end = frame.place.span[:2], frame.place.span[2:]
+        if any(call.span[:2] < begin and end <= call.span[2:] for call in around):
+            return True
+    return False
+
+
+__all__ = ["build_on_answers", "runs_beside_others"]

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.analysis.declarations import may_be_dynamic
+from archlint.analysis.declarations import is_of_variable, may_be_dynamic
 from archlint.analysis.set_parameters import called, set_nodes
 from archlint.checks.folding import folds
 from archlint.checks.registry import Options, finding, rule
@@ -38,6 +38,8 @@ def parameter_type_mismatch(system: System, options: Options) -> Iterator[Findin
             if len(rows) != 1 or given is None or rows[0].type in (None, given) or rows[0].dynamic:
                 continue
             if rows[0].ignore_override or rows[0].conditional or rows[0].name.resolution != "exact":
+                continue
+            if given == "double" and rows[0].type == "integer" and is_of_variable(system.workspace, rows[0]):
                 continue
             template = _placeholder(setting)
             if template is None:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.blocking import AWAIT
 from archlint.analysis.callback_roles import callback_words, runs_in_executor
 from archlint.analysis.client_loops import clients_in_turn
-from archlint.analysis.dependent_waits import build_on_answers
+from archlint.analysis.dependent_waits import build_on_answers, runs_beside_others
 from archlint.analysis.loop_times import is_retried
 from archlint.analysis.reach import endpoint_words, node_name, one_for_each_place
 from archlint.analysis.source_code import SourceCode, source_code
@@ -109,13 +109,15 @@ def _runs(system: System) -> Iterator[list[_Step]]:
             client = clients[0] if clients else wait.client
             by_run.setdefault(key, []).append(_Step(call.place, chain, wait, client))
     for steps in by_run.values():
-        yield from _sequences(steps)
+        yield from _sequences(code, steps)
 
 
-def _sequences(steps: list[_Step]) -> Iterator[list[_Step]]:
+def _sequences(code: SourceCode, steps: list[_Step]) -> Iterator[list[_Step]]:
     """One sequence a function that makes the waits, directly or through a helper each."""
     by_function: dict[str, dict[tuple[Place, Place], _Step]] = {}
     for step in steps:
+        if runs_beside_others(code, step.chain):
+            continue
         call, chain = step.wait.call, step.chain
         # The function that holds the call, and the one that calls the helper which does.
         by_function.setdefault(f"{call.file}:{call.function}", {})[call.place, call.place] = step
