@@ -461,6 +461,13 @@ def test_a_method_that_nothing_calls_fails_for_nobody(
     assert (finding.help == "delete tick(), which nothing calls") is deleted
 
 
+def test_several_attributes_of_a_method_that_nothing_calls(judge: Judge):
+    lines = "message = Int32(data=self.total)  # here\n            self.rate.sleep()"
+    text = UNCALLED.replace("{caller}", "self.ready = True").replace("message = Int32(data=self.total)", lines)
+    (finding,) = judge("API002", text)
+    assert finding.help == "delete tick(), which nothing calls"
+
+
 @pytest.mark.parametrize(
     ("caller", "said"),
     [

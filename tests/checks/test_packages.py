@@ -178,6 +178,14 @@ def test_a_module_that_is_not_there_is_named_with_the_near_one(findings, target,
     assert found.help == help
 
 
+@pytest.mark.parametrize(("text", "said"), [("", False), ("def main():\n    print('on')\n", True)])
+def test_a_module_without_the_function_is_not_the_one_that_was_meant(findings, text: str, said: bool):
+    entry = SETUP.replace("robot.talker:main", "robot.visualizer:main")
+    (found,) = findings("PKG002", **{"setup.py": entry, "robot/visualiser.py": text})
+    assert ("did you mean 'robot.visualiser'?" in found.message) == said
+    assert found.help == ("write 'talker = robot.visualiser:main'" if said else "add the module, or remove the entry")
+
+
 def test_a_module_that_another_entry_starts_is_not_the_one_that_was_meant(findings):
     entries = "'talker = robot.talker:main', 'second = robot.talkers:main'"
     (found,) = findings("PKG002", **{"setup.py": SETUP.replace("'talker = robot.talker:main'", entries)})

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.absent_members import AbsentMember, absent_members
@@ -33,6 +34,9 @@ OF_OBJECT = "object"
 UNASSIGNED = "unassigned"
 """The group of findings about attributes of one class that nothing assigns, and that are no slips."""
 
+UNCALLED = "uncalled"
+"""The group of findings about one method that nothing calls."""
+
 
 def attribute_findings(system: System) -> Iterator[Finding]:
     """The findings about attributes, but for what is said of a callback or of a call that rclpy refuses."""
@@ -51,7 +55,13 @@ def attribute_findings(system: System) -> Iterator[Finding]:
     for read in unassigned_attributes(system.workspace):
         if (read.place.file, read.name) not in told:
             diagnostic = _unassigned(read)
-            yield diagnostic if read.is_slip or read.local else mild_if_uncalled(system, diagnostic)
+            yield diagnostic if read.is_slip or read.local else _of_uncalled(system, diagnostic)
+
+
+def _of_uncalled(system: System, diagnostic: Finding) -> Finding:
+    """What is advised for a method that nothing calls, once for all that is wrong in it."""
+    mild = mild_if_uncalled(system, diagnostic)
+    return mild if mild.help == diagnostic.help else replace(mild, group=(UNCALLED, mild.place.file, mild.help or ""))
 
 
 def _overwritten(assignment: Overwritten) -> Finding:
@@ -143,4 +153,4 @@ def _as_written(name: str, cls: str) -> str:
     return name.removeprefix(f"_{cls.lstrip('_')}") if "__" in name else name
 
 
-__all__ = ["LEVELS", "LOGS", "LOG_WITH", "OF_CLASS", "UNASSIGNED", "attribute_findings"]
+__all__ = ["LEVELS", "LOGS", "LOG_WITH", "OF_CLASS", "UNASSIGNED", "UNCALLED", "attribute_findings"]

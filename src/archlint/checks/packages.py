@@ -72,6 +72,8 @@ def _broken(workspace: WorkspaceIndex, executable: Executable) -> Iterator[Findi
             target = f"{near}:{function or 'main'}"
             if function is None and parent in known:
                 near = target = f"{parent}:{last}"
+            elif near is not None and not _may_offer(workspace, executable.package, near, function or "main"):
+                near = None
             hint = "" if near is None else meant(f"'{near}'")
             help = "add the module, or remove the entry" if near is None else f"write '{executable.name} = {target}'"
             group = (executable.place.file, _NO_MODULE, "") if near is None else ()
@@ -131,6 +133,12 @@ def _near_module(module: str, known: Collection[str]) -> str | None:
         return nearest(module, known)
     near = nearest(last, beside)
     return f"{parent}.{near}" if near is not None else None
+
+
+def _may_offer(workspace: WorkspaceIndex, package: str, module: str, function: str) -> bool:
+    """Whether a module has a word for a function: an empty ``__init__.py`` cannot be what was meant."""
+    path = workspace.code.modules_of(package).get(module)
+    return path is None or workspace.code.mentions(path, function.partition(".")[0])
 
 
 _NO_MODULE = "no module"

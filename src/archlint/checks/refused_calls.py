@@ -11,7 +11,7 @@ from archlint.analysis.reach import judged_notes
 from archlint.analysis.uninitialised_programs import uninitialised_programs
 from archlint.checks.absent_imports import OF_MODULE, absent_import_findings
 from archlint.checks.argument_words import quoted, what_does_not_fit
-from archlint.checks.attributes import LEVELS, LOG_WITH, LOGS, OF_CLASS, UNASSIGNED, attribute_findings
+from archlint.checks.attributes import LEVELS, LOG_WITH, LOGS, OF_CLASS, UNASSIGNED, UNCALLED, attribute_findings
 from archlint.checks.folding import folds, with_others
 from archlint.checks.own_calls import own_call_findings
 from archlint.checks.registry import Options, finding, rule
@@ -97,7 +97,7 @@ def absent_in_one_file(findings: Sequence[Finding]) -> Finding:
     line of a class that assigns a property."""
     if findings[0].group[0] == OF_CLASS:
         return with_others(findings, "another line of the class does", "more lines of the class do", "the same")
-    if findings[0].group[0] == UNASSIGNED:
+    if findings[0].group[0] in (UNASSIGNED, UNCALLED):
         return with_others(
             findings, "another attribute of the class is", "more attributes of the class are", "like that"
         )
