@@ -81,6 +81,7 @@ def test_one_finding_for_a_name(names):
         "FetchContent_MakeAvailable(json)\ninstall(TARGETS json)\n",
         "install(TARGETS TARGETS talker)\n" + TALKER,
         TALKER + "find_package(my_tools REQUIRED)\nament_target_dependencies(talker nav_msgs)\n",
+        "acme_auto_package()\ntarget_link_libraries(talker yaml-cpp)\n",
         TALKER + "robot_find_all()\nament_target_dependencies(talker nav_msgs)\n",
         TALKER + "ament_auto_find_build_dependencies()\nament_target_dependencies(talker nav_msgs)\n",
         TALKER + "find_package(PCL)\nament_target_dependencies(talker PCL Eigen3)\n",

@@ -155,3 +155,71 @@ def test_parameters_that_fields_are_set_to() -> None:
     """
     [node] = graph({"src/robot.cpp": source})["nodes"]
     assert {parameter["name"]: parameter["default"] for parameter in node["parameters"]} == {"low": 0.1, "high": 0.9}
+
+
+OWN_MESSAGES = """
+#include "rclcpp/rclcpp.hpp"
+namespace patrol {
+%s
+class Robot : public rclcpp::Node {
+public:
+  Robot() : Node("robot") { create_publisher<msg::Alert>("alert", 10); }
+};
+}
+int main(int argc, char ** argv) { rclcpp::init(argc, argv); rclcpp::spin(std::make_shared<patrol::Robot>()); }
+"""
+
+
+def test_the_namespace_of_a_file_is_the_package_of_its_own_messages() -> None:
+    [node] = graph({"src/robot.cpp": OWN_MESSAGES % ""})["nodes"]
+    assert node["publishers"][0]["type"] == "patrol/msg/Alert"
+    [node] = graph({"src/robot.cpp": OWN_MESSAGES % "namespace detail { struct Row {}; }"})["nodes"]
+    assert node["publishers"][0]["type"] is None
+
+
+CHANGED = """
+#include "rclcpp/rclcpp.hpp"
+#include "std_msgs/msg/string.hpp"
+class Robot : public rclcpp::Node {
+public:
+  Robot();
+  void enable();
+  void offer();
+  bool enabled_ = false;
+  bool never_ = false;
+};
+Robot::Robot() : Node("robot") {}
+void Robot::enable() { enabled_ = true; declare_parameter("on", true); }
+void Robot::offer() {
+  if (enabled_) create_publisher<std_msgs::msg::String>("offered", 10);
+  if (never_) create_publisher<std_msgs::msg::String>("never", 10);
+}
+int main(int argc, char ** argv) { rclcpp::init(argc, argv); rclcpp::spin(std::make_shared<Robot>()); }
+"""
+
+
+def test_a_method_outside_of_its_class_changes_what_another_finds() -> None:
+    [node] = graph({"src/robot.cpp": CHANGED})["nodes"]
+    assert [end["name"] for end in node["publishers"]] == ["/offered"]
+
+
+PLUGIN = """
+#include "rviz_common/display.hpp"
+#include "rclcpp/rclcpp.hpp"
+#include "std_msgs/msg/string.hpp"
+class Display : public rviz_common::Display {
+public:
+  Display();
+  void onInitialize() override;
+  void subscribe();
+  rclcpp::Node::SharedPtr node_;
+};
+Display::Display() {}
+void Display::onInitialize() { node_ = context_->getRosNodeAbstraction().lock()->get_raw_node(); }
+void Display::subscribe() { node_->create_subscription<std_msgs::msg::String>("in", 10, nullptr); }
+"""
+
+
+def test_a_method_uses_what_another_one_sets_from_elsewhere() -> None:
+    [helper] = graph({"src/display.cpp": PLUGIN})["nodes"]
+    assert [end["name"] for end in helper["subscribers"]] == ["/in"]

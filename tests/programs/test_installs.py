@@ -61,3 +61,9 @@ def test_what_leaves_the_executables_open(text: str, open_: bool):
     found = installs(text, **tables)
     assert found.open_executables is open_
     assert ("go" in found.executables) is ("src/tools" in text)
+
+
+def test_a_command_that_is_given_nothing_may_make_the_executables():
+    assert installs("find_package(acme_auto_package)\nacme_auto_package()").open_executables
+    assert not installs("add_executable(talker talker.cpp)\ninstall(TARGETS talker)\nacme_package()").open_executables
+    assert not installs("enable_testing()\nament_package()").open_executables

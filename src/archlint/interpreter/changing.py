@@ -4,20 +4,26 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import lru_cache
+from typing import TYPE_CHECKING
 
-from archlint.interpreter.values import ClassValue, Known, Unknown, Value
+from archlint.interpreter.values import ClassValue, FunctionValue, Known, Unknown, Value
 from archlint.syntax import facts
 from archlint.syntax.parts import Itself, everything_in
 
-_CONSTRUCTOR = "__init__"
+if TYPE_CHECKING:
+    from archlint.interpreter.machine import Machine
+
+_BEFORE = frozenset({"__init__", "__fields__"})
+"""The methods that run before all others; in C++ the second gives fields their first values."""
 
 
-def changed_attributes(cls: ClassValue) -> dict[str, tuple[Value, ...]]:
+def changed_attributes(machine: Machine, cls: ClassValue) -> dict[str, tuple[Value, ...]]:
     """The attributes that the methods of a class, and of those it derives from, change, and what they put there."""
     given: dict[str, list[tuple[bool, Value]]] = {}
     for base in cls.classes:
-        for name, later, value in _assigned(Itself(base.ir)):
-            given.setdefault(name, []).append((later, value))
+        for method in _methods_of(machine, base):
+            for name, value in _assigned(Itself(method)):
+                given.setdefault(name, []).append((method.name not in _BEFORE, value))
     return {
         name: tuple(dict.fromkeys(value for _, value in rows))
         for name, rows in given.items()
@@ -25,17 +31,20 @@ def changed_attributes(cls: ClassValue) -> dict[str, tuple[Value, ...]]:
     }
 
 
-@lru_cache(maxsize=4096)
-def _assigned(key: Itself[facts.Class]) -> tuple[tuple[str, bool, Value], ...]:
-    """Each attribute of its own object that a class assigns, whether the constructor is over by then, and the value
-    as far as it is written there."""
-    methods = [statement for statement in key.fact.body if isinstance(statement, facts.Function) and statement.params]
-    return tuple(
-        (name, method.name != _CONSTRUCTOR, value)
-        for method in methods
-        for statement in everything_in(method)
-        for name, value in _targets(statement, method.params[0].name)
-    )
+def _methods_of(machine: Machine, cls: ClassValue) -> list[facts.Function]:
+    """The methods of a class; those of C++ are mostly defined outside of it."""
+    if cls.scope.module.file.kind != "cpp":
+        return [statement for statement in cls.ir.body if isinstance(statement, facts.Function)]
+    values = [value for _, value in machine.store.variables(cls.key) if isinstance(value, FunctionValue)]
+    return [value.ir for value in values if isinstance(value.ir, facts.Function)]
+
+
+@lru_cache(maxsize=16384)
+def _assigned(key: Itself[facts.Function]) -> tuple[tuple[str, Value], ...]:
+    """Each attribute of its own object that a method assigns, and the value as far as it is written there."""
+    method = key.fact
+    own = method.params[0].name if method.params else ""
+    return tuple(row for statement in everything_in(method) for row in _targets(statement, own))
 
 
 def _targets(statement: facts.Base, own: str) -> Iterator[tuple[str, Value]]:
@@ -65,3 +74,5 @@ def _names(target: facts.Expr, own: str) -> Iterator[str]:
                 yield from _names(element, own)
         case facts.Attribute(value=facts.Name(id=name)) if name == own:
             yield target.attr
+        case facts.Implicit(name=name):
+            yield name

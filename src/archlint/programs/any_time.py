@@ -52,7 +52,7 @@ def _attributes(run: Run) -> list[ChangedAttribute]:
         cls = instance.own_class
         if cls is not None:
             known += [
-                ChangedAttribute((instance.key, name), others) for name, others in changed_attributes(cls).items()
+                ChangedAttribute((instance.key, name), others) for name, others in changed_attributes(run, cls).items()
             ]
     run.callbacks.seen_instances = len(instances)
     return known

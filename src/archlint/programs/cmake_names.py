@@ -34,7 +34,8 @@ _UNREAD = frozenset({"while", "return", "cpmaddpackage", "catkin", "externalproj
 
 def read_names(installs: Installs, steps: Sequence[Step]) -> None:
     """Add such names, in the commands that always run or run for tests, where all of the build is read."""
-    if not _UNREAD.isdisjoint(installs.words) or any(map(_is_open, steps)):
+    is_open = any(_is_open(step) or may_make_anything(step.command) for step in steps)
+    if is_open or not _UNREAD.isdisjoint(installs.words):
         return
     installs.targets = frozenset(_made(steps))
     installs.looked_for = frozenset(step.command.texts[0] for step in steps if _finds(step))
@@ -101,6 +102,12 @@ def _may_find(command: Command) -> bool:
     return _FINDS_NOTHING.fullmatch(command.name) is None
 
 
+def may_make_anything(command: Command) -> bool:
+    """Whether a command that is not known here is given nothing: ``acme_auto_package()`` makes targets of names that it
+    works out, and finds packages."""
+    return not command.arguments and _may_find(command)
+
+
 def _targets_of(command: Command) -> Sequence[Argument]:
     """The arguments of a command that must be targets."""
     if command.name in _OF_A_TARGET:
@@ -124,4 +131,4 @@ def _place(argument: Argument, step: Step) -> Place:
     return Place(step.file, argument.line, argument.column, argument.line, argument.column + len(argument.text))
 
 
-__all__ = ["read_names"]
+__all__ = ["may_make_anything", "read_names"]

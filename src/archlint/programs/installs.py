@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 from typing import Protocol
 
 from archlint.finding import Place
-from archlint.programs.cmake_names import read_names
+from archlint.programs.cmake_names import may_make_anything, read_names
 from archlint.programs.cmake_targets import TargetNames
 from archlint.syntax.entry_point_tables import ScriptEntry, entries_of_setup_cfg
 from archlint.workspace.cmake import Argument, Command
@@ -86,6 +86,8 @@ def read_cmake(installs: Installs, path: str, tree: CMakeTree) -> None:
         installs.required += [] if "return" in installs.words else _found(step)
         always = step.of_tests or not step.conditional
         installs.needed += _needed(step) if always and not makes_sources else []
+    if not installs.executables and any(may_make_anything(step.command) for step in run.steps):
+        installs.open_executables = True
     if not run.open:
         read_names(installs, run.steps)
     installs.generates_nothing = not run.open and not installs.mentioned and _GENERATES not in installs.words

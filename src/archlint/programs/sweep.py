@@ -124,7 +124,8 @@ def _definition(run: Run, module: Module, variable: str, value: Value | None) ->
     if len(mro) > CLASSES:  # the end of it is unknown: too much for each of them to be run
         return None
     is_node = isinstance(value, ClassValue) and node_classes.is_node(value)
-    is_interesting = interesting(value.ir) or any(map(interesting, _defined_outside(run, value)))
+    constructor = _constructor_outside(run, value)
+    is_interesting = interesting(value.ir) or (constructor is not None and _makes_something(constructor))
     return Definition(
         variable,
         getattr(value.ir, "name", ""),
@@ -139,11 +140,20 @@ def _definition(run: Run, module: Module, variable: str, value: Value | None) ->
     )
 
 
-def _defined_outside(run: Run, value: ClassValue | FunctionValue) -> list[Function | Lambda]:
-    """The methods of a class of C++, which are mostly defined outside of it."""
+_NODES = frozenset({"rclcpp::Node", "rclcpp_lifecycle::LifecycleNode"})
+
+
+def _makes_something(constructor: Function | Lambda) -> bool:
+    return interesting(constructor) or not names_in(constructor).isdisjoint(_NODES)
+
+
+def _constructor_outside(run: Run, value: ClassValue | FunctionValue) -> Function | Lambda | None:
+    """The constructor of a class of C++, which is mostly defined outside of it.  Where it makes nothing, others set
+    what the methods use, and each method is followed for itself."""
     if not isinstance(value, ClassValue) or value.scope.module.file.kind != "cpp":
-        return []
-    return [method.ir for _, method in run.store.variables(value.key) if isinstance(method, FunctionValue)]
+        return None
+    constructor = run.store.get(value.key, "__init__")
+    return constructor.ir if isinstance(constructor, FunctionValue) else None
 
 
 __all__ = ["Sweep"]

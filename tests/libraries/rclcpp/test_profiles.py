@@ -13,6 +13,10 @@ DEFAULT = ("keep_last", 10, "reliable", "volatile")
     [
         ("10", DEFAULT),
         ("{3}", ("keep_last", 3, "reliable", "volatile")),
+        (
+            "rclcpp::QoS(rclcpp::QoSInitialization(RMW_QOS_POLICY_HISTORY_KEEP_LAST, 3)).best_effort()",
+            ("keep_last", 3, "best_effort", "volatile"),
+        ),
         ("rclcpp::QoS(3)", ("keep_last", 3, "reliable", "volatile")),
         ("rclcpp::QoS{rclcpp::KeepLast(3)}.best_effort()", ("keep_last", 3, "best_effort", "volatile")),
         ("rclcpp::QoS(1).transient_local().reliable()", ("keep_last", 1, "reliable", "transient_local")),

@@ -365,3 +365,15 @@ def test_a_member_is_made_with_what_its_class_elsewhere_takes() -> None:
 )
 def test_a_call_stays_a_call_wherever_it_stands(statement: str, expected: str) -> None:
     assert in_a_method(statement) == expected
+
+
+def test_a_profile_of_rmw_that_is_written_out() -> None:
+    policies = "RMW_QOS_POLICY_HISTORY_KEEP_LAST, 5, RMW_QOS_POLICY_RELIABILITY_BEST_EFFORT, durability, false"
+    assert in_a_method(f"rmw_qos_profile_t p = {{{policies}}};") == (
+        "p = rclcpp.QoS(5).with_history(RMW_QOS_POLICY_HISTORY_KEEP_LAST)"
+        ".with_reliability(RMW_QOS_POLICY_RELIABILITY_BEST_EFFORT).with_durability(?durability)"
+    )
+    assert in_a_method("rmw_qos_profile_t p{rmw_qos_profile_sensor_data};") == (
+        "p = copy.copy(rmw_qos_profile_sensor_data)"
+    )
+    assert in_a_method("rmw_qos_profile_t p{a, b};") == "p = <a profile>"

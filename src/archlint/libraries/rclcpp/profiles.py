@@ -98,6 +98,17 @@ def _preset(base: Qos) -> Plain:
     return make
 
 
+def _initialization(run: Run, site: CallSite) -> Value:
+    """``QoSInitialization(history, depth)``."""
+    profile = _new(run, site)
+    if len(site.args) < 2:
+        run.store.set(profile.key, OPEN, True)
+        return profile
+    run.store.set(profile.key, "history", _spelt(site.args[0]))
+    run.store.set(profile.key, "depth", site.args[1])
+    return profile
+
+
 def _from_rmw(run: Run, site: CallSite) -> Value:
     """The history and depth of a profile; its other policies are not taken over."""
     profile = copy_profile(run, site.args[0]) if site.args else Unknown("no profile is given")
@@ -115,6 +126,7 @@ PLAIN: dict[str, Plain] = {
     "rclcpp.QoS": _profile,
     "rclcpp.KeepLast": _keep_last,
     "rclcpp.KeepAll": _keep_all,
+    "rclcpp.QoSInitialization": _initialization,
     "rclcpp.QoSInitialization.from_rmw": _from_rmw,
     **{f"rclcpp.{name}": _preset(base) for name, base in _PRESETS.items()},
 }

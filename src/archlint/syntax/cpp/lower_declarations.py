@@ -64,10 +64,13 @@ class DeclarationLowering(CallLowering):
             return self.default_of(parts, variable, span)
         if value.type in ("argument_list", "initializer_list", "parameter_list"):
             return self._braced(variable, parts, kind, value, span)
-        lowered = self.lower(value)
-        if isinstance(lowered, facts.Name) and lowered.id in RMW_PROFILES:  # a copy, which may be changed
-            return facts.Call(self.names.library("copy.copy", span), [facts.Argument(lowered)], span)
-        return lowered
+        return self._copied(self.lower(value), span)
+
+    def _copied(self, value: Expr, span: Span) -> Expr:
+        """A value, as a copy where it is a profile of rmw: a variable that holds it may be changed."""
+        if isinstance(value, facts.Name) and value.id in RMW_PROFILES:
+            return facts.Call(self.names.library("copy.copy", span), [facts.Argument(value)], span)
+        return value
 
     def _braced(self, variable: Declared, parts: list[Part], kind: Node | None, value: Node, span: Span) -> Expr:
         """``T name(…)`` and ``T name{…}``."""
@@ -75,6 +78,8 @@ class DeclarationLowering(CallLowering):
         inner = [child for child in value.named_children if child.type != "comment"]
         if last.name in MAPS:
             return self.mapping(value, span)
+        if last.name == "rmw_qos_profile_t":
+            return self._profile(inner, span)
         if last.name in SEQUENCES or variable.is_array:
             return self.lower(value) if value.type == "initializer_list" else facts.Opaque("a list", span)
         smart = last.name in ("shared_ptr", "unique_ptr", "optional", "atomic") or last.name.endswith("Ptr")
@@ -89,6 +94,17 @@ class DeclarationLowering(CallLowering):
             )
         assert kind is not None
         return self.construct(kind, value, span)
+
+    def _profile(self, nodes: list[Node], span: Span) -> Expr:
+        """``rmw_qos_profile_t profile = {history, depth, reliability, durability, …}``, or a copy of another."""
+        if len(nodes) < len(_POLICIES):
+            return self._copied(self.lower(nodes[0]), span) if len(nodes) == 1 else facts.Opaque("a profile", span)
+        history, depth, reliability, durability = self.lower_all(nodes[: len(_POLICIES)])
+        profile: Expr = facts.Call(self.names.library("rclcpp.QoS", span), [facts.Argument(depth)], span)
+        for name, policy in (("history", history), ("reliability", reliability), ("durability", durability)):
+            setter = facts.Attribute(profile, f"with_{name}", span)
+            profile = facts.Call(setter, [facts.Argument(policy)], span)
+        return profile
 
     def default_of(self, parts: list[Part], variable: Declared, span: Span) -> Expr:
         """What a variable or field holds that nothing is assigned to."""
@@ -169,6 +185,9 @@ def _reads_like_a_value(node: Node) -> bool:
         and all(_reads_like_a_value(inner) for inner in parameters.named_children)
     )
 
+
+_POLICIES = ("history", "depth", "reliability", "durability")
+"""The fields that ``rmw_qos_profile_t`` begins with.  Source: ``rmw/types.h``."""
 
 _DEFAULT_MADE = frozenset(
     {

@@ -87,7 +87,7 @@ class Names:
 
     def may_be_elsewhere(self, namespace: str) -> bool:
         """Whether another file says what a namespace is."""
-        known = (*self.namespaces, *self.aliases, *self.classes, *LIBRARIES)
+        known = (*self.namespaces, *self.aliases, *self.classes, *LIBRARIES, *INTERFACE_KINDS)
         return namespace[:1].islower() and namespace not in known and not self.is_variable(namespace)
 
     def is_pair(self, name: str) -> bool:
@@ -227,8 +227,10 @@ class Names:
         return self._imported(f"{package}.{kind}.{last}", f"{package}::{kind}::{last}", span)
 
     def _opened_package(self, kind: str) -> str:
-        """The one package that ``using namespace`` opens, where ``msg::String`` stands without one."""
+        """The one package that ``using namespace`` opens, where ``msg::String`` stands without one, or else the one
+        that is called like the only namespace of the file."""
         packages = {opened[-1] for opened in self.opened if len(opened) == 1 and opened[0] not in LIBRARIES}
+        packages = packages or {name for name in self.namespaces if name}
         return packages.pop() if len(packages) == 1 else ""
 
 
