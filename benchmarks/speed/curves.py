@@ -101,6 +101,14 @@ AXES: Mapping[str, tuple[int, Callable[[int], Files]]] = {
         100,
         lambda n: _node(_each(n, "self.declare_parameter('p{0}', {0})\nself.get_parameter('p{0}').value\n")),
     ),
+    "misspelt names": (
+        100,
+        lambda n: _node(_each(n, "speed_of_{0} = 1\n") + _each(n, "print(sped_of_{0})\n")),
+    ),
+    "misspelt parameters": (
+        100,
+        lambda n: _node(_each(n, "self.declare_parameter('speed_{0}', 1)\nself.get_parameter('sped_{0}')\n")),
+    ),
     "classes, each of the one before": (
         100,
         lambda n: {

@@ -431,9 +431,9 @@ def test_a_scheduler_that_ends_half_way_is_an_error(workspace: Path, end: str) -
         assert cluster.stdout is not None
         address = cluster.stdout.readline().strip()
         half_way = (
-            "dask_cluster.TIMEOUT, executors.PATIENCE = 2, 0; submit = executors.ExecutorPool._submit\n"
+            "executors.PATIENCE, submit = 0, executors.ExecutorPool._submit\n"
             "def last(*task):\n"
-            f"    future = submit(*task); os.kill({cluster.pid}, signal.{end})\n"
+            f"    future = submit(*task); os.kill({cluster.pid}, signal.{end}); dask_cluster.TIMEOUT = 2\n"
             "    return future\n"
             "executors.ExecutorPool._submit = last"
         )
