@@ -41,13 +41,11 @@ def dask_cluster(address: str) -> Iterator[ExecutorPool]:
     """The workers of a scheduler.  Raises :class:`~archlint.engine.executors.PoolError`."""
     client = _client(address)
     try:
-        _wait_for_a_worker(client, address)
+        width = _workers(client, address)
         with warnings.catch_warnings():
             warnings.filterwarnings("ignore", "Sending large graph", UserWarning)
-            width = max(1, len(_within(TIMEOUT, client.nthreads)))
-            yield ExecutorPool(
-                _ByName(client.get_executor(pure=False)), link_part, width, lambda: _trouble(client, address)
-            )
+            executor = _ByName(client.get_executor(pure=False))
+            yield ExecutorPool(executor, link_part, width, lambda: _trouble(client, address))
     finally:
         with suppress(Exception):  # whoever is gone need not be told
             _within(1 + _GRACE, lambda: client.close(timeout=1))
@@ -72,9 +70,11 @@ def _client(address: str) -> Any:
         raise PoolError(f"no Dask scheduler answers at {address}: {why}") from None
 
 
-def _wait_for_a_worker(client: Any, address: str) -> None:
+def _workers(client: Any, address: str) -> int:
+    """How many there are, once there is one."""
     try:
         _within(TIMEOUT + _GRACE, lambda: client.wait_for_workers(1, timeout=TIMEOUT))
+        return max(1, len(_within(TIMEOUT, client.nthreads)))
     except Exception:
         if _trouble(client, address) == _silent(address):
             raise PoolError(_silent(address)) from None
