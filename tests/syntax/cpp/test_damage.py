@@ -95,6 +95,14 @@ int main(int argc, char ** argv) { rclcpp::spin(std::make_shared<Listener>()); }
     assert told(source) == ["the class Listener @ Listener : p"]
 
 
+@pytest.mark.parametrize("parameters", ["typename A, ", "typename A, int B = 2, typename C, "])
+def test_a_class_behind_a_template_without_an_end_is_told(parameters: str) -> None:
+    source = 'class Talker : public rclcpp::Node { Talker() : Node("a") { create_publisher<S>("x", 1); } };\n'
+    assert told(f"template<{parameters}\n{source}") == ["the class Talker @ Talker : pub"]
+    assert told(f"template<{parameters}typename T>\n{source}int x MACRO;\n") == []
+    assert told(f"template<{parameters}\nclass Other : public Base {{ int a; }};\n") == []
+
+
 def test_a_statement_outside_of_all_functions_is_none() -> None:
     source = "void make(rclcpp::Node & n)\n  if (n.ok()) { n.create_wall_timer(100ms, tick); }\n"
     assert told(source) == ["the call of create_wall_timer @ create_wall_"]

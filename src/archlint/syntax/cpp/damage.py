@@ -149,7 +149,22 @@ def _lost_classes(source: SourceText, root: Node) -> Iterator[tuple[int, str]]:
             for before, bases in zip(node.named_children, node.named_children[1:], strict=False):
                 if bases.type == "base_class_clause" and _NODE.search(bases.text or b""):
                     yield before.start_byte, f"the class {source.text(before)}"
+            for parameter in node.named_children:
+                if parameter.type == "parameter_declaration":
+                    yield from _class_as_type(source, parameter)
         waiting += [child for child in node.named_children if child.has_error]
+
+
+def _class_as_type(source: SourceText, parameter: Node) -> Iterator[tuple[int, str]]:
+    """The class of a node that is defined as the type of a parameter, which C++ does not have: behind ``template <``
+    without an end all that follows is taken for parameters."""
+    cls = parameter.child_by_field_name("type")
+    name = None if cls is None else cls.child_by_field_name("name")
+    if cls is None or name is None:
+        return
+    for bases in cls.named_children:
+        if bases.type == "base_class_clause" and _NODE.search(bases.text or b""):
+            yield name.start_byte, f"the class {source.text(name)}"
 
 
 __all__ = ["problems_of"]
