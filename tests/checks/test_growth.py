@@ -20,6 +20,7 @@ from archlint.finding import Finding, Place
 from archlint.ros.qos import Qos
 from archlint.syntax import facts
 from archlint.systems.model import System
+from robot_package import SETUP, TALKER, manifest, write_files
 from systems.builders import node, partial, publisher, subscriber, system
 
 REAL = near_misses.MOST_PAIRS, coexistence.MOST_ENDS
@@ -270,3 +271,48 @@ def test_what_was_meant_is_looked_for_up_to_a_limit(tmp_path: Path, monkeypatch:
     assert "did you mean" in many[0]
     assert "did you mean" not in many[-1]
     assert compared < 3 * suggestions.MOST_COMPARED
+
+
+LAUNCH = """\
+import os
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    file = os.path.join(get_package_share_directory('robot'), 'config', 'robot.yaml')
+    return LaunchDescription([Node(package='robot', executable='talker', parameters=[file])])
+"""
+
+
+def test_the_values_of_a_parameter_file_are_not_held_against_each_other(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+):
+    compared = 0
+    equal = Place.__eq__
+
+    def counting(first: Place, second: object) -> bool:
+        nonlocal compared
+        compared += 1
+        return equal(first, second)
+
+    monkeypatch.setattr(Place, "__eq__", counting)
+
+    def of(many: int) -> int:
+        nonlocal compared
+        values = "".join(f"    of_nobody_{number}: {number}\n" for number in range(many))
+        files = {
+            "package.xml": manifest(),
+            "setup.py": SETUP,
+            "robot/__init__.py": "",
+            "robot/talker.py": TALKER,
+            "launch/robot.launch.py": LAUNCH,
+            "config/robot.yaml": f"talker:\n  ros__parameters:\n{values}",
+        }
+        write_files(tmp_path / "robot", files)
+        compared = 0
+        report = check(Request((str(tmp_path),), Settings(), cached=False, jobs=1))
+        assert [finding.code for finding in report.findings if finding.code == "PRM004"] == ["PRM004"]
+        return compared
+
+    assert of(200) < 3 * of(100)

@@ -52,7 +52,7 @@ def unknown_parameter_override(system: System, options: Options) -> Iterator[Fin
         siblings = [other for other in system.entries if other.started is node.started and other is not node]
         if has_unseen_nodes(node) or _is_gone_before(node, siblings):
             continue  # what the launch file sets is for the node that the process is there for
-        others = [_declared_in_sight(other) for other in siblings]
+        others, bundles = [_declared_in_sight(other) for other in siblings], _bundles_of(settings)
         for setting in settings:
             if setting.name in declared or always_declared(setting.name) or setting.shared or is_misspelt(setting.name):
                 continue
@@ -74,8 +74,8 @@ def unknown_parameter_override(system: System, options: Options) -> Iterator[Fin
                 if names_of_all is None or setting.name in names_of_all:
                     continue
             elif (
-                _is_whole_configuration(setting, settings, declared)
-                or shared.is_for_another(setting, settings)
+                _is_whole_configuration(setting, bundles, declared)
+                or shared.is_for_another(setting, bundles)
                 or _is_for_another_choice(system, node, setting.name)
             ):
                 continue
@@ -136,6 +136,9 @@ def _declared_in_sight(node: Node) -> dict[str, list[ParameterDeclaration]] | No
     return declared_by(node) if complete else None
 
 
+_NamesAt = Mapping[Place, set[str]]
+
+
 class _Bundles:
     """The dicts that a launch file gives to several nodes: each takes of them what it declares."""
 
@@ -149,13 +152,14 @@ class _Bundles:
             return
         for node in system.nodes:
             settings = [] if node.started is None else applied(node.started, node.name, system.workspace.parameters_of)
+            bundles = _bundles_of(settings)
             for setting in settings:
                 given = self._given.setdefault(setting.name, [])
-                given.append((node, setting.place, _is_bundled(setting, settings)))
+                given.append((node, setting.place, _is_bundled(setting, bundles)))
 
-    def is_for_another(self, setting: Setting, settings: Sequence[Setting]) -> bool:
+    def is_for_another(self, setting: Setting, bundles: _NamesAt) -> bool:
         """Whether another node that gets the same dict declares a name of it, or may."""
-        bundled = _is_bundled(setting, settings)
+        bundled = _is_bundled(setting, bundles)
         if bundled and any(setting.name in names_in_package(self._workspace, package) for package in self._packages):
             return True  # what is read from a file is for all programs, those of other launch files, too
         for node, place, also in self._given.get(setting.name, ()):
@@ -166,20 +170,26 @@ class _Bundles:
         return False
 
 
-def _is_bundled(setting: Setting, settings: Sequence[Setting]) -> bool:
+def _bundles_of(settings: Sequence[Setting]) -> _NamesAt:
+    """What is set at each place that sets several names."""
+    names: dict[Place, set[str]] = {}
+    for setting in settings:
+        names.setdefault(setting.place, set()).add(setting.name)
+    return {place: bundle for place, bundle in names.items() if len(bundle) > 1}
+
+
+def _is_bundled(setting: Setting, bundles: _NamesAt) -> bool:
     """Whether a dict is not written out in the launch file, one read from a file say: its names have no places of
     their own."""
-    names = {sibling.name for sibling in settings if sibling.place == setting.place}
-    return setting.written is None and len(names) > 1
+    return setting.written is None and setting.place in bundles
 
 
 def _is_whole_configuration(
-    setting: Setting, settings: Sequence[Setting], declared: Mapping[str, Sequence[ParameterDeclaration]]
+    setting: Setting, bundles: _NamesAt, declared: Mapping[str, Sequence[ParameterDeclaration]]
 ) -> bool:
     """Whether a node declares nothing at all of a dict that something else makes, ``config.to_dict()`` say: the dict is
     for a library that the node uses, or handed to every node."""
-    bundled = _is_bundled(setting, settings)
-    return bundled and not any(sibling.name in declared for sibling in settings if sibling.place == setting.place)
+    return _is_bundled(setting, bundles) and bundles[setting.place].isdisjoint(declared)
 
 
 def _never_used(
