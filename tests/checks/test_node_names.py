@@ -134,6 +134,14 @@ def test_a_timer_in_a_group_starts_its_nodes_without_the_namespace(findings, aro
         assert one.help.startswith("put the timer or event handler around the group")
 
 
+def test_several_pairs_of_one_launch_file_are_one_finding(findings):
+    pair = (
+        "Node(package='robot', executable='talker', name='{0}'), Node(package='robot', executable='talker', name='{0}')"
+    )
+    (found,) = findings([f"nodes += [{pair.format('a')}, {pair.format('b')}]"])
+    assert found.message.endswith("; another node is started in the same way")
+
+
 @pytest.mark.parametrize(
     ("lines", "at", "related"),
     [

@@ -155,7 +155,7 @@ def _of_two_actions(system: System, several: list[Twins]) -> Iterator[Finding]:
     elif first.launch_place.file != here.file:
         yield replace(diagnostic, group=(_TOGETHER, system.name or "", first.launch_place.file, here.file))
     else:
-        yield diagnostic
+        yield replace(diagnostic, group=(_TOGETHER, system.name or "", here.file, help))
 
 
 _TOGETHER, _OF_PROCESS = "together", "of one process"
@@ -164,8 +164,8 @@ _TOGETHER, _OF_PROCESS = "together", "of one process"
 
 @folds("NME004", across_systems=True)
 def _of_one_group(several: Sequence[Finding]) -> Finding:
-    """One finding for all nodes of a file that come too late for the namespace of their group, for all that two files
-    both start, and for all launch files that start one executable with several nodes of a name."""
+    """One finding for all nodes of a launch file that are to be told apart in the same way, for all that two files both
+    start, and for all launch files that start one executable with several nodes of a name."""
     if several[0].group[0] == _OF_PROCESS:
         return with_other_places(several, "it is started here, too")
     return with_others(several, "another node is", "more nodes are", "started in the same way")
