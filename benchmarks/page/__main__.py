@@ -62,6 +62,8 @@ def _measure(file: Path) -> None:
     with Chromium(1600, 1000) as browser:
         browser.open(file)
         print(f"first picture after {browser.run(_FIRST):.0f} ms")
+        _idle(browser)
+        _frames(browser, "nothing moves, frames asked for", "() => 0")
         _frames(browser, "moved, all of it in view", _ARROW)
         _frames(browser, "zoomed in and out", _WHEEL)
         browser.run("[...Array(6)].forEach(() => document.getElementById('in').click())")
@@ -70,7 +72,19 @@ def _measure(file: Path) -> None:
             print(f"complaint: {complaint}")
 
 
+_REST = 5.0
+"""Seconds."""
 _FIRST = "performance.getEntriesByName('drawn')[0].startTime"
+
+
+def _idle(browser: Chromium) -> None:
+    """What an open page takes that nobody touches, in which no script asks for a frame."""
+    browser.settle()
+    time.sleep(_REST)  # until what the browser does once after loading is done
+    before = browser.processor_time()
+    time.sleep(_REST)
+    taken = 1000 * (browser.processor_time() - before) / _REST
+    print(f"nobody touches it: {taken:.0f} ms of processor time a second")
 
 
 def _frames(browser: Chromium, what: str, move: str) -> None:
