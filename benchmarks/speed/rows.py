@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import shutil
 import sys
 import tempfile
@@ -49,6 +50,10 @@ class _Copy:
     @property
     def warm(self) -> Step:
         return partial(run, [*CHECK, "--cache-dir", str(self.cache)], self.folder)
+
+    @property
+    def options(self) -> tuple[str, ...]:
+        return "--cache-dir", str(self.cache)
 
     def peer(self, tool: str, *options: str) -> Step:
         return partial(run, [tool, "nodes", "-C", str(self.folder), "--format", "json", *options], self.folder)
@@ -108,6 +113,32 @@ def nothing_changed(checkout: Path, tools: Tools) -> Iterator[Row]:
     yield Row("graph warm / check warm", pair(costs, "graph", "warm"), 1.5, 1.1)
 
 
+def other_commands(checkout: Path, tools: Tools) -> Iterator[Row]:
+    """What other commands say again while nothing has changed, beside ``check``."""
+    with _copy(checkout) as copy:
+        saved, pages = copy.folder.parent / "saved.json", str(copy.folder.parent / "pages")
+        copy.warm()
+        run([*ARCHLINT, "graph", ".", "--format", "json", "-o", str(saved), *copy.options], copy.folder)
+        run([*ARCHLINT, "docs", "-o", pages, *copy.options], copy.folder)
+        topics = json.loads(saved.read_text("utf-8"))["topics"]
+        shown = max(topics, key=lambda topic: len(topic["publishers"]) + len(topic["subscribers"]))["name"]
+        steps = {
+            name: partial(run, [*ARCHLINT, *words, *copy.options], copy.folder)
+            for name, words in (
+                ("trace", ("trace", shown)),
+                ("show", ("show", shown)),
+                ("impact", ("impact", shown)),
+                ("docs --check", ("docs", "--check", "-o", pages)),
+                ("diff of a saved graph", ("diff", str(saved), ".")),
+            )
+        }
+        for step in steps.values():
+            step()
+        costs = in_turn(tools.rounds, {"check": copy.warm, **steps})
+    for name in steps:
+        yield Row(f"{name} warm / check warm", pair(costs, name, "check"), 1.5, 1.1)
+
+
 def cold(checkout: Path, tools: Tools) -> Iterator[Row]:
     """A run without a cache, beside flake8 and the peer without theirs, and beside one process."""
     with _copy(checkout) as copy:
@@ -130,5 +161,6 @@ ROWS: dict[str, Callable[[Path, Tools], Iterator[Row]]] = {
     "edit": one_file_changed,
     "unchanged": nothing_changed,
     "cold": cold,
+    "others": other_commands,
 }
 """The commands that compare runs over a checkout."""
