@@ -45,8 +45,20 @@ def test_a_node_that_does_both_has_one_line_of_it() -> None:
     assert named(system(both, *listeners("/tf"), *pairs()))["/both"] == ("↔ /tf",)
 
 
-def test_eight_nodes_have_lines() -> None:
-    assert named(system(node("/tf_node", publisher("/tf")), *listeners("/tf", 7), *pairs())) == {}
+def test_three_nodes_have_lines() -> None:
+    assert named(system(node("/tf_node", publisher("/tf")), *listeners("/tf", 2), *pairs())) == {}
+
+
+def test_what_several_nodes_use_is_named_where_nothing_else_can_give_way() -> None:
+    drawn = named(system(node("/tf_node", publisher("/tf")), *listeners("/tf", 3), *pairs()))
+    assert drawn["/tf_node"] == ("→ /tf",)
+
+
+def test_several_nodes_have_lines_where_loose_ends_can_give_way() -> None:
+    loose = [node(f"/loose{n}", publisher(f"/unheard{n}")) for n in range(10)]
+    made = system(node("/tf_node", publisher("/tf")), *listeners("/tf", 7), *pairs(16), *loose)
+    assert set(named(made)) == {f"/loose{n}" for n in range(10)}
+    assert len(diagram(made).lines) == MANY_LINES
 
 
 def test_a_picture_of_few_lines_has_them_all() -> None:

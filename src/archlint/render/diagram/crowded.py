@@ -10,7 +10,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.render.diagram.gathering import enough, shared
-from archlint.render.diagram.naming import busy_named, loose_named
+from archlint.render.diagram.naming import SEVERAL_NODES, busy_named, loose_named
 from archlint.systems.graph import NODE
 
 if TYPE_CHECKING:
@@ -32,6 +32,7 @@ def thinned(diagram: Diagram, keep_frames: bool) -> Diagram:
     thin = _without_words(diagram, _too_many(diagram))
     for step in (busy_named, loose_named, shared):
         thin = step(thin, _too_many(thin))
+    thin = busy_named(thin, _too_many(thin), SEVERAL_NODES)
     return thin if keep_frames else _without_torn_frames(thin, _too_many(diagram))
 
 

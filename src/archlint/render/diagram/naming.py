@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 
 MANY_NODES = 8
 """Nodes up to which lines lead to a topic, service or action in a crowded picture."""
+SEVERAL_NODES = 3
+"""The same where a picture is still crowded when all else has given way."""
 _NOBODY: Mapping[ConnectionKind, tuple[str, str]] = {
     "topic": ("subscriber", "publisher"),
     "service": ("server", "client"),
@@ -27,13 +29,13 @@ _NOBODY: Mapping[ConnectionKind, tuple[str, str]] = {
 """Who is missing at the other end of a node that sends, and of one that takes."""
 
 
-def busy_named(diagram: Diagram, most: int) -> Diagram:
-    """The diagram with ``most`` lines less, or as many as what very many nodes use can save: its name is said in each
-    of them."""
+def busy_named(diagram: Diagram, most: int, many: int = MANY_NODES) -> Diagram:
+    """The diagram with ``most`` lines less, or as many as what more than ``many`` nodes use can save: its name is said
+    in each of them."""
     at = lines_at(diagram)
     busy: dict[Key, list[Line]] = {}
     for key, own in at.items():
-        if diagram.shapes[key].kind in ("topic", "service", "action") and len(_nodes(key, own)) > MANY_NODES:
+        if diagram.shapes[key].kind in ("topic", "service", "action") and len(_nodes(key, own)) > many:
             busy[key] = [line for line in own if is_plain_line(line)]
     shapes, lines = dict(diagram.shapes), dict.fromkeys(diagram.lines)
     named: dict[Key, dict[str, list[Line]]] = {}
@@ -138,4 +140,4 @@ def _short(names: Sequence[str]) -> list[str]:
     return words
 
 
-__all__ = ["MANY_NODES", "busy_named", "loose_named"]
+__all__ = ["MANY_NODES", "SEVERAL_NODES", "busy_named", "loose_named"]
