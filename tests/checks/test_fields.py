@@ -849,3 +849,44 @@ def test_a_field_in_a_disused_folder(findings, folder: str, told: int):
     main = "import rclpy\nfrom std_msgs.msg import String\n\nrclpy.init()\nnode = rclpy.create_node('n')\n"
     script = main + "publisher = node.create_publisher(String, 'x', 10)\npublisher.publish(String(date='a'))\n"
     assert len(findings("MSG001", **{f"{folder}/say.py": script})) == told
+
+
+OLD = """
+    import rclpy
+    from nav2_msgs.action import ComputePathToPose
+    from rclpy.node import Node
+
+
+    class Planner(Node):
+        def __init__(self):
+            super().__init__('planner')
+            goal = ComputePathToPose.Goal()
+            goal.pose = None{mark}
+
+
+    def main():
+        rclpy.init()
+        rclpy.spin(Planner())
+
+
+    if __name__ == '__main__':
+        main()
+"""
+
+
+@pytest.mark.parametrize(
+    ("files", "told"),
+    [
+        ({"Dockerfile": "FROM ros:foxy"}, False),
+        ({".vscode/settings.json": '{"ros.distro": "foxy"}'}, False),
+        ({"Dockerfile": "FROM ros:foxy", ".gitlab-ci.yml": "image: ros:humble"}, True),
+        ({"Dockerfile": "FROM ros:humble"}, True),
+        ({"README.md": "FROM ros:foxy"}, True),
+    ],
+)
+def test_a_workspace_for_a_distribution_whose_messages_are_not_known(judge: Judge, tmp_path, files, told: bool):
+    """Foxy's action had the field 'pose', which is called 'goal' now."""
+    for name, text in files.items():
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).write_text(text)
+    judge("MSG001", OLD.format(mark="  # here" if told else ""))

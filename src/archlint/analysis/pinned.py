@@ -16,21 +16,37 @@ if TYPE_CHECKING:
     from archlint.workspace.tree import Tree
 
 _COMPOSE = tuple(f"{name}.{end}" for name in ("docker-compose", "compose") for end in ("yml", "yaml"))
-PINNING_FILES = (".gitlab-ci.yml", "Dockerfile", "dockerfile", "setup.bash", "setup.sh", *_COMPOSE)
+PINNING_FILES = (
+    ".gitlab-ci.yml",
+    "Dockerfile",
+    "dockerfile",
+    "setup.bash",
+    "setup.sh",
+    ".vscode/settings.json",
+    *_COMPOSE,
+)
 PINNING_FOLDERS = (".github/workflows", ".devcontainer", "docker", "Docker", "DOCKER")
 _READ = re.compile(r"(?:^|/)(?:[^/]*\.ya?ml|[^/]*[Dd]ockerfile[^/]*|devcontainer\.json)$")
-_OTHERS = ("dashing", "eloquent", "foxy", "galactic", "iron", "noetic", "melodic")
+_OLDER = frozenset({"dashing", "eloquent", "foxy", "galactic"})
+_OTHERS = (*sorted(_OLDER), "iron", "noetic", "melodic")
 _NAMED = re.compile(rf"(?<![A-Za-z0-9])({'|'.join((*DISTROS, *_OTHERS))})(?![A-Za-z0-9])", re.IGNORECASE)
 _OF_ROS = re.compile(
-    r"(?:\bros[:-]|/opt/ros/|\bros_distro\w*[\"']?\s*[:=]\s*[\"'\[ ]*|ros-distributions?:\s*)$", re.IGNORECASE
+    r"(?:\bros[:-]|/opt/ros/|\bros[_.]distro\w*[\"']?\s*[:=]\s*[\"'\[ ]*|ros-distributions?:\s*)$", re.IGNORECASE
 )
 """What precedes a distribution: ``ros:jazzy``, ``ros-jazzy-desktop``, ``ROS_DISTRO=jazzy``."""
 
 
 def named_distros(workspace: WorkspaceIndex | None) -> frozenset[str]:
-    """The distributions that the files of CI and containers, or a setup script, at the top of a workspace name, none
+    """The distributions that the files of CI, containers and an editor, or a setup script, at the top of a workspace
+    name, none
     where they say nothing certain; a README is no evidence, for nothing runs it."""
     return frozenset() if workspace is None else _named(workspace)
+
+
+def is_for_older_ros(workspace: WorkspaceIndex | None) -> bool:
+    """Whether a workspace is plainly for a distribution of ROS 2 that is older than all whose interfaces are known."""
+    named = named_distros(workspace)
+    return bool(named & _OLDER) and named.isdisjoint(DISTROS)
 
 
 def distros_to_judge(workspace: WorkspaceIndex | None, distros: Sequence[str]) -> tuple[str, ...]:

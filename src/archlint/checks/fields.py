@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from archlint import suggestions
 from archlint.analysis.completeness import enclosing_class
+from archlint.analysis.pinned import is_for_older_ros
 from archlint.checks.folding import folds, with_others
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -20,7 +21,7 @@ from archlint.suggestions import listed, nearest
 if TYPE_CHECKING:
     from archlint.finding import Finding, Place
     from archlint.model import FieldUse, Passed
-    from archlint.systems.model import System
+    from archlint.systems.model import System, WorkspaceIndex
 
 _SHOWN = 12
 """How many names a help line lists."""
@@ -34,7 +35,7 @@ def unknown_field(system: System, options: Options) -> Iterator[Finding]:
     """Fields that no message which the code can hold at that place has."""
     uses: dict[Place, list[FieldUse]] = {}
     for program in system.programs:
-        for use in program.field_uses:
+        for use in (use for use in program.field_uses if _is_judged(system.workspace, use)):
             uses.setdefault(use.place, []).append(use)
     callers: dict[Place, set[Place | None]] = {}
     for program in system.programs:
@@ -60,6 +61,12 @@ def unknown_field(system: System, options: Options) -> Iterator[Finding]:
         if certain:  # once for each that delivers: the first use ends the callback
             reported.update(use.delivered.place for use in certain if use.delivered is not None)
             yield _of_one_type(system, certain[0], uses[place], keyword)
+
+
+def _is_judged(workspace: WorkspaceIndex | None, use: FieldUse) -> bool:
+    """Whether the fields of a message are known: where the workspace is for Foxy, say, only those of its own are."""
+    own = workspace is not None and use.type.partition("/")[0] in workspace.packages
+    return own or not is_for_older_ros(workspace)
 
 
 def _wrongly_passed(
