@@ -223,3 +223,26 @@ void Display::subscribe() { node_->create_subscription<std_msgs::msg::String>("i
 def test_a_method_uses_what_another_one_sets_from_elsewhere() -> None:
     [helper] = graph({"src/display.cpp": PLUGIN})["nodes"]
     assert [end["name"] for end in helper["subscribers"]] == ["/in"]
+
+
+BEHAVIOUR = """
+#include "behaviortree_cpp/action_node.h"
+#include "rclcpp_action/rclcpp_action.hpp"
+#include "nav2_msgs/action/navigate_to_pose.hpp"
+class GoTo : public BT::StatefulActionNode {
+public:
+  GoTo(const std::string & name, const BT::NodeConfiguration & conf);
+  rclcpp::Node::SharedPtr node_;
+};
+GoTo::GoTo(const std::string & name, const BT::NodeConfiguration & conf) : BT::StatefulActionNode(name, conf) {
+  %s
+  if (!node_) throw BT::RuntimeError("no node");
+  rclcpp_action::create_client<nav2_msgs::action::NavigateToPose>(node_, "/navigate_to_pose");
+}
+"""
+
+
+def test_a_behaviour_gets_its_node_from_a_port() -> None:
+    nodes = graph({"src/go_to.cpp": BEHAVIOUR % 'getInput("node", node_);'})["nodes"]
+    assert {client["name"] for node in nodes for client in node["action_clients"]} == {"/navigate_to_pose"}
+    assert not any(node["is_node"] for node in nodes)

@@ -3,11 +3,20 @@
 from __future__ import annotations
 
 from archlint.libraries import tables
+from archlint.syntax.cpp.known_names import IN_PYTHON
 from archlint.syntax.parts import Source, names_in
 
 _QUIET = frozenset(
     {"result", "done", "get", "path", "join", "partial", "function", "sleep", "wait", "input", "setup", "Parameter"}
 )
+
+_OF_CPP = frozenset(
+    path.replace(".", "::")
+    for path, python in IN_PYTHON.items()
+    if python.endswith((".Node", ".LifecycleNode", ".ActionServer", ".ActionClient", ".Subscriber"))
+    or python.startswith("tf2_ros.")
+)
+"""What makes something without a method of a node, as C++ writes it."""
 
 WORDS = (
     frozenset(
@@ -16,6 +25,7 @@ WORDS = (
         if row.effect != "none" or (row.watched and not row.waits_for_io)
     )
     | frozenset(tables.NODE_ROWS)
+    | _OF_CPP
     | {"Node", "LifecycleNode", "sleep", "wait", "result", "call"}
 ) - {"__init__", "join", "get", "path", "set", "exists", "isfile"}
 """Names of the API tables, as they are written in source."""

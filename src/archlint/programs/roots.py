@@ -111,7 +111,7 @@ def run_root(
     enter_root(run, module)
     depth = run.store.depth
     run.store.push()
-    before = attributes_at_any_time(run) if callback.role == model.Role.METHOD else {}
+    before = attributes_at_any_time(run) if _is_called_from_elsewhere(callback) else {}
     run.store.layers[-1].update(before)
     try:
         given = run.call(value, CallSite(_fit(value, arguments)))
@@ -129,6 +129,13 @@ def run_root(
     written = left_behind.written(run, layer)
     if run.store.merge([layer] if certain else [layer, {}]) or certain:
         left_behind.note(run, written)
+
+
+def _is_called_from_elsewhere(callback: model.Callback) -> bool:
+    """Whether nothing here is seen to call it, at no certain time: a method, also ``on_configure`` of a plug-in that is
+    no node itself."""
+    of_plugin = callback.role == model.Role.LIFECYCLE and callback.node is None
+    return callback.role == model.Role.METHOD or of_plugin
 
 
 def _fit(value: Value, arguments: tuple[Value, ...]) -> list[Value]:

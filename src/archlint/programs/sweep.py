@@ -125,7 +125,7 @@ def _definition(run: Run, module: Module, variable: str, value: Value | None) ->
         return None
     is_node = isinstance(value, ClassValue) and node_classes.is_node(value)
     constructor = _constructor_outside(run, value)
-    is_interesting = interesting(value.ir) or (constructor is not None and _makes_something(constructor))
+    is_interesting = interesting(value.ir) or (constructor is not None and interesting(constructor))
     return Definition(
         variable,
         getattr(value.ir, "name", ""),
@@ -138,13 +138,6 @@ def _definition(run: Run, module: Module, variable: str, value: Value | None) ->
         tuple(base for cls in mro[1:] if (base := place_of(cls)) is not None),
         names_in(value.ir) if is_interesting and not is_node else frozenset(),
     )
-
-
-_NODES = frozenset({"rclcpp::Node", "rclcpp_lifecycle::LifecycleNode"})
-
-
-def _makes_something(constructor: Function | Lambda) -> bool:
-    return interesting(constructor) or not names_in(constructor).isdisjoint(_NODES)
 
 
 def _constructor_outside(run: Run, value: ClassValue | FunctionValue) -> Function | Lambda | None:

@@ -359,6 +359,10 @@ def test_a_member_is_made_with_what_its_class_elsewhere_takes() -> None:
         ("Limits l = {.low = go(1), .high = go(2)};", "l = ?Limits(?go(1), ?go(2))"),
         ("use({.low = go(1)});", "?use([?go(1)])"),
         ("go(1), go(2);", "?go(1)\n?go(2)"),
+        (
+            'if (getInput("node", node_)) go(1);',
+            "?node_ = <a port of a behaviour tree>\nif <whether the port has a value>:\n    ?go(1)",
+        ),
         ("co_await go(1);", "?go(1)"),
         ("if (x) [[likely]] { go(1); }", "if ?x:\n    ?go(1)"),
     ],

@@ -138,6 +138,9 @@ class CallLowering(ObjectLowering):
             other = facts.Call(self.names.library("rclcpp.Parameter", span), calls.parameter(values), span)
             read = facts.Call(facts.Attribute(value, name, span), given([values[0], other]), span)
             return facts.Attribute(read, "value", span)
+        if name == "getInput" and len(values) == 2:  # of BehaviorTree.CPP
+            self._write(values[1], facts.Opaque("a port of a behaviour tree", span), span)
+            return facts.Opaque("whether the port has a value", span)
         if name == "get_parameter" and len(values) == 2:
             read = facts.Call(facts.Attribute(value, name, span), given(values[:1]), span)
             self._write(values[1], facts.Attribute(read, "value", span), span)
@@ -286,10 +289,10 @@ class CallLowering(ObjectLowering):
 _OF_NODE = frozenset(
     {
         *("declare_parameter", "declare_parameters", "get_parameter", "get_parameter_or", "has_parameter"),
-        *("set_parameter",),
+        *("set_parameter", "getInput"),
     }
 )
-"""Other methods of a node whose arguments are changed here."""
+"""Other methods of a node, and one of a node of a behaviour tree, whose arguments are changed here."""
 
 
 _PARAMETER_TYPES = {
