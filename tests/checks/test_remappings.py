@@ -87,4 +87,10 @@ def test_the_only_name_of_a_node_is_no_advice_where_it_is_nothing_like_it(findin
     (found,) = findings("LCH002", node('<remap from="odometry" to="odom"/>'))
     assert found.help == "remove it; the only name of the node is /chatter"
     (found,) = findings("LCH002", node('<remap from="chater" to="words"/>'))
-    assert found.help == "use a full name of the node: /chatter"
+    assert found.help == "use a full name of the node: /chatter, or correct that one"
+
+
+@pytest.mark.parametrize("target", ["chatter", "/chatter"])
+def test_a_remapping_to_a_name_that_the_node_has_anyway(findings, target: str):
+    (found,) = findings("LCH002", node(f'<remap from="chater" to="{target}"/>'))
+    assert found.help == f"remove it: the node has the name '{target}' already"

@@ -159,11 +159,15 @@ def _as_parameter(remap: Remap, name: str) -> str:
 
 
 def _advice(remap: Remap, dead: _Dead, hint: str) -> str:
-    """A name of the node that may be meant; the only one that it has is no advice where it is nothing like it."""
+    """A name of the node that may be meant; the only one that it has is no advice where it is nothing like it, and none
+    is where the node has the target anyway.  Of two names that are nearly alike either may be the slip."""
     own = sorted(name for name in dead.known if "/_action/" not in name)
+    target = remap.target.text or ""
+    if target in own or f"/{target}" in own:
+        return f"remove it: the node has the name '{target}' already"
     last = dead.source.rpartition("/")[2]
     if len(own) > 1 or hint or any(name.endswith(f"/{last}") for name in own):
-        return f"use a full name of the node: {listed(own)}"
+        return f"use a full name of the node: {listed(own)}" + (", or correct that one" if hint else "")
     return f"remove it; the only name of the node is {own[0]}" if own else "remove it; the node has no names"
 
 
