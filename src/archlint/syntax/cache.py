@@ -28,8 +28,8 @@ KEPT_DAYS = 30
 """How long an entry that no run asks for is kept."""
 KEPT_RUNS = 100
 """How many results of runs are kept, each with a record of what it depends on."""
-KEPT_WORKSPACES = 20
-"""Of how many workspaces the programs are kept, or the launches."""
+KEPT_OF_WORKSPACES = 30
+"""How many entries of workspaces are kept: each has one of programs, one of launches and one of summaries."""
 KEPT_ANSWERS = 50
 """How many answers to whole commands are kept."""
 
@@ -184,7 +184,7 @@ class Store:
             named = {digest for _, digest, _ in self._index.values()} if is_own else set()
             _expire(folder.path, set())
             _expire(os.path.join(folder.path, "runs"), set(), KEPT_RUNS)
-            _expire(os.path.join(folder.path, "programs"), set(), KEPT_WORKSPACES)
+            _expire(os.path.join(folder.path, "programs"), set(), KEPT_OF_WORKSPACES)
             _expire(os.path.join(folder.path, "answers"), set(), KEPT_ANSWERS)
             for shard in _entries(os.path.join(folder.path, "facts")):
                 _expire(shard.path, named)
