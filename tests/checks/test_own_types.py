@@ -78,6 +78,28 @@ def test_a_client_of_a_type_that_nothing_serves(tmp_path, monkeypatch):
     )
 
 
+def test_what_a_helper_of_several_nodes_asks_for_is_one_finding(tmp_path, monkeypatch):
+    helper = CLIENT.partition("class Driver")[0] + (
+        "class Helper:\n    def __init__(self, node):\n"
+        "        self.set = node.create_client(SetMotor, 'set_motor')\n"
+        "        self.get = node.create_client(SetMotor, 'get_motor')\n\n"
+        "    def ask(self):\n        self.set.call_async(SetMotor.Request())\n"
+    )
+    asking = CLIENT.replace("from motor_msgs.srv import SetMotor", "from driver.helper import Helper")
+    asking = asking.replace("self.create_client(SetMotor, 'set_motor')", "Helper(self)")
+    asking = asking.replace("call_async(SetMotor.Request())", "ask()")
+    files = {
+        "driver/driver/helper.py": helper,
+        "driver/driver/node.py": asking,
+        "driver/driver/other.py": asking.replace("'driver')", "'other')"),
+    }
+    monkeypatch.chdir(workspace(tmp_path, files))
+    [finding] = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+    assert finding.place.file == "driver/driver/helper.py"
+    assert finding.message.endswith("; nor does any node offer another service that this file asks for")
+    assert [row.message for row in finding.related] == ["nobody offers '/get_motor', either"]
+
+
 @pytest.mark.parametrize(
     "files",
     [

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING
 
 from archlint.analysis.coexistence import certain, in_source_order, named_by_library
 from archlint.analysis.left_out_servers import left_out_server
 from archlint.analysis.own_types import has_no_server_here
+from archlint.checks.folding import folds
 from archlint.checks.near_misses import MOST_PAIRS, is_private_of, missed, nearly_equal
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -76,6 +78,7 @@ def client_without_server(system: System, options: Options) -> Iterator[Finding]
             f"{end.node.name} calls the service '{end.name}', and no node offers it{besides}: the request never gets a "
             "response",
             "start the node that serves it, or list the name under `external`",
+            group=(end.place.file, end.kind) if besides else (),
         )
 
 
@@ -91,7 +94,29 @@ def action_client_without_server(system: System, options: Options) -> Iterator[F
             f"{end.node.name} sends goals to the action '{end.name}', and no node offers it{besides}: the goals are "
             "never accepted or rejected",
             "start the node that serves it, or list the name under `external`",
+            group=(end.place.file, end.kind) if besides else (),
         )
+
+
+@folds("SRV001", across_systems=True)
+def _services_of_one_file(findings: Sequence[Finding]) -> Finding:
+    return _of_one_file(findings, "service", "services")
+
+
+@folds("ACT001", across_systems=True)
+def _actions_of_one_file(findings: Sequence[Finding]) -> Finding:
+    return _of_one_file(findings, "action", "actions")
+
+
+def _of_one_file(findings: Sequence[Finding], noun: str, nouns: str) -> Finding:
+    """One finding for what nobody offers of all that a file asks for, such as a helper of several nodes: the package
+    that serves it is not here."""
+    first, by_name = findings[0], {finding.identity[1]: finding for finding in reversed(findings)}
+    others = [by_name[name] for name in sorted(by_name) if name != first.identity[1]]
+    related = (Related(other.place, f"nobody offers '{other.identity[1]}', either") for other in others)
+    count = f"another {noun}" if len(others) == 1 else f"{len(others)} more {nouns}"
+    more = f"; nor does any node offer {count} that this file asks for" if others else ""
+    return replace(first, message=f"{first.message}{more}", related=(*first.related, *related))
 
 
 def _without_server(
@@ -151,7 +176,9 @@ def _may_match(end: Endpoint, name: str | None, type: str | None) -> bool:
     return name is None or fnmatchcase(end.name or "", name)
 
 
-def _finding(code: str, partners: _Partners, end: Endpoint, message: str, help: str) -> Finding:
+def _finding(
+    code: str, partners: _Partners, end: Endpoint, message: str, help: str, group: tuple[str, ...] = ()
+) -> Finding:
     other = partners.nearest(end)
     return finding(
         code,
@@ -161,6 +188,7 @@ def _finding(code: str, partners: _Partners, end: Endpoint, message: str, help: 
         related=[Related(other.place, f"{other.node.name} has this one")] if other is not None else (),
         node=end.node.name,
         identity=(end.kind, end.name or ""),
+        group=group if other is None else (),
     )
 
 
