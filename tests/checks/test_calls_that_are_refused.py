@@ -305,3 +305,33 @@ def test_the_result_of_a_future_has_no_time_limit(judge: Judge):
     call = "self.create_client(Trigger, 'a').call_async(Trigger.Request()).result(timeout=2.0)  # here"
     (finding,) = judge("API001", NODE.format(call=call))
     assert finding.help == "result() never waits: continue in a done callback, where the future has its result"
+
+
+@pytest.mark.parametrize("base", ["Node", "LifecycleNode"])
+@pytest.mark.parametrize("method", ["tick", "on_configure"])
+def test_a_call_in_a_callback_that_ends_there(judge: Judge, base: str, method: str):
+    source = f"""
+        import rclpy
+        from rclpy.lifecycle import LifecycleNode
+        from rclpy.node import Node
+        from std_msgs.msg import String
+
+
+        class Robot({base}):
+            def __init__(self):
+                super().__init__('robot')
+                self.create_timer(1.0, self.tick)
+
+            def tick(self):
+                pass
+
+            def {method}(self, *state):
+                self.publisher = self.create_publisher(String, 'a')  # here
+
+
+        def main():
+            rclpy.init()
+            rclpy.spin(Robot())
+    """
+    [finding] = judge("API001", source)
+    assert finding.message == "create_publisher() fails: 'qos_profile' is missing"

@@ -113,13 +113,14 @@ def test_times_where_times_are_wanted(judge: Judge, line: str):
 @pytest.mark.parametrize(
     ("line", "message"),
     [
-        ("print(1.0 / self.get_parameter('speed'))", "'/' fails with a TypeError for one"),
-        ("print(self.get_parameter('speed') > 0.5)", "'>' fails with a TypeError for one"),
-        ("print(self.get_parameter('speed') == 1.0)", "'==' between it and a constant is always False"),
-        ("print(float(self.get_parameter('speed')))", "float() fails with a TypeError for one"),
-        ("print([step for step in self.get_parameter('speed')])", "a loop fails with a TypeError for one"),
-        ("print(1 if self.get_parameter('speed') else 2)", "this condition takes it for true"),
-        ("print(not self.get_parameter('speed'))", "this condition takes it for true"),
+        ("print(1.0 / self.declare_parameter('rate', 2.0))", "'/' fails with a TypeError: this is a Parameter"),
+        ("print(1.0 / self.get_parameter('speed'))", "'/' fails with a TypeError: this is a Parameter"),
+        ("print(self.get_parameter('speed') > 0.5)", "'>' fails with a TypeError: this is a Parameter"),
+        ("print(self.get_parameter('speed') == 1.0)", "this is always false: '==' compares a Parameter"),
+        ("print(float(self.get_parameter('speed')))", "float() fails with a TypeError: this is a Parameter"),
+        ("print([step for step in self.get_parameter('speed')])", "a loop fails with a TypeError: this is a Parameter"),
+        ("print(1 if self.get_parameter('speed') else 2)", "this is always true: it asks a Parameter"),
+        ("print(not self.get_parameter('speed'))", "this is always true: it asks a Parameter"),
     ],
 )
 def test_a_parameter_in_place_of_its_value(judge: Judge, line: str, message: str):
@@ -135,6 +136,7 @@ def test_a_parameter_that_is_kept(judge: Judge):
 @pytest.mark.parametrize(
     "line",
     [
+        "print(1.0 / self.declare_parameter('rate', 2.0).value)",
         "print(1.0 / self.get_parameter('speed').value)",
         "print('%s' % self.get_parameter('speed'), f\"{self.get_parameter('speed')}\", self.get_parameter('speed'))",
         "print(self.get_parameter('speed') is None, self.get_parameter('speed') == self.get_parameter('speed'))",

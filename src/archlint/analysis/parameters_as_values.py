@@ -1,7 +1,7 @@
 """What code does with a ``Parameter`` as if it were the value in it: arithmetic, comparisons, conditions, loops.
 
-``get_parameter()`` of a node returns an object of ``rclpy.parameter.Parameter``, which has no operator but ``==``, no
-length and no items, and counts as true whatever is in it.
+``get_parameter()`` and ``declare_parameter()`` of a node return an object of ``rclpy.parameter.Parameter``, which has
+no operator but ``==``, no length and no items, and counts as true whatever is in it.
 """
 
 from __future__ import annotations
@@ -60,10 +60,11 @@ def parameter_uses(system: System) -> Iterator[ParameterUse]:
         return
     for file, _ in workspace.code.asked_for():
         path = file.relative
-        if file.kind != "python" or workspace.roles.is_test(path) or not workspace.code.mentions(path, "get_parameter"):
+        if file.kind != "python" or workspace.roles.is_test(path) or not workspace.code.mentions(path, "rclpy"):
             continue
         rows = [row for row in _of_file(workspace, path) if _is_of_node(workspace, path, row.cls)]
-        if rows and not is_defined_somewhere(system, path, "get_parameter"):
+        own = any(is_defined_somewhere(system, path, name) for name in ("get_parameter", "declare_parameter"))
+        if rows and not own:
             yield from (ParameterUse(row.outcome, row.by, Place(path, *row.span)) for row in rows)
 
 

@@ -174,7 +174,7 @@ class Variables:
                 return Kind.TIME
             case facts.Attribute(value=facts.Name(id=module), attr="time" | "monotonic" | "perf_counter"):
                 return Kind.NUMBER if module in self._code.modules else None
-            case facts.Attribute(value=owner, attr="get_parameter") if _is_node(owner):
+            case facts.Attribute(value=owner, attr="get_parameter" | "declare_parameter") if _is_node(owner):
                 return Kind.PARAMETER
             case facts.Attribute(value=owner, attr="get_parameter_value"):
                 return Kind.VALUE if self.kind(owner) == Kind.PARAMETER else None

@@ -7,6 +7,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.callback_roles import runs_in_executor
+from archlint.analysis.deadlock import CALL
 from archlint.analysis.limit_sites import sites_of_call
 from archlint.analysis.paces import runs_beside_itself
 from archlint.analysis.piling_waits import piling_up
@@ -22,7 +23,7 @@ from archlint.analysis.stuck import spoken_of
 from archlint.analysis.threaded_waits import threaded_waits
 from archlint.analysis.threads import is_daemon
 from archlint.analysis.unused_results import stands_alone
-from archlint.analysis.waits import other_arm_only_sends
+from archlint.analysis.waits import DONE, other_arm_only_sends, waits
 from archlint.checks.folding import folds, of_one_function
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -32,7 +33,7 @@ from archlint.finding import Finding, Severity
 from archlint.model import ExecutorKind, Role
 
 if TYPE_CHECKING:
-    from archlint.model import ApiCall, Program
+    from archlint.model import ApiCall, Creation, Program
     from archlint.systems.model import System
 
 _CALL = "rclpy.client.Client.call"
@@ -64,6 +65,29 @@ def unanswerable_calls(system: System, options: Options) -> Iterator[Finding]:
     )
 
 
+def unanswerable_loops(system: System) -> Iterator[Finding]:
+    """Loops at the start of a program that ask whether a response is there, while nothing spins the node."""
+    for wait in waits(system):
+        call, program = wait.call, wait.program
+        known = program.executable and not program.exhausted and not is_uncalled(call)
+        if call.api != DONE or wait.kind != CALL or wait.bounded or not known or call.context.role not in _AT_START:
+            continue
+        if _spinner(call, program, wait.client) in (_NOBODY, _EXECUTOR):
+            yield finding(
+                "EXE009",
+                call.place,
+                f"this loop never ends: nothing spins the node of {endpoint_words(wait.client, kind_of(call))} "
+                "meanwhile, so the response is never processed",
+                help="rclpy.spin_until_future_complete(node, future, timeout_sec=2.0)",
+                related=related_path(call, wait.client),
+                node=node_name(system, call.node or call.context.node),
+                identity=(call.function, name_of(wait.client), "done"),
+            )
+
+
+_AT_START = (Role.INIT, Role.MAIN, Role.MODULE)
+
+
 def _limitless(system: System, options: Options) -> Iterator[tuple[Program, ApiCall]]:
     reported = spoken_of(system, options.distros) | {wait.call.place for wait in piling_up(system)}
     return (
@@ -84,7 +108,7 @@ def is_unanswerable(program: Program, call: ApiCall) -> bool:
 def is_unanswerable_at_start(program: Program, call: ApiCall) -> bool:
     """The same of code that nothing here is seen to start."""
     known = not program.exhausted and call.creation is not None and not is_uncalled(call)
-    at_start = call.context.role in (Role.INIT, Role.MAIN, Role.MODULE)
+    at_start = call.context.role in _AT_START
     return known and at_start and _spinner(call, program) in (_NOBODY, _EXECUTOR)
 
 
@@ -159,18 +183,14 @@ def _if_often(system: System, call: ApiCall) -> str:
     return f"; if {comes} faster than responses, all threads wait, and none is left to process one"
 
 
-def _spinner(call: ApiCall, program: Program) -> str:
+def _spinner(call: ApiCall, program: Program, client: Creation | None = None) -> str:
     """Who spins the client's node while the call waits: that decides what can replace the call."""
+    client = client or call.creation
     role = call.context.role
     if runs_in_executor(call.context):
         return _ANOTHER
-    node = call.node if call.creation is None else call.creation.node
-    if (
-        node is None
-        or node.caller_unknown
-        or node.escapes
-        or role not in (Role.INIT, Role.MAIN, Role.MODULE, Role.THREAD)
-    ):
+    node = call.node if client is None else client.node
+    if node is None or node.caller_unknown or node.escapes or role not in (*_AT_START, Role.THREAD):
         return _UNKNOWN
     uses = program.executors_of(node)
     if any(use.in_thread for use in uses) or (uses and role == Role.THREAD):

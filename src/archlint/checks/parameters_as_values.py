@@ -22,20 +22,20 @@ def parameter_as_value(system: System, options: Options) -> Iterator[Finding]:
         yield finding(
             "PRM011",
             use.place,
-            f"get_parameter() returns a Parameter, and {_what_comes_of(use)}",
-            help="read the value that is in it: get_parameter(…).value",
+            _message(use),
+            help="add .value: get_parameter(…).value",
             identity=(use.outcome, use.by),
             group=(use.place.file,),
         )
 
 
-def _what_comes_of(use: ParameterUse) -> str:
+def _message(use: ParameterUse) -> str:
     match use.outcome:
         case Outcome.FAILS:
-            return f"{use.by} fails with a TypeError for one"
+            return f"{use.by} fails with a TypeError: this is a Parameter, not the value in it"
         case Outcome.TRUE if not use.by:
-            return "this condition takes it for true whatever its value is"
-    return f"{use.by} between it and a constant is always {'True' if use.outcome is Outcome.TRUE else 'False'}"
+            return "this is always true: it asks a Parameter, not the value in it"
+    return f"this is always {use.outcome}: {use.by} compares a Parameter, not the value in it"
 
 
 @folds("PRM011")

@@ -9,7 +9,7 @@ from archlint.analysis.attribute_loops import AttributeLoop, attribute_loops
 from archlint.analysis.callback_roles import callback_words
 from archlint.analysis.queue_waits import QueueWait, queue_waits
 from archlint.analysis.reach import node_name, one_for_each_place
-from archlint.checks.limitless_calls import unanswerable_calls
+from archlint.checks.limitless_calls import unanswerable_calls, unanswerable_loops
 from archlint.checks.rate_sleeps import endless_sleeps
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 def unanswerable_wait(system: System, options: Options) -> Iterator[Finding]:
     """Calls that nobody can answer while they wait, and loops that wait for what they keep from happening."""
     yield from one_for_each_place(unanswerable_calls(system, options))
+    yield from one_for_each_place(unanswerable_loops(system))
     yield from one_for_each_place(endless_sleeps(system))
     for loop in attribute_loops(system):
         yield _endless(system, loop)

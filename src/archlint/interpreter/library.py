@@ -42,6 +42,9 @@ class Library:
         """Call a function of Python's own that asks for something outside of the program: ``open``, ``input``."""
         return Unknown(f"the result of {function.name}()")
 
+    def note_refusal(self, method: ApiMethod, site: CallSite) -> None:
+        """Python refuses a call of a method, with which a callback ends."""
+
     def refuses(self, method: ApiMethod, given: int, keywords: Collection[str]) -> bool:
         """Whether a foreign method certainly raises a TypeError for so many positional arguments and these keywords."""
         return False

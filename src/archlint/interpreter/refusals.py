@@ -48,6 +48,8 @@ def check_call(machine: Machine, function: Value, site: CallSite, expression: fa
         return None
     machine.note_refused(machine.place(expression.span))
     if machine.phase is Phase.LATER:
+        if isinstance(function, ApiMethod):
+            machine.library.note_refusal(function, site)
         raise Refused
     match function:
         case ClassValue(qualified=name):

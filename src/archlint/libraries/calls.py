@@ -116,6 +116,14 @@ def use(run: Run, offers: Offers, api: Api, receiver: Value | None, site: CallSi
     return offers.effects[api.effect](run, call)
 
 
+def note_refusal(run: Run, offers: Offers, method: ApiMethod, site: CallSite) -> None:
+    """A callback ends at a call of a method whose arguments do not fit."""
+    api = offers.row(method.path)
+    if api is not None:
+        bound, _ = bind_api(api, site.args, site.keywords)
+        refused_calls.note(run, api, method.self_value, site, bound)
+
+
 def await_future(run: Run, future: FutureValue, expression: facts.Await) -> Value:
     """``await future``: the answer; noted as a wait."""
     api = Api(f"{future.api}.await", watched=True)
@@ -124,4 +132,4 @@ def await_future(run: Run, future: FutureValue, expression: facts.Await) -> Valu
     return answer(run, future)
 
 
-__all__ = ["await_future", "call_builtin", "call_external", "call_method"]
+__all__ = ["await_future", "call_builtin", "call_external", "call_method", "note_refusal"]

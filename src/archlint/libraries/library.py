@@ -65,6 +65,9 @@ class RosLibrary(Library):
     def call_builtin(self, function: Builtin, site: CallSite) -> Value:
         return calls.call_builtin(self.run, self.offers, function.name, site)
 
+    def note_refusal(self, method: ApiMethod, site: CallSite) -> None:
+        calls.note_refusal(self.run, self.offers, method, site)
+
     def refuses(self, method: ApiMethod, given: int, keywords: Collection[str]) -> bool:
         return refusals.refuses(method, given, keywords)
 

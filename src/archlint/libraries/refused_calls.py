@@ -24,8 +24,12 @@ if TYPE_CHECKING:
 
 
 _UNSEEN = object()
-_NEEDED_OF_ANY = {"message_filters.Subscriber": ("node", "msg_type", "topic")}
-"""What a constructor reads of its ``*args`` (message_filters ``__init__.py``: ``args[0]``, ``args[2]``)."""
+_NEEDED_OF_ANY = {
+    "message_filters.Subscriber": ("node", "msg_type", "topic"),
+    "rclpy.lifecycle.node.LifecycleNode.create_lifecycle_publisher": ("msg_type", "topic", "qos_profile"),
+}
+"""What is read of ``*args``: by message_filters (``__init__.py``: ``args[0]``, ``args[2]``), and by
+``Node.create_publisher``, which ``create_lifecycle_publisher`` hands them to."""
 
 
 def note(run: Run, api: Api, receiver: Value | None, site: CallSite, bound: Mapping[str, Value]) -> None:
@@ -93,8 +97,9 @@ def _early(run: Run, api: Api, receiver: Value | None, place: Place) -> model.Re
 def _misfit(api: Api, receiver: Value | None, site: CallSite, place: Place) -> model.RefusedCall | None:
     """A call whose arguments are too few, too many, or go by a name that is none."""
     refusing = refusing_distros(api.path, len(site.args), tuple(sorted(site.keywords)), not site.open, api.params)
-    if not refusing:
-        return _lacking(api, site, place)
+    lacking = _lacking(api, site, place)
+    if lacking is not None or not refusing:
+        return lacking
     mismatch = refusing[-1][1]
     cls, instead = _inherits_constructor(receiver) if api.path.endswith(".__init__") else ("", "")
     return model.RefusedCall(
