@@ -164,6 +164,18 @@ def test_a_file_of_that_name_is_nearer_than_another_node(findings, scripts, hint
     assert found.message.endswith(f"'track_node'{hint}") and found.help.startswith(help)
 
 
+@pytest.mark.parametrize(
+    ("text", "hint", "help"),
+    [
+        ("", "; robot/tracking.py is empty", "remove the node, or write its program there"),
+        (TALKER, "; robot/tracking.py exists but is not installed", "install it in setup.py under the name 'tracking'"),
+    ],
+)
+def test_an_empty_file_is_no_program(findings, text: str, hint: str, help: str):
+    (found,) = findings("LCH001", node(exec="tracking"), **{"robot/tracking.py": text})
+    assert found.message.endswith(hint) and found.help.startswith(help)
+
+
 def test_a_program_in_a_folder_below_is_not_found_by_launch(findings):
     cmake = "project(robot)\ninstall(DIRECTORY scripts DESTINATION lib/robot)\n"
     files = {"CMakeLists.txt": cmake, "package.xml": CMAKE, "setup.py": "", "scripts/drive.py": TALKER}

@@ -80,6 +80,11 @@ def broken_target(workspace: WorkspaceIndex, executable: Executable) -> NoModule
     return NoFunction(module, head, names, _works_on_import(file_facts), ros1_module(file_facts) or "")
 
 
+def is_empty(workspace: WorkspaceIndex, file: str) -> bool:
+    """Whether a file has nothing in it at all."""
+    return not (workspace.tree.text(file) or "").strip()
+
+
 def _functions(file_facts: facts.Facts) -> tuple[str, ...] | None:
     """The functions that a module defines, or the ``main`` that it imports: no other function of another module is a
     program.  None where a star import may bring one."""
@@ -156,4 +161,4 @@ def _binds_more(body: Sequence[facts.Stmt]) -> bool:
     return any(stars) or any(variable.id in ("globals", "setattr") for variable in everything_in(body, facts.Name))
 
 
-__all__ = ["NoFunction", "NoFunctionNamed", "NoModule", "broken_target", "is_on_disk"]
+__all__ = ["NoFunction", "NoFunctionNamed", "NoModule", "broken_target", "is_empty", "is_on_disk"]

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.analysis.absent_packages import is_nowhere, is_placeholder, owners_of_component
+from archlint.analysis.entry_points import is_empty
 from archlint.checks.folding import folds, with_places
 from archlint.checks.packages import is_ignored_by_cmake
 from archlint.checks.registry import Options, finding, rule
@@ -157,6 +158,8 @@ def _instead(installs: Installs, name: str, workspace: WorkspaceIndex) -> tuple[
         return did_you_mean(name, known), f"install {there[0]} in {build}"
     stems = {name, name.removesuffix("_node")} - {_stem(executable) for executable in installs.executables.values()}
     meant = [file for file in files if posixpath.basename(file).removesuffix(".py") in stems]
+    if len(meant) == 1 and is_empty(workspace, meant[0]):
+        return f"; {meant[0]} is empty", f"remove the node, or write its program there and install it in {build}"
     if len(meant) == 1:  # nearer than another node of a similar name
         return f"; {meant[0]} exists but is not installed", f"install it in {build} under the name '{name}'"
     return did_you_mean(name, known), f"add it to {build}, or start one that the package installs: {listed(known)}"
