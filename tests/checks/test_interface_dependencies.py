@@ -58,8 +58,10 @@ def test_a_package_that_the_command_is_not_given(found):
 
 
 def test_no_dependencies_at_all(found):
-    rows = found("PKG007", generate("msg/Goal.msg"), package("std_msgs", "geometry_msgs"))
-    assert [finding.identity[1] for finding in rows] == ["geometry_msgs", "std_msgs"]
+    (finding,) = found("PKG007", generate("msg/Goal.msg"), package("std_msgs", "geometry_msgs"))
+    assert finding.message.endswith("is not given 'geometry_msgs': the build fails; nor is it given 'std_msgs'")
+    assert finding.help.endswith("; so with 'std_msgs'")
+    assert [row.message for row in finding.related][-1] == "'std_msgs' is missing, too"
 
 
 def test_a_package_that_the_manifest_does_not_declare(found):

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.interface_dependencies import NotHanded, not_handed, without_group
 from archlint.checks.dependency_uses import brought_by
+from archlint.checks.folding import folds
 from archlint.checks.packages import workspace_of
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -49,6 +51,22 @@ def _not_handed(workspace: WorkspaceIndex, row: NotHanded) -> Finding:
         help=help,
         related=[Related(use.place, f"{use.type} is used here") for use in row.uses[:_SHOWN]],
         identity=(name, needed),
+        group=(name, str(row.command)),
+    )
+
+
+@folds("PKG007")
+def _of_one_command(findings: Sequence[Finding]) -> Finding:
+    """The finding for all packages that one command is not given."""
+    first, *others = findings
+    rows = tuple(Related(finding.related[0].place, f"'{finding.identity[1]}' is missing, too") for finding in others)
+    missing = ", ".join(f"'{finding.identity[1]}'" for finding in others)
+    return replace(
+        first,
+        message=f"{first.message}; nor is it given {missing}",
+        help=f"{first.help}; so with {missing}",
+        related=(*first.related, *rows),
+        identity=(*first.identity, *(finding.identity[1] for finding in others)),
     )
 
 
