@@ -297,8 +297,8 @@ _DECISIVE = 3
 
 @folds("NME001", common=_DECISIVE, across_severities=True)
 def of_one_cause(findings: Sequence[Finding]) -> Finding:
-    """The finding for all names that one class fixes, at the first literal, the others related; or for those of a
-    package that has both forms, or of all classes whose workspace has nothing else."""
+    """The finding for all names that one class fixes, or several classes of a workspace, where something speaks against
+    the form or else at the first literal, the others related."""
     findings = sorted(findings, key=lambda diagnostic: not diagnostic.group[_DECISIVE + 1])  # evidence comes first
     first = findings[0]
     if len(set(map(home_of, findings))) > 1:

@@ -1,4 +1,4 @@
-"""What NME001 says once of several nodes: of all whose workspace has nothing but absolute names, or of a package."""
+"""What NME001 says once of several nodes of a workspace."""
 
 from __future__ import annotations
 
