@@ -400,6 +400,10 @@ class Listener(threading.Thread):
                 self.connections.append(self.socket.accept()[0])
                 self.connections[-1].sendall(self.greeting)
 
+    def close(self) -> None:
+        for end in (self.socket, *self.connections):
+            end.close()
+
 
 @needs_dask
 @pytest.mark.parametrize(
@@ -409,7 +413,7 @@ def test_a_scheduler_that_is_none_is_an_error(workspace: Path, greeting: bytes) 
     listener = Listener(greeting)
     listener.start()
     status, output, error = checked_with(listener.address, "dask_cluster.TIMEOUT = 1", workspace)
-    listener.socket.close()
+    listener.close()
     assert (status, output) == (2, "")
     assert f"--scheduler: no Dask scheduler answers at {listener.address}" in error
     assert len(error.splitlines()) == 1

@@ -29,8 +29,8 @@ if TYPE_CHECKING:
 
 Home = tuple[str, str]
 """The file and the class that a name is fixed in; the class is empty where there is none."""
-_SMALL = 4
-"""How many nodes a workspace has at most that a lesson is about."""
+_SMALL = 5
+"""How many nodes a workspace has at most that a lesson is about: three, and two that are added to them."""
 _ROOT = frozenset({""})
 _PROVIDES = frozenset({EntityKind.PUBLISHER, EntityKind.SERVICE, EntityKind.ACTION_SERVER})
 
