@@ -105,7 +105,9 @@ def complete(workspace: Learned, beside: list[str]) -> None:
     files.setdefault(f"{PACKAGE}resource/my_first_package", "")
     files.setdefault(f"{PACKAGE}package.xml", _manifest())
     files.setdefault(f"{PACKAGE}setup.py", _setup(files))
-    files.setdefault(f"{PACKAGE}setup.cfg", (LESSON / "my_first_package/setup.cfg").read_text("utf-8"))
+    config = (LESSON / "my_first_package/setup.cfg").read_text("utf-8")
+    for folder in [file.removesuffix("setup.py") for file in files if file.endswith("/setup.py")]:
+        files.setdefault(f"{folder}setup.cfg", config.replace("my_first_package", folder.split("/")[-2]))
 
 
 def _cmake(files: dict[str, str]) -> str:

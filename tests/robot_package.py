@@ -19,6 +19,7 @@ setup(
 )
 """
 SETUP = SETUP_OF.format(name="robot")
+SETUP_CFG = "[develop]\nscript_dir=$base/lib/robot\n[install]\ninstall_scripts=$base/lib/robot\n"
 TALKER = """\
 import rclpy
 from rclpy.node import Node
@@ -55,6 +56,7 @@ def write_robot(root: Path, launch: str = "", **files: str) -> Path:
     texts = {
         "package.xml": manifest(),
         "setup.py": SETUP,
+        "setup.cfg": SETUP_CFG,
         "robot/talker.py": TALKER,
         "launch/it.launch.xml": f"<launch>{launch}</launch>",
     }

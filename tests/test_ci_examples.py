@@ -15,7 +15,7 @@ import yaml
 
 from archlint.cli import starter_files
 from public_schemas import Schema, problems
-from robot_package import TALKER, manifest, write_files
+from robot_package import SETUP_CFG, TALKER, manifest, write_files
 
 ROOT = Path(__file__).parents[1]
 START = f"PYTHONPATH={ROOT / 'src'} exec {sys.executable} -m archlint"
@@ -90,7 +90,7 @@ def checkout(tmp_path: Path) -> Path:
         "robot/__init__.py": "",
         "robot/talker.py": WAITING,
     }
-    write_files(folder, files | {"setup.py": SETUP, "robot/listener.py": LISTENER})
+    write_files(folder, files | {"setup.py": SETUP, "setup.cfg": SETUP_CFG, "robot/listener.py": LISTENER})
     programs = tmp_path / "programs"
     write_files(programs, {"pip": "#!/bin/sh\n", "archlint": f'#!/bin/sh\n{START} "$@"\n'})
     for program in programs.iterdir():

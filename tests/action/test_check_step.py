@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from robot_package import TALKER, manifest, write_files
+from robot_package import SETUP_CFG, TALKER, manifest, write_files
 
 ROOT = Path(__file__).parents[2]
 LISTENER = """\
@@ -77,7 +77,7 @@ class Job:
 @pytest.fixture
 def job(tmp_path: Path) -> Job:
     job = Job(tmp_path)
-    files = {"package.xml": manifest(), "setup.py": SETUP, "robot/__init__.py": ""}
+    files = {"package.xml": manifest(), "setup.py": SETUP, "setup.cfg": SETUP_CFG, "robot/__init__.py": ""}
     sources = files | {"robot/talker.py": TALKER, "robot/listener.py": LISTENER}
     write_files(job.checkout, sources)
     return job
@@ -171,7 +171,7 @@ def test_inputs_are_words_and_never_code(job: Job):
 def test_paths_options_and_a_folder_to_work_in(job: Job):
     moved = job.checkout / "src" / "my robot"
     moved.mkdir(parents=True)
-    for name in ("package.xml", "setup.py", "robot"):
+    for name in ("package.xml", "setup.py", "setup.cfg", "robot"):
         (job.checkout / name).rename(moved / name)
     inputs = {"INPUT_WORKING_DIRECTORY": "src", "INPUT_PATHS": "my robot/robot\nmy robot/setup.py\n"}
     done = job.run(**inputs, INPUT_ARGS="--ignore TOP", INPUT_SARIF_FILE="out.sarif")

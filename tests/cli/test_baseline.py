@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from archlint.cli import main
-from robot_package import manifest, write_files
+from robot_package import SETUP_CFG, manifest, write_files
 
 NODE = """\
 import rclpy
@@ -49,6 +49,7 @@ def workspace(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     files = {
         "package.xml": manifest(more=more),
         "setup.py": SETUP,
+        "setup.cfg": SETUP_CFG,
         "robot/__init__.py": "",
         "robot/arm.py": NODE.format(name="Arm", node="arm"),
         "robot/leg.py": NODE.format(name="Leg", node="leg"),

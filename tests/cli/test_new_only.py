@@ -11,7 +11,7 @@ import pytest
 
 from archlint.cli import main
 from archlint.engine import new_only
-from robot_package import manifest, write_files
+from robot_package import SETUP_CFG, manifest, write_files
 
 NODE = """\
 import rclpy
@@ -39,6 +39,7 @@ TALKER = NODE.format(name="Talker", body="self.words = self.create_publisher(Str
 LISTENER = NODE.format(name="Listener", body="self.create_subscription(String, 'words', self.heard, 10)")
 FILES = {
     "package.xml": manifest(more="<exec_depend>std_srvs</exec_depend>"),
+    "setup.cfg": SETUP_CFG,
     "setup.py": "from setuptools import setup\nsetup(name='robot', entry_points={'console_scripts': ["
     "'talker = robot.talker:main', 'listener = robot.listener:main']})\n",
     "robot/__init__.py": "",

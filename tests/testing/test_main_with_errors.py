@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from archlint.testing import main_with_errors
-from robot_package import TALKER, manifest, write_files
+from robot_package import SETUP_CFG, TALKER, manifest, write_files
 
 SETUP = """\
 from setuptools import setup
@@ -23,6 +23,7 @@ def workspace(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     monkeypatch.setenv("HOME", str(tmp_path))
     for name, needs in (("robot", ""), ("ears", "<exec_depend>robot</exec_depend>")):
         files = {"package.xml": manifest(name, more=needs), "setup.py": SETUP.format(name), f"{name}/__init__.py": ""}
+        files["setup.cfg"] = SETUP_CFG.replace("robot", name)
         write_files(tmp_path / "src" / name, files)
     write_files(tmp_path / "src", {"robot/robot/talker.py": TALKER, "ears/ears/talker.py": LISTENER.format("String")})
     monkeypatch.chdir(tmp_path / "src" / "ears")

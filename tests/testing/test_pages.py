@@ -160,7 +160,7 @@ def test_main_is_left_to_a_page_with_several_nodes_or_its_own(extra: str):
 
 def test_files_of_a_package_get_the_rest_of_it():
     files = only_example("## Good\n`launch/robot.launch.py`:\n```python\nx\n```\n").files
-    assert sorted(files) == ["launch/robot.launch.py", "package.xml", "robot/talker.py", "setup.py"]
+    assert sorted(files) == ["launch/robot.launch.py", "package.xml", "robot/talker.py", "setup.cfg", "setup.py"]
     assert "rclpy.spin(Talker())" in files["robot/talker.py"]
 
 
@@ -169,6 +169,13 @@ def test_a_package_of_its_own_gets_nothing():
     assert sorted(only_example(page).files) == ["launch/a.launch.py", "package.xml"]
 
 
+def test_a_setup_py_of_a_package_of_its_own_gets_a_setup_cfg():
+    manifest = "`a/package.xml`:\n```xml\n<package><name>arm</name></package>\n```\n"
+    files = only_example(f"## Good\n`a/setup.py`:\n```python\nx\n```\n{manifest}").files
+    assert sorted(files) == ["a/package.xml", "a/setup.cfg", "a/setup.py"]
+    assert "install_scripts=$base/lib/arm" in files["a/setup.cfg"]
+
+
 def test_a_folded_block_is_a_file_too():
-    page = "## Good\n<details><summary><code>setup.cfg</code></summary>\n\n```ini\n[metadata]\n```\n\n</details>\n"
-    assert only_example(page).files == {"setup.cfg": "[metadata]\n"}
+    page = "## Good\n<details><summary><code>tox.ini</code></summary>\n\n```ini\n[metadata]\n```\n\n</details>\n"
+    assert only_example(page).files == {"tox.ini": "[metadata]\n"}

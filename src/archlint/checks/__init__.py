@@ -53,6 +53,7 @@ MODULES: tuple[str, ...] = (
     "remappings",
     "sequences",
     "scripts",
+    "script_folders",
     "service_cycles",
     "signatures",
     "slow_callbacks",

@@ -10,9 +10,10 @@ also show a terminal.  A file that the example needs and a reader does not is fo
 What most examples need is written once, in ``scaffold`` beside archlint's own pages:
 
 - A block with one node class and no ``main`` gets the ``main()`` of ``scaffold/main.py``, which spins that node.
-- An example with a ``setup.py`` or with files in ``robot/``, ``launch/`` or ``config/`` lies in the package of
-  ``scaffold/``: its ``package.xml``, ``setup.py`` and ``robot/talker.py`` are there unless the example brings its own.
-  An example with a ``package.xml`` of its own gets nothing.
+- An example with a ``setup.py``, a ``setup.cfg`` or with files in ``robot/``, ``launch/`` or ``config/`` lies in the
+  package of ``scaffold/``: its ``package.xml``, ``setup.py``, ``setup.cfg`` and ``robot/talker.py`` are there unless it
+  brings its own.
+  An example with a ``package.xml`` of its own gets a ``setup.cfg`` beside each ``setup.py``, and nothing else.
 
 A line that must carry a finding ends in ``# expect: SRV003`` or ``# expect: SRV003, TMO002``
 (``<!-- expect: LNT002 -->`` in XML, ``// expect: PKG001`` in C++).  A marker may name a rule that has no page yet: the
@@ -30,8 +31,8 @@ from archlint.rulebook import pages_folder
 
 NAME_WITHOUT_A_NAME = {"python": "node.py", "toml": "archlint.toml"}
 
-PACKAGE_FILES = ("package.xml", "setup.py", "robot/talker.py")
-IN_PACKAGE = ("robot/", "launch/", "config/", "setup.py")
+PACKAGE_FILES = ("package.xml", "setup.py", "setup.cfg", "robot/talker.py")
+IN_PACKAGE = ("robot/", "launch/", "config/", "setup.py", "setup.cfg")
 
 _FILE_NAME = re.compile(r"^(?:`(?P<shown>[^`]+)`:|<details><summary><code>(?P<folded>[^<]+)</code>[^<]*</summary>)$")
 _NODE_CLASS = re.compile(r"^class (\w+)\((?:\w+\.)?(?:Lifecycle)?Node\):", re.MULTILINE)
@@ -115,6 +116,15 @@ def _add_scaffold(example: Example) -> None:
     if in_package and "package.xml" not in example.files:
         for name in PACKAGE_FILES:
             example.files.setdefault(name, _with_main((_scaffold() / name).read_text(encoding="utf-8")))
+    for name, text in list(example.files.items()):
+        folder, _, file = name.rpartition("setup.py")
+        package = _NAME_OF_PACKAGE.search(example.files.get(f"{folder}package.xml", ""))
+        if not file and package is not None and text:
+            config = (_scaffold() / "setup.cfg").read_text(encoding="utf-8")
+            example.files.setdefault(f"{folder}setup.cfg", config.replace("robot", package[1]))
+
+
+_NAME_OF_PACKAGE = re.compile(r"<name>\s*([\w-]+)\s*</name>")
 
 
 def _with_main(text: str) -> str:
