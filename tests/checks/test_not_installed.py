@@ -377,6 +377,10 @@ INSTALL = "install(DIRECTORY launch rviz DESTINATION share/${PROJECT_NAME})"
     [
         (INSTALL, "install() lists a folder that is not there: the build stops at 'rviz'"),
         (
+            INSTALL[:-1] + ' PATTERN "*.bak" EXCLUDE)',
+            "install() lists a folder that is not there: the build stops at 'rviz'",
+        ),
+        (
             "install(FILES robot.yaml DESTINATION share/${PROJECT_NAME})",
             "install() lists a file that is not there: the build stops at 'robot.yaml'",
         ),
@@ -401,6 +405,7 @@ def test_what_cmake_lists_and_is_not_there(findings, line, message):
         (INSTALL.replace("rviz", '"our maps"'), {".gitmodules": '[submodule "m"]\n\tpath = our maps\n'}),
         (INSTALL.replace("DIRECTORY launch rviz", "FILES librobot.so"), {}),
         (INSTALL.replace(" DESTINATION", " OPTIONAL DESTINATION").replace(")", " OPTIONAL)"), {}),
+        (INSTALL[:-1] + ' FILES_MATCHING PATTERN "*.rviz")', {}),
         (f"if(WITH_PICTURES)\n  {INSTALL}\nendif()", {}),
         (f"file(MAKE_DIRECTORY rviz)\n{INSTALL}", {}),
         (f"execute_process(COMMAND make_pictures)\n{INSTALL}", {}),
@@ -409,8 +414,8 @@ def test_what_cmake_lists_and_is_not_there(findings, line, message):
         (INSTALL.replace("rviz", "/usr/share/rviz"), {}),
     ],
     ids=[
-        *("there", "ignored by git", "a submodule", "one with a space", "a library", "optional", "under a condition"),
-        *("made", "made by a command", "by an old command", "built", "elsewhere"),
+        *("there", "ignored by git", "a submodule", "one with a space", "a library", "optional", "files by pattern"),
+        *("under a condition", "made", "made by a command", "by an old command", "built", "elsewhere"),
     ],
 )
 def test_what_cmake_may_find(findings, line, files):

@@ -159,12 +159,12 @@ _CODE = (".cpp", ".cc", ".cxx", ".c")
 
 def _needed(step: Step) -> Iterator[NeededSource]:
     """What a command stops at where it is not there.  Source: ``file(INSTALL)`` of CMake cannot find it, no more than
-    ``add_executable`` a source; ``rosidl_generate_interfaces`` asks for each file with an extension, and
-    ``ament_add_pytest_test`` for its own."""
+    ``add_executable`` a source, but passes over a folder with ``FILES_MATCHING``; ``rosidl_generate_interfaces`` asks
+    for each file with an extension, and ``ament_add_pytest_test`` for its own."""
     rows: list[tuple[Argument, bool]] = []
     groups = _groups(step.command) if step.command.name == "install" else {}
     if "OPTIONAL" not in groups:
-        kinds = ("FILES", "PROGRAMS", "DIRECTORY")
+        kinds = ("FILES", "PROGRAMS", *(() if "FILES_MATCHING" in groups else ("DIRECTORY",)))
         rows = [(a, kind == "DIRECTORY") for kind in kinds for a in groups.get(kind, [])]
     if step.command.name in _TAKE_SOURCES:
         rows = [(a, False) for a in step.command.arguments[1:] if a.text.endswith(_CODE)]
