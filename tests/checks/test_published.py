@@ -193,3 +193,26 @@ def test_one_publisher_is_one_finding(judge: Judge):
     assert key.message.endswith("; another call is wrong in the same way on the same endpoint")
     assert [related.place.line for related in key.related] == [7, 13]
     assert lamp.message.endswith("expects std_msgs/msg/String")
+
+
+@pytest.mark.parametrize(
+    ("type_", "mark"),
+    [
+        ("Bool", "  # here"),
+        ("Double", ""),  # no message of std_msgs: the import fails
+    ],
+)
+def test_a_type_that_its_package_does_not_define(judge: Judge, type_: str, mark: str):
+    judge(
+        "TOP005",
+        f"""
+        import rclpy
+        from std_msgs.msg import String
+        from std_msgs.msg import {type_}
+
+        rclpy.init()
+        node = rclpy.create_node('sender')
+        codes = node.create_publisher({type_}, 'codes', 10)
+        codes.publish(String()){mark}
+        """,
+    )

@@ -49,10 +49,12 @@ _SENDS: Final[dict[str, tuple[str, MessageClass]]] = {
 def published_type_mismatch(system: System, options: Options) -> Iterator[Finding]:
     """Arguments of ``publish`` and its kin that are certainly not of the endpoint's type."""
     code = source_code(system)
+    unknown = (interface for run in system.programs for interface in run.unknown_interfaces)
+    nowhere = frozenset(f"{interface.package}/{interface.kind}/{interface.name}" for interface in unknown)
     sites: dict[Place, list[Finding | None]] = {}
     for call in system.calls:
         if call.api in _SENDS:
-            sites.setdefault(call.place, []).append(_judge(code, call))
+            sites.setdefault(call.place, []).append(_judge(code, call, nowhere))
     for place in sorted(sites):
         findings = sites[place]
         # A call that serves several publishers, or is made in several ways, is wrong where each of them is.
@@ -60,11 +62,12 @@ def published_type_mismatch(system: System, options: Options) -> Iterator[Findin
             yield findings[0]
 
 
-def _judge(code: SourceCode, call: ApiCall) -> Finding | None:
+def _judge(code: SourceCode, call: ApiCall, nowhere: frozenset[str]) -> Finding | None:
+    """The finding for one call, but for an endpoint of a type in ``nowhere``: the import that fails is the mistake."""
     argument, section_name = _SENDS[call.api]
     creation = _sender(call)
     given = call.arguments.get(argument)
-    if creation is None or creation.type is None or given is None:
+    if creation is None or creation.type is None or given is None or creation.type in nowhere:
         return None
     nothing = isinstance(given, Constant) and given.value is None
     if nothing and (section_name == "Result" or not is_given_a_literal(code, call)):
