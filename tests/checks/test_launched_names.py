@@ -182,6 +182,26 @@ def test_a_publisher_that_never_publishes_is_not_the_one_that_was_meant(findings
     assert len(findings("TOP004", remapped, **TWO_NODES, **{"robot/talker.py": used})) == 1
 
 
+@pytest.mark.parametrize(
+    ("named", "told"),
+    [
+        ({}, 1),
+        ({"name": "talker"}, 1),
+        ({"name": "driver"}, 1),
+        ({"name": "Talker"}, 0),
+        ({"name": "Talker", "namespace": "left"}, 0),
+    ],
+)
+def test_a_private_name_as_a_launch_file_makes_it(findings, named: dict[str, str], told: int):
+    """``ros2 run robot hearer`` beside the launch file meets the talker, if that has the name that it writes."""
+    code = {
+        **TWO_NODES,
+        "robot/talker.py": TALKER.replace("'chatter'", "'~/chatter'"),
+        "robot/hearer.py": HEARER.replace("'chatter'", "'Talker/chatter'"),
+    }
+    assert len(findings("TOP004", node(**named), **code)) == told
+
+
 @pytest.mark.parametrize(("words", "told"), [("sys.argv", 0), ("['verbose:=true']", 1)])
 def test_a_namespace_from_the_command_line_is_not_known(findings, words, told):
     launch = {"launch/it.launch.xml": "<launch/>", "launch/two.launch.py": IN_NAMESPACE.replace("WORDS", words)}

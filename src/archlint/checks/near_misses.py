@@ -13,6 +13,7 @@ from archlint.analysis.coexistence import (
     known_to_coexist,
     named_by_library,
 )
+from archlint.analysis.kept import once
 from archlint.analysis.left_over import is_left_over
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -25,7 +26,7 @@ from archlint.systems.nodes import key_of
 
 if TYPE_CHECKING:
     from archlint.finding import Place
-    from archlint.systems.model import System
+    from archlint.systems.model import System, WorkspaceIndex
     from archlint.systems.nodes import Connection, Endpoint
 
 _LONG_WORD = 7
@@ -62,6 +63,7 @@ def missed(
         if not (connection.users and connection.providers)
         and not options.is_external(connection.name)
         and not unread.holds(connection.name)
+        and not _is_made_by_launch(system, connection.name)
     ]
     provided = _by_type(connection for connection in alone if not connection.users)
     said: set[tuple[Place, ...]] = set()
@@ -80,6 +82,30 @@ def missed(
                     yield user, candidates
                 said.add(lines)
                 break
+
+
+def _is_made_by_launch(system: System, name: str) -> bool:
+    """Whether a launch file, of which this system has nothing, gives a node the name that makes its private name this
+    one: ``~/odom`` and ``positioning/odom``."""
+    if system.name is not None or system.workspace is None:
+        return False
+    private = _private_names(system.workspace)
+    return any(name[at + 1 :] in private for at, letter in enumerate(name) if letter == "/")
+
+
+@once
+def _private_names(workspace: WorkspaceIndex) -> frozenset[str]:
+    """What becomes of private names where launch files give their nodes another name than the code does, without the
+    namespace."""
+    launched = (system for system in workspace.systems if system.launched is not None)
+    return frozenset(
+        f"{node.own.name.text}/{end.written[2:]}"
+        for system in launched
+        for node in system.nodes
+        if node.own is not None and node.blueprint is not None and node.own.name.text != node.blueprint.name.text
+        for end in node.endpoints
+        if end.written is not None and end.written.startswith("~/")
+    )
 
 
 def _by_type(connections: Iterator[Connection]) -> dict[str, list[Endpoint]]:
