@@ -320,6 +320,20 @@ def test_a_node_that_a_launch_file_starts_twice_is_told_alone(folder: Path):
     assert whole.message.startswith("2 nodes of package 'robot' fix 3 absolute names")
 
 
+@pytest.mark.parametrize(
+    "making",
+    [
+        "    first = Arm()\n    second = Arm()\n    rclpy.spin(first)\n",
+        "    first = Arm()\n    first.destroy_node()\n    rclpy.spin(Arm())\n",
+    ],
+)
+def test_nodes_that_one_process_makes_are_started_once(folder: Path, making: str):
+    arm = ARM.replace("    rclpy.spin(Arm())\n", making)
+    [finding] = check(request(folder, '<node pkg="robot" exec="arm"/>', arm=arm, base=BASE)).findings
+
+    assert finding.message.startswith("2 nodes of package 'robot' fix 3 absolute names: no namespace applies")
+
+
 def test_two_nodes_of_a_class_that_are_given_names_of_their_own(folder: Path):
     arm = ARM.replace("__init__(self)", "__init__(self, side)").replace("'arm'", "'arm_' + side")
     arm = arm.replace("'/arm/state'", "'/' + side + '/state'").replace("'/arm/goal'", "'/' + side + '/goal'")

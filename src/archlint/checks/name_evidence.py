@@ -192,7 +192,7 @@ def _mixed(classes: Mapping[Home, Sequence[FixedName]]) -> dict[Home, Reason]:
 
 
 def _instances(workspace: WorkspaceIndex | None, endpoint: Endpoint) -> int:
-    """How many nodes of one launched system provide the same under the name of an endpoint; what each of them only
+    """How many starts of one launched system provide the same under the name of an endpoint; what each of them only
     listens to or asks may well be one for all."""
     blueprint = endpoint.node.blueprint
     if workspace is None or blueprint is None:
@@ -202,16 +202,19 @@ def _instances(workspace: WorkspaceIndex | None, endpoint: Endpoint) -> int:
 
 @once
 def _provided(workspace: WorkspaceIndex) -> Mapping[tuple[object, EntityKind, str | None], int]:
-    """How many nodes of one kind, by :func:`key_of`, a launch file starts that provide something under one name."""
+    """How many times a launch file starts a node of one kind, by :func:`key_of`, that provides something under a name.
+    Several that one process makes, perhaps one after the other, are started once."""
     most: Counter[tuple[object, EntityKind, str | None]] = Counter()
     for system in workspace.systems:
         nodes = [node for node in system.nodes if system.launched is not None and not node.alternatives]
-        most |= Counter(
-            (key_of(node.blueprint), kind, name)
+        provided = {
+            (id(node.started), key_of(node.blueprint), end.kind, end.name)
             for node in nodes
             if node.blueprint is not None
-            for kind, name in {(end.kind, end.name) for end in node.endpoints if end.kind in _PROVIDES}
-        )
+            for end in node.endpoints
+            if end.kind in _PROVIDES
+        }
+        most |= Counter((key, kind, name) for _, key, kind, name in provided)
     return most
 
 
