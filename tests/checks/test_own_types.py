@@ -8,6 +8,7 @@ import pytest
 
 from archlint.config.settings import load
 from archlint.engine.pipeline import Request, check
+from archlint.finding import Severity
 
 MANIFEST = """<package format="3"><name>{name}</name><version>1.0.0</version><description>x</description>
 <maintainer email="a@b.org">a</maintainer><license>MIT</license>{depends}
@@ -84,6 +85,7 @@ def test_what_a_helper_of_several_nodes_asks_for_is_one_finding(tmp_path, monkey
         "        self.set = node.create_client(SetMotor, 'set_motor')\n"
         "        self.get = node.create_client(SetMotor, 'get_motor')\n\n"
         "    def ask(self):\n        self.set.call_async(SetMotor.Request())\n"
+        "        self.get.call_async(SetMotor.Request())\n"
     )
     asking = CLIENT.replace("from motor_msgs.srv import SetMotor", "from driver.helper import Helper")
     asking = asking.replace("self.create_client(SetMotor, 'set_motor')", "Helper(self)")
@@ -98,6 +100,33 @@ def test_what_a_helper_of_several_nodes_asks_for_is_one_finding(tmp_path, monkey
     assert finding.place.file == "driver/driver/helper.py"
     assert finding.message.endswith("; nor does any node offer another service that this file asks for")
     assert [row.message for row in finding.related] == ["nobody offers '/get_motor', either"]
+
+
+def test_a_client_that_nothing_uses_asks_for_nothing(tmp_path, monkeypatch):
+    idle = CLIENT.replace("self.motor.call_async(SetMotor.Request())", "pass")
+    assert found(workspace(tmp_path, {"driver/driver/node.py": idle}), monkeypatch) == []
+
+
+@pytest.mark.parametrize(("served", "severity"), [(False, Severity.INFO), (True, Severity.WARNING)])
+def test_another_machine_may_serve_all_of_a_package(tmp_path, monkeypatch, served: bool, severity: Severity):
+    """Two services of the package are asked for; nothing here serves any of them, or one that is there, too."""
+    more = '"srv/SetMotor.srv" "srv/GetMotor.srv" "srv/StopMotor.srv"'
+    asking = CLIENT.replace("import SetMotor", "import GetMotor, SetMotor, StopMotor").replace(
+        "        self.timer", "        self.state = self.create_client(GetMotor, 'get_motor')\n        self.timer"
+    )
+    if served:
+        asking = asking.replace(
+            "        self.timer", "        self.create_service(StopMotor, 'stop', print)\n        self.timer"
+        )
+    files = {
+        "motor_msgs/CMakeLists.txt": CMAKE.replace('"srv/SetMotor.srv"', more),
+        "motor_msgs/srv/GetMotor.srv": "---\nfloat64 speed\n",
+        "motor_msgs/srv/StopMotor.srv": "---\n",
+        "driver/driver/node.py": asking,
+    }
+    monkeypatch.chdir(workspace(tmp_path, files))
+    [finding] = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+    assert (finding.severity, "another machine" in finding.message) == (severity, not served)
 
 
 @pytest.mark.parametrize(

@@ -7,10 +7,12 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import kept, once
-from archlint.model import EntityKind
+from archlint.analysis.reach import creations_of
+from archlint.model import EntityKind, Role
 from archlint.ros.interfaces import parts_of_type
 
 if TYPE_CHECKING:
+    from archlint.finding import Place
     from archlint.systems.model import System, WorkspaceIndex
     from archlint.systems.nodes import Endpoint
 
@@ -31,12 +33,42 @@ def has_no_server_here(system: System, end: Endpoint) -> bool:
     workspace = system.workspace
     if workspace is None or workspace.is_subset or workspace.cut_short() or end.type is None:
         return False
+    if not _asks(system, end):
+        return False
     if not is_defined(workspace, end.type) or _is_served(system, workspace, end):
         return False
     name = end.type.rpartition("/")[2]
     ends, others = _ends_of_system(system), _ends_of_workspace(workspace)
     files = kept(workspace, (_files_that_name, name), lambda: _files_that_name(workspace, name))
     return files <= ends.files_of(end.type) | others.files_of(end.type)
+
+
+_REQUESTS = (".call", ".call_async", ".send_goal", ".send_goal_async")
+
+
+def _asks(system: System, client: Endpoint) -> bool:
+    """Whether anything that runs uses a client, and not only makes it."""
+    return client.place in _asking(system) or client.node.blueprint is None or client.node.blueprint.escapes
+
+
+@once
+def _asking(system: System) -> frozenset[Place]:
+    """Where the clients are made with which callbacks, threads and programs ask for something."""
+    calls = [call for call in system.calls if call.api.endswith(_REQUESTS) and call.context.role is not Role.METHOD]
+    return frozenset(creation.place for call in calls for creation in creations_of(call.receiver))
+
+
+def may_be_served_elsewhere(system: System, client: Endpoint) -> bool:
+    """Whether nodes ask for several interfaces of a package of which nothing in the workspace serves any: what does, a
+    robot say, may be another machine's."""
+    workspace = system.workspace
+    if workspace is None or client.type is None:
+        return False
+    package = client.type.partition("/")[0]
+    views = (_ends_of_system(system), _ends_of_workspace(workspace))
+    served = {type for ends in views for _, type in ends.served if type is not None}
+    asked = {type for ends in views for type in ends.asked if type.partition("/")[0] == package}
+    return len(asked) > 1 and package not in {type.partition("/")[0] for type in served}
 
 
 def is_defined(workspace: WorkspaceIndex, interface: str) -> bool:
@@ -57,11 +89,15 @@ class _Ends:
     def __init__(self, systems: Iterable[System]) -> None:
         self.served: set[tuple[str, str | None]] = set()
         """The kinds of their servers, with the types; None for a type that is not known."""
+        self.asked: set[str] = set()
+        """The types of their clients that are known."""
         self._files: defaultdict[str | None, set[str]] = defaultdict(set)
         for end in (end for system in systems for end in system.endpoints):
             self._files[end.type].add(end.place.file)
             if end.kind in _SERVERS.values():
                 self.served.add((end.kind, end.type))
+            elif end.kind in _SERVERS and end.type is not None:
+                self.asked.add(end.type)
 
     def files_of(self, type_: str) -> frozenset[str]:
         return frozenset(self._files.get(type_, ()))
@@ -85,4 +121,4 @@ def _files_that_name(workspace: WorkspaceIndex, name: str) -> frozenset[str]:
     return frozenset(path for path in paths if workspace.code.mentions(path, name))
 
 
-__all__ = ["has_no_server_here"]
+__all__ = ["has_no_server_here", "may_be_served_elsewhere"]

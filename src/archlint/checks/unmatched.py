@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.coexistence import certain, in_source_order, named_by_library
 from archlint.analysis.left_out_servers import left_out_server
-from archlint.analysis.own_types import has_no_server_here
+from archlint.analysis.own_types import has_no_server_here, may_be_served_elsewhere
 from archlint.checks.folding import folds
 from archlint.checks.near_misses import MOST_PAIRS, is_private_of, missed, nearly_equal
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.sight import in_sight, is_complete
-from archlint.finding import Finding, Related
+from archlint.finding import Finding, Related, Severity
 from archlint.model import (
     EntityKind,
 )
@@ -71,7 +71,7 @@ def client_without_server(system: System, options: Options) -> Iterator[Finding]
     """Clients whose service nobody offers: of a closed system, or where a server has almost the same name."""
     partners = _Partners(system)
     for end, besides in _without_server(system, options, system.services, EntityKind.CLIENT):
-        yield _finding(
+        said = _finding(
             "SRV001",
             partners,
             end,
@@ -80,6 +80,7 @@ def client_without_server(system: System, options: Options) -> Iterator[Finding]
             "start the node that serves it, or list the name under `external`",
             group=(end.place.file, end.kind) if besides else (),
         )
+        yield _if_not_elsewhere(system, end, said)
 
 
 @rule("ACT001", scope=Scope.SYSTEM)
@@ -87,7 +88,7 @@ def action_client_without_server(system: System, options: Options) -> Iterator[F
     """Action clients whose action nobody offers: of a closed system, or where a server has almost the same name."""
     partners = _Partners(system)
     for end, besides in _without_server(system, options, system.actions, EntityKind.ACTION_CLIENT):
-        yield _finding(
+        said = _finding(
             "ACT001",
             partners,
             end,
@@ -96,6 +97,15 @@ def action_client_without_server(system: System, options: Options) -> Iterator[F
             "start the node that serves it, or list the name under `external`",
             group=(end.place.file, end.kind) if besides else (),
         )
+        yield _if_not_elsewhere(system, end, said)
+
+
+def _if_not_elsewhere(system: System, end: Endpoint, said: Finding) -> Finding:
+    """Only information where another machine, such as the robot, may serve all of the package."""
+    if not said.group or not may_be_served_elsewhere(system, end):
+        return said
+    condition = ", unless another machine serves what is in that package"
+    return replace(said, severity=Severity.INFO, message=f"{said.message}{condition}")
 
 
 @folds("SRV001", across_systems=True)
