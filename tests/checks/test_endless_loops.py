@@ -114,6 +114,7 @@ def test_a_loop_that_keeps_out_what_would_end_it(judge: Judge, source: str):
         robot("tries = 0", "while self.data is None and tries < 9:", "    tries += 1"),
         robot("while self.data is None:", "    self.data = String()"),
         robot("while rclpy.ok():", "    time.sleep(0.1)"),
+        robot("while self.data is None and not rclpy.ok():", "    time.sleep(0.1)"),
         robot(
             "while self.data is None:",
             "    time.sleep(0.1)",
@@ -145,6 +146,7 @@ def test_a_loop_that_keeps_out_what_would_end_it(judge: Judge, source: str):
         "it counts",
         "it changes it",
         "it waits for nothing",
+        "not entered while ROS is up",
         "another group",
         "no loop",
         "a time in another test",

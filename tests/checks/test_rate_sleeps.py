@@ -25,7 +25,7 @@ class Robot(Node):
         self.rate = self.create_rate(10)
 
     def run(self):
-        while rclpy.ok():
+        while {test}:
             self.pub.publish(String())
             {spin}
             self.rate.sleep(){here}
@@ -44,8 +44,15 @@ main()
 LISTENS = "self.create_subscription(String, 'in', print, 10)"
 
 
-def program(spin: str = "pass", more: str = "pass", first: str = "pass", last: str = "pass", here: str = "") -> str:
-    return PROGRAM.format(spin=spin, more=more, first=first, last=last, here=here)
+def program(
+    spin: str = "pass",
+    more: str = "pass",
+    first: str = "pass",
+    last: str = "pass",
+    here: str = "",
+    test: str = "rclpy.ok()",
+) -> str:
+    return PROGRAM.format(spin=spin, more=more, first=first, last=last, here=here, test=test)
 
 
 @pytest.mark.parametrize("last", ["pass", "rclpy.spin(robot)"])
@@ -82,6 +89,20 @@ def test_a_spin_that_may_miss_the_timer(judge: Judge, spin: str, more: str):
 )
 def test_a_rate_that_is_woken_or_may_be(judge: Judge, spin: str, first: str):
     judge("EXE009", program(spin, first=first))
+
+
+@pytest.mark.parametrize(
+    ("test", "entered"),
+    [
+        ("rclpy.ok() and self.pub", True),
+        ("not self.pub or not rclpy.ok()", True),
+        ("not rclpy.ok()", False),
+        ("not self.context.ok() and self.pub", False),
+        ("False", False),
+    ],
+)
+def test_a_loop_that_is_not_entered_while_ros_is_up(judge: Judge, test: str, entered: bool):
+    judge("EXE009", program(test=test, here="  # here" if entered else ""))
 
 
 def test_a_node_that_hangs_there_is_not_told_twice(judge: Judge):

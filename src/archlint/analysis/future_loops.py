@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from archlint.analysis.loop_tests import is_only_after_shutdown
 from archlint.analysis.reach import same_expression
 from archlint.syntax import facts
 from archlint.syntax.control_flow import loop_of
@@ -25,7 +26,7 @@ def loop_until_done(code: SourceCode, call: ApiCall) -> Loop | None:
     A loop that asks inside its body may also end after a while; if it ends for another reason, it is there for more.
     """
     loop, asked = code.loop(call), code.expression(call)
-    if loop is None or asked is None or not loop_of(loop).repeats:
+    if loop is None or asked is None or not loop_of(loop).repeats or is_only_after_shutdown(loop):
         return None
     if any(same_expression(part.negated, asked) for part in loop.tests):
         return loop

@@ -9,7 +9,7 @@ from archlint.analysis.annotations import imported_as, interface_of
 from archlint.analysis.own_names import assigned_values
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in
-from archlint.syntax.walk import calls_in, statements_of
+from archlint.syntax.walk import called_name, calls_in, statements_of
 
 if TYPE_CHECKING:
     from archlint.syntax.expressions import Expr
@@ -31,12 +31,18 @@ def awaited_attributes(loop: facts.While, owner: str, code: facts.Facts) -> tupl
     """The attributes of ``owner`` that alone decide whether a loop goes on, by its test and those that leave it, where
     nothing in the loop changes anything or leaves it otherwise; empty where something else decides, too."""
     leaving = [s for s in statements_of(loop.body, facts.If) if s in loop.body and _leaves(s.body)]
-    if loop.orelse or not _only_passes_time(loop, leaving, owner, code):
+    if loop.orelse or is_only_after_shutdown(loop) or not _only_passes_time(loop, leaving, owner, code):
         return ()
     asking = _Asking(loop, owner, code)
     asked = [asking.attributes_of(test) for test in (loop.test, *(statement.test for statement in leaving))]
     known = [attributes for attributes in asked if attributes is not None]
     return tuple(sorted(set().union(*known))) if len(known) == len(asked) else ()
+
+
+def is_only_after_shutdown(loop: facts.While | facts.For) -> bool:
+    """Whether a loop goes on only while ROS is shut down, as ``while not rclpy.ok()`` does: while nodes work, it is
+    not entered."""
+    return any(isinstance(test.negated, facts.Call) and called_name(test.negated) == "ok" for test in loop.tests)
 
 
 def _leaves(body: Sequence[facts.Stmt]) -> bool:
@@ -172,4 +178,4 @@ def _is_publisher(attribute: str, code: facts.Facts) -> bool:
     )
 
 
-__all__ = ["awaited_attributes"]
+__all__ = ["awaited_attributes", "is_only_after_shutdown"]

@@ -10,8 +10,10 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
+from archlint.analysis.loop_tests import is_only_after_shutdown
 from archlint.analysis.piling_rates import RATE_SLEEP
 from archlint.analysis.reach import argument, calls_of, node_name
+from archlint.analysis.source_code import source_code
 from archlint.analysis.spins import is_spin_call
 from archlint.checks.limitless_calls import is_unanswerable_at_start
 from archlint.checks.registry import finding
@@ -49,8 +51,12 @@ def asleep(system: System) -> frozenset[int]:
 def _endless(system: System) -> list[tuple[ApiCall, Sequence[ApiCall]]]:
     """Each such sleep, and the spins in its loop that miss the rate's timer."""
     endless: list[tuple[ApiCall, Sequence[ApiCall]]] = []
+    code = source_code(system)
     for program, call in calls_of(system, (RATE_SLEEP,)):
         if call.creation is None or not call.enclosing_loops or not _is_alone(program, call):
+            continue
+        loops = (code.loop_at(place) for place in call.enclosing_loops)
+        if any(loop is not None and is_only_after_shutdown(loop) for loop in loops):
             continue
         spins = [other for other in program.calls if is_spin_call(other) and _in_one_loop(other, call)]
         if all(_misses_the_timer(spin, call) for spin in spins):
