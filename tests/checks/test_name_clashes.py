@@ -297,6 +297,49 @@ def test_a_helper_that_the_command_line_does_not_reach_keeps_its_name(findings):
     assert len(findings("NME004", node(name="it"), **{"robot/talker.py": reached})) == 1
 
 
+BRIDGE = """\
+import rclpy
+from rclpy.context import Context
+from rclpy.executors import SingleThreadedExecutor
+from rclpy.node import Node
+from std_msgs.msg import String
+
+class Side(Node):
+    def __init__(self, name, context):
+        super().__init__(name, context=context)
+        self.create_publisher(String, '/both', 10)
+
+def main(args=None):
+    near, far = Context(), Context()
+    rclpy.init(context=near, args=args)
+    rclpy.init({init})
+    first = Side('first', near)
+    second = {second}
+    executor = SingleThreadedExecutor(context=near)
+    executor.add_node(first)
+    executor.spin()
+"""
+
+
+@pytest.mark.parametrize(
+    ("init", "second", "renamed"),
+    [
+        ("context=far, args=[]", "Side('second', far)", False),
+        ("context=far, args=[]", "Node('second', context=far)", False),
+        ("args=[]", "Node('second')", False),
+        ("args=[]", "Node('second', context=None)", False),
+        ("context=far, args=args", "Side('second', far)", True),
+        ("context=far", "Side('second', far)", True),
+        ("context=far, args=[]", "Side('second', near)", True),
+        ("context=far, args=[]", "Side('second', contexts['far'])", True),
+    ],
+)
+def test_a_context_that_the_command_line_does_not_reach(findings, init: str, second: str, renamed: bool):
+    """A bridge between two DDS domains has two contexts: ``name=`` renames the nodes of those with its arguments."""
+    code = {"robot/talker.py": BRIDGE.format(init=init, second=second)}
+    assert bool(findings("NME004", node(name="it"), **code)) is renamed
+
+
 @pytest.mark.parametrize(
     ("package", "executable", "told"),
     [("gazebo_ros", "spawn_entity.py", 0), ("ros_gz_sim", "create", 0), ("rviz2", "rviz2", 1), ("robot", "create", 1)],

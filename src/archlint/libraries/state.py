@@ -66,6 +66,8 @@ class Nodes:
     """Whether the program may have called ``rclpy.init()``."""
     too_early: list[tuple[Place, str]] = field(default_factory=list)
     """Where nodes are made before that, and of which class."""
+    without_arguments: set[int] = field(default_factory=set)
+    """The contexts, by the keys of their objects, that ``rclpy.init(args=[])`` keeps the command line from."""
     short_lived: dict[Activation, list[model.Blueprint]] = field(default_factory=dict)
     """Those that nothing but the variables of a running function hold."""
     revisited: set[int] | None = None

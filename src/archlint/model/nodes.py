@@ -271,7 +271,8 @@ class Blueprint:
     enable_rosout: bool = True
     start_parameter_services: bool = True
     use_global_arguments: bool = True
-    """False where the command line of the process (names, remappings, parameters) does not reach the node."""
+    """False where the command line of the process (names, remappings, parameters) does not reach the node: its
+    constructor or ``rclpy.init(args=[])`` for its context says so."""
     cli_arguments: tuple[str, ...] = ()
 
     @property

@@ -58,7 +58,21 @@ def initialise(run: Run, call: ApiUse) -> Value:
             refusals.keep(run, place, "rclpy.init", early)
     run.nodes.too_early.clear()
     run.nodes.initialised = True
+    arguments, context = call.get("args"), _context_of(call)
+    if isinstance(arguments, ListValue) and context is not None and not run.branch_arms:
+        items = arguments.items(run)
+        if not items.open and not items.values:
+            run.nodes.without_arguments.add(context)
     return Known(None)
+
+
+_DEFAULT_CONTEXT = -1
+
+
+def _context_of(call: ApiUse) -> int | None:
+    """The object that is the context of a call, by its key; None where that is not known."""
+    context = call.get("context")
+    return _DEFAULT_CONTEXT if context in (None, Known(None)) else context.heap_key
 
 
 def _note_too_early(run: Run, place: Place | None, name: str) -> None:
@@ -125,7 +139,10 @@ def _set_names(run: Run, blueprint: model.Blueprint, call: ApiUse) -> None:
     of_overrides = _option(run, call, "automatically_declare_parameters_from_overrides")
     blueprint.automatically_declare_parameters = of_overrides == TRUE
     blueprint.enable_rosout = _option(run, call, "enable_rosout") != Known(False)
-    blueprint.use_global_arguments = _option(run, call, "use_global_arguments") != Known(False)
+    blueprint.use_global_arguments = (
+        _option(run, call, "use_global_arguments") != Known(False)
+        and _context_of(call) not in run.nodes.without_arguments
+    )
     blueprint.start_parameter_services = _option(run, call, "start_parameter_services") != Known(False)
     _note_overrides(run, call)
     arguments = _option(run, call, "cli_args")
