@@ -6,7 +6,7 @@ import pytest
 
 from archlint.config.settings import load
 from archlint.engine.pipeline import Request, check
-from robot_package import CMAKE, CMAKE_TESTS, MANIFEST, SETUP, TALKER, manifest, node, write_files
+from robot_package import CMAKE, CMAKE_TESTS, MANIFEST, SETUP, TALKER, manifest, node, write_files, write_robot
 
 
 @pytest.mark.parametrize(
@@ -537,6 +537,27 @@ def test_a_file_of_another_package_beside_this_one(tmp_path, monkeypatch, path, 
     write_files(tmp_path, {"arm/launch/arm.launch.xml": "<launch/>", "archlint.toml": 'select = ["LCH004"]'})
     (told,) = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
     assert told.help.startswith(help)
+
+
+@pytest.mark.parametrize(
+    ("path", "told"),
+    [
+        ("$(find-pkg-share robot)/../../../../src/robot/rates/it.yaml", 0),  # install/robot/share/robot, from there up
+        ("$(dirname)/../../../../../src/robot/rates/it.yaml", 0),
+        (
+            "$(find-pkg-share robot)/../../../../src/repository/robot/rates/it.yaml",
+            0,
+        ),  # this one, cloned into a folder?
+        ("$(find-pkg-share robot)/rates/it.yaml", 1),  # nothing installs it
+        ("$(find-pkg-share robot)/../../../src/robot/rates/it.yaml", 1),  # install/src is no folder
+        ("$(find-pkg-share robot)/../../../../src/robot/rates/other.yaml", 0),
+    ],
+)
+def test_a_path_up_to_the_workspace_of_an_isolated_install(tmp_path, monkeypatch, path, told):
+    monkeypatch.chdir(tmp_path)
+    write_robot(tmp_path / "src/robot", node(f'<param from="{path}"/>'), **{"rates/it.yaml": "talker: {}"})
+    write_files(tmp_path, {"archlint.toml": 'select = ["LCH004"]'})
+    assert len(check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings) == told
 
 
 CHOSEN = """\

@@ -19,6 +19,9 @@ if TYPE_CHECKING:
 
 _SHARE = re.compile(r"^\$\(find-pkg-share ([\w.-]+)\)(.*)$", re.DOTALL)
 _SHARE_IN_PREFIX = re.compile(r"^\$\(find-pkg-prefix ([\w.-]+)\)/share/\1(?=/|$)")
+_TO_WORKSPACE = "../../"
+"""The way from the prefix of a package to the workspace.  Source: colcon-core installs each package to ``install/NAME``
+unless it is told ``--merge-install``."""
 
 
 class LaunchPaths:
@@ -70,6 +73,9 @@ class LaunchPaths:
         installs = self._installs.get(package)
         if installs is None:
             return None, FileStatus.EXTERNAL
+        below_prefix = posixpath.normpath(f"share/{package}/{rest}")
+        if below_prefix.startswith(_TO_WORKSPACE):
+            return self._in_workspace(below_prefix.removeprefix(_TO_WORKSPACE), installs)
         for source in installs.source_of(f"share/{package}/{rest}"):
             if self._tree.is_file(source) or self._tree.is_folder(source):
                 return source, FileStatus.INSTALLED
@@ -80,6 +86,17 @@ class LaunchPaths:
                 FileStatus.INSTALLED if installs.open_files or not installs.build_files else FileStatus.NOT_INSTALLED,
             )
         return None, FileStatus.UNKNOWN if installs.open_files or not installs.build_files else FileStatus.MISSING
+
+    def _in_workspace(self, path: str, installs: Installs) -> tuple[str | None, FileStatus]:
+        """A path from the workspace on.  Only a file that is there can tell which of the folders above the package that
+        is: it may lie outside of the repository."""
+        folder = installs.folder
+        while folder not in (".", "", "/"):
+            folder = posixpath.dirname(folder)
+            source = posixpath.normpath(posixpath.join(folder, path))
+            if self._tree.is_file(source):
+                return source, FileStatus.INSTALLED
+        return None, FileStatus.UNKNOWN
 
     def _beside(self, source: str, package: str | None, launch_file: str) -> tuple[str | None, FileStatus]:
         """A path that starts at the launch file itself."""
@@ -92,7 +109,9 @@ class LaunchPaths:
         # The launch file runs from where it is installed: the same way from there.
         relative = posixpath.relpath(source, posixpath.dirname(launch_file) or ".")
         for place in (*installs.places_of(launch_file), self._beside_manifest(launch_file, installs)):
-            path, status = self._in_share(posixpath.normpath(posixpath.join(posixpath.dirname(place), relative)))
+            path, status = self._from_prefix(
+                posixpath.normpath(posixpath.join(posixpath.dirname(place), relative)), installs
+            )
             if path is not None:
                 return path, status
         return None, FileStatus.UNKNOWN if installs.open_files else FileStatus.MISSING
@@ -103,8 +122,10 @@ class LaunchPaths:
         own = path if installs.folder == "." else path[len(installs.folder) + 1 :]
         return f"share/{installs.package}/{own}"
 
-    def _in_share(self, path: str) -> tuple[str | None, FileStatus]:
-        """What is installed at a path below the prefix."""
+    def _from_prefix(self, path: str, installs: Installs) -> tuple[str | None, FileStatus]:
+        """What is at a path from the prefix of a package on."""
+        if path.startswith(_TO_WORKSPACE):
+            return self._in_workspace(path.removeprefix(_TO_WORKSPACE), installs)
         share, _, below = path.partition("/")
         package, _, rest = below.partition("/")
         return self._in_package(package, rest or ".") if share == "share" and package else (None, FileStatus.MISSING)
