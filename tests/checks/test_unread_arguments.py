@@ -85,3 +85,36 @@ def test_the_launch_file_that_includes_this_one_may_read_it(findings):
     )
     declares = '<arg name="speed" default="a"/><node pkg="robot" exec="talker"/>'
     assert findings("LCH011", declares, **{"launch/outer.launch.xml": outer}) == []
+
+
+OF_MOVEIT = """\
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument
+from moveit_configs_utils import MoveItConfigsBuilder
+from moveit_configs_utils.launches import generate_move_group_launch
+{top}
+
+def generate_launch_description():
+    configs = MoveItConfigsBuilder('arm', package_name='robot').to_moveit_configs()
+    return LaunchDescription([generate_move_group_launch(configs){more}])
+"""
+HELPER = """\
+from launch.actions import DeclareLaunchArgument
+
+def colour():
+    return DeclareLaunchArgument('colour', default_value='red')
+"""
+
+
+@pytest.mark.parametrize(
+    ("top", "more", "names"),
+    [
+        ("", "", []),  # MoveIt declares what it does not read
+        ("", ", DeclareLaunchArgument('speed', default_value='1.0')", ["speed"]),
+        ("from robot.helper import colour", ", colour()", ["colour"]),
+    ],
+)
+def test_what_a_library_declares_is_not_for_the_launch_file_to_read(findings, top, more, names):
+    files = {"launch/it.launch.py": OF_MOVEIT.format(top=top, more=more), "robot/helper.py": HELPER}
+    files |= {"config/arm.urdf.xacro": "<robot/>", "config/arm.srdf": "<robot name='arm'/>"}
+    assert [told.message.split("'")[1] for told in findings("LCH011", **files)] == names

@@ -47,8 +47,15 @@ def unread_arguments(system: System) -> Iterator[DeclaredArgument]:
     for argument in launched.declared:
         if argument.file != launched.file or argument.name in launched.read or argument.name in others:
             continue
+        if _is_of_library(launched, argument):
+            continue
         if not any(_may_read(workspace, file, argument.name) for file in launched.sources):
             yield argument
+
+
+def _is_of_library(launched: Launched, argument: DeclaredArgument) -> bool:
+    """Whether a function from outside of the workspace declares an argument: no code of the workspace made it."""
+    return argument.file.endswith(".py") and (argument.file, argument.name) not in launched.written
 
 
 @once
