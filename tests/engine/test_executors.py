@@ -83,12 +83,24 @@ def workspace(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path / "workspace"
 
 
+_POOLS: list[ThreadPoolExecutor] = []
+
+
+@pytest.fixture(autouse=True)
+def no_thread_stays() -> Iterator[None]:
+    """While another thread runs, nothing in this process forks."""
+    yield
+    while _POOLS:
+        _POOLS.pop().shutdown()
+
+
 class Threads:
     """An executor that notes what it was given.  Each task starts a process, as it does on a worker."""
 
-    def __init__(self) -> None:
-        self.threads = ThreadPoolExecutor(2)
+    def __init__(self, count: int = 2) -> None:
+        self.threads = ThreadPoolExecutor(count)
         self.jobs: list[str] = []
+        _POOLS.append(self.threads)
 
     def submit(self, function: Callable[..., bytes], /, *arguments: object) -> Future[bytes]:
         self.jobs.append(msgspec.msgpack.decode(arguments[1])["job"].rpartition(".")[2])  # type: ignore[arg-type]
@@ -99,8 +111,7 @@ class OneThread(Threads):
     """The same without the processes, whose start is nearly all that a small task takes."""
 
     def __init__(self) -> None:
-        self.threads = ThreadPoolExecutor(1)
-        self.jobs = []
+        super().__init__(1)
 
     def submit(self, function: Callable[..., bytes], /, *arguments: object) -> Future[bytes]:
         assert function is run_task
@@ -401,6 +412,10 @@ class Listener(threading.Thread):
                 self.connections[-1].sendall(self.greeting)
 
     def close(self) -> None:
+        """Wakes the thread and waits for its end: while there is one, nothing in this process forks."""
+        with suppress(OSError):
+            self.socket.shutdown(socket.SHUT_RDWR)
+        self.join()
         for end in (self.socket, *self.connections):
             end.close()
 
