@@ -250,6 +250,36 @@ def test_a_name_that_a_file_of_data_holds_to(folder: Path, file: str, text: str,
     assert bool(check(asked).findings) == told
 
 
+DISPLAY = """\
+Visualization Manager:
+  Displays:
+    - Class: rviz_default_plugins/Pose
+      Topic: {Depth: 5, Value: %s}
+"""
+INSTALLED = "setup(data_files=[('share/robot/rviz', ['rviz/arm.rviz'])], "
+
+
+@pytest.mark.parametrize(
+    ("file", "name", "setup", "told"),
+    [
+        ("rviz/arm.rviz", "/arm/state", INSTALLED, False),
+        ("rviz/arm.rviz", "/arm/states", INSTALLED, True),
+        ("rviz/arm.rviz", "arm/state", INSTALLED, True),
+        ("rviz/mine.rviz", "/arm/state", INSTALLED, True),
+        ("rviz/arm.rviz", "/arm/state", "setup(", True),
+    ],
+)
+def test_a_name_that_an_installed_display_shows(folder: Path, file: str, name: str, setup: str, told: bool):
+    """RViz knows of no namespace: where the code drops the '/', it shows nothing."""
+    asked = request(folder, arm=node("Arm", "/arm/state"))
+    (folder / "rviz").mkdir()
+    (folder / file).write_text(DISPLAY % name)
+    build = folder / "setup.py"
+    build.write_text(build.read_text().replace("setup(", setup, 1))
+
+    assert bool(check(asked).findings) == told
+
+
 @pytest.mark.parametrize(
     ("installs", "told"),
     [("DIRECTORY launch", False), ("PROGRAMS scripts/arm.py", True)],
