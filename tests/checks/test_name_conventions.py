@@ -232,6 +232,32 @@ def test_a_node_in_a_namespace_that_needs_somebody_outside(folder: Path, other: 
     assert places(check(request(folder, launch, **nodes)).findings) == told
 
 
+DETECTOR = NODE.format(
+    class_name="Detector",
+    node="detector",
+    publishers="        self.create_subscription(String, '/camera/image', print, 10)",
+)
+
+
+@pytest.mark.parametrize(
+    ("more", "other", "is_told"),
+    [
+        ("", "/words", False),
+        ('<node pkg="camera" exec="driver" name="driver"/>', "/words", False),
+        ('<node pkg="camera" exec="driver" name="driver" namespace="tags"/>', "/words", True),
+        ('<node pkg="camera" exec="driver" namespace="tags/camera"/>', "/words", True),
+        ('<node pkg="robot" exec="node0" namespace="tags"/>', "/words", True),
+        ("", "camera/image", True),
+    ],
+)
+def test_what_a_node_in_a_namespace_of_its_own_takes_in(folder: Path, more: str, other: str, is_told: bool):
+    """The simulator that publishes the images is not in ``tags``, nor can code of this workspace be moved there."""
+    launch = f'<node pkg="robot" exec="detector" namespace="tags"/>{more}'
+    nodes = {"detector": DETECTOR, "base": node("Base", other)} | many(*ALL_ABSOLUTE)
+
+    assert (("robot/detector.py", 9) in places(check(request(folder, launch, **nodes)).findings)) is is_told
+
+
 @pytest.mark.parametrize(
     ("file", "text", "told"),
     [

@@ -25,7 +25,7 @@ from archlint.systems.nodes import key_of
 if TYPE_CHECKING:
     from archlint.model import Blueprint
     from archlint.systems.model import System, WorkspaceIndex
-    from archlint.systems.nodes import Endpoint
+    from archlint.systems.nodes import Endpoint, Node
 
 Home = tuple[str, str]
 """The file and the class that a name is fixed in; the class is empty where there is none."""
@@ -141,12 +141,53 @@ def _namespaces(workspace: WorkspaceIndex | None, blueprint: Blueprint | None) -
 
 def is_needed_outside(workspace: WorkspaceIndex | None, endpoint: Endpoint) -> bool:
     """Whether launch files start a node in namespaces only, and a node that is in none of these has its absolute name,
-    too: without the '/', the two would no longer meet."""
+    too, or must have it: without the '/', the two would no longer meet."""
     given = _namespaces(workspace, endpoint.node.blueprint)
     if workspace is None or "" in given:
         return False
     users = _namespaces_of_users(workspace).get(endpoint.written or "", frozenset())
-    return not users <= given
+    return not users <= given or _is_provided_outside(workspace, endpoint, given)
+
+
+def _is_provided_outside(workspace: WorkspaceIndex, endpoint: Endpoint, given: frozenset[str]) -> bool:
+    """Whether a node that is alone in its namespaces takes in what no code of the workspace provides: a driver or a
+    simulator does, elsewhere."""
+    if endpoint.kind in _PROVIDES or (endpoint.written or "").lstrip("/") in _provided_by_code(workspace):
+        return False
+    around = {
+        started
+        for namespace, started in _started_in(workspace)
+        if any(f"{namespace}/".startswith(f"{own}/") for own in given)
+    }
+    blueprint = endpoint.node.blueprint
+    return blueprint is not None and around == {key_of(blueprint)}
+
+
+@once
+def _provided_by_code(workspace: WorkspaceIndex) -> frozenset[str]:
+    """The names that code publishes or serves under, without their '/'."""
+    code = (system for system in workspace.systems if system.name is None)
+    ends = (end for system in code for end in system.endpoints if end.kind in _PROVIDES)
+    return frozenset((end.written or "").lstrip("/") for end in ends)
+
+
+@once
+def _started_in(workspace: WorkspaceIndex) -> frozenset[tuple[str, object]]:
+    """The namespaces in which launch files start nodes, each with a node: by :func:`key_of`, or its start where its
+    source is not here."""
+    return frozenset(
+        (_namespace_of(node), id(node.started) if node.blueprint is None else key_of(node.blueprint))
+        for system in workspace.systems
+        if system.launched is not None
+        for node in system.nodes
+    )
+
+
+def _namespace_of(node: Node) -> str:
+    """The namespace in which a launch file starts a node, the root where it is not known."""
+    given = None if node.started is None else node.started.namespace
+    known = (node.name or "").rpartition("/")[0] if given is None or node.name is not None else given.text
+    return f"/{known.strip('/')}" if known and known != "/" else ""
 
 
 @once
