@@ -124,3 +124,30 @@ def test_a_method_that_a_derived_class_replaces(judge: Judge) -> None:
 def test_calls_that_are_wrong_in_the_same_way(judge: Judge) -> None:
     findings: list[Finding] = judge("API001", _node("mix()  # here", "mix()"))
     assert findings[0].message.endswith("; another call in this file fails in the same way")
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "super.__init__('stopper')  # here",
+        "super.__init__(self, 'stopper')  # here",
+        "super().__init__('stopper')",
+        "super(Stopper, self).__init__('stopper')",
+        "super.__init__(super(Stopper, self), 'stopper')",
+        "print(super.__init__)",
+        "try:\n            super.__init__('stopper')\n        except TypeError:\n            pass",
+    ],
+)
+def test_super_without_its_parentheses(judge: Judge, line: str) -> None:
+    stopper = f"""
+
+class Stopper(Node):
+    def __init__(self):
+        {line}
+
+
+rclpy.init()
+Stopper()
+"""
+    for finding in judge("API001", _node("pass") + stopper):
+        assert finding.message == "super.__init__() fails: super lacks its parentheses"

@@ -59,8 +59,12 @@ def test_a_node_that_is_used_before_it_is_initialised(judge: Judge, source: str)
         robot("if rclpy.ok():", "    super().__init__('robot')", "self.set_up()"),
         robot("prepare(self)", "self.set_up()", bases="prepare.Base"),
         robot("rclpy.init()"),
+        robot("super.__init__('robot')", "self.set_up()"),  # a TypeError right there: API001
     ],
-    ids=["first", "by its class", "attributes before", "a mixin behind", "undecided", "foreign base", "no use"],
+    ids=[
+        *("first", "by its class", "attributes before", "a mixin behind", "undecided", "foreign base", "no use"),
+        "super without parentheses",
+    ],
 )
 def test_a_node_that_is_initialised_first(judge: Judge, source: str):
     judge("API003", source)

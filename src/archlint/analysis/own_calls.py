@@ -27,6 +27,7 @@ from archlint.analysis.tried_code import tried_for
 from archlint.model import Misuse
 from archlint.place import Place
 from archlint.syntax import facts
+from archlint.syntax.bare_super import bare_super_calls
 from archlint.syntax.bindings import bound_by
 from archlint.syntax.parts import Itself, everything_in, once_for
 from archlint.syntax.walk import statements_of
@@ -116,6 +117,14 @@ def _needed(params: Sequence[facts.Param]) -> Iterator[str]:
             yield param.name
 
 
+def calls_of_bare_super(workspace: WorkspaceIndex) -> Iterator[Place]:
+    """Every ``super.__init__(…)`` in the files that were asked for, but for test code."""
+    for file, _ in workspace.code.asked_for():
+        if file.kind == "python" and not workspace.roles.is_test(file.relative):
+            for span in _bare_super_calls(workspace, file.relative) or ():
+                yield Place(file.relative, *span)
+
+
 # ----------------------------------------------------------------------------------------------- which calls there are
 
 
@@ -132,6 +141,15 @@ def _calls(code: facts.Facts) -> list[tuple[facts.Call, facts.Class | None]]:
         if Itself[facts.Base](call) not in forgiven and (cls is not None or call.func.variable):
             rows.append((call, cls))
     return rows
+
+
+@once_for_each_file
+def _bare_super_calls(code: facts.Facts) -> list[facts.Span]:
+    if "super" in bindings_of(code) or not MAKES_NAMES.isdisjoint(code.names):
+        return []
+    forgiven = tried_for(code.body, {"TypeError"})
+    calls = (call for cls in classes_of(code) for call in bare_super_calls(cls))
+    return [*dict.fromkeys(call.span for call in calls if Itself[facts.Base](call) not in forgiven)]
 
 
 def _on_self(cls: facts.Class) -> Iterator[facts.Call]:
@@ -272,6 +290,7 @@ __all__ = [
     "RefusedOwnCall",
     "assigned_attributes",
     "bindings_of",
+    "calls_of_bare_super",
     "class_meant_by",
     "misfit",
     "refused_own_calls",

@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from archlint.analysis.own_calls import RefusedOwnCall, refused_own_calls
+from archlint.analysis.own_calls import RefusedOwnCall, calls_of_bare_super, refused_own_calls
 from archlint.checks.argument_words import what_does_not_fit
 from archlint.checks.registry import finding
 from archlint.checks.uncalled import mild_if_uncalled
 from archlint.finding import Finding, Related
 
 if TYPE_CHECKING:
+    from archlint.finding import Place
     from archlint.systems.model import System
 
 
@@ -20,6 +21,8 @@ def own_call_findings(system: System) -> Iterator[Finding]:
     if system.workspace is not None:
         for call in refused_own_calls(system.workspace):
             yield mild_if_uncalled(system, _finding(call))
+        for place in calls_of_bare_super(system.workspace):
+            yield mild_if_uncalled(system, _of_bare_super(place))
 
 
 def _finding(call: RefusedOwnCall) -> Finding:
@@ -35,6 +38,17 @@ def _finding(call: RefusedOwnCall) -> Finding:
         related=[Related(call.defined, f"{name}() is defined here")],
         identity=(call.name, str(wrong.misuse), *wrong.parameters),
         group=(call.place.file, call.name, str(call.defined), str(wrong.misuse), *wrong.parameters),
+    )
+
+
+def _of_bare_super(place: Place) -> Finding:
+    return finding(
+        "API001",
+        place,
+        "super.__init__() fails: super lacks its parentheses",
+        help="write super().__init__(…)",
+        identity=("super.__init__",),
+        group=(place.file, "super.__init__"),
     )
 
 

@@ -15,6 +15,7 @@ from archlint.libraries.kinds_of_arguments import Kind, described, is_other, kin
 from archlint.libraries.rclpy import names, node_classes, refusals
 from archlint.libraries.values import EntityValue
 from archlint.syntax import facts
+from archlint.syntax.bare_super import bare_super_calls
 
 if TYPE_CHECKING:
     from archlint.finding import Place
@@ -88,6 +89,8 @@ def _early(run: Run, api: Api, receiver: Value | None, place: Place) -> model.Re
     if not node_classes.is_node(cls):
         return None  # it may be mixed into a node, whose constructor has run by then
     node = run.nodes.by_object.get(receiver.key)
+    if any(bare_super_calls(base.ir) for base in cls.classes):
+        return None  # Python does not get further than that call
     making = [activation for activation in run.activations if activation.self_value is receiver]
     if (node is not None and node.constructed) or not any(a.qualified.endswith(".__init__") for a in making):
         return None
