@@ -1260,11 +1260,19 @@ def test_what_a_test_of_the_type_rules_out_is_not_called(run: Run, test: str, ex
         ("try:\n        send()\n    except OSError:\n        self.close()\n        raise", []),
         ("try:\n        send()\n    except OSError:\n        self.close()\n        rclpy.shutdown()", []),
         ("try:\n        send()\n    finally:\n        self.close()\n        self.destroy_node()", []),
-        ("try:\n        send()\n    except OSError:\n        self.close()", ["EXE003"]),
+        ("try:\n        send()\n    except OSError:\n        self.close()", []),
+        ("try:\n        send()\n    except OSError:\n        self.close()\n        if read():\n            raise", []),
         (
-            "try:\n        send()\n    except OSError:\n        self.close()\n        if read():\n            raise",
+            "for _ in range(9):\n        try:\n            send()\n        except OSError:\n            self.close()",
             ["EXE003"],
         ),
+        (
+            "while not self.sent:\n        try:\n            self.sent = send()\n        except OSError:\n"
+            "            self.close()",
+            ["EXE003"],
+        ),
+        ("try:\n        send()\n    except OSError:\n        while read():\n            self.close()", ["EXE003"]),
+        ("try:\n        send()\n        self.close()\n    except OSError:\n        pass", ["EXE003"]),
         ("try:\n        send()\n    finally:\n        self.close()", ["EXE003"]),
         (
             "try:\n        send()\n    except OSError:\n        self.close()\n        raise\n    self.close()",
@@ -1272,7 +1280,7 @@ def test_what_a_test_of_the_type_rules_out_is_not_called(run: Run, test: str, ex
         ),
     ],
 )
-def test_who_fails_may_take_time_to_clean_up(run: Run, body: str, expected: list[str]):
+def test_who_fails_may_take_time_to_recover(run: Run, body: str, expected: list[str]):
     close = "\ndef close(self):\n    subprocess.run(['stop'])\n"
     assert codes(run(source(TIMER, timer(body) + close))) == expected
 

@@ -69,7 +69,7 @@ def slow_callback(system: System, options: Options) -> Iterator[Finding]:
         if stay.kind == "discovery" and id(call.context) in spinning:
             continue  # EXE001 says what is wrong: with more threads such a spin takes the node away from its executor
         if call.cleaning:
-            continue  # something has failed, and the callback ends with it
+            continue  # something has failed, and this is the way out of it
         if stay.kind == "sleep" and ends_its_timer_after(system, call):
             continue  # the timer sleeps once
         if stay.kind == "lock" or _answers_in_time(call, stay):

@@ -47,7 +47,7 @@ class ApiCall:
     limits: tuple[float | None, ...] = ()
     """For each of ``loops`` the seconds after which it ends, where it watches the clock for a known time."""
     cleaning: bool = False
-    """Whether it is reached only where something has failed, and the callback ends with it."""
+    """Whether it is reached only where something has failed: no loop tries again, or the callback ends with it."""
     call_chains: list[tuple[tuple[Frame, ...], tuple[Place, ...], tuple[Creation, ...]]] = field(default_factory=list)
     """Other chains (the loops on them, the endpoints it is for) from the same context, through the same arms."""
     frames: list[FramePair] = field(default_factory=list)

@@ -94,11 +94,16 @@ def _proven(body: Itself[Sequence[facts.Stmt]], wanted: Itself[facts.Stmt]) -> t
 
 
 def is_cleaning_up(run: Run) -> bool:
-    """Whether what runs now is there because something failed, and the callback ends with it: on the way to it is an
-    ``except`` that always raises, or that (or ``finally``) shuts the node down; or every way on raises, and no ``try``
-    is around."""
+    """Whether what runs now is there because something failed, and runs once: on the way to it is an ``except``, and no
+    loop that tries again; or an ``except`` that always raises, or that (or ``finally``) shuts the node down; or every
+    way on raises, and no ``try`` is around."""
     caught = any(activation.tries for activation in run.activations)
-    return any(
+    recovers = any(
+        id(activation.statement) in _in_handlers(Itself(activation.body))
+        for activation in run.activations
+        if activation.statement is not None
+    )
+    return (recovers and not run.enclosing_loops()) or any(
         _cleans_up(Itself(activation.body), Itself(activation.statement))
         or (not caught and _raises_next(Itself(activation.body), Itself(activation.statement)))
         for activation in run.activations
@@ -118,6 +123,16 @@ def _in_clean_up(body: Itself[Sequence[facts.Stmt]]) -> frozenset[int]:
         for block, handles in ((statement.final, False), *((handler.body, True) for handler in statement.handlers))
         if (handles and always_raises(block)) or any(called_name(call) in _ENDS for call in calls_in(block))
         for inner in statements_of(block)
+    )
+
+
+@lru_cache(maxsize=1024)
+def _in_handlers(body: Itself[Sequence[facts.Stmt]]) -> frozenset[int]:
+    return frozenset(
+        id(inner)
+        for statement in statements_of(body.fact, facts.Try)
+        for handler in statement.handlers
+        for inner in statements_of(handler.body)
     )
 
 
