@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from archlint.suggestions import did_you_mean, distance, nearest
+from archlint import suggestions
+from archlint.suggestions import did_you_mean, distance, limited_suggestions, nearest
 
 
 @pytest.mark.parametrize(
@@ -63,3 +64,23 @@ def test_a_word_that_is_misspelt_in_a_name(word: str, meant: str):
 )
 def test_two_names_of_which_neither_is_misspelt(word: str, other: str):
     assert nearest(word, [other]) is None
+
+
+def test_long_names_reach_the_limit_sooner(monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setattr(suggestions, "MOST_COMPARED", 50)
+
+    def hints(name: str) -> int:
+        """How often a slip in a name is answered with the name."""
+        with limited_suggestions():
+            return sum(nearest(name[1:], [name]) == name for _ in range(100))
+
+    assert (hints("talker"), hints("talk" * 16)) == (50, 3)
+
+
+def test_a_word_is_not_held_against_more_names_than_the_limit(monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setattr(suggestions, "MOST_COMPARED", 50)
+    known = ["talker", *(f"tal{number}" for number in range(10, 99))]
+    assert nearest("taker", known) == "talker"
+    with limited_suggestions():
+        assert nearest("taker", known[:10]) == "talker"
+        assert nearest("taker", known) is None

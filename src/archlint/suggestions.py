@@ -10,9 +10,11 @@ from dataclasses import dataclass
 from functools import lru_cache
 from itertools import takewhile
 
-MOST_COMPARED = 200_000
+MOST_COMPARED = 100_000
 """Pairs of names that one rule holds against each other to say what was meant: a file may have thousands of names that
-are not known, and as many that are."""
+are not known, and as many that are.  A pair of long names counts for several, by what it takes."""
+_PAIR = 256
+"""So many pairs of letters are a pair of names: two of 16 letters."""
 
 
 @dataclass
@@ -25,7 +27,8 @@ _COMPARISONS: ContextVar[_Comparisons | None] = ContextVar("comparisons", defaul
 
 @contextmanager
 def limited_suggestions() -> Iterator[None]:
-    """Inside, no more than so many names are compared; behind the limit none is near."""
+    """Inside, no more than so many names are compared; behind the limit none is near.  What would go beyond it is not
+    begun: one word may be held against all names of a workspace."""
     token = _COMPARISONS.set(_Comparisons(MOST_COMPARED))
     try:
         yield
@@ -95,7 +98,9 @@ def nearest(word: str, known: Iterable[str]) -> str | None:
     limit = max(1, len(word) // 3)
     candidates = sorted({candidate for candidate in known if abs(len(candidate) - len(word)) <= limit})
     if comparisons is not None:
-        comparisons.left -= len(candidates)
+        comparisons.left -= sum(1 + len(word) * len(candidate) // _PAIR for candidate in candidates)
+        if comparisons.left < 0:
+            return None
     best: tuple[int, str] | None = None
     for candidate in candidates:
         edits = distance(word.lower(), candidate.lower(), limit)
