@@ -71,3 +71,32 @@ def test_a_module_without_a_program(findings: Callable[..., list[Finding]]) -> N
     assert (
         findings("API003", **{"setup.py": "from setuptools import setup\nsetup()\n", "robot/talker.py": talker}) == []
     )
+
+
+TRY_OUT = "\n\nif __name__ == '__main__':\n    main()\n"
+STARTS_IT = """
+import rclpy
+from robot import talker
+
+
+def main():
+    rclpy.init()
+    talker.main()
+"""
+
+
+@pytest.mark.parametrize(
+    ("program", "importer", "number"),
+    [
+        ("start", "robot/start.py", 0),  # start.py initialises rclpy and then calls talker.main()
+        ("talker", "robot/start.py", 1),  # ros2 run starts talker.py itself
+        ("other", "test/test_talker.py", 1),  # who starts it by hand is all there is
+    ],
+)
+def test_a_module_whose_importer_initialises(
+    said: Callable[..., list[Finding]], program: str, importer: str, number: int
+) -> None:
+    talker = TALKER.format(made="rclpy.spin(Talker())", imported="") + TRY_OUT
+    setup = SETUP.replace("robot.talker:main", f"robot.{program}:main")
+    files = {"setup.py": setup, "robot/talker.py": talker, importer: STARTS_IT, "robot/other.py": "def main(): ...\n"}
+    assert [row.place.file for row in said("", **files)] == ["robot/talker.py"] * number

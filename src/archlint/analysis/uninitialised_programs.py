@@ -6,6 +6,7 @@ called it.
 
 from __future__ import annotations
 
+import posixpath
 import sys
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -45,7 +46,13 @@ def uninitialised_programs(system: System) -> Iterator[Uninitialised]:
         return
     for program in system.programs:
         nodes = [node for node in program.nodes if _is_made(node)]
-        if nodes and program.executable and not program.exhausted and not _may_initialise(workspace, program.file):
+        followed = program.executable and not program.exhausted
+        if (
+            nodes
+            and followed
+            and not _may_initialise(workspace, program.file)
+            and not _is_called(workspace, program.file)
+        ):
             first = min(nodes, key=lambda node: node.number)
             yield Uninitialised(first.made_at or first.place, first.class_name if first.classes else "create_node")
 
@@ -62,6 +69,21 @@ def _may_initialise(workspace: WorkspaceIndex, file: str) -> bool:
     if not file.endswith(".py") or not paths:
         return True
     return any(_calls_init_or_others(workspace, path, workspace.code.top_modules) for path in sorted(paths))
+
+
+def _is_called(workspace: WorkspaceIndex, file: str) -> bool:
+    """Whether a file is there for others, which import it and may call ``rclpy.init()`` first: nothing installs it as a
+    program, so that its ``if __name__ == '__main__':`` is for trying it out."""
+    if file in workspace.code.installed_programs:
+        return False
+    importers = workspace.code.files_that_mention(_name_in_imports(file))
+    others = (other for other in importers if other != file and not workspace.roles.is_test(other))
+    return any(file in workspace.code.reached_from([other]) for other in others)
+
+
+def _name_in_imports(file: str) -> str:
+    folder, name = posixpath.split(file)
+    return posixpath.basename(folder) if name == "__init__.py" else name.removesuffix(".py")
 
 
 def _calls_init_or_others(workspace: WorkspaceIndex, path: str, own: frozenset[str]) -> bool:

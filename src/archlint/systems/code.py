@@ -159,16 +159,22 @@ class WorkspaceCode:
         asked_for = self._index.absolute_name(importer, name, level)
         return imported.path if imported.file.module == asked_for else None
 
-    def in_use(self) -> frozenset[str]:
-        """The files that installed programs and launch files are, and all that these import."""
-        starts = {file.relative for file in self._files if file.kind == "launch_python"}
+    @cached_property
+    def installed_programs(self) -> frozenset[str]:
+        """The files that installed programs start with."""
+        starts: set[str] = set()
         for executable in (each for installs in self._installs.values() for each in installs.executables.values()):
             starts.update(
                 [executable.script]
                 if executable.script
                 else self.files_named(executable.package, executable.module or "?")
             )
-        return self.reached_from(starts)
+        return frozenset(starts)
+
+    def in_use(self) -> frozenset[str]:
+        """The files that installed programs and launch files are, and all that these import."""
+        launch_files = {file.relative for file in self._files if file.kind == "launch_python"}
+        return self.reached_from(launch_files | self.installed_programs)
 
     def reached_from(self, starts: Iterable[str]) -> frozenset[str]:
         """Some files, and all that these import."""
