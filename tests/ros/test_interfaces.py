@@ -185,3 +185,17 @@ def test_types_of_fields():
         ("builtin_interfaces/msg/Time", ""),
     ]
     assert own.has("robot_interfaces/msg/All", "", "name") is True
+
+
+def test_which_field_has_a_field_is_not_asked_of_numbers(monkeypatch: pytest.MonkeyPatch):
+    """A message of many numbers, of which code misspells each: every slip asks this."""
+    asked: list[str] = []
+    real = InterfaceTable._interface_in
+    monkeypatch.setattr(
+        InterfaceTable, "_interface_in", lambda table, *names: asked.append(names[2]) or real(table, *names)
+    )
+    numbers = "".join(f"int32 speed{number}\n" for number in range(100))
+    own = table(Wheel_msg="float64 radius\n", Base_msg=f"{numbers}Wheel left\n")
+    assert own.inside("robot_interfaces/msg/Base", "", "radius") == "left"
+    assert own.inside("robot_interfaces/msg/Base", "", "width") is None
+    assert asked == ["left", "left"]

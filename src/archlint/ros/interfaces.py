@@ -272,6 +272,7 @@ class InterfaceTable:
         inner = [
             (field.name, self._interface_in(name, section_name, field.name))
             for field in (section.fields if section else ())
+            if section_name in _WRAPPERS or not field.type.is_primitive
         ]
         having = [field for field, (kind, of) in inner if kind and self.has(kind, of, attribute)]
         return having[0] if len(having) == 1 else None

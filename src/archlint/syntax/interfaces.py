@@ -22,6 +22,7 @@ from archlint.syntax.interface_values import (
     parse_primitive,
     parse_value,
 )
+from archlint.syntax.parts import once_for
 from archlint.syntax.python import gate
 
 InterfaceKind = Literal["msg", "srv", "action"]
@@ -94,7 +95,13 @@ class Section(Base, frozen=True):
 
     def field(self, name: str) -> InterfaceField | None:
         """The field of that name, or None."""
-        return next((field for field in self.fields if field.name == name), None)
+        return _by_name(self).get(name)
+
+
+@once_for
+def _by_name(section: Section) -> dict[str, InterfaceField]:
+    """The fields of a message; the first of each name."""
+    return {field.name: field for field in reversed(section.fields)}
 
 
 class Interface(Base, frozen=True):
