@@ -8,6 +8,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from archlint.disk import walk
 from archlint.engine.answers import (
     Answer,
     Names,
@@ -141,7 +142,7 @@ class _Basis:
 def _below(folder: str) -> Iterator[str]:
     """A folder and all folders in it, with what is linked there."""
     yield folder
-    for top, folders, names in os.walk(folder):
+    for top, folders, names in walk(folder):
         folders[:] = [name for name in folders if not name.startswith((".", "__pycache__"))]
         for name in (*folders, *names):
             path = os.path.join(top, name)

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterator
 from importlib.metadata import EntryPoint, entry_points
 from importlib.util import find_spec
 from pathlib import Path
 from types import ModuleType
 
+from archlint.disk import walk
 from archlint.plugins.loading import plugin_of
 from archlint.plugins.model import Plugin, PluginError
 from archlint.suggestions import did_you_mean
@@ -50,5 +50,5 @@ def _files(file: Path) -> Iterator[Path]:
     """What a change of counts as a change of the plugin: the module, or all modules of its package."""
     yield file
     if (file.parent / "__init__.py").is_file():
-        for folder, _, names in os.walk(file.parent):
+        for folder, _, names in walk(file.parent):
             yield from (Path(folder, name) for name in sorted(names) if name.endswith(".py"))
