@@ -115,6 +115,13 @@ def test_operators_of_a_file_that_fail_alike_are_one_finding(judge: Judge):
     assert finding.message.endswith("; another operator in this file does the same")
 
 
+def test_each_variable_is_worked_out_once(judge: Judge):
+    """Each doubles the one before: what is worked out anew for each use would take hours."""
+    sums = "\n        ".join(f"sum{n + 1} = sum{n} + sum{n}" for n in range(60))
+    line = f"sum0 = 1.0\n        {sums}\n        return self.get_clock().now() - sum60  # here"
+    judge("API001", NODE.format(line=line))
+
+
 def test_an_action_server_wants_a_function(judge: Judge):
     source = """
         from example_interfaces.action import Fibonacci

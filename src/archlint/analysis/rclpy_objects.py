@@ -61,7 +61,7 @@ class Objects:
             name: values for name, values in self._values.items() if stored[name] == len(values) and name not in changed
         }
         self.executes = _execute_callbacks(file_facts)
-        self._asked: set[str] = set()
+        self._kinds: dict[str, Kind | None] = {}
         self._scopes: dict[Itself[facts.Function], Variables] = {}
 
     def scope(self, function: facts.Function) -> Variables:
@@ -73,13 +73,11 @@ class Objects:
 
     def attribute(self, name: str) -> Kind | None:
         """What an attribute of that name holds, where all that the file stores in one is of that kind, or None."""
-        if name in self._asked:
-            return None
-        self._asked.add(name)
-        values = [(value, function) for value, function in self._values.get(name, []) if not _is_none(value)]
-        kinds = {self.scope(function).kind(value) for value, function in values}
-        self._asked.discard(name)
-        return kinds.pop() if len(kinds) == 1 else None
+        if name not in self._kinds:
+            self._kinds[name] = None  # while it is worked out: what leads back to itself is nothing certain
+            values = [(value, function) for value, function in self._values.get(name, []) if not _is_none(value)]
+            self._kinds[name] = _only({self.scope(function).kind(value) for value, function in values})
+        return self._kinds[name]
 
     def may_be_none(self, e: facts.Expr) -> bool:
         """Whether an expression is an attribute that the file sets to None, too, until it is there."""
@@ -113,6 +111,10 @@ def _first_argument(function: facts.Function) -> str:
     return names[0] if names and not function.decorators else ""
 
 
+def _only(kinds: set[Kind | None]) -> Kind | None:
+    return kinds.pop() if len(kinds) == 1 else None
+
+
 def _is_none(value: facts.Expr) -> bool:
     return isinstance(value, facts.Literal) and value.value is None
 
@@ -123,7 +125,7 @@ class Variables:
     def __init__(self, code: Objects, function: facts.Function) -> None:
         self._code = code
         self._values: dict[str, list[facts.Expr]] = {}
-        self._asked: set[str] = set()
+        self._kinds: dict[str, Kind | None] = {}
         self._goal = _first_argument(function) if function.name in code.executes else ""
         targets = [target.variable for target in targets_of(function.body)]
         if self._goal in targets:
@@ -161,12 +163,10 @@ class Variables:
         return None
 
     def _variable(self, name: str) -> Kind | None:
-        if name in self._asked:
-            return None
-        self._asked.add(name)
-        kinds = {self.kind(value) for value in self._values.get(name, [])}
-        self._asked.discard(name)
-        return kinds.pop() if len(kinds) == 1 else None
+        if name not in self._kinds:
+            self._kinds[name] = None  # as with attributes
+            self._kinds[name] = _only({self.kind(value) for value in self._values.get(name, [])})
+        return self._kinds[name]
 
     def _called(self, call: facts.Call) -> Kind | None:
         match call.func:
