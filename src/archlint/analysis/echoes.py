@@ -10,7 +10,7 @@ from archlint.analysis.source_code import SourceCode, source_code
 from archlint.model import EntityKind, Role
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in
-from archlint.syntax.walk import statements_of
+from archlint.syntax.walk import is_none, statements_of
 
 if TYPE_CHECKING:
     from archlint.systems.model import System
@@ -58,7 +58,7 @@ def _received(code: SourceCode, owner: Endpoint) -> frozenset[str]:
                         kept.setdefault(target.dotted or "", []).append(statement)
     file_facts = code.facts_at(owner.place.file) if kept else None
     body = [] if file_facts is None else file_facts.body
-    others = [statement for statement in everything_in(body, facts.Assign) if not _is_nothing(statement.value)]
+    others = [statement for statement in everything_in(body, facts.Assign) if not is_none(statement.value)]
     return frozenset(
         name
         for name, assignments in kept.items()
@@ -69,10 +69,6 @@ def _received(code: SourceCode, owner: Endpoint) -> frozenset[str]:
             if any(f"{target.dotted}.".startswith(f"{name}.") for target in statement.targets)
         )
     )
-
-
-def _is_nothing(value: facts.Expr) -> bool:
-    return isinstance(value, facts.Literal) and value.value is None
 
 
 __all__ = ["is_driven", "repeats"]

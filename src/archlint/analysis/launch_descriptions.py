@@ -19,6 +19,7 @@ from archlint.analysis.wrong_launch_descriptions import Wrong, WrongDescription
 from archlint.launch.files import GENERATE
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in, parts_of
+from archlint.syntax.walk import is_none
 
 if TYPE_CHECKING:
     from archlint.systems.model import System, WorkspaceIndex
@@ -169,7 +170,7 @@ class _Code:
     def _returned(self, function: facts.Function) -> Iterator[WrongDescription]:
         """What a launch file returns that is no launch description."""
         returns = [r for s in function.body if not s.is_scope for r in parts_of(s, facts.Return)]
-        values = [r.value for r in returns if r.value is not None and not _is_none(r.value)]
+        values = [r.value for r in returns if r.value is not None and not is_none(r.value)]
         raises = any(parts_of(function.body, facts.Raise)) or any(parts_of(function.body, facts.Opaque))
         if not values and not raises:
             yield WrongDescription(Wrong.NOTHING, function.name_span, "")
@@ -218,13 +219,6 @@ class _Code:
                 match assign.targets:
                     case [facts.Name(id=name, span=span)] if names[name] == 1 and not name.startswith("_"):
                         yield WrongDescription(Wrong.NOT_ADDED, span, name, self.made(assign.value))
-
-
-def _is_none(value: facts.Expr) -> bool:
-    match value:
-        case facts.Literal(value=None):
-            return True
-    return False
 
 
 def _display(value: facts.Expr) -> str:

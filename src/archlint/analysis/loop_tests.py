@@ -9,7 +9,7 @@ from archlint.analysis.annotations import imported_as, interface_of
 from archlint.analysis.own_names import assigned_values
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in
-from archlint.syntax.walk import called_name, calls_in, statements_of
+from archlint.syntax.walk import called_name, calls_in, is_none, statements_of
 
 if TYPE_CHECKING:
     from archlint.syntax.expressions import Expr
@@ -168,11 +168,7 @@ def _passes_time(call: facts.Call, owner: str, code: facts.Facts) -> bool:
 
 def _is_publisher(attribute: str, code: facts.Facts) -> bool:
     """Whether all that a file assigns to an attribute is publishers."""
-    values = [
-        value
-        for value in assigned_values(code, attribute)
-        if not (isinstance(value, facts.Literal) and value.value is None)
-    ]
+    values = [value for value in assigned_values(code, attribute) if not is_none(value)]
     return bool(values) and all(
         isinstance(value, facts.Call) and value.func.last_name in _CREATE_PUBLISHER for value in values
     )

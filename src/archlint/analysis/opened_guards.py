@@ -9,7 +9,7 @@ from archlint.place import Place
 from archlint.syntax import facts
 from archlint.syntax.control_flow import graph_of
 from archlint.syntax.parts import everything_in
-from archlint.syntax.walk import called_name, statements_of
+from archlint.syntax.walk import called_name, is_none, statements_of
 
 if TYPE_CHECKING:
     from archlint.analysis.source_code import SourceCode
@@ -58,7 +58,7 @@ def _owner(call: facts.Call) -> str:
 def _assigned(assigns: Iterable[facts.Assign]) -> Iterator[str]:
     """The attributes that are assigned something other than None."""
     for assignment in assigns:
-        if not _is_none(assignment.value):
+        if not is_none(assignment.value):
             yield from (
                 target.dotted for target in assignment.targets if isinstance(target, facts.Attribute) and target.dotted
             )
@@ -75,7 +75,7 @@ def asked_before(body: Sequence[facts.Stmt], place: Place) -> Iterator[str]:
 def _missing(test: facts.Expr) -> Iterator[str]:
     """The names that are something where a condition does not hold: ``x`` of ``x is None`` and of ``not x``."""
     match test:
-        case facts.Compare(left=left, ops=["is"] | ["=="], comparators=[other]) if _is_none(other):
+        case facts.Compare(left=left, ops=["is"] | ["=="], comparators=[other]) if is_none(other):
             yield left.dotted
         case facts.Unary(op="not", operand=operand):
             yield operand.dotted
@@ -87,17 +87,13 @@ def _missing(test: facts.Expr) -> Iterator[str]:
 def _present(test: facts.Expr) -> Iterator[str]:
     """The names that are something where a condition holds."""
     match test:
-        case facts.Compare(left=left, ops=["is not"] | ["!="], comparators=[other]) if _is_none(other):
+        case facts.Compare(left=left, ops=["is not"] | ["!="], comparators=[other]) if is_none(other):
             yield left.dotted
         case facts.Boolean(op="and", values=values):
             for value in values:
                 yield from _present(value)
         case _:
             yield test.dotted
-
-
-def _is_none(value: facts.Expr) -> bool:
-    return isinstance(value, facts.Literal) and value.value is None
 
 
 __all__ = ["asked_before", "is_behind_its_setter"]

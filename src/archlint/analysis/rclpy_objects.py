@@ -11,6 +11,7 @@ from archlint.analysis.class_chains import targets_of
 from archlint.string_enum import StringEnum
 from archlint.syntax import facts
 from archlint.syntax.parts import Itself, everything_in, once_for, parts_of
+from archlint.syntax.walk import is_none
 
 
 class Kind(StringEnum):
@@ -75,13 +76,13 @@ class Objects:
         """What an attribute of that name holds, where all that the file stores in one is of that kind, or None."""
         if name not in self._kinds:
             self._kinds[name] = None  # while it is worked out: what leads back to itself is nothing certain
-            values = [(value, function) for value, function in self._values.get(name, []) if not _is_none(value)]
+            values = [(value, function) for value, function in self._values.get(name, []) if not is_none(value)]
             self._kinds[name] = _only({self.scope(function).kind(value) for value, function in values})
         return self._kinds[name]
 
     def may_be_none(self, e: facts.Expr) -> bool:
         """Whether an expression is an attribute that the file sets to None, too, until it is there."""
-        return any(_is_none(value) for value, _ in self._values.get(e.attribute, []))
+        return any(is_none(value) for value, _ in self._values.get(e.attribute, []))
 
 
 def _execute_callbacks(file_facts: facts.Facts) -> frozenset[str]:
@@ -113,10 +114,6 @@ def _first_argument(function: facts.Function) -> str:
 
 def _only(kinds: set[Kind | None]) -> Kind | None:
     return kinds.pop() if len(kinds) == 1 else None
-
-
-def _is_none(value: facts.Expr) -> bool:
-    return isinstance(value, facts.Literal) and value.value is None
 
 
 class Variables:

@@ -36,6 +36,11 @@ def called_name(call: facts.Call) -> str:
     return call.func.last_name
 
 
+def is_none(expression: facts.Base) -> bool:
+    """Whether an expression is the literal ``None``."""
+    return isinstance(expression, facts.Literal) and expression.value is None
+
+
 def main_guard(code: facts.Facts) -> facts.If | None:
     """``if __name__ == '__main__':`` at the top level of a file."""
     for statement in code.body:
@@ -46,4 +51,4 @@ def main_guard(code: facts.Facts) -> facts.If | None:
     return None
 
 
-__all__ = ["called_name", "calls_in", "main_guard", "parts_of", "statements_of"]
+__all__ = ["called_name", "calls_in", "is_none", "main_guard", "parts_of", "statements_of"]
