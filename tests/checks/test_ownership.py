@@ -1073,6 +1073,7 @@ IMAGES = "self.create_subscription(Image, '/image', self.on, 10)"
         (IMAGES, "self.send()", True),
         (TIMER, "if self.image is None:\n                return\n            self.send()", True),
         (TIMER, "if self.image is not None:\n                self.send()", True),
+        (TIMER, "if self.image is None:\n                self.send()", False),
         (TIMER, "if self.moving:\n                self.send()\n            else:\n                self.send()", True),
         (TIMER, "if self.moving:\n                self.send()", False),
         ("self.create_subscription(String, '/word', self.on, 10)", "self.send()", False),

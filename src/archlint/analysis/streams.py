@@ -10,7 +10,8 @@ from archlint.analysis.kept import once
 from archlint.analysis.source_code import SourceCode, source_code
 from archlint.model import EntityKind, Role
 from archlint.syntax import facts
-from archlint.syntax.walk import called_name, calls_in
+from archlint.syntax.flow_facts import covers
+from archlint.syntax.walk import called_name, calls_in, is_none
 
 if TYPE_CHECKING:
     from archlint.finding import Place
@@ -87,9 +88,7 @@ def _comes_to(body: Sequence[facts.Stmt], spans: Collection[facts.Span]) -> bool
     """Whether a body comes to one of some calls, unless it has nothing to go on with and is left before: no branch
     without such a call is taken instead."""
     return any(
-        not isinstance(statement, facts.Global)
-        and bool(inside := [span for span in spans if _is_within(span, statement.span)])
-        and _leads_to(statement, inside)
+        bool(inside := [span for span in spans if covers(statement, span)]) and _leads_to(statement, inside)
         for statement in body
     )
 
@@ -107,13 +106,10 @@ def _leads_to(statement: facts.Stmt, spans: Collection[facts.Span]) -> bool:
 
 def _asks_for_data(test: facts.Expr) -> bool:
     """``self.scan is not None``."""
-    return isinstance(test, facts.Compare) and any(
-        isinstance(part, facts.Literal) and part.value is None for part in (test.left, *test.comparators)
-    )
-
-
-def _is_within(span: facts.Span, outer: facts.Span) -> bool:
-    return outer[:2] <= span[:2] and span[2:] <= outer[2:]
+    match test:
+        case facts.Compare(ops=["is not"] | ["!="], comparators=[other]):
+            return is_none(other)
+    return False
 
 
 __all__ = ["sends_again_and_again", "waits_for_nobody"]
