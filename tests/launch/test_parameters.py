@@ -110,7 +110,7 @@ def test_substitutions_in_a_parameter_file_keep_what_quotes_say(launches):
     )
     loaded = launches.of_workspace()
     [started] = loaded.run("robot/launch/it.launch.xml").started
-    assert {one.name: one.value for one in settings_of(started, None, loaded.files.parameters)} == {
+    assert {one.name: one.value for one in settings_of(started, loaded.files.parameters)} == {
         "plain": 5,
         "quoted": "5",
         "empty": "",
@@ -152,14 +152,14 @@ def test_an_empty_path_is_no_parameter_file(launches):
     )
     (started,) = launched.started
     assert started.parameters[-1].reference.written == "." and not launched.gaps
-    assert {one.name: one.value for one in settings_of(started, None, launches.of_workspace().files.parameters)} == {
+    assert {one.name: one.value for one in settings_of(started, launches.of_workspace().files.parameters)} == {
         "rate": 5
     }
 
 
 def test_a_parameter_file_elsewhere_may_set_what_stands_before_it(launches):
     launched = launches.python("[Node(package='robot', executable='talker', parameters=[{'rate': 5}, '/etc/it.yaml'])]")
-    (setting,) = settings_of(launched.started[0], None, launches.of_workspace().files.parameters)
+    (setting,) = settings_of(launched.started[0], launches.of_workspace().files.parameters)
     assert setting.value == NotKnown("'/etc/it.yaml', which is not in this workspace, may set it")
 
 
@@ -184,7 +184,7 @@ def test_a_file_with_a_variable_of_the_environment_says_so(launches):
     )
     loaded = launches.of_workspace()
     [started] = loaded.run("robot/launch/it.launch.xml").started
-    assert {one.name: one.value for one in settings_of(started, None, loaded.files.parameters)} == {
+    assert {one.name: one.value for one in settings_of(started, loaded.files.parameters)} == {
         "arm": NotKnown("the environment variable ARM"),
         "leg": NotKnown("the environment variable LEG"),
     }
@@ -210,7 +210,7 @@ def test_a_file_without_nodes_is_for_components(launches):
         )
         loaded = launches.of_workspace()
         started = loaded.run("robot/launch/it.launch.py").started
-        return [{row.name: row.value for row in settings_of(one, None, loaded.files.parameters)} for one in started]
+        return [{row.name: row.value for row in settings_of(one, loaded.files.parameters)} for one in started]
 
     assert sorted(given("plain.yaml"), key=len) == [{}, {"rate": 10, "led.number": 24}]  # the container gets nothing
     assert given("nodes.yaml") == [{"led": 1}, {"led": 1}]  # one section is enough: the rest is not read
@@ -268,7 +268,7 @@ other = side()
 def test_launch_writes_a_text_without_quotes_where_only_rcl_reads_something_else_in_it(launches, written, read):
     before = "from launch_ros.parameter_descriptions import ParameterValue"
     launched = launches.python(f"[Node(package='robot', executable='talker', parameters=[{{'a': {written}}}])]", before)
-    (setting,) = settings_of(launched.started[0], None, launches.of_workspace().files.parameters)
+    (setting,) = settings_of(launched.started[0], launches.of_workspace().files.parameters)
     assert setting.value == read and type(setting.value) is type(read)
 
 
@@ -277,7 +277,7 @@ def test_a_container_is_sent_the_text_itself(launches):
     launched = launches.python(
         f"[LoadComposableNodes(composable_node_descriptions=[{component}], target_container='c')]"
     )
-    (setting,) = settings_of(launched.started[0], None, launches.of_workspace().files.parameters)
+    (setting,) = settings_of(launched.started[0], launches.of_workspace().files.parameters)
     assert setting.value == "y"
 
 
@@ -310,9 +310,7 @@ def test_a_parameter_of_its_own_is_for_all_nodes_of_the_process(launches):
         "parameters=[{'rate': 5}, Parameter('frame', 'map')])]",
         "from launch_ros.parameter_descriptions import Parameter",
     )
-    keys = {
-        one.name: one.key for one in settings_of(launched.started[0], None, launches.of_workspace().files.parameters)
-    }
+    keys = {one.name: one.key for one in settings_of(launched.started[0], launches.of_workspace().files.parameters)}
     assert keys == {"rate": "/arm/nose", "frame": "/**"}
 
 
@@ -320,9 +318,7 @@ def test_a_param_of_xml_is_for_one_node(launches):
     launched = launches.xml(
         "<node pkg='robot' exec='talker' name='nose' namespace='/arm'><param name='frame' value='map'/></node>"
     )
-    keys = {
-        one.name: one.key for one in settings_of(launched.started[0], None, launches.of_workspace().files.parameters)
-    }
+    keys = {one.name: one.key for one in settings_of(launched.started[0], launches.of_workspace().files.parameters)}
     assert keys == {"frame": "/arm/nose"}
 
 

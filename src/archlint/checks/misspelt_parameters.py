@@ -34,7 +34,7 @@ def misspelt_for_every_node(system: System) -> Iterator[Finding]:
         return
     seen = set()
     for started in system.launched.started:
-        for setting in settings_of(started, None, system.workspace.parameters_of):
+        for setting in settings_of(started, system.workspace.parameters_of):
             name = setting.name
             if not is_misspelt(name):
                 continue

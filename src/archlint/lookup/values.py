@@ -80,7 +80,7 @@ def _set(node: Node, rank: int, workspace: WorkspaceIndex, texts: Texts) -> Iter
         return
     owners = [owner_of(blueprint) for blueprint in node.blueprints] or [node.name or ""]
     name = known_name(node)
-    for setting in settings_of(node.started, name, workspace.parameters_of):
+    for setting in settings_of(node.started, workspace.parameters_of):
         if key_matches(setting.key, name):
             place, written = _key_of(setting, texts)
             for owner in owners:

@@ -69,7 +69,7 @@ def overrides_of(started: Started, node: str | None, facts_of: Callable[[str], P
 def applied(started: Started, node: str | None, facts_of: Callable[[str], ParameterFacts]) -> list[Setting]:
     """The settings that reach one node, each name once, as rclpy applies them."""
     by_key: dict[str, dict[str, Setting]] = {}
-    for setting in settings_of(started, node, facts_of):
+    for setting in settings_of(started, facts_of):
         by_key.setdefault(setting.key, {})[setting.name] = setting
     by_name: dict[str, Setting] = {}
     for key, settings in by_key.items():  # in the order in which the keys first appear
@@ -78,7 +78,7 @@ def applied(started: Started, node: str | None, facts_of: Callable[[str], Parame
     return list(by_name.values())
 
 
-def settings_of(started: Started, node: str | None, facts_of: Callable[[str], ParameterFacts]) -> Iterator[Setting]:
+def settings_of(started: Started, facts_of: Callable[[str], ParameterFacts]) -> Iterator[Setting]:
     """Everything that is set on the command line of a process, in its order."""
     words = [*started.arguments, "--ros-args", *started.ros_arguments]
     first, *doubts = _doubts(started.parameters)
