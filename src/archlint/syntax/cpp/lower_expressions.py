@@ -158,9 +158,13 @@ class ExpressionLowering:
         values = [] if indices is None else self.lower_all(indices.named_children)
         return facts.Subscript(value, values[0], span) if len(values) == 1 else facts.Opaque("an item", span)
 
-    def _binary(self, node: Node, span: Span) -> Expr:
+    def operator(self, node: Node) -> str:
+        """The operator of an expression, as it is written."""
         operator = node.child_by_field_name("operator")
-        word = "" if operator is None else self.source.text(operator)
+        return "" if operator is None else self.source.text(operator)
+
+    def _binary(self, node: Node, span: Span) -> Expr:
+        word = self.operator(node)
         left, right = self.lower_field(node, "left"), self.lower_field(node, "right")
         if word in _COMPARE:
             return facts.Compare(left, [_COMPARE[word]], [right], span)
@@ -173,9 +177,8 @@ class ExpressionLowering:
         return facts.Opaque(f"the operator {word}", span)
 
     def _unary(self, node: Node, span: Span) -> Expr:
-        operator = node.child_by_field_name("operator")
         value = self.lower_field(node, "argument")
-        match "" if operator is None else self.source.text(operator):
+        match self.operator(node):
             case "!" | "not":
                 return facts.Unary("not", value, span)
             case "-":

@@ -88,11 +88,10 @@ class ObjectLowering(ExpressionLowering):
     def _collection(self, name: str, arguments: Node | None, values: list[Expr], span: Span) -> Expr | None:
         """A container of the standard library; None for anything else."""
         if name in SEQUENCES:
-            return self.sequence(arguments, values, span)
+            return _sequence(arguments, values, span)
         if name not in MAPS:
             return None
-        is_written = arguments is not None and arguments.type == "initializer_list"
-        return self.mapping(arguments, span) if arguments is not None and is_written else None
+        return self.mapping(arguments, span) if arguments is not None and arguments.type == "initializer_list" else None
 
     def mapping(self, node: Node, span: Span) -> Expr:
         """``{{"a", 1}, {"b", 2}}`` of a map."""
@@ -102,15 +101,6 @@ class ObjectLowering(ExpressionLowering):
         ):
             return facts.Opaque("a map", span)
         return facts.Mapping([self.lower(key) for key, _ in pairs], [self.lower(value) for _, value in pairs], span)
-
-    def sequence(self, arguments: Node | None, values: list[Expr], span: Span) -> Expr | None:
-        """``std::vector<int>{1, 2}`` and ``std::vector<int>({1, 2})``; None for what is made in another way, such as
-        of two iterators."""
-        if arguments is not None and arguments.type == "initializer_list":
-            return facts.Sequence("list", values, span)
-        if len(values) == 1 and isinstance(values[0], facts.Sequence):
-            return values[0]
-        return None if values else facts.Sequence("list", [], span)
 
     def filtered(self, last: Part, values: Sequence[Expr], span: Span) -> Expr:
         """``message_filters::Subscriber<T>(node, "topic", qos)``."""
@@ -124,6 +114,16 @@ class ObjectLowering(ExpressionLowering):
         return facts.Call(
             self.names.library("message_filters.Subscriber", span), [*arguments, Argument(kind, "msg_type")], span
         )
+
+
+def _sequence(arguments: Node | None, values: list[Expr], span: Span) -> Expr | None:
+    """``std::vector<int>{1, 2}`` and ``std::vector<int>({1, 2})``; None for what is made in another way, such as
+    of two iterators."""
+    if arguments is not None and arguments.type == "initializer_list":
+        return facts.Sequence("list", values, span)
+    if len(values) == 1 and isinstance(values[0], facts.Sequence):
+        return values[0]
+    return None if values else facts.Sequence("list", [], span)
 
 
 __all__ = ["ObjectLowering"]

@@ -36,8 +36,8 @@ class StatementLowering(TextLowering):
         super().__init__(source, names)
         self._nesting = 0
         self._statements: dict[str, StatementKind] = {
-            "compound_statement": self._compound_statement,
-            "ERROR": self._compound_statement,
+            "compound_statement": self._inner_statements,
+            "ERROR": self._inner_statements,
             "expression_statement": self._expression,
             "declaration": self.declaration,
             "return_statement": self._return,
@@ -53,8 +53,8 @@ class StatementLowering(TextLowering):
             "break_statement": lambda node, body: self._jump("break", node, body),
             "continue_statement": lambda node, body: self._jump("continue", node, body),
             "labeled_statement": self._labelled,
-            "else_clause": self._else,
-            "attributed_statement": self._else,
+            "else_clause": self._inner_statements,
+            "attributed_statement": self._inner_statements,
             "preproc_if": self._preprocessed,
             "preproc_ifdef": self._preprocessed,
             "alias_declaration": self.alias,
@@ -91,11 +91,8 @@ class StatementLowering(TextLowering):
     def _block_of(self, node: Node | None) -> list[Stmt]:
         return [] if node is None else self.block([node])
 
-    def _compound_statement(self, node: Node, body: list[Stmt]) -> None:
-        body.extend(self.block(node.named_children))
-
-    def _else(self, node: Node, body: list[Stmt]) -> None:
-        """What stands behind ``else``, or behind ``[[likely]]``."""
+    def _inner_statements(self, node: Node, body: list[Stmt]) -> None:
+        """What stands in braces, behind ``else`` or behind ``[[likely]]``."""
         body.extend(self.block(node.named_children))
 
     def _labelled(self, node: Node, body: list[Stmt]) -> None:

@@ -27,18 +27,14 @@ class TextLowering(DeclarationLowering):
 
     def written_text(self, node: Node, span: Span) -> Stmt | None:
         """``text.append("more")``, and ``snprintf(text, size, "cam_%d", number)``."""
-        called = node.child_by_field_name("function") if node.type == "call_expression" else None
-        listed = node.child_by_field_name("arguments")
-        nodes = [] if listed is None else [child for child in listed.named_children if child.type != "comment"]
-        if called is None:
+        called, listed = node.child_by_field_name("function"), node.child_by_field_name("arguments")
+        if node.type != "call_expression" or called is None or listed is None:
             return None
-        if called.type == "field_expression":
-            owner, method = called.child_by_field_name("argument"), called.child_by_field_name("field")
-            name = "" if owner is None else self.source.text(owner)
-            is_added = method is not None and self.source.text(method) in ("append", "push_back") and len(nodes) == 1
-            if not is_added or not any(name in scope.texts for scope in self.names.scopes):
-                return None
-            return facts.Augmented(facts.Name(name, span), "+", self.lower(nodes[0]), span)
+        nodes = [child for child in listed.named_children if child.type != "comment"]
+        name, method = self._method_called(node)
+        if method:
+            is_added = method in ("append", "push_back") and len(nodes) == 1 and self.names.is_text(name)
+            return facts.Augmented(facts.Name(name, span), "+", self.lower(nodes[0]), span) if is_added else None
         first = _PRINTS.get(self.source.text(called))
         if first is None or len(nodes) <= first:
             return None
@@ -52,28 +48,33 @@ class TextLowering(DeclarationLowering):
     def changed_text(self, node: Node) -> str | None:
         """The variable whose text becomes another one in a way that is not followed: ``text.push_back(c)``, or a stream
         that a fold writes to, ``(stream << ... << values)``."""
+        name, method = self._method_called(node)
+        if method:
+            is_changed = method in _CHANGES_TEXT and (self.names.is_text(name) or self.names.is_stream(name))
+            return name if is_changed else None
+        is_fold = node.type == "fold_expression" and node.named_children
+        name = self.source.text(node.named_children[0]) if is_fold else ""
+        return name if self.names.is_stream(name) else None
+
+    def _method_called(self, node: Node) -> tuple[str, str]:
+        """What a method is called of and its name, as they are written; two empty texts for anything else."""
         called = node.child_by_field_name("function") if node.type == "call_expression" else None
-        if called is not None and called.type == "field_expression":
-            owner, method = called.child_by_field_name("argument"), called.child_by_field_name("field")
-            name = "" if owner is None else self.source.text(owner)
-            is_text = any(name in scope.texts or name in scope.streams for scope in self.names.scopes)
-            return name if is_text and method is not None and self.source.text(method) in _CHANGES_TEXT else None
-        name = (
-            self.source.text(node.named_children[0]) if node.type == "fold_expression" and node.named_children else ""
-        )
-        return name if any(name in scope.streams for scope in self.names.scopes) else None
+        if called is None or called.type != "field_expression":
+            return "", ""
+        owner, field = called.child_by_field_name("argument"), called.child_by_field_name("field")
+        return ("", "") if owner is None or field is None else (self.source.text(owner), self.source.text(field))
 
     def streamed(self, node: Node, span: Span, body: list[Stmt]) -> bool:
         """``stream << "a" << b``: the text grows."""
         parts: list[Node] = []
-        while node.type == "binary_expression" and _word(node) == b"<<":
+        while node.type == "binary_expression" and self.operator(node) == "<<":
             left, right = node.child_by_field_name("left"), node.child_by_field_name("right")
             if left is None or right is None:
                 return False
             parts.append(right)
             node = left
         name = self.source.text(node)
-        if not parts or not any(name in scope.streams for scope in self.names.scopes):
+        if not parts or not self.names.is_stream(name):
             return False
         fields: list[str | facts.Field] = [facts.Field(self.lower(part)) for part in reversed(parts)]
         value = facts.FormatString(
@@ -81,11 +82,6 @@ class TextLowering(DeclarationLowering):
         )
         body.append(facts.Augmented(facts.Name(name, span), "+", value, span))
         return True
-
-
-def _word(node: Node) -> bytes:
-    operator = node.child_by_field_name("operator")
-    return b"" if operator is None or operator.text is None else operator.text
 
 
 __all__ = ["TextLowering"]

@@ -94,6 +94,14 @@ class Names:
         """Whether a variable holds a pair, as far as a loop says."""
         return any(name in scope.pairs for scope in self.scopes)
 
+    def is_text(self, name: str) -> bool:
+        """Whether a variable is a ``std::string``."""
+        return any(name in scope.texts for scope in self.scopes)
+
+    def is_stream(self, name: str) -> bool:
+        """Whether a variable is one that texts are written into with ``<<``."""
+        return any(name in scope.streams for scope in self.scopes)
+
     @property
     def is_in_method(self) -> bool:
         return bool(self.scopes) and self.scopes[0].owner is not None
