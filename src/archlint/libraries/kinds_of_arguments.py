@@ -76,10 +76,13 @@ _CLASSES = {
     Kind.TIMER: "rclpy.timer.Timer",
 }
 _THREAD = "threading.Thread"
-_SPINNING = frozenset({"rclpy.spin", "rclpy.spin_once", "rclpy.spin_until_future_complete"})
-_SPINNING |= {"rclpy.executors.Executor.add_node"}
+_SPINNING = frozenset(
+    {"rclpy.spin", "rclpy.spin_once", "rclpy.spin_until_future_complete", "rclpy.executors.Executor.add_node"}
+)
 _AS_A_NODE = frozenset({"__getattr__", "__getattribute__", "handle", "subscriptions"})
 """Methods with which a class answers what executors ask a node."""
+_GONE_THROUGH = frozenset({"__iter__", "__getitem__", "__getattr__"})
+"""Methods with which something can go through an object."""
 
 
 @once_for
@@ -134,10 +137,13 @@ def _is_other_object(value: Value) -> bool:
 
 def _passes_as_node(cls: ClassValue) -> bool:
     """Whether a class, or its decorator, may answer what executors ask a node."""
+    return any(base.ir.decorators for base in cls.classes) or _defines(cls, _AS_A_NODE)
+
+
+def _defines(cls: ClassValue, methods: frozenset[str]) -> bool:
+    """Whether a class, or one that it derives from, has one of some methods."""
     defined = (item for base in cls.classes for item in base.ir.body)
-    return any(base.ir.decorators for base in cls.classes) or any(
-        isinstance(item, facts.Function) and item.name in _AS_A_NODE for item in defined
-    )
+    return any(isinstance(item, facts.Function) and item.name in methods for item in defined)
 
 
 def _is_parameter(value: Value) -> bool:
@@ -225,12 +231,8 @@ def _is_no_tuple(value: Value, written: facts.Expr | None) -> bool:
         case Known(value=bool() | int() | float()):
             return True
         case Instance(cls=ClassValue() as cls):
-            methods = {item.name for base in cls.classes for item in base.ir.body if isinstance(item, facts.Function)}
-            return node_classes.is_node(cls) and node_classes.has_only(cls) and methods.isdisjoint(_GONE_THROUGH)
+            return node_classes.is_node(cls) and node_classes.has_only(cls) and not _defines(cls, _GONE_THROUGH)
     return _is_function(value) or isinstance(value, (EntityValue, MessageValue, NodeValue))
-
-
-_GONE_THROUGH = frozenset({"__iter__", "__getitem__", "__getattr__"})
 
 
 _IS_OTHER: Mapping[Kind, Callable[[Value, facts.Expr | None], bool]] = {

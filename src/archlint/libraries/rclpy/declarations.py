@@ -52,13 +52,13 @@ def declare_one(
     """Declare a parameter on the node of a call; returns the Parameter object."""
     place = span_place or (run.place(call.expression.span) if call.expression is not None else Place("", 1, 1, 1, 1))
     parameters = []
+    known = nodes.known_node(run, call.receiver)
     for option in alternatives(name):
         text = text_of_value(option, "no name is given")
         dynamic = _is_dynamic(run, descriptor)
         kind = None if dynamic else type_name(run, default)
         typed = is_type(default)
         has_default = default is not None and not typed and default != NONE
-        known = nodes.known_node(run, call.receiver)
         from_outside = () if text.text is None or ignore_override else run.overrides.value(known, text.text)
         override = run.store.get(nodes.node_key(run, call.receiver), OVERRIDES[text.text or ""])
         given = override if override is not None and not ignore_override else None

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Literal
 
 from archlint.interpreter.values import Known, OneOf, Unknown, Value
+from archlint.libraries.rclpy import messages
 from archlint.libraries.values import MessageValue
 
 if TYPE_CHECKING:
@@ -39,7 +40,7 @@ def _held(run: Run, message: MessageValue) -> Iterator[_Held]:
         yield "other"
         return
     for field in section.fields:
-        value = run.store.get(message.key, field.name) or run.messages.fields.get((message.key, field.name))
+        value = messages.known_content(run, message, field.name)
         if isinstance(value, MessageValue):
             yield from _held(run, value)
         elif value is not None and run.store.get(message.key, field.name) is not None:

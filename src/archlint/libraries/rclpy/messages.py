@@ -42,6 +42,11 @@ def of_value(value: Value) -> MessageValue | None:
     return None
 
 
+def known_content(run: Run, value: MessageValue, name: str) -> Value | None:
+    """What a field of a message holds that the code has set, or else read; None for one that it has not."""
+    return run.store.get(value.key, name) or run.messages.fields.get((value.key, name)) if value.key else None
+
+
 def content(run: Run, value: MessageValue, name: str) -> Value:
     """What a field of a message holds that the code has not set, one and the same at each read."""
     known = run.messages.fields.get((value.key, name)) if value.key else None

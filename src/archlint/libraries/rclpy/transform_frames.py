@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 from archlint.interpreter.values import Known, ListValue, Unknown, Value, alternatives
 from archlint.libraries.givens import given_by
+from archlint.libraries.rclpy import messages
 from archlint.libraries.values import MessageValue
 from archlint.model import FramePair, given
 
@@ -59,10 +60,7 @@ def _sent(run: Run, value: Value) -> Iterator[FramePair]:
 
 def _field(run: Run, message: Value | None, name: str) -> Value | None:
     """What a field of a message holds by now."""
-    if not isinstance(message, MessageValue) or not message.key:
-        return None
-    held = run.store.get(message.key, name)
-    return held if isinstance(held, Value) else run.messages.fields.get((message.key, name))
+    return messages.known_content(run, message, name) if isinstance(message, MessageValue) else None
 
 
 def _pairs(run: Run, parent: Value | None, child: Value | None, certain: bool = True) -> Iterator[FramePair]:
