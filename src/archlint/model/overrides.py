@@ -65,7 +65,8 @@ class Asked:
 
     def _ask(self, question: tuple[object, ...]) -> tuple[Any, ...]:
         answer = _answer(self.overrides, question)
-        self._answers[question] = repr(answer)
+        if question not in self._answers:
+            self._answers[question] = repr(answer)
         return answer
 
 
