@@ -5,7 +5,7 @@ Shared by the rules; worked out once for each system.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, Literal, TypeVar
 
 from archlint.analysis.kept import once
@@ -131,6 +131,13 @@ def has_limit(call: ApiCall, parameter: str) -> bool:
 def creations_of(value: Given | None) -> tuple[Creation, ...]:
     """The clients that a value (a client, a goal handle, the future of an answer) belongs to."""
     return () if value is None else value.creations
+
+
+def blueprints_of(call: ApiCall) -> Sequence[Blueprint | None]:
+    """The nodes of a call: that of what runs, or else those of what it is made on."""
+    if call.context.node is not None:
+        return [call.context.node]
+    return [creation.node for creation in creations_of(call.receiver)] or [call.node]
 
 
 AskedKind = Literal["service", "action"]

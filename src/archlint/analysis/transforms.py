@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
-from archlint.analysis.reach import creations_of
+from archlint.analysis.reach import blueprints_of
 from archlint.model import given
 
 if TYPE_CHECKING:
-    from archlint.model import ApiCall, Blueprint
+    from archlint.model import ApiCall
     from archlint.place import Place
     from archlint.systems.model import System
     from archlint.systems.nodes import Node
@@ -126,16 +126,9 @@ def _of_calls(system: System, *, looked_up: bool) -> Iterator[Transform]:
     for program in system.programs:
         for call in program.calls:
             if call.frames and call.api.startswith(LOOK_UP) == looked_up:
-                on = {id(node): node for blueprint in _blueprints(call) for node in nodes.get(id(blueprint), ())}
+                on = {id(node): node for blueprint in blueprints_of(call) for node in nodes.get(id(blueprint), ())}
                 for node in on.values():
                     yield from transforms_of(node, call)
-
-
-def _blueprints(call: ApiCall) -> Sequence[Blueprint | None]:
-    """The nodes of a call: that of what runs, or else those of what it is made on."""
-    if call.context.node is not None:
-        return [call.context.node]
-    return [creation.node for creation in creations_of(call.receiver)] or [call.node]
 
 
 def _order(row: Transform) -> tuple[object, ...]:

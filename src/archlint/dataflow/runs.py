@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-from archlint.analysis.reach import creations_of
+from archlint.analysis.reach import blueprints_of
 from archlint.model import Role
 
 if TYPE_CHECKING:
@@ -91,12 +91,8 @@ class Runs:
                 self._add(node, call.context, program).calls.append(call)
 
     def _nodes_at(self, call: ApiCall) -> Sequence[Node]:
-        """The nodes on which a call is made: that of the callback, or else those of what it is made on."""
-        if call.context.node is not None:
-            return self.nodes_of(call.context.node)
-        made_on: list[Blueprint | None] = [creation.node for creation in creations_of(call.receiver)]
-        made_on = made_on or [call.node]
-        nodes = {id(node): node for blueprint in made_on for node in self.nodes_of(blueprint)}
+        """The nodes on which a call is made."""
+        nodes = {id(node): node for blueprint in blueprints_of(call) for node in self.nodes_of(blueprint)}
         return list(nodes.values())
 
     def _add(self, node: Node, callback: Callback, program: Program) -> Run:
