@@ -15,7 +15,7 @@ from archlint.place import Place
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in
 from archlint.syntax.tree import Tree
-from archlint.syntax.walk import called_name, calls_in
+from archlint.syntax.walk import called_name, calls_in, given_to
 
 if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
@@ -153,7 +153,7 @@ def sites_of_spin(workspace: WorkspaceIndex | None, place: Place) -> Sites | Non
     limit = _limit(place, call, "timeout_sec", position + 2 if position else 1)
     if limit is None:
         return None
-    future = _given(call, "future", position)
+    future = given_to(call, "future", position)
     match future:
         case facts.Name() | facts.Attribute():
             if _asks(tree, call, future):
@@ -246,13 +246,6 @@ def _call_at(workspace: WorkspaceIndex | None, place: Place) -> tuple[Tree | Non
     return tree, None if tree is None else tree.calls.get(span)
 
 
-def _given(call: facts.Call, keyword: str, position: int | None) -> facts.Expr | None:
-    """What a call gives for a parameter, by keyword or by position."""
-    named = next((arg.value for arg in call.args if arg.keyword == keyword), None)
-    in_order = [arg.value for arg in call.args if arg.keyword is None]
-    return in_order[position] if named is None and position is not None and position < len(in_order) else named
-
-
 def _limit(place: Place, call: facts.Call, keyword: str, position: int | None) -> LimitlessCall | None:
     """Where the limit is set: where None or a negative number stands for it now, in place of that; else as a
     keyword."""
@@ -264,7 +257,7 @@ def _limit(place: Place, call: facts.Call, keyword: str, position: int | None) -
             arguments = Place(place.file, line, column, place.end_line, place.end_column)
         case _:
             return None
-    match _given(call, keyword, position):
+    match given_to(call, keyword, position):
         case None:
             return LimitlessCall(keyword, arguments)
         case facts.Literal(value=value, span=span) if _is_no_limit(value):

@@ -15,6 +15,7 @@ from archlint.analysis.rclpy_objects import Kind, objects_of
 from archlint.place import Place
 from archlint.syntax import facts
 from archlint.syntax.parts import Itself, everything_in, parts_of
+from archlint.syntax.walk import given_to
 
 if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
@@ -54,9 +55,12 @@ def _of_file(file_facts: facts.Facts) -> list[tuple[str, str, str, facts.Span]]:
     for function in everything_in(file_facts.body, facts.Function):
         scope = code.scope(function)
         for call in parts_of(function.body, facts.Call):
-            for name, (position, wanted) in _parameters(call, uses_tf2).items():
-                given = _argument(call, name, position)
-                if given is not None and scope.kind(given) == Kind.NUMBER and Itself(call) not in code.tried:
+            parameters = _parameters(call, uses_tf2)
+            if not parameters or Itself(call) in code.tried or any(argument.star for argument in call.args):
+                continue
+            for name, (position, wanted) in parameters.items():
+                given = given_to(call, name, position)
+                if given is not None and scope.kind(given) == Kind.NUMBER:
                     rows.append((call.func.attribute, name, wanted, call.span))
     return rows
 
@@ -68,14 +72,6 @@ def _parameters(call: facts.Call, uses_tf2: bool) -> Mapping[str, tuple[int, str
         case facts.Attribute(attr="lookup_transform" | "can_transform") if uses_tf2:
             return _LOOKS_UP
     return {}
-
-
-def _argument(call: facts.Call, name: str, position: int) -> facts.Expr | None:
-    if any(argument.star for argument in call.args):
-        return None
-    by_position = [argument.value for argument in call.args if argument.keyword is None]
-    by_name = next((argument.value for argument in call.args if argument.keyword == name), None)
-    return by_name or (by_position[position] if position < len(by_position) else None)
 
 
 __all__ = ["NumberForTime", "numbers_for_times"]

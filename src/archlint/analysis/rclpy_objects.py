@@ -11,7 +11,7 @@ from archlint.analysis.class_chains import targets_of
 from archlint.string_enum import StringEnum
 from archlint.syntax import facts
 from archlint.syntax.parts import Itself, everything_in, once_for, parts_of
-from archlint.syntax.walk import is_none
+from archlint.syntax.walk import given_to, is_none
 
 
 class Kind(StringEnum):
@@ -91,19 +91,11 @@ def _execute_callbacks(file_facts: facts.Facts) -> frozenset[str]:
     given = Counter(
         callback.last_name
         for call in everything_in(file_facts.body, facts.Call)
-        if call.func.last_name == "ActionServer"
-        for callback in _callback_of(call)
+        if call.func.last_name == "ActionServer" and not any(argument.star for argument in call.args)
+        if (callback := given_to(call, "execute_callback", 3)) is not None
     )
     defined = Counter(function.name for function in everything_in(file_facts.body, facts.Function))
     return frozenset(name for name in given if mentions[name] == given[name] and defined[name] == 1)
-
-
-def _callback_of(call: facts.Call) -> list[facts.Expr]:
-    if any(argument.star for argument in call.args):
-        return []
-    by_position = [argument.value for argument in call.args if argument.keyword is None]
-    by_name = [argument.value for argument in call.args if argument.keyword == "execute_callback"]
-    return by_name or by_position[3:4]
 
 
 def _first_argument(function: facts.Function) -> str:

@@ -36,6 +36,13 @@ def called_name(call: facts.Call) -> str:
     return call.func.last_name
 
 
+def given_to(call: facts.Call, name: str, position: int | None) -> facts.Expr | None:
+    """What a call gives for a parameter, by keyword or by position; stars are not looked into."""
+    named = next((argument.value for argument in call.args if argument.keyword == name), None)
+    in_order = [argument.value for argument in call.args if argument.keyword is None]
+    return in_order[position] if named is None and position is not None and position < len(in_order) else named
+
+
 def is_none(expression: facts.Base) -> bool:
     """Whether an expression is the literal ``None``."""
     return isinstance(expression, facts.Literal) and expression.value is None
@@ -51,4 +58,4 @@ def main_guard(code: facts.Facts) -> facts.If | None:
     return None
 
 
-__all__ = ["called_name", "calls_in", "is_none", "main_guard", "parts_of", "statements_of"]
+__all__ = ["called_name", "calls_in", "given_to", "is_none", "main_guard", "parts_of", "statements_of"]
