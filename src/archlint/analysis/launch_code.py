@@ -55,6 +55,12 @@ def words_of_launch_code(workspace: WorkspaceIndex) -> list[frozenset[str]]:
     ]
 
 
+@once
+def started_programs(workspace: WorkspaceIndex) -> frozenset[tuple[str | None, str | None]]:
+    """What launch files start, by package and executable; None for one that is not known."""
+    return frozenset((s.package.text, s.executable.text) for launched in workspace.launched for s in launched.started)
+
+
 def has_action_for(workspace: WorkspaceIndex, package: str | None, executable: str) -> bool:
     """Whether a module of a package has an action for an executable that launch files can use."""
     return any(
@@ -146,6 +152,7 @@ __all__ = [
     "listed_as",
     "may_read_argument",
     "names_from_launch",
+    "started_programs",
     "words_of_launch_code",
     "writes_files",
 ]

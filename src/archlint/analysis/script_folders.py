@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_aside
+from archlint.analysis.launch_code import started_programs
 from archlint.finding import Place
 
 if TYPE_CHECKING:
@@ -42,17 +43,21 @@ def out_of_sight(workspace: WorkspaceIndex) -> Iterator[OutOfSight]:
             continue
         if is_aside(workspace, package.manifest.relative) or _says_elsewhere(workspace, folder):
             continue
-        programs = [e for e in installs.executables.values() if _is_of_ros(workspace, folder, e)]
         path = posixpath.normpath(posixpath.join(folder, "setup.cfg"))
         text = workspace.tree.text(path) if workspace.tree.is_file(path) else ""
         wanted = _folder_of_scripts(text or "")
-        if not programs or text is None or wanted is None:
+        if text is None or wanted is None or (wanted and not _is_of_another(wanted, package.name)):
             continue
-        first = min(programs, key=lambda executable: executable.place)
-        if not wanted:
-            yield OutOfSight(package.name, first, first.place)
-        elif posixpath.basename(wanted) != package.name and re.fullmatch(r"\$base/lib/[\w.-]+", wanted):
-            yield OutOfSight(package.name, first, _line_of(path, text), posixpath.basename(wanted))
+        programs = [e for e in installs.executables.values() if _is_of_ros(workspace, folder, e)]
+        if programs:
+            first = min(programs, key=lambda executable: executable.place)
+            place = _line_of(path, text) if wanted else first.place
+            yield OutOfSight(package.name, first, place, posixpath.basename(wanted))
+
+
+def _is_of_another(folder: str, package: str) -> bool:
+    """Whether a folder for programs is the one of another package."""
+    return posixpath.basename(folder) != package and re.fullmatch(r"\$base/lib/[\w.-]+", folder) is not None
 
 
 def _is_of_ros(workspace: WorkspaceIndex, folder: str, executable: Executable) -> bool:
@@ -61,12 +66,8 @@ def _is_of_ros(workspace: WorkspaceIndex, folder: str, executable: Executable) -
     if executable.function is None or executable.module is None or executable.wrong:
         return False
     path = posixpath.normpath(posixpath.join(folder, *executable.module.split(".")))
-    started = any(
-        action.package.text == executable.package and action.executable.text == executable.name
-        for launched in workspace.launched
-        for action in launched.started
-    )
-    return started or workspace.code.mentions(f"{path}.py", "rclpy")
+    started = started_programs(workspace)
+    return (executable.package, executable.name) in started or workspace.code.mentions(f"{path}.py", "rclpy")
 
 
 def _says_elsewhere(workspace: WorkspaceIndex, folder: str) -> bool:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from archlint.analysis.launch_code import has_action_for, words_of_launch_code
+from archlint.analysis.launch_code import has_action_for, started_programs, words_of_launch_code
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding
@@ -21,7 +21,7 @@ def node_not_launched(system: System, options: Options) -> Iterator[Finding]:
     workspace = system.workspace
     if system.launched is not None or workspace is None or not workspace.launched:
         return
-    started = {(s.package.text, s.executable.text) for launched in workspace.launched for s in launched.started}
+    started = started_programs(workspace)
     spoken = words_of_launch_code(workspace)
     for node in system.nodes:
         blueprint = node.blueprint
