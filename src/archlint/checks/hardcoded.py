@@ -18,14 +18,13 @@ from archlint.branches import exclusive
 from archlint.checks.folding import all_sites, folds
 from archlint.checks.foreign_names import is_foreign
 from archlint.checks.name_conventions import CONVENTION, home_of, one_of_several_nodes
-from archlint.checks.name_evidence import FixedName, is_needed_outside, told
+from archlint.checks.name_evidence import FixedName, is_needed_outside, namespaces_of, told
 from archlint.checks.name_reasons import FIXED, PARAMETERS, RELATIVE, WITHOUT_PACKAGE, Reason, repeating, shared_by
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
 from archlint.model import NAMED
 from archlint.ros.well_known import ABSOLUTE, BY_CLICK
-from archlint.systems.nodes import key_of
 
 if TYPE_CHECKING:
     from archlint.finding import Place
@@ -211,25 +210,18 @@ def _is_remapped(workspace: WorkspaceIndex | None, endpoint: Endpoint) -> bool:
     return bool(names) and endpoint.written not in names
 
 
-def _namespaces_of(workspace: WorkspaceIndex | None, node: Node) -> frozenset[str] | None:
-    """The namespaces that launch files start a node in; None where none starts it."""
-    return None if workspace is None or node.blueprint is None else workspace.namespaces.get(key_of(node.blueprint))
-
-
 def _by_namespace(workspace: WorkspaceIndex | None, node: Node) -> Reason | None:
     """What to do about absolute names: where launch files start the node in a namespace that one of them begins with,
     they would have it twice without their '/'.  Beside relative names, and in a namespace, an absolute one belongs to
     somebody else."""
-    given = _namespaces_of(workspace, node)
+    given = namespaces_of(workspace, node.blueprint)
     written = [endpoint.written or "" for endpoint in node.endpoints]
     repeated = [
-        namespace
-        for namespace in given or ()
-        if namespace and any(name.startswith(f"{namespace}/") for name in written)
+        namespace for namespace in given if namespace and any(name.startswith(f"{namespace}/") for name in written)
     ]
     if not repeated:
         own = any(not name.startswith(("/", "~")) for name in written if name)
-        return None if own and given and "" not in given else FIXED
+        return None if own and "" not in given else FIXED
     if given != frozenset(repeated[:1]):
         return PARAMETERS
     start = repeated[0]

@@ -132,7 +132,7 @@ def _linked(homes: Mapping[Home, Sequence[FixedName]], evidence: Iterable[Home])
     return linked
 
 
-def _namespaces(workspace: WorkspaceIndex | None, blueprint: Blueprint | None) -> frozenset[str]:
+def namespaces_of(workspace: WorkspaceIndex | None, blueprint: Blueprint | None) -> frozenset[str]:
     """The namespaces that launch files start a node in, the root where none starts it."""
     if workspace is None or blueprint is None:
         return _ROOT
@@ -142,7 +142,7 @@ def _namespaces(workspace: WorkspaceIndex | None, blueprint: Blueprint | None) -
 def is_needed_outside(workspace: WorkspaceIndex | None, endpoint: Endpoint) -> bool:
     """Whether launch files start a node in namespaces only, and a node that is in none of these has its absolute name,
     too, or must have it: without the '/', the two would no longer meet."""
-    given = _namespaces(workspace, endpoint.node.blueprint)
+    given = namespaces_of(workspace, endpoint.node.blueprint)
     if workspace is None or "" in given:
         return False
     users = _namespaces_of_users(workspace).get(endpoint.written or "", frozenset())
@@ -195,7 +195,7 @@ def _namespaces_of_users(workspace: WorkspaceIndex) -> Mapping[str, frozenset[st
     """The namespaces of the nodes whose code has each absolute name."""
     users: dict[str, set[str]] = {}
     for node in (node for system in workspace.systems if system.name is None for node in system.nodes):
-        given = _namespaces(workspace, node.blueprint)
+        given = namespaces_of(workspace, node.blueprint)
         for end in node.endpoints:
             if (end.written or "").startswith("/"):
                 users.setdefault(end.written or "", set()).update(given)
@@ -207,7 +207,7 @@ def _in_namespace(workspace: WorkspaceIndex | None, homes: Mapping[Home, Sequenc
     reasons: dict[Home, Reason] = {}
     for home, rows in homes.items():
         blueprints = [name.endpoint.node.blueprint for name in rows if name.is_absolute]
-        given = {namespace for blueprint in blueprints for namespace in _namespaces(workspace, blueprint)}
+        given = {namespace for blueprint in blueprints for namespace in namespaces_of(workspace, blueprint)}
         if len(given) == 1 and "" not in given and "?" not in given:
             reasons[home] = in_namespace(*given)
     return reasons
@@ -276,4 +276,4 @@ def _relative_elsewhere(homes: Mapping[Home, Sequence[FixedName]]) -> dict[Home,
     return reasons
 
 
-__all__ = ["FixedName", "Home", "is_needed_outside", "told"]
+__all__ = ["FixedName", "Home", "is_needed_outside", "namespaces_of", "told"]
