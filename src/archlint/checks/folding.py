@@ -48,7 +48,7 @@ def all_sites(findings: Sequence[Finding]) -> Sites | None:
     return sum(sites, Sites()) if sites else None
 
 
-def with_others(findings: Sequence[Finding], another: str, more: str, rest: str, beside: str = "") -> Finding:
+def with_others(findings: Sequence[Finding], another: str, more: str, rest: str = "", beside: str = "") -> Finding:
     """The first of several findings, which stands for all: its message says how many others there are, and where these
     are is related.
 
@@ -56,8 +56,9 @@ def with_others(findings: Sequence[Finding], another: str, more: str, rest: str,
     calls are"; ``rest`` ends the sentence.  ``beside`` is said at the place of each other, by default its own message.
     """
     first, others = with_places(findings, beside), len(findings) - 1
-    subject = another if others == 1 else f"{others} {more}"
-    return replace(first, message=f"{first.message}; {subject} {rest}", sites=all_sites(findings))
+    words = another if others == 1 else f"{others} {more}"
+    words += f" {rest}" if rest else ""
+    return replace(first, message=f"{first.message}; {words}", sites=all_sites(findings))
 
 
 def with_places(findings: Sequence[Finding], beside: str = "") -> Finding:

@@ -9,7 +9,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_not_installed
-from archlint.checks.folding import all_sites, with_places
+from archlint.checks.folding import with_others
 from archlint.checks.registry import registered
 from archlint.finding import Finding, Severity
 
@@ -67,9 +67,7 @@ def once_for_a_file(findings: Iterable[Finding], files: AbstractSet[str]) -> lis
 def _first_of(findings: Sequence[Finding], another: str, more: str) -> Finding:
     """The first finding for all; the message ends with how many others there are."""
     ordered = sorted(findings, key=lambda finding: finding.sort_key)
-    first, others = ordered[0], len(ordered) - 1
-    words = "" if not others else f"; {another}" if others == 1 else f"; {others} {more}"
-    return replace(with_places(ordered), message=f"{first.message}{words}", sites=all_sites(ordered))
+    return with_others(ordered, another, more) if len(ordered) > 1 else ordered[0]
 
 
 def _is_about_code(finding: Finding) -> bool:
