@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from archlint.analysis.delivery import undelivered_on
-from archlint.dataflow.model import Flow, How, Link, Step, StepKind
+from archlint.dataflow.model import NOT_KNOWN, Flow, How, Link, Step, StepKind
 from archlint.dataflow.runs import Run, Runs
 from archlint.model import NAMED, EntityKind
 from archlint.systems.graph import interface_key
@@ -82,7 +82,7 @@ class Builder:
         if known is not None:
             return self._step((kind, name), Step(kind, known.name, connection=known))
         reason = end.error or end.reason or "its name is not known"
-        return self._step((kind, interface_key(end)), Step(kind, end.name or "?", place=end.place, reason=reason))
+        return self._step((kind, interface_key(end)), Step(kind, end.name or NOT_KNOWN, place=end.place, reason=reason))
 
     def taker(self, node: Node) -> Step:
         """Code of a node that takes what arrives, and is not known: what it does with it may be anything."""
@@ -115,7 +115,7 @@ class Builder:
 
     def frame(self, topic: str, name: str) -> Step:
         """A coordinate frame, as the messages of a topic have it."""
-        reason = "which frames it is about is not known" if name == "?" else ""
+        reason = "which frames it is about is not known" if name == NOT_KNOWN else ""
         return self._step((StepKind.FRAME, topic, name), Step(StepKind.FRAME, name, topic=topic, reason=reason))
 
     def has_frame(self, topic: str, name: str) -> bool:

@@ -15,6 +15,9 @@ if TYPE_CHECKING:
     from archlint.systems.model import System
     from archlint.systems.nodes import Connection, Node
 
+NOT_KNOWN = "?"
+"""The name of a step whose name is not known."""
+
 
 class StepKind(StringEnum):
     """What a piece of data comes through."""
@@ -129,4 +132,4 @@ def _by_step(links: Sequence[Link], end: Callable[[Link], Step]) -> dict[int, li
     return rows
 
 
-__all__ = ["Flow", "How", "Link", "Step", "StepKind"]
+__all__ = ["NOT_KNOWN", "Flow", "How", "Link", "Step", "StepKind"]

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
 from archlint.analysis.transforms import looked_up_transforms, sent_transforms
-from archlint.dataflow.model import StepKind
+from archlint.dataflow.model import NOT_KNOWN, StepKind
 from archlint.model import NAMED
 
 if TYPE_CHECKING:
@@ -77,7 +77,7 @@ def _connection(flow: Flow, step: Step) -> Subject:
 
 def _frame(flow: Flow, name: str) -> Iterator[Subject]:
     """The coordinate frame of a name, on whatever topics its transforms are."""
-    steps = tuple(step for step in flow.steps if step.kind == StepKind.FRAME and step.name == name != "?")
+    steps = tuple(step for step in flow.steps if step.kind == StepKind.FRAME and step.name == name != NOT_KNOWN)
     if steps:
         yield Subject("frame", name, steps, steps)
 

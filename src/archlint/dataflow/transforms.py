@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.loop_paces import is_decided
 from archlint.analysis.transforms import LOOK_UP, TRANSFORMS, Transform, static_transform, transforms_of
-from archlint.dataflow.model import How, Step, StepKind
+from archlint.dataflow.model import NOT_KNOWN, How, Step, StepKind
 from archlint.dataflow.runs import SEND_TRANSFORMS
 from archlint.model import EntityKind
 from archlint.ros.well_known import OF_TRANSFORMS
@@ -27,8 +27,6 @@ if TYPE_CHECKING:
 _ONE_OF_SEVERAL = "which of several frames it is, is not known"
 _LISTENER = "tf2_ros.transform_listener.TransformListener"
 _NO_LISTENER = "the listener that brings it is not known"
-NOT_KNOWN = "?"
-"""The name of the frames that are not known."""
 
 
 @dataclass(frozen=True)
@@ -234,4 +232,4 @@ class _Tree:
         return list(every)
 
 
-__all__ = ["NOT_KNOWN", "is_taken_by", "link_transforms"]
+__all__ = ["is_taken_by", "link_transforms"]

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from archlint.dataflow.durations import longest_time, pauses
 from archlint.dataflow.latency import ASSUMED, total
-from archlint.dataflow.model import StepKind
+from archlint.dataflow.model import NOT_KNOWN, StepKind
 from archlint.dataflow.pace import interval, topic_rate
 from archlint.json_text import json_text
 from archlint.render.json import shown_file
@@ -64,7 +64,7 @@ def step_data(flow: Flow, step: Step, number: int) -> dict[str, Any]:
     return {
         "id": number,
         "kind": str(step.kind),
-        "name": None if step.kind == StepKind.UNKNOWN or step.name == "?" else step.name,
+        "name": None if step.kind == StepKind.UNKNOWN or step.name == NOT_KNOWN else step.name,
         "node": None if step.node is None else step.node.name,
         "role": None if step.callback is None else str(step.callback.role),
         "types": [] if step.connection is None else step.connection.types,
