@@ -48,15 +48,12 @@ class Objects:
             for part in everything_in(attempt.body)
         }
         self._values: dict[str, list[tuple[facts.Expr, facts.Function]]] = {}
-        stored: dict[str, int] = {}
         for function in everything_in(file_facts.body, facts.Function):
             for part in parts_of(function.body):
                 match part:
                     case facts.Assign(targets=[facts.Attribute(attr=name)], value=value):
                         self._values.setdefault(name, []).append((value, function))
-        for target in targets_of(file_facts.body):
-            if target.attribute:
-                stored[target.attribute] = stored.get(target.attribute, 0) + 1
+        stored = Counter(target.attribute for target in targets_of(file_facts.body))
         changed = {part.target.attribute for part in everything_in(file_facts.body, facts.Augmented)}
         self._values = {
             name: values for name, values in self._values.items() if stored[name] == len(values) and name not in changed
@@ -116,7 +113,7 @@ class Variables:
         self._values: dict[str, list[facts.Expr]] = {}
         self._kinds: dict[str, Kind | None] = {}
         self._goal = _first_argument(function) if function.name in code.executes else ""
-        targets = [target.variable for target in targets_of(function.body)]
+        targets = Counter(target.variable for target in targets_of(function.body))
         if self._goal in targets:
             self._goal = ""
         changed = {part.target.variable for part in everything_in(function.body, facts.Augmented)}
@@ -129,7 +126,7 @@ class Variables:
         self._values = {
             name: values
             for name, values in self._values.items()
-            if targets.count(name) == len(values) and name not in changed
+            if targets[name] == len(values) and name not in changed
         }
 
     def kind(self, e: facts.Expr) -> Kind | None:
