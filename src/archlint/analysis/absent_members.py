@@ -43,15 +43,13 @@ class AbsentMember:
 
 def absent_members(workspace: WorkspaceIndex) -> Iterator[AbsentMember]:
     """Every such use in the files that were asked for, but for test code."""
-    for file, _ in workspace.code.asked_for():
-        if file.kind != "python" or workspace.roles.is_test(file.relative):
-            continue
-        for row in _of_interfaces(workspace, file.relative) or ():
+    for path in workspace.python_files():
+        for row in _of_interfaces(workspace, path) or ():
             if workspace.interfaces is None or workspace.interfaces.get(row.owner) is None:
                 continue
-            yield AbsentMember(Place(file.relative, *row.span), row.owner, row.name, row.near, False)
-        for called in _calls(workspace, file.relative) or ():
-            absent = _absent(workspace, file.relative, called)
+            yield AbsentMember(Place(path, *row.span), row.owner, row.name, row.near, False)
+        for called in _calls(workspace, path) or ():
+            absent = _absent(workspace, path, called)
             if absent is not None:
                 yield absent
 

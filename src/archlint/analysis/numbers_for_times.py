@@ -33,10 +33,9 @@ class NumberForTime:
 
 def numbers_for_times(workspace: WorkspaceIndex) -> Iterator[NumberForTime]:
     """Those of the Python files that were asked for, outside of test code."""
-    for file, _ in workspace.code.asked_for():
-        if file.kind == "python" and not workspace.roles.is_test(file.relative):
-            for call, parameter, wanted, span in _of_file(workspace, file.relative) or ():
-                yield NumberForTime(call, parameter, wanted, Place(file.relative, *span))
+    for path in workspace.python_files():
+        for call, parameter, wanted, span in _of_file(workspace, path) or ():
+            yield NumberForTime(call, parameter, wanted, Place(path, *span))
 
 
 _SLEEPS: Mapping[str, tuple[int, str]] = {"rel_time": (0, "Duration")}

@@ -74,9 +74,8 @@ def object_members(system: System) -> Iterator[AbsentMember | CalledProperty]:
     workspace = system.workspace
     if workspace is None:
         return
-    for file, _ in workspace.code.asked_for():
-        path = file.relative
-        if file.kind != "python" or workspace.roles.is_test(path) or not workspace.code.mentions(path, "rclpy"):
+    for path in workspace.python_files():
+        if not workspace.code.mentions(path, "rclpy"):
             continue
         for row in _of_file(workspace, path):
             by_parameter = row.kind in (Kind.PARAMETER, Kind.VALUE)

@@ -119,10 +119,9 @@ def _needed(params: Sequence[facts.Param]) -> Iterator[str]:
 
 def calls_of_bare_super(workspace: WorkspaceIndex) -> Iterator[Place]:
     """Every ``super.__init__(…)`` in the files that were asked for, but for test code."""
-    for file, _ in workspace.code.asked_for():
-        if file.kind == "python" and not workspace.roles.is_test(file.relative):
-            for span in _bare_super_calls(workspace, file.relative) or ():
-                yield Place(file.relative, *span)
+    for path in workspace.python_files():
+        for span in _bare_super_calls(workspace, path) or ():
+            yield Place(path, *span)
 
 
 # ----------------------------------------------------------------------------------------------- which calls there are

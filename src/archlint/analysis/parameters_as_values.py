@@ -58,9 +58,8 @@ def parameter_uses(system: System) -> Iterator[ParameterUse]:
     workspace = system.workspace
     if workspace is None:
         return
-    for file, _ in workspace.code.asked_for():
-        path = file.relative
-        if file.kind != "python" or workspace.roles.is_test(path) or not workspace.code.mentions(path, "rclpy"):
+    for path in workspace.python_files():
+        if not workspace.code.mentions(path, "rclpy"):
             continue
         rows = [row for row in _of_file(workspace, path) if _is_of_node(workspace, path, row.cls)]
         own = any(is_defined_somewhere(system, path, name) for name in ("get_parameter", "declare_parameter"))

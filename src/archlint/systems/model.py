@@ -238,6 +238,12 @@ class WorkspaceIndex:
         """The facts of a file of the workspace; None where it was not read."""
         return self.code.facts_at(file)
 
+    def python_files(self) -> Iterator[str]:
+        """The Python files that were asked for and that can matter, but for launch files and test code."""
+        for file, _ in self.code.asked_for():
+            if file.kind == "python" and not self.roles.is_test(file.relative):
+                yield file.relative
+
     def parameters_of(self, file: str) -> ParameterFacts:
         """What a parameter file sets."""
         return self.launch_files.parameters(file)
