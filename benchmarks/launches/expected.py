@@ -126,7 +126,7 @@ class Checkout:
             full = names.join(namespace or "/", name) if name else None
             rows = [("", one.name, one.value) for one in applied(started, full, launches.files.parameters)]
         else:
-            rows = [(one.key, one.name, one.value) for one in settings_of(started, None, launches.files.parameters)]
+            rows = [(one.key, one.name, one.value) for one in settings_of(started, launches.files.parameters)]
         return {
             (key.strip("/"), name): Unknown(value.reason) if isinstance(value, NotKnown) else shown(value)
             for key, name, value in rows
