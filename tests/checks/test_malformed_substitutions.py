@@ -107,3 +107,25 @@ def test_a_file_is_one_finding(findings):
 @pytest.mark.parametrize("text", [r"$(command 'sh -c \'tr \'-\' \'_\'\'')", r"$(eval '\'$(var x)\' == \'a b\'')"])
 def test_escaped_quotes_do_not_end_a_word(findings, text):
     assert findings("LCH007", _args(text)) == []
+
+
+@pytest.mark.parametrize(
+    "node",
+    [
+        '<node pkg="robot" exec="talker" name="${var x}"/>',
+        '<node pkg="robot" exec="talker" namespace="${x}"/>',
+        '<node pkg="robot" exec="talker" if="${var x}"/>',
+        '<node pkg="robot" exec="talker"><param name="a" value="${find-pkg-share robot}/a"/></node>',
+        '<node pkg="robot" exec="talker"><remap from="chatter" to="${x}/chatter"/></node>',
+        '<include file="${find-pkg-share robot}/launch/other.launch.xml"/>',
+    ],
+)
+def test_a_brace_in_any_attribute(findings, node):
+    (told,) = findings("LCH007", f'<arg name="x" default="1"/>{node}')
+    assert "is no substitution: launch takes it as it stands" in told.message
+
+
+def test_a_template_is_no_launch_file(findings):
+    filled_in = '<arg name="x" default="1"/><node pkg="robot" exec="talker" name="${robot_name}" namespace="${x}"/>'
+    assert findings("LCH007", filled_in) == []
+    assert findings("LCH007", '<arg name="x" default="${x}"/><node pkg="robot" exec="talker" name="$(var x)"/>') == []
