@@ -136,7 +136,7 @@ def test_a_class_with_its_fields_and_constructor() -> None:
     ("member", "value"),
     [
         ("Helper helper_;", "?Helper(self)"),
-        ("Helper<rclcpp::Node> helper_;", "?Helper(self)"),
+        ("Helper<rclcpp::Node> helper_;", "?Helper(self, <0>=rclcpp::Node)"),
         ("Helper * helper_;", "__member__(self)"),
         ("", "__member__(self)"),
     ],

@@ -22,6 +22,17 @@ def _pairs(run: Run, site: CallSite) -> Value:
     return new_list(run, [new_list(run, pair, "tuple") for pair in entries.entries.values()], open_=entries.open)
 
 
-PLAIN: dict[str, Plain] = {"std.pairs": _pairs}
+def _template_argument(run: Run, site: CallSite) -> Value:
+    """What a template argument of a class is: ``template_argument(object, attribute, given, default)``."""
+    if len(site.args) != 4:
+        return Unknown("a template argument")
+    owner, attribute, explicit, default = site.args
+    if not explicit.is_none:
+        return explicit
+    kept = run.store.get(owner.heap_key, attribute.text) if owner.heap_key and attribute.text else None
+    return kept or default
+
+
+PLAIN: dict[str, Plain] = {"std.pairs": _pairs, "std.template_argument": _template_argument}
 
 __all__ = ["PLAIN"]

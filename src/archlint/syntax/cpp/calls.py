@@ -83,6 +83,11 @@ def template_parameter(number: int) -> str:
     return f"<{number}>"
 
 
+def of_class(owner: str, number: int) -> str:
+    """The attribute of an object that holds a template argument of its class."""
+    return f"<{owner} {number}>"
+
+
 def action(function: Expr, is_server: bool, types: Sequence[Expr], arguments: Sequence[Expr], span: Span) -> Expr:
     """``rclcpp_action::create_server<T>(node, "name", …)``, also with the interfaces of the node one by one."""
     names = [at for at, value in enumerate(arguments) if not _is_of_node(value)]
@@ -164,6 +169,7 @@ __all__ = [
     "free_timer",
     "method",
     "node_arguments",
+    "of_class",
     "parameter",
     "template_arguments",
     "template_parameter",

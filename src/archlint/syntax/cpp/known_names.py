@@ -102,6 +102,8 @@ DURATIONS = {
 
 PAIRS = "std.pairs"
 """The function that gives the pairs of a map, and any other container as it is; the standard library has none."""
+TEMPLATE_ARGUMENT = "std.template_argument"
+"""The function that gives what a template argument of a class is for one of its objects."""
 SEQUENCES = frozenset({"vector", "list", "deque", "set", "unordered_set", "array", "initializer_list"})
 MAPS = frozenset({"map", "unordered_map", "multimap"})
 STREAMS = frozenset({"stringstream", "ostringstream"})
@@ -119,4 +121,5 @@ __all__ = [
     "SAME",
     "SEQUENCES",
     "STREAMS",
+    "TEMPLATE_ARGUMENT",
 ]

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from archlint.syntax import facts
+from archlint.syntax.cpp import calls
 from archlint.syntax.cpp.declared import declared
 from archlint.syntax.cpp.lower_expressions import given
 from archlint.syntax.cpp.lower_functions import BASES, FIELDS, FunctionLowering, function_declarator
@@ -33,15 +35,19 @@ class ClassLowering(FunctionLowering):
         if name is None or block is None:
             return
         own, span = self.names.parts(name)[-1].name, self.source.span(node)
-        outer, self._template_parameters = self._template_parameters, []
-        bases = [child for child in node.named_children if child.type == "base_class_clause"]
-        written = [self.lower(base) for clause in bases for base in clause.named_children if base.type in _TYPES]
+        outer = (self._template_parameters, self._class_parameters, self.names.class_parameters)
+        self._class_parameters, self._template_parameters = self._template_parameters, []
+        numbered = enumerate(self._class_parameters)
+        self.names.class_parameters = {row.name: calls.of_class(own, at) for at, row in numbered}
+        clauses = [child for child in node.named_children if child.type == "base_class_clause"]
+        bases = [base for clause in clauses for base in clause.named_children if base.type in _TYPES]
+        written = [self.lower(base) for base in bases]
         inner, fields, has_constructor = self._members(block, own)
-        inner.append(self._method(FIELDS, [], fields, span))
+        inner.append(self._method(FIELDS, [], [*self._arguments_of(bases, own, span), *fields], span))
         inner.append(self._method(BASES, [], self._plain_bases(written, span), span))
         if not has_constructor:
             inner.append(self._default_constructor(own, span))
-        self._template_parameters = outer
+        self._template_parameters, self._class_parameters, self.names.class_parameters = outer
         body.append(facts.Class(own, given(written), inner, [], span, self.source.span(name)))
 
     def _members(self, block: Node, own: str) -> tuple[list[Stmt], list[Stmt], bool]:
@@ -58,10 +64,12 @@ class ClassLowering(FunctionLowering):
                     has_constructor |= self._is_constructor(member, own)
                     self._function_of(member, own, inner)
                 case "template_declaration":
+                    outer, self._template_parameters = self._template_parameters, self.template_parameters(member)
                     for child in member.named_children:
                         if child.type == "function_definition":
                             has_constructor |= self._is_constructor(child, own)
                             self._function_of(child, own, inner)
+                    self._template_parameters = outer
                 case _:
                     self.statement(member, inner)
         return inner, fields, has_constructor
@@ -96,7 +104,23 @@ class ClassLowering(FunctionLowering):
 
     def _default_constructor(self, own: str, span: Span) -> Stmt:
         """What C++ makes for a class without a constructor."""
-        return self._method("__init__", [], [self._calls(own, FIELDS, span), self._calls(own, BASES, span)], span)
+        params, kept = self._of_templates(own, span)
+        return self._method(
+            "__init__", params, [*kept, self._calls(own, FIELDS, span), self._calls(own, BASES, span)], span
+        )
+
+    def _arguments_of(self, bases: Sequence[Node], own: str, span: Span) -> list[Stmt]:
+        """The template arguments of the bases of a class, which its objects keep."""
+        itself = facts.Name("self", span)
+        kept: list[Stmt] = []
+        with self.names.function(FunctionScope(own)):
+            for base in bases:
+                written = self.names.parts(base)
+                last = (self.names.templates.get(written[0].name, written) if len(written) == 1 else written)[-1]
+                for at, argument in enumerate(last.arguments):
+                    target = facts.Attribute(itself, calls.of_class(last.name, at), span)
+                    kept.append(facts.Assign([target], self.lower_type(argument), span))
+        return kept
 
     def _plain_bases(self, bases: list[Expr], span: Span) -> list[Stmt]:
         return [

@@ -140,6 +140,8 @@ class DeclarationLowering(CallLowering):
         parts = self.names.written(self.names.parts(kind))
         if not parts or any(part.arguments for part in parts):
             self.names.declare(name)
+            if parts and not self.names.path(parts):
+                self.names.templates[name] = parts
             body.append(facts.Assign([facts.Name(name, span)], facts.Opaque("a type", span), span))
             return
         value = self.names.resolve(parts, span)

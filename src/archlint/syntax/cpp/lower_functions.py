@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import re
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from archlint.syntax import facts
 from archlint.syntax.cpp import calls
 from archlint.syntax.cpp.declared import declared
-from archlint.syntax.cpp.known_names import IN_PYTHON
+from archlint.syntax.cpp.known_names import IN_PYTHON, TEMPLATE_ARGUMENT
 from archlint.syntax.cpp.lower_expressions import given
 from archlint.syntax.cpp.lower_statements import StatementLowering
 from archlint.syntax.cpp.names import FunctionScope, Names, Part
@@ -28,13 +28,37 @@ _SET = re.compile(r"\b(\w+)\s*\.\s*(?:reliable|best_effort|transient_local|durab
 """A variable that a setter of ``rclcpp::QoS`` without arguments is called on."""
 
 
+class TemplateParameter(NamedTuple):
+    """A parameter of a template."""
+
+    name: str
+    default: Node | None = None
+
+
 class FunctionLowering(StatementLowering):
     """Lowers functions, too."""
 
     def __init__(self, source: SourceText, names: Names) -> None:
         super().__init__(source, names)
         self._statements |= {"function_definition": self._function}
-        self._template_parameters: list[str] = []
+        self._template_parameters: list[TemplateParameter] = []
+        """Those of the function, or of the class, that comes next."""
+        self._class_parameters: list[TemplateParameter] = []
+        """Those of the class around."""
+
+    def template_parameters(self, node: Node) -> list[TemplateParameter]:
+        """What a template is declared with."""
+        listed = node.child_by_field_name("parameters")
+        rows: list[TemplateParameter] = []
+        for child in [] if listed is None else listed.named_children:
+            default = child.child_by_field_name("default_type") or child.child_by_field_name("default_value")
+            words = [
+                part
+                for part in child.named_children
+                if part.type in ("type_identifier", "identifier") and part != default
+            ]
+            rows.append(TemplateParameter(self.source.text(words[-1]) if words else f"_{len(rows)}", default))
+        return rows
 
     def _function(self, node: Node, body: list[Stmt]) -> None:
         """A function, or a method that is defined outside of its class."""
@@ -45,7 +69,11 @@ class FunctionLowering(StatementLowering):
         parts = self.names.parts(name)
         owner = parts[-2].name if len(parts) > 1 else ""
         if owner and (owner in self.names.classes or owner not in self.names.namespaces):
+            outer, self.names.class_parameters = self.names.class_parameters, self._of_owner(parts[-2])
+            self._class_parameters = [row for row in self._template_parameters if self._is_of_class(row)]
+            self._template_parameters = [row for row in self._template_parameters if not self._is_of_class(row)]
             function = self._defined(node, owner, parts[-1], f"{owner}::{parts[-1].name}")
+            self.names.class_parameters, self._class_parameters = outer, []
             if function is None:
                 return
             attribute = "__init__" if parts[-1].name == owner else parts[-1].name
@@ -56,6 +84,14 @@ class FunctionLowering(StatementLowering):
             function = self._defined(node, None, parts[-1], parts[-1].name)
             if function is not None:
                 body.append(function)
+
+    def _of_owner(self, owner: Part) -> dict[str, str]:
+        """What ``Channel<T>::open()`` calls the template arguments of its class."""
+        words = [self.source.text(argument) for argument in owner.arguments]
+        return {word: calls.of_class(owner.name, at) for at, word in enumerate(words) if word.isidentifier()}
+
+    def _is_of_class(self, row: TemplateParameter) -> bool:
+        return row.name in self.names.class_parameters
 
     def _function_of(self, node: Node, own: str, inner: list[Stmt]) -> None:
         """A method that is defined inside its class."""
@@ -80,25 +116,49 @@ class FunctionLowering(StatementLowering):
         span = self.source.span(node)
         name_node = declarator.child_by_field_name("declarator") or node
         with self.names.function(FunctionScope(owner)) as scope:
-            scope.variables.update(self._template_parameters)
+            scope.variables.update(row.name for row in self._template_parameters)
             params = self.parameters(declarator)
             if block is None and params:
                 return None
-            body = self._initialised(node, owner, span) if owner is not None and part.name == owner else []
+            is_constructor = owner is not None and part.name == owner
+            types, named = self._of_templates(owner if is_constructor else None, span)
+            body = self._initialised(node, owner, span) if is_constructor else []
             body += [] if block is None else self.block(block.named_children)
             of_file = sorted(scope.assigned - scope.variables)
             if of_file:
                 body.insert(0, facts.Global("global", of_file))
         first = [facts.Param("self", "normal")] if owner is not None else []
-        unknown = facts.Opaque("a template argument", span)
-        numbered = [(calls.template_parameter(at), own) for at, own in enumerate(self._template_parameters)]
-        types = [facts.Param(given_as, "keyword_only", unknown) for given_as, _ in numbered]
-        named: list[Stmt] = [
-            facts.Assign([facts.Name(own, span)], facts.Name(given_as, span), span) for given_as, own in numbered
-        ]
         return facts.Function(
             name, [*first, *params, *types], [*named, *body], [], None, False, False, span, self.source.span(name_node)
         )
+
+    def _of_templates(self, constructed: str | None, span: Span) -> tuple[list[Param], list[Stmt]]:
+        """The parameters that template arguments are passed to, and what begins the function: those of a function are
+        its variables; those of a class, whose constructor this is, its objects keep."""
+        unknown = facts.Opaque("a template argument", span)
+        params: list[Param] = []
+        named: list[Stmt] = []
+        if constructed is not None:
+            names = (row.name for row in self._template_parameters)  # nobody can write down those of a constructor
+            named += [facts.Assign([facts.Name(name, span)], unknown, span) for name in names]
+            for at, row in enumerate(self._class_parameters):
+                params.append(facts.Param(calls.template_parameter(at), "keyword_only", facts.Literal(None, span)))
+                named.append(self._kept(constructed, at, row, span))
+            return params, named
+        for at, row in enumerate(self._template_parameters):
+            given_as = calls.template_parameter(at)
+            default = unknown if row.default is None else self.lower_type(row.default)
+            params.append(facts.Param(given_as, "keyword_only", default))
+            named.append(facts.Assign([facts.Name(row.name, span)], facts.Name(given_as, span), span))
+        return params, named
+
+    def _kept(self, owner: str, at: int, row: TemplateParameter, span: Span) -> Stmt:
+        """An object keeps a template argument: the given one, what a derived class says of its base, or the default."""
+        itself, kept = facts.Name("self", span), calls.of_class(owner, at)
+        default = facts.Opaque("a template argument", span) if row.default is None else self.lower_type(row.default)
+        values = (itself, facts.Literal(kept, span), facts.Name(calls.template_parameter(at), span), default)
+        value = facts.Call(self.names.library(TEMPLATE_ARGUMENT, span), given(values), span)
+        return facts.Assign([facts.Attribute(itself, kept, span)], value, span)
 
     def parameters(self, declarator: Node) -> list[Param]:
         listed = declarator.child_by_field_name("parameters")
@@ -239,4 +299,4 @@ def _is_type(annotation: Expr | None) -> bool:
     return isinstance(annotation, (facts.Name, facts.Attribute))
 
 
-__all__ = ["BASES", "FIELDS", "FunctionLowering", "function_declarator"]
+__all__ = ["BASES", "FIELDS", "FunctionLowering", "TemplateParameter", "function_declarator"]

@@ -46,14 +46,17 @@ class ObjectLowering(ExpressionLowering):
     def construct_parts(self, parts: list[Part], arguments: Node | None, span: Span) -> Expr:
         """As :meth:`construct`, of a name in parts."""
         parts = self.names.written(parts)
+        if len(parts) == 1:
+            parts = self.names.templates.get(parts[0].name, parts)
         path = self.names.path(parts)
         if path:
             return self.constructed(path, parts[-1], arguments, span)
         cls = self.names.resolve(parts, span)
         values = [] if arguments is None else self.lower_all(arguments.named_children)
         if isinstance(cls, facts.Name) and "::msg::" in cls.id:
-            values = []  # how a message is filled matters to nobody here
-        return facts.Call(cls, given(values), span)
+            return facts.Call(cls, [], span)  # how a message is filled matters to nobody here
+        types = [self.lower_type(argument) for argument in parts[-1].arguments] if parts else []
+        return facts.Call(cls, [*given(values), *calls.template_arguments(types)], span)
 
     def constructed(
         self, path: str, last: Part, arguments: Node | None, span: Span, values: list[Expr] | None = None

@@ -116,16 +116,9 @@ class Lowering(ClassLowering):
     def _template(self, node: Node, body: list[Stmt]) -> None:
         parameters = node.child_by_field_name("parameters")
         outer = self._template_parameters
-        self._template_parameters = [] if parameters is None else self._type_parameters(parameters)
+        self._template_parameters = self.template_parameters(node)
         body.extend(self.block(child for child in node.named_children if child != parameters))
         self._template_parameters = outer
-
-    def _type_parameters(self, node: Node) -> list[str]:
-        names: list[str] = []
-        for child in node.named_children:
-            words = [part for part in child.named_children if part.type in ("type_identifier", "identifier")]
-            names.append(self.source.text(words[-1]) if words else f"_{len(names)}")
-        return names
 
 
 def _literal(written: str, span: Span) -> Expr | None:

@@ -62,6 +62,10 @@ class Names:
         self.opened: list[list[str]] = []
         """The namespaces of ``using namespace``."""
         self.classes: set[str] = set()
+        self.class_parameters: dict[str, str] = {}
+        """The attributes of an object that hold the template arguments of its class, by what the class calls them."""
+        self.templates: dict[str, list[Part]] = {}
+        """Names for a class with template arguments: ``using ImuRelay = Relay<Imu>``."""
         self.scopes: list[FunctionScope] = []
         self._followed = 0
 
@@ -110,6 +114,8 @@ class Names:
         """What a name without a namespace stands for."""
         if self.is_variable(name):
             return facts.Name(name, span)
+        if name in self.class_parameters and self.is_in_method:
+            return facts.Attribute(facts.Name("self", span), self.class_parameters[name], span)
         alias = self.aliases.get(name)
         if alias is not None and alias != [name]:
             return self.resolve([Part(part) for part in alias], span)
