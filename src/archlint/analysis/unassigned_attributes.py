@@ -120,7 +120,7 @@ def unassigned_attributes(workspace: WorkspaceIndex) -> Iterator[Unassigned]:
 def _taken_by(code: facts.Class) -> frozenset[str]:
     """The names that the body of a class gives its objects, and the properties that it takes in a way of its own: all
     of them, with ``__setattr__``."""
-    names = frozenset(_of_body(code))
+    names = frozenset(names_of_body(code))
     return names | READ_ONLY if "__setattr__" in names else names
 
 
@@ -169,13 +169,13 @@ def _of_class(code: facts.Class) -> frozenset[str] | None:
         return None
     if any(part.attr in _ANY_NAME for part in everything_in(code.body, facts.Attribute)):
         return None
-    names = {*_of_body(code)}
+    names = {*names_of_body(code)}
     if names & _ANY_NAME:
         return None
     return frozenset(names.union(target.attribute for target in targets_of(code.body) if target.attribute))
 
 
-def _of_body(code: facts.Class) -> Iterator[str]:
+def names_of_body(code: facts.Class) -> Iterator[str]:
     """The names that the body of a class binds."""
     for statement in statements_of(code.body):
         match statement:
@@ -376,6 +376,7 @@ __all__ = [
     "Unassigned",
     "may_get",
     "members_of",
+    "names_of_body",
     "overwritten_properties",
     "unassigned_attributes",
 ]

@@ -12,6 +12,7 @@ from archlint.analysis.uninitialised_programs import uninitialised_programs
 from archlint.checks.absent_imports import OF_MODULE, absent_import_findings
 from archlint.checks.argument_words import quoted, what_does_not_fit
 from archlint.checks.attributes import LEVELS, LOG_WITH, LOGS, OF_CLASS, UNASSIGNED, UNCALLED, attribute_findings
+from archlint.checks.early_reads import TOO_EARLY, early_read_findings
 from archlint.checks.folding import folds, with_others
 from archlint.checks.own_calls import own_call_findings
 from archlint.checks.registry import Options, finding, rule
@@ -48,6 +49,7 @@ def unknown_attribute(system: System, options: Options) -> Iterator[Finding]:
     """Calls of functions and methods that rclpy does not have, and attributes that a class does not have or take."""
     absent = [call for call in _judged(system) if call.misuse is Misuse.ABSENT]
     yield from attribute_findings(system)
+    yield from early_read_findings(system)
     yield from absent_import_findings(system, {(call.place.file, call.place.line) for call in absent})
     for call in absent:
         [name, *_] = call.parameters or ("",)
@@ -100,6 +102,10 @@ def absent_in_one_file(findings: Sequence[Finding]) -> Finding:
     if findings[0].group[0] in (UNASSIGNED, UNCALLED):
         return with_others(
             findings, "another attribute of the class is", "more attributes of the class are", "like that"
+        )
+    if findings[0].group[0] == TOO_EARLY:
+        return with_others(
+            findings, "another attribute of the class is read", "more attributes of the class are read", "too early"
         )
     if findings[0].group[0] in (LOGS, UNDEFINED):
         return with_others(findings, "another call in this file is", "more calls in this file are", "like that")

@@ -4,15 +4,17 @@ from __future__ import annotations
 
 import builtins
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.how_imported import import_of
+from archlint.analysis.unbound_locals import UnboundLocal, unbound_locals
 from archlint.analysis.undefined_names import Undefined, undefined_names
 from archlint.checks.folding import folds, with_others
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.uncalled import mild_if_uncalled
-from archlint.finding import Finding
+from archlint.finding import Finding, Related, Severity
 from archlint.suggestions import meant, nearest
 
 if TYPE_CHECKING:
@@ -29,6 +31,43 @@ def undefined_name(system: System, options: Options) -> Iterator[Finding]:
     if system.workspace is not None:
         for read in undefined_names(system.workspace):
             yield mild_if_uncalled(system, _finding(system.workspace, read))
+        for local in unbound_locals(system.workspace):
+            yield mild_if_uncalled(system, _too_early(local) if local.caught is None else _past_handler(local))
+
+
+def _too_early(read: UnboundLocal) -> Finding:
+    return finding(
+        "API005",
+        read.place,
+        f"'{read.name}' gets a value only later in this function: this line fails with an UnboundLocalError",
+        help=f"give {read.name} a value before",
+        related=[Related(read.assigned, "it makes the name a variable of this function, wherever else it has a value")],
+        identity=(read.name, "early"),
+        group=(read.place.file, read.name, "early"),
+    )
+
+
+def _past_handler(read: UnboundLocal) -> Finding:
+    """A variable that has no value where what an ``except`` handles has happened."""
+    assert read.caught is not None
+    told = finding(
+        "API005",
+        read.place,
+        f"'{read.name}' has no value here once the except on line {read.caught.line} has run: this line fails with an "
+        "UnboundLocalError then",
+        help=f"return in that except, or give {read.name} a value there",
+        related=[
+            Related(read.assigned, "this is where it would have got one"),
+            Related(read.caught, "it goes on to that line"),
+        ],
+        identity=(read.name, "caught"),
+        group=(read.place.file, str(read.caught.line), PAST_HANDLER),
+    )
+    return replace(told, severity=Severity.WARNING)
+
+
+PAST_HANDLER = "caught"
+"""The group of findings about what one ``except`` leaves without a value."""
 
 
 def _finding(workspace: WorkspaceIndex, read: Undefined) -> Finding:
@@ -92,7 +131,9 @@ def _undefined(workspace: WorkspaceIndex, read: Undefined) -> Finding:
 
 @folds("API005")
 def undefined_in_one_file(findings: Sequence[Finding]) -> Finding:
-    """The first read of a name in a file, for all of them."""
+    """The first read of a name in a file, for all of them, and of what has no value after one ``except``."""
+    if PAST_HANDLER in findings[0].group:
+        return with_others(findings, "another variable has", "more variables have", "none, either")
     return with_others(findings, "another line of the file does", "more lines of the file do", "the same")
 
 

@@ -1,0 +1,134 @@
+"""API005: local variables that are read where they have no value."""
+
+from __future__ import annotations
+
+import pytest
+
+from archlint.finding import Severity
+from checks.judging import Judge
+
+NODE = """
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import String
+
+limit = 3
+
+
+class Talker(Node):
+    def __init__(self):
+        super().__init__('talker')
+        self.sub = self.create_subscription(String, 'chatter', self.hear, 10)
+
+    def hear(self, message):
+{body}
+
+
+def main():
+    rclpy.init()
+    rclpy.spin(Talker())
+
+
+main()
+"""
+
+
+def _node(*lines: str) -> str:
+    return NODE.format(body="\n".join(f"        {line}" for line in lines))
+
+
+def test_an_except_that_goes_on_to_the_read(judge: Judge):
+    (finding,) = judge(
+        "API005",
+        _node(
+            "try:",
+            "    value = float(message.data)",
+            "except ValueError:",
+            "    self.get_logger().warning('no number')",
+            "print(value)  # here",
+        ),
+    )
+    assert finding.severity is Severity.WARNING
+    assert finding.message == (
+        "'value' has no value here once the except on line 16 has run: this line fails with an UnboundLocalError then"
+    )
+    assert finding.help == "return in that except, or give value a value there"
+    assert [row.place.line for row in finding.related] == [15, 16]
+
+
+def test_all_that_one_except_leaves_without_a_value(judge: Judge):
+    lines = (
+        "try:",
+        "    a, b = message.data.split()",
+        "except ValueError:",
+        "    pass",
+        "print(a)  # here",
+        "print(b)",
+    )
+    (finding,) = judge("API005", _node(*lines))
+    assert finding.message.endswith("; another variable has none, either")
+
+
+def test_a_value_that_comes_only_later(judge: Judge):
+    (finding,) = judge("API005", _node("print(limit)  # here", "limit = 5"))
+    assert finding.severity is Severity.ERROR
+    assert finding.message == (
+        "'limit' gets a value only later in this function: this line fails with an UnboundLocalError"
+    )
+
+
+TRIED = ("try:", "    a = float(message.data)", "except ValueError:")
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        ("while True:", *(f"    {line}" for line in TRIED), "        print('no')", "    print(a)  # here"),
+        (*TRIED, "    exit", "if limit:", "    print(limit)", "return a  # here"),
+        ("with open('a') as file:", "    print(text)  # here", "    text = file.read()"),
+    ],
+)
+def test_other_ways_to_a_variable_without_a_value(judge: Judge, lines: tuple[str, ...]):
+    judge("API005", _node(*lines))
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        (*TRIED, "    return", "print(a)"),
+        (*TRIED, "    raise", "print(a)"),
+        (*TRIED, "    a = 0.0", "print(a)"),
+        (*TRIED, "    print('no')", "else:", "    print(a)"),
+        ("a = None", *TRIED, "    print('no')", "print(a)"),
+        ("good = True", *TRIED, "    good = False", "if good:", "    print(a)"),
+        ("good = True", *TRIED, "    good = False", "print(good and a)"),
+        ("while True:", *(f"    {line}" for line in TRIED), "        continue", "    print(a)"),
+        ("for _ in range(3):", *(f"    {line}" for line in TRIED), "        break", "    print(a)"),
+        ("try:", "    a = None", "    print(float(message.data))", "except ValueError:", "    pass", "print(a)"),
+        ("try:", "    a = float(message.data)", "except KeyboardInterrupt:", "    pass", "print(a)"),
+        ("try:", "    a = Talker()", "except Exception:", "    print('no')", "finally:", "    a.destroy_node()"),
+        ("try:", "    import numpy as a", "except ImportError:", "    print('no')", "print(a)"),
+    ],
+)
+def test_a_try_after_which_the_variable_has_a_value_or_may_not_be_read(judge: Judge, lines: tuple[str, ...]):
+    judge("API005", _node(*lines))
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        ("global limit", "print(limit)", "limit = 5"),
+        ("for _ in range(2):", "    if _:", "        print(a)", "    a = 5"),
+        ("print([a for a in range(3)])", "a = 5"),
+        ("print(lambda: a)", "a = 5"),
+        ("def show():", "    print(a)", "a = 5", "show()"),
+        ("if message.data:", "    a = 5", "print(a)"),
+        ("if (a := message.data):", "    print(a)"),
+        ("a: int", "a = 5", "print(a)"),
+        ("for a in range(3):", "    print(a)"),
+        ("with open('a') as a:", "    print(a)"),
+        ("a = b = 5", "print(a, b)"),
+    ],
+)
+def test_what_has_a_value_or_may_have_one(judge: Judge, lines: tuple[str, ...]):
+    judge("API005", _node(*lines))
