@@ -6,6 +6,7 @@ from collections.abc import Collection, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.syntax import facts
+from archlint.syntax.flow_facts import covers
 from archlint.syntax.parts import names_in
 from archlint.syntax.walk import called_name, calls_in, statements_of
 
@@ -54,8 +55,7 @@ def runs_beside_others(code: SourceCode, chain: Sequence[Frame]) -> bool:
     for frame in chain:
         statement = code.statement_at(frame.place)
         around = [] if statement is None else [call for call in calls_in(statement) if called_name(call) in _BESIDE]
-        begin, end = frame.place.span[:2], frame.place.span[2:]
-        if any(call.span[:2] < begin and end <= call.span[2:] for call in around):
+        if any(covers(call, frame.place.span) for call in around):
             return True
     return False
 

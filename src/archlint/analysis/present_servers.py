@@ -14,7 +14,7 @@ from archlint.finding import Place
 from archlint.model import Role
 from archlint.syntax import facts
 from archlint.syntax.parts import names_in
-from archlint.syntax.walk import called_name, calls_in, parts_of, statements_of
+from archlint.syntax.walk import called_name, calls_in, given_to, parts_of, statements_of
 
 if TYPE_CHECKING:
     from archlint.model import ApiCall, Creation
@@ -130,15 +130,8 @@ def _has_a_listed_name(code: SourceCode, client: Creation) -> bool:
     """Whether a client's name is one of ``get_service_names_and_types()``, and not made of it."""
     created = code.call_at(client.place)
     body = code.body_at(client.place)
-    name = None if created is None else _name_given(created)
+    name = None if created is None else given_to(created, "srv_name", 1)
     return name is not None and bool(name.variable) and _is_listed(name.variable, body, frozenset())
-
-
-def _name_given(create: facts.Call) -> facts.Expr | None:
-    """``name`` of ``node.create_client(Trigger, name)``."""
-    by_keyword = next((argument.value for argument in create.args if argument.keyword == "srv_name"), None)
-    by_position = create.args[1].value if len(create.args) > 1 and not create.args[1].keyword else None
-    return by_keyword or by_position
 
 
 def _is_listed(name: str, body: Sequence[facts.Stmt], asked: frozenset[str]) -> bool:
