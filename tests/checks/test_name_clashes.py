@@ -109,6 +109,19 @@ def test_name_renames_all_nodes_of_an_executable(findings):
     assert findings("NME004", node(), **{"robot/talker.py": two}) == []  # the advice works
 
 
+def test_removing_a_name_needs_another_section_in_the_parameter_file_that_is_for_it(findings):
+    two = TALKER.replace("Talker())", "Talker())\n    rclpy.spin(rclpy.create_node('helper'))")
+    started = node('<param from="$(find-pkg-share robot)/config/it.yaml"/>', name="it")
+
+    def advice(section):
+        files = {"robot/talker.py": two, "config/it.yaml": f"{section}:\n  ros__parameters:\n    rate: 5\n"}
+        (found,) = findings("NME004", started, **files)
+        return found.help
+
+    assert advice("it") == "remove name=, and call the section 'it' of it.yaml as the code calls the node that reads it"
+    assert advice("/**") == "remove name=, so that each node keeps the name from its code"
+
+
 def test_an_executable_that_several_launch_files_rename_is_one_finding(findings):
     two = TALKER.replace("Talker())", "Talker())\n    rclpy.spin(rclpy.create_node('helper'))")
     again = {"launch/again.launch.xml": f"<launch>{node(name='other')}</launch>", "robot/talker.py": two}

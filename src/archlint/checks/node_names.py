@@ -16,6 +16,7 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related, Severity
 from archlint.launch.parameter_sources import files_among
+from archlint.systems.overrides import key_matches, settings_of
 
 if TYPE_CHECKING:
     from archlint.finding import Place
@@ -37,7 +38,7 @@ def duplicate_node_name(system: System, options: Options) -> Iterator[Finding]:
         if again is not None:
             included.setdefault(again, []).append(twins)
         elif node.started is other.started:
-            yield from _of_one_process(*twins)
+            yield from _of_one_process(system, *twins)
         else:
             of_actions.setdefault((id(node.started), id(other.started)), []).append(twins)
     for several in of_actions.values():
@@ -234,7 +235,7 @@ def _way_of(started: Started) -> tuple[object, ...] | None:
     return *(None if text is None else (text.text, text.resolution) for text in texts), *files, *started.arguments
 
 
-def _of_one_process(first: Node, other: Node) -> Iterator[Finding]:
+def _of_one_process(system: System, first: Node, other: Node) -> Iterator[Finding]:
     if other.launch_place is None:
         return
     renamed = first.started is not None and first.started.name is not None
@@ -248,7 +249,7 @@ def _of_one_process(first: Node, other: Node) -> Iterator[Finding]:
         "NME004",
         other.launch_place,
         message if sure else f"{message}, once a branch of its code has created both",
-        help="remove name=, so that each node keeps the name from its code"
+        help=_unrenamed(system, first)
         if renamed and differ
         else "give each its own name in the code" + (", and remove name= here" if renamed else ""),
         related=list(dict.fromkeys(related for node in (first, other) for related in _creation_sites(node))),
@@ -257,6 +258,19 @@ def _of_one_process(first: Node, other: Node) -> Iterator[Finding]:
         group=(_OF_PROCESS, *(str(node.blueprint.place) for node in (first, other) if node.blueprint is not None)),
     )
     yield diagnostic if sure else replace(diagnostic, severity=Severity.INFO)
+
+
+def _unrenamed(system: System, node: Node) -> str:
+    """The advice to remove ``name=``: a section of a parameter file that is for the name would be read by no node."""
+    started, workspace = node.started, system.workspace
+    sections = [] if started is None or workspace is None else settings_of(started, workspace.parameters_of)
+    lost = next(
+        (row for row in sections if row.written and "*" not in row.key and key_matches(row.key, node.name)), None
+    )
+    if lost is None:
+        return "remove name=, so that each node keeps the name from its code"
+    file = posixpath.basename(lost.place.file)
+    return f"remove name=, and call the section '{lost.written}' of {file} as the code calls the node that reads it"
 
 
 def _own_name(node: Node) -> str | None:
