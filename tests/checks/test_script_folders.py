@@ -25,6 +25,15 @@ def test_programs_that_nobody_finds(findings, text, file, where):
     assert told.place.file == file
 
 
+MARKED = SETUP.replace("data_files=[", "data_files=[('share/ament_index/resource_index/packages', ['resource/old']), ")
+
+
+def test_a_package_that_is_indexed_under_two_names_is_found_under_both(findings):
+    old = {"setup.cfg": RIGHT.replace("lib/robot", "lib/old"), "resource/old": ""}
+    assert findings("PKG013", **old, **{"setup.py": MARKED}) == []
+    assert len(findings("PKG013", **old)) == 1
+
+
 @pytest.mark.parametrize(
     "files",
     [

@@ -704,3 +704,12 @@ def test_a_file_of_a_package_that_is_not_declared(lint):
     )
     declared = {"package.xml": manifest("robot", *depends("rover_description"))}
     assert lint(files | declared) == []
+
+
+def test_the_name_under_which_setup_py_indexes_a_package_is_the_package_itself(lint):
+    launch = '<launch><node pkg="other" exec="drive"/></launch>'
+    setup = "from setuptools import setup\nsetup(name='other', data_files=[('share/{}', ['resource/other'])])\n"
+    files = {"package.xml": manifest("robot"), "resource/other": "", "launch/it.launch.xml": launch}
+    assert lint({**files, "setup.py": setup.format("ament_index/resource_index/packages")}) == []
+    [told] = lint({**files, "setup.py": setup.format("other")})
+    assert "'other'" in told.message

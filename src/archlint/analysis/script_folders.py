@@ -48,6 +48,8 @@ def out_of_sight(workspace: WorkspaceIndex) -> Iterator[OutOfSight]:
         wanted = _folder_of_scripts(text or "")
         if text is None or wanted is None or (wanted and not _is_of_another(wanted, package.name)):
             continue
+        if installs.is_indexed_as(posixpath.basename(wanted)):
+            continue  # under that name it is found
         programs = [e for e in installs.executables.values() if _is_of_ros(workspace, folder, e)]
         if programs:
             first = min(programs, key=lambda executable: executable.place)

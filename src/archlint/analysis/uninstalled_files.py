@@ -19,13 +19,11 @@ from archlint.analysis.kept import once
 from archlint.analysis.launch_code import writes_files
 from archlint.launch.kinds import FileStatus
 from archlint.place import Place
+from archlint.workspace.installed import MARKERS
 
 if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
     from archlint.workspace.installed import InstalledFiles, Installs
-
-_MARKERS = "share/ament_index/resource_index/packages"
-"""Where the index of packages has a file for each."""
 
 
 @dataclass(frozen=True)
@@ -171,7 +169,7 @@ def listed_in_vain(workspace: WorkspaceIndex) -> Iterator[ListedInVain]:
                 and not is_ignored(workspace, row.source)
             ):
                 [below] = _below(installs, [row.source])
-                yield ListedInVain(row.place or at, below, posixpath.normpath(row.destination) == _MARKERS)
+                yield ListedInVain(row.place or at, below, posixpath.normpath(row.destination) == MARKERS)
 
 
 @dataclass(frozen=True)

@@ -72,6 +72,8 @@ def _uses_by_package(workspace: WorkspaceIndex, options: Options) -> dict[str, l
             continue
         if any(known.declares(file, use.needed) for file in (use.place.file, *use.also)):
             continue
+        if _is_itself(workspace, package, use.needed):
+            continue
         if use.how == "tests with" and known.declares_for_tests(use.place.file, use.needed):
             continue
         uses = by_package.setdefault(package.relative, [])
@@ -96,6 +98,12 @@ def _installs_nothing(workspace: WorkspaceIndex, package: Package) -> bool:
     if package.build_type != "ament_cmake" or some or installs.mentioned:
         return False
     return not any("install" in word or word == "ament_auto_package" for word in installs.words)
+
+
+def _is_itself(workspace: WorkspaceIndex, package: Package, needed: str) -> bool:
+    """Whether a name is one under which the package itself enters ament's index, beside that of its manifest."""
+    installs = workspace.installs.get(package.name)
+    return installs is not None and installs.folder == package.relative and installs.is_indexed_as(needed)
 
 
 def _is_beside_cpp(workspace: WorkspaceIndex, package: Package, use: Use) -> bool:

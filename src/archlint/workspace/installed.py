@@ -33,6 +33,10 @@ class Executable:
     plugin: str = ""
 
 
+MARKERS = "share/ament_index/resource_index/packages"
+"""Where the index of packages has a file for each, below the prefix."""
+
+
 @dataclass(frozen=True)
 class InstalledFiles:
     """Files that go to ``destination`` (below the install prefix).  ``source`` is a shown path: a file, a
@@ -156,6 +160,12 @@ class Installs:
         if known.sources != executable.sources and known.sources and executable.sources:
             shared = tuple(source for source in known.sources if source in executable.sources)
             self.executables[known.name] = replace(known, sources=shared)
+
+    def is_indexed_as(self, name: str) -> bool:
+        """Whether the build enters the prefix into the index of packages under a name, the manifest's or another one:
+        ``ros2 run`` and launch find it there."""
+        rows = (row for row in self.files if posixpath.normpath(row.destination) == MARKERS)
+        return any((row.rename or posixpath.basename(row.source)) == name for row in rows)
 
     def may_install(self, file: str) -> bool:
         """Whether a CMake command that is not known here is given a file, by its path below the package's folder, or a
