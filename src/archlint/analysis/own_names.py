@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from archlint.analysis.kept import kept_for_each_file
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in, names_in
 
@@ -22,21 +23,22 @@ def is_defined_somewhere(system: System, file: str, name: str) -> bool:
     if workspace is None:
         return True
     files = dict.fromkeys((file, *workspace.code.files_that_mention(name)))
-    return any(_defines(workspace.facts_at(path), name) for path in files)
+    return any((defined := _defined(workspace, path)) is None or name in defined for path in files)
 
 
-def _defines(code: facts.Facts | None, name: str) -> bool:
-    if code is None:
-        return True
+@kept_for_each_file
+def _defined(code: facts.Facts) -> frozenset[str]:
+    """The functions that a file defines, the attributes that it assigns, and its texts that may name one."""
+    names: set[str] = set()
     for part in everything_in(code.body):
         match part:
-            case facts.Function(name=defined) if defined == name:
-                return True
-            case facts.Assign(targets=targets) if any(target.attribute == name for target in targets):
-                return True
-            case facts.Literal(text=text) if text == name:
-                return True
-    return False
+            case facts.Function(name=name):
+                names.add(name)
+            case facts.Assign(targets=targets):
+                names.update(target.attribute for target in targets if target.attribute)
+            case facts.Literal(text=text) if text is not None and text.isidentifier():
+                names.add(text)
+    return frozenset(names)
 
 
 def assigned_values(code: facts.Facts, attribute: str) -> list[Expr]:

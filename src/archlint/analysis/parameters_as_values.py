@@ -52,6 +52,9 @@ class _Row:
     """The class in whose method it is."""
 
 
+_GIVE_PARAMETERS = ("get_parameter", "declare_parameter")
+
+
 def parameter_uses(system: System) -> Iterator[ParameterUse]:
     """Every such use in the files that were asked for, outside of test code and of classes that may be no plain
     nodes."""
@@ -62,8 +65,7 @@ def parameter_uses(system: System) -> Iterator[ParameterUse]:
         if not workspace.code.mentions(path, "rclpy"):
             continue
         rows = [row for row in _of_file(workspace, path) if _is_of_node(workspace, path, row.cls)]
-        own = any(is_defined_somewhere(system, path, name) for name in ("get_parameter", "declare_parameter"))
-        if rows and not own:
+        if rows and not any(is_defined_somewhere(system, path, name) for name in _GIVE_PARAMETERS):
             yield from (ParameterUse(row.outcome, row.by, Place(path, *row.span)) for row in rows)
 
 
