@@ -24,6 +24,7 @@ from archlint.interpreter.values import (
     Instance,
     Known,
     ListValue,
+    Member,
     ModuleValue,
     OneOf,
     PythonValue,
@@ -136,11 +137,20 @@ def bind(machine: Machine, value: Value, instance: Value, cls: Value) -> Value:
 
 def _of_instance(machine: Machine, value: Instance, name: str) -> Value:
     stored = machine.store.get(value.key, name)
+    if isinstance(stored, Member):
+        return _made(machine, value, name, stored)
     if stored is not None:
         return stored
     if isinstance(value.cls, External):
         return machine.library.attribute_of_object(value, value.cls, name)
     return _of_own_object(machine, value, value.cls, name)
+
+
+def _made(machine: Machine, owner: Instance, name: str, member: Member) -> Value:
+    """A member that nothing has made with arguments, as an object."""
+    value = machine.call(member.cls, CallSite([], dict(member.keywords)))
+    machine.store.set(owner.key, name, value)
+    return value
 
 
 def _of_own_object(machine: Machine, value: Instance, cls: ClassValue, name: str) -> Value:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
@@ -10,7 +10,8 @@ from archlint import model
 from archlint.interpreter.call_site import CallSite
 from archlint.interpreter.limits import CLASSES
 from archlint.interpreter.modules import Module
-from archlint.interpreter.values import ClassValue, FunctionValue, Value
+from archlint.interpreter.objects.classes import allocate
+from archlint.interpreter.values import BoundMethod, ClassValue, FunctionValue, Unknown, Value
 from archlint.libraries.interest import interesting
 from archlint.libraries.rclpy import escapes, node_classes
 from archlint.monitor import Monitor
@@ -18,7 +19,8 @@ from archlint.programs.followed import Definition, Followed, FollowedProgram, Pr
 from archlint.programs.keys import DefinitionKey, ModuleKey, ProgramKey
 from archlint.programs.roots import flags_of
 from archlint.programs.top_level import definitions, place_of
-from archlint.syntax.facts import Function, Lambda
+from archlint.syntax.cpp.known_names import FIELDS
+from archlint.syntax.facts import Assign, Attribute, Function, Lambda
 from archlint.syntax.parts import names_in
 
 if TYPE_CHECKING:
@@ -79,10 +81,13 @@ class Sweep:
         for _, definition in candidates:
             for name in definition.names:
                 mentioned[name] = mentioned.get(name, 0) + 1
-        for last in (False, True):
+        called = {definition.name for _, definition in candidates if definition.is_class}
+        for turn in range(3):
             for module, definition in candidates:
                 own = 1 if definition.name in definition.names else 0
-                if (mentioned.get(definition.name, 0) > own) is not last:
+                is_used = mentioned.get(definition.name, 0) > own
+                of_class = definition.name.partition("::")[0] in called and not definition.is_class
+                if turn != (2 if of_class else 1 if is_used else 0):
                     continue
                 seen = self.progress.instantiated if definition.is_class else self.progress.ran
                 if definition.place not in seen:
@@ -110,9 +115,31 @@ class Sweep:
         run = self.new_run(function.qualified, module, model.Role.METHOD)
         run.program.executable = False
         with FollowedProgram(run, module, place_of(function)) as root:
-            given = run.call(function, CallSite(keywords=flags_of(function)))
+            given = run.call(self._on_its_object(run, module, function), CallSite(keywords=flags_of(function)))
             escapes.escape(run, [given], f"{function.qualified}() returns it, and nothing here calls that")
         return root.result()
+
+    def _on_its_object(self, run: Run, module: Module, function: FunctionValue) -> Value:
+        """A method that C++ defines outside of its class, on an object whose fields others may have set."""
+        owner, colons, _ = getattr(function.ir, "name", "").partition("::")
+        cls = self.value_of(module, owner) if colons else None
+        if not isinstance(cls, ClassValue):
+            return function
+        instance = allocate(run, cls)
+        for name in _fields_of(run, cls):
+            run.store.set(instance.key, name, Unknown(f"who sets '{name}' is not known"))
+        return BoundMethod(function, instance)
+
+
+def _fields_of(run: Run, cls: ClassValue) -> Iterator[str]:
+    """The fields that objects of a class of C++ have."""
+    for base in cls.classes:
+        fields = run.store.get(base.key, FIELDS)
+        code = fields.ir if isinstance(fields, FunctionValue) else None
+        for statement in code.body if isinstance(code, Function) else ():
+            match statement:
+                case Assign([Attribute(_, name)]):
+                    yield name
 
 
 def _definition(run: Run, module: Module, variable: str, value: Value | None) -> Definition | None:

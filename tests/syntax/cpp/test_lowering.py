@@ -137,8 +137,8 @@ def test_a_class_with_its_fields_and_constructor() -> None:
     [
         ("Helper helper_;", "?Helper(self)"),
         ("Helper<rclcpp::Node> helper_;", "?Helper(self, <0>=rclcpp::Node)"),
-        ("Helper * helper_;", "__member__(self)"),
-        ("", "__member__(self)"),
+        ("Helper * helper_;", "std.__member__(self, 'helper_', self)"),
+        ("", "std.__member__(self, 'helper_', self)"),
     ],
 )
 def test_a_member_that_is_given_its_node_is_another_object(member: str, value: str) -> None:
@@ -348,8 +348,8 @@ def test_a_loop_to_the_end_of_another_container_is_none_over_the_first() -> None
 def test_a_member_is_made_with_what_its_class_elsewhere_takes() -> None:
     source = 'Robot::Robot() : Node("robot"), image_(this, "image"), helper_(this), rate_(10) {}'
     lines = in_python(source).splitlines()
-    assert "    self.image_ = self.image_.__made_with__(self, 'image')" in lines
-    assert "    self.helper_ = __member__(self)" in lines
+    assert "    self.image_ = std.__member__(self, 'image_', self, 'image')" in lines
+    assert "    self.helper_ = std.__member__(self, 'helper_', self)" in lines
     assert "    self.rate_ = 10" in lines
 
 

@@ -53,6 +53,7 @@ from archlint.interpreter.values.functions import (
     BoundMethod,
     Builtin,
     FunctionValue,
+    Member,
     Partial,
     PythonValue,
 )
@@ -93,6 +94,7 @@ __all__ = [
     "Known",
     "ListKind",
     "ListValue",
+    "Member",
     "ModuleValue",
     "OneOf",
     "Partial",

@@ -101,6 +101,20 @@ class Partial(Value):
 
 
 @dataclass(frozen=True, slots=True)
+class Member(Value):
+    """A member of C++ that is an object of a class: whoever reads it before it is made with arguments finds one that
+    was made without any."""
+
+    cls: Value
+    keywords: tuple[tuple[str, Value], ...] = ()
+    """The template arguments of the class."""
+
+    @property
+    def is_object(self) -> bool:
+        return True
+
+
+@dataclass(frozen=True, slots=True)
 class ApiMethod(Value):
     """A method of an rclpy class, bound to a value: ``path`` is canonical (``rclpy.node.Node.create_timer``)."""
 

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from archlint.interpreter.attributes import get_attribute
 from archlint.interpreter.containers import new_list
-from archlint.interpreter.values import DictValue, Unknown, Value
+from archlint.interpreter.values import ClassValue, DictValue, External, Instance, Member, Unknown, Value
+from archlint.syntax.cpp.known_names import FIELDS
 
 if TYPE_CHECKING:
     from archlint.interpreter.call_site import CallSite
@@ -33,6 +36,49 @@ def _template_argument(run: Run, site: CallSite) -> Value:
     return kept or default
 
 
-PLAIN: dict[str, Plain] = {"std.pairs": _pairs, "std.template_argument": _template_argument}
+def _field(run: Run, site: CallSite) -> Value:
+    """A member, before the constructor of its class makes it; an enum, or what is not known, has no value yet."""
+    cls = site.args[0] if site.args else None
+    if cls is None or not (isinstance(cls, External) or _is_class(run, cls)):
+        return Unknown("a variable without a value")
+    return Member(cls, tuple(site.keywords.items()))
+
+
+def _object(run: Run, site: CallSite) -> Value:
+    """A variable that is an object of a class of another file, made without arguments."""
+    cls = site.args[0] if site.args else None
+    if cls is None or not _is_class(run, cls):
+        return Unknown("a variable without a value")
+    return run.call(cls, replace(site, args=[]))
+
+
+def _is_class(run: Run, cls: Value) -> bool:
+    """Whether something is a class of ours, other than an enum."""
+    return isinstance(cls, ClassValue) and cls.lookup(run, FIELDS)[0] is not None
+
+
+def _member(run: Run, site: CallSite) -> Value:
+    """``member(object, name, …)``: what the list of a constructor makes of a member with these arguments."""
+    owner, name, *given = site.args
+    before = run.store.get(owner.heap_key, name.text) if owner.heap_key and name.text else None
+    arguments = replace(site, args=given)
+    is_given_itself = given == [owner]
+    if isinstance(before, Member):
+        is_copy = len(given) == 1 and given[0].own_class is not None and given[0].own_class == before.cls
+        return given[0] if is_copy else run.call(before.cls, replace(arguments, keywords=dict(before.keywords)))
+    if len(given) == 1 and not is_given_itself:
+        return given[0]
+    made_later = isinstance(before, Instance) and isinstance(before.cls, External)
+    maker = get_attribute(run, before, "__made_with__") if before is not None and made_later else None
+    return run.call(maker or Unknown("the class of a member is elsewhere"), arguments)
+
+
+PLAIN: dict[str, Plain] = {
+    "std.pairs": _pairs,
+    "std.template_argument": _template_argument,
+    "std.__field__": _field,
+    "std.__object__": _object,
+    "std.__member__": _member,
+}
 
 __all__ = ["PLAIN"]

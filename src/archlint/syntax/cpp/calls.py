@@ -46,9 +46,6 @@ FREE = {
 }
 """Functions that take the node first, and then what its method takes."""
 
-MADE_WITH = "__made_with__"
-"""The method of a member that stands for its constructor, where the type of the member is written elsewhere."""
-
 NODE_INTERFACES = (
     *("get_node_base_interface", "get_node_topics_interface", "get_node_parameters_interface"),
     *("get_node_services_interface", "get_node_timers_interface", "get_node_clock_interface"),
@@ -161,7 +158,6 @@ def free_timer(path: str, values: Sequence[Expr], span: Span) -> Expr:
 __all__ = [
     "FREE",
     "GENERIC",
-    "MADE_WITH",
     "METHODS",
     "NODE_INTERFACES",
     "WITH_TYPE",

@@ -102,6 +102,11 @@ DURATIONS = {
 
 PAIRS = "std.pairs"
 """The function that gives the pairs of a map, and any other container as it is; the standard library has none."""
+FIELDS = "__fields__"
+"""The method that gives the fields of a class their first values."""
+FIELD, MEMBER, OBJECT = "std.__field__", "std.__member__", "std.__object__"
+"""The functions that give a member which is an object: before anything makes it, and made with arguments; and a
+variable that is one, made without any."""
 TEMPLATE_ARGUMENT = "std.template_argument"
 """The function that gives what a template argument of a class is for one of its objects."""
 SEQUENCES = frozenset({"vector", "list", "deque", "set", "unordered_set", "array", "initializer_list"})
@@ -110,11 +115,15 @@ STREAMS = frozenset({"stringstream", "ostringstream"})
 
 __all__ = [
     "DURATIONS",
+    "FIELD",
+    "FIELDS",
     "INTERFACE_KINDS",
     "IN_PYTHON",
     "LIBRARIES",
     "MAKERS",
     "MAPS",
+    "MEMBER",
+    "OBJECT",
     "PAIRS",
     "POINTERS",
     "RMW_PROFILES",

@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING
 from archlint.syntax import facts
 from archlint.syntax.cpp import calls
 from archlint.syntax.cpp.declared import declared
+from archlint.syntax.cpp.known_names import FIELD, FIELDS
 from archlint.syntax.cpp.lower_expressions import given
-from archlint.syntax.cpp.lower_functions import BASES, FIELDS, FunctionLowering, function_declarator
+from archlint.syntax.cpp.lower_functions import BASES, FunctionLowering, function_declarator
 from archlint.syntax.cpp.names import FunctionScope, Names
 
 if TYPE_CHECKING:
@@ -89,8 +90,9 @@ class ClassLowering(FunctionLowering):
                 if variable.is_function or not variable.name:
                     continue
                 outer, self.before = self.before, []
-                value = self._initial(variable, kind)
                 span = self.source.span(node)
+                parts = [] if kind is None else self.names.written(self.names.parts(kind))
+                value = self._object(FIELD, variable, parts, span) or self._initial(variable, kind)
                 if is_static and variable.value is None:
                     self.before = outer
                     continue  # its definition stands elsewhere

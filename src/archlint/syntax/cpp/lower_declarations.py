@@ -5,8 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from archlint.syntax import facts
+from archlint.syntax.cpp import calls
 from archlint.syntax.cpp.declared import Declared, declared, is_pointer
-from archlint.syntax.cpp.known_names import INTERFACE_KINDS, MAPS, RMW_PROFILES, SEQUENCES, STREAMS
+from archlint.syntax.cpp.known_names import INTERFACE_KINDS, MAPS, OBJECT, RMW_PROFILES, SEQUENCES, STREAMS
 from archlint.syntax.cpp.lower_calls import CallLowering
 from archlint.syntax.cpp.names import Part
 
@@ -118,8 +119,24 @@ class DeclarationLowering(CallLowering):
         if last in _DEFAULT_MADE or self.names.path(parts) in _DEFAULT_MADE:
             return self.construct_parts(parts, None, span)
         path = self.names.path(parts)
-        is_made = bool(parts) and not path and len(parts[-1].name) > 1 and self._is_own_class(parts)
-        return self.construct_parts(parts, None, span) if is_made else facts.Opaque("a variable without a value", span)
+        if bool(parts) and not path and len(parts[-1].name) > 1 and self._is_own_class(parts):
+            return self.construct_parts(parts, None, span)
+        made = self._object(OBJECT, variable, parts, span) if self.names.scopes and not path else None
+        return made or facts.Opaque("a variable without a value", span)
+
+    def _object(self, maker: str, variable: Declared, parts: list[Part], span: Span) -> Expr | None:
+        """A member or variable that is an object of a class, made later or without arguments; None for any other."""
+        if len(parts) == 1:
+            parts = self.names.templates.get(parts[0].name, parts)
+        is_class = bool(parts) and parts[-1].name[:1].isupper() and not parts[-1].name.endswith("Ptr")
+        if not is_class or variable.value is not None or variable.is_pointer or variable.is_array:
+            return None
+        path = self.names.path(parts)
+        if (path and path not in _MADE_WITH_NODE) or any(part.name in INTERFACE_KINDS for part in parts):
+            return None
+        types = [self.lower_type(argument) for argument in parts[-1].arguments]
+        arguments = [facts.Argument(self.names.resolve(parts, span)), *calls.template_arguments(types)]
+        return facts.Call(self.names.library(maker, span), arguments, span)
 
     def _is_own_class(self, parts: list[Part]) -> bool:
         """Whether a type is a class of this file, or a message: those are made without arguments."""
@@ -190,6 +207,14 @@ def _reads_like_a_value(node: Node) -> bool:
 
 _POLICIES = ("history", "depth", "reliability", "durability")
 """The fields that ``rmw_qos_profile_t`` begins with.  Source: ``rmw/types.h``."""
+
+_MADE_WITH_NODE = frozenset(
+    {
+        *("rclcpp.QoS", "image_transport.ImageTransport"),
+        *("tf2_ros.TransformBroadcaster", "tf2_ros.StaticTransformBroadcaster"),
+    }
+)
+"""Classes of libraries whose objects the list of a constructor makes."""
 
 _DEFAULT_MADE = frozenset(
     {

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from archlint.syntax import facts
 from archlint.syntax.cpp import calls
 from archlint.syntax.cpp.declared import declared
-from archlint.syntax.cpp.known_names import IN_PYTHON, TEMPLATE_ARGUMENT
+from archlint.syntax.cpp.known_names import FIELDS, IN_PYTHON, MEMBER, TEMPLATE_ARGUMENT
 from archlint.syntax.cpp.lower_expressions import given
 from archlint.syntax.cpp.lower_statements import StatementLowering
 from archlint.syntax.cpp.names import FunctionScope, Names, Part
@@ -19,8 +19,6 @@ if TYPE_CHECKING:
     from archlint.syntax.cpp.source import SourceText
     from archlint.syntax.facts import Expr, Param, Span, Stmt
 
-FIELDS = "__fields__"
-"""The method that gives the fields of a class their first values."""
 BASES = "__bases__"
 """The method that makes the bases of a class where its constructor says nothing of them."""
 
@@ -220,21 +218,22 @@ class FunctionLowering(StatementLowering):
             called = facts.Attribute(base, "__init__", span)
             return facts.Expression(facts.Call(called, [facts.Argument(itself), *listed], span), span)
         target = facts.Attribute(itself, last.name, span)
-        return facts.Assign([target], self._member_value(name, target, arguments, span), span)
+        return facts.Assign([target], self._member_value(name, arguments, span), span)
 
-    def _member_value(self, name: Node, member: Expr, arguments: Node | None, span: Span) -> Expr:
-        """What ``member(…)`` of a constructor's list sets.  The type of the member is hardly known here; the object
-        itself makes another one of it, such as a helper that is given its node."""
+    def _member_value(self, name: Node, arguments: Node | None, span: Span) -> Expr:
+        """What ``member(…)`` of a constructor's list sets.  Where the type of the member is not known here, its class
+        says whether that makes an object, such as a helper that is given its node."""
         nodes = [] if arguments is None else [child for child in arguments.named_children if child.type != "comment"]
+        kind = self._type_of_member(name)
         is_given_itself = len(nodes) == 1 and self.source.text(nodes[0]) in ("this", "*this")
-        if (is_given_itself or len(nodes) > 1) and (kind := self._type_of_member(name)) is not None:
+        if (is_given_itself or len(nodes) > 1) and kind is not None:
             return self.construct(kind, arguments, span)
         if len(nodes) == 1 and nodes[0].type == "number_literal" and self._is_profile(name):
             return facts.Call(self.names.library("rclcpp.QoS", span), given(self.lower_all(nodes)), span)
-        if len(nodes) == 1 and not is_given_itself:
+        if len(nodes) == 1 and nodes[0].type not in _MAY_MAKE:
             return self.lower(nodes[0])
-        maker = facts.Name("__member__", span) if len(nodes) < 2 else facts.Attribute(member, calls.MADE_WITH, span)
-        return facts.Call(maker, given(self.lower_all(nodes)), span)
+        which = (facts.Name("self", span), facts.Literal(self.source.text(name), span))
+        return facts.Call(self.names.library(MEMBER, span), given([*which, *self.lower_all(nodes)]), span)
 
     def _is_profile(self, name: Node) -> bool:
         """Whether a member is an ``rclcpp::QoS``: its class says so or, where that is elsewhere, its constructor calls
@@ -270,6 +269,10 @@ class FunctionLowering(StatementLowering):
         return facts.Expression(call, span)
 
 
+_MAY_MAKE = frozenset({"this", "pointer_expression", "identifier", "field_expression"})
+"""What a member that is an object may be made with, or else be a copy of."""
+
+
 def _is_reference(node: Node) -> bool:
     """Whether a parameter is written to for the caller: ``T & name``, ``T * name`` without ``const``."""
     declarator = node.child_by_field_name("declarator")
@@ -299,4 +302,4 @@ def _is_type(annotation: Expr | None) -> bool:
     return isinstance(annotation, (facts.Name, facts.Attribute))
 
 
-__all__ = ["BASES", "FIELDS", "FunctionLowering", "TemplateParameter", "function_declarator"]
+__all__ = ["BASES", "FunctionLowering", "TemplateParameter", "function_declarator"]

@@ -1,0 +1,148 @@
+"""Members of C++ that are objects of classes of other files, which the list of a constructor may make."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from tests.cpp_nodes import graph
+
+HEADER = """
+#pragma once
+#include "rclcpp/rclcpp.hpp"
+struct Config {
+  std::string topic = "state";
+  int depth{3};
+};
+enum class Mode { idle, busy };
+class Wheel {
+public:
+  Wheel(rclcpp::Node * node, const std::string & name);
+private:
+  std::shared_ptr<rclcpp::Publisher<std_msgs::msg::Float64>> speed_;
+};
+"""
+ROBOT = """
+#pragma once
+#include "wheel.hpp"
+class Robot : public rclcpp::Node {
+public:
+  Robot();
+private:
+  Config read();
+  Wheel left_;
+  Wheel right_;
+  Config config_;
+  Config plain_;
+  Mode mode_;
+  rclcpp::QoS qos_;
+};
+"""
+SOURCE = """
+#include "robot.hpp"
+Wheel::Wheel(rclcpp::Node * node, const std::string & name) {
+  speed_ = node->create_publisher<std_msgs::msg::Float64>(name + "/speed", 1);
+}
+Robot::Robot() : Node("robot"), left_(this, "left"), right_{this, "right"}, %s { %s }
+Config Robot::read() {
+  Config config;
+  config.topic = "read";
+  return config;
+}
+int main(int argc, char ** argv) { rclcpp::init(argc, argv); rclcpp::spin(std::make_shared<Robot>()); }
+"""
+
+
+def publishers(made: str, body: str = "") -> dict[str, Any]:
+    """What the robot publishes, by name, beside what its wheels do."""
+    files = {"src/wheel.hpp": HEADER, "src/robot.hpp": ROBOT, "src/robot.cpp": SOURCE % (made, body)}
+    [node] = graph(files)["nodes"]
+    ends = {end["name"]: end for end in node["publishers"]}
+    assert ends.pop("/left/speed")["type"] == ends.pop("/right/speed")["type"] == "std_msgs/msg/Float64"
+    return ends
+
+
+def publishes(topic: str, qos: str = "1") -> str:
+    return f"create_publisher<std_msgs::msg::String>({topic}, {qos});"
+
+
+def test_a_member_is_made_with_what_the_list_of_a_constructor_gives_it() -> None:
+    assert publishers("mode_(Mode::idle)") == {}
+
+
+def test_a_member_that_nothing_makes_has_the_first_values_of_its_class() -> None:
+    [end] = publishers("mode_(Mode::idle)", publishes("plain_.topic", "plain_.depth")).values()
+    assert (end["name"], end["qos"]["depth"]) == ("/state", 3)
+
+
+def test_a_member_that_is_copied_has_what_the_other_has() -> None:
+    assert list(publishers("config_(read())", publishes("config_.topic"))) == ["/read"]
+    assert list(publishers("plain_(read()), config_(plain_)", publishes("config_.topic"))) == ["/read"]
+
+
+def test_a_profile_is_made_of_a_depth() -> None:
+    [end] = publishers("config_(), qos_(config_.depth)", publishes('"a"', "qos_")).values()
+    assert (end["qos"]["depth"], end["qos"]["reliability"]) == (3, "reliable")
+
+
+def test_a_member_of_an_enum_has_no_value_of_its_own() -> None:
+    body = 'if (mode_ == Mode::busy) { create_publisher<std_msgs::msg::String>("busy", 1); }'
+    assert list(publishers("config_()", body)) == ["/busy"]
+
+
+ALONE = """
+#pragma once
+#include "controller_interface/controller_interface.hpp"
+namespace arm {
+class Controller : public controller_interface::ControllerInterface {
+public:
+  CallbackReturn on_init() override;
+  CallbackReturn on_configure(const rclcpp_lifecycle::State &) override;
+private:
+  using State = control_msgs::msg::MultiDOFStateStamped;
+  std::string topic_ = "~/reference";
+};
+}
+"""
+METHODS = """
+#include "controller.hpp"
+namespace arm {
+CallbackReturn Controller::on_init() { topic_ = chosen(); return CallbackReturn::SUCCESS; }
+CallbackReturn Controller::on_configure(const rclcpp_lifecycle::State &) {
+  get_node()->create_publisher<State>("~/status", rclcpp::SystemDefaultsQoS());
+  get_node()->create_subscription<std_msgs::msg::Float64>(topic_, 1, nullptr);
+  return CallbackReturn::SUCCESS;
+}
+}
+"""
+
+
+def test_a_method_that_nothing_calls_knows_the_types_of_its_class_but_not_its_fields() -> None:
+    nodes = graph({"src/controller.hpp": ALONE, "src/controller.cpp": METHODS})["nodes"]
+    [status] = [end for node in nodes for end in node["publishers"]]
+    assert (status["written"], status["type"]) == ("~/status", "control_msgs/msg/MultiDOFStateStamped")
+    [reference] = [end for node in nodes for end in node["subscribers"]]
+    assert reference["name"] is None
+
+
+PORT = """
+#pragma once
+#include "rclcpp/rclcpp.hpp"
+class Port {
+public:
+  using Trigger = std_srvs::srv::Trigger;
+  Port(rclcpp::Node::SharedPtr node, std::string name);
+  void ask() { client_->async_send_request(nullptr); }
+  std::string name_;
+  rclcpp::Client<Trigger>::SharedPtr client_;
+};
+"""
+
+
+def test_a_constructor_is_not_followed_beside_its_class() -> None:
+    source = """
+    #include "port.hpp"
+    Port::Port(rclcpp::Node::SharedPtr node, std::string name)
+    : name_(name), client_(node->create_client<Trigger>(name_)) {}
+    """
+    nodes = graph({"src/port.hpp": PORT, "src/port.cpp": source})["nodes"]
+    assert [client["type"] for node in nodes for client in node["clients"]] == ["std_srvs/srv/Trigger"]
