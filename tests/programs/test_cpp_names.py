@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+import pytest
 from tests.cpp_nodes import graph
 
 PROGRAM = """
@@ -246,3 +247,111 @@ def test_a_behaviour_gets_its_node_from_a_port() -> None:
     nodes = graph({"src/go_to.cpp": BEHAVIOUR % 'getInput("node", node_);'})["nodes"]
     assert {client["name"] for node in nodes for client in node["action_clients"]} == {"/navigate_to_pose"}
     assert not any(node["is_node"] for node in nodes)
+
+
+BASE = """
+#include "rclcpp/rclcpp.hpp"
+class Base : public rclcpp::Node {
+public:
+  Base(const std::string & name, int depth) : rclcpp::Node(name) {
+    create_publisher<std_msgs::msg::String>("base", depth);
+  }
+};
+"""
+INHERITING = """
+#include "rclcpp/rclcpp.hpp"
+class Robot : public %s {
+public:
+  using %s;
+  void start() { create_publisher<std_msgs::msg::String>(topic_, 1); }
+  std::string topic_ = "news";
+};
+int main(int argc, char ** argv) {
+  rclcpp::init(argc, argv);
+  auto robot = std::make_shared<Robot>(%s);
+  robot->start();
+  rclcpp::spin(robot);
+}
+"""
+
+
+@pytest.mark.parametrize(
+    ("base", "constructors", "arguments", "name"),
+    [
+        ("rclcpp::Node", "rclcpp::Node::Node", '"robot"', "/robot"),
+        ("rclcpp::Node", "Node::Node", '"robot", "left"', "/left/robot"),
+        ("rclcpp::Node", "rclcpp::Node::Node", '"robot", rclcpp::NodeOptions()', "/robot"),
+        ("rclcpp::Node", "rclcpp::Node::Node", '"robot", "left", rclcpp::NodeOptions()', "/left/robot"),
+        ("Base", "Base::Base", '"robot", 3', "/robot"),
+    ],
+)
+def test_a_class_takes_over_the_constructors_of_its_base(base: str, constructors: str, arguments: str, name: str):
+    source = (BASE if base == "Base" else "") + INHERITING % (base, constructors, arguments)
+    [node] = graph({"src/robot.cpp": source})["nodes"]
+    ends = [(end["written"], end["qos"]["depth"]) for end in node["publishers"]]
+    assert (node["name"], ends) == (name, [*([("base", 3)] if base == "Base" else []), ("news", 1)])
+
+
+OPENED = """
+#include "rclcpp/rclcpp.hpp"
+using namespace std;
+using namespace rclcpp;
+class Robot : public Node {
+public:
+  Robot() : Node("robot") {
+    string topic = string("scan") + "/" + to_string(2);
+    publishers_.push_back(create_publisher<std_msgs::msg::String>(topic, QoS(KeepLast(3)).best_effort()));
+    for (auto name : vector<string>{"a", "b"}) {
+      publishers_.push_back(create_publisher<std_msgs::msg::String>(name, SensorDataQoS()));
+    }
+    init();
+  }
+  void init() { timer_ = create_wall_timer(chrono::milliseconds(20), bind(&Robot::tick, this)); }
+  void tick() { helper_ = make_shared<Node>("helper"); }
+  vector<Publisher<std_msgs::msg::String>::SharedPtr> publishers_;
+  TimerBase::SharedPtr timer_;
+  shared_ptr<Node> helper_;
+};
+int main(int argc, char ** argv) {
+  init(argc, argv);
+  spin(make_shared<Robot>());
+}
+"""
+
+
+def test_names_of_libraries_whose_namespace_is_opened() -> None:
+    nodes = {node["name"]: node for node in graph({"src/robot.cpp": OPENED})["nodes"]}
+    assert sorted(nodes) == ["/helper", "/robot"]
+    robot = nodes["/robot"]
+    ends = [(end["name"], end["qos"]["depth"], end["qos"]["reliability"]) for end in robot["publishers"]]
+    assert ends == [("/a", 5, "best_effort"), ("/b", 5, "best_effort"), ("/scan/2", 3, "best_effort")]
+    assert [timer["period_s"] for timer in robot["timers"]] == [0.02]
+
+
+def test_a_class_of_the_file_is_none_of_a_library_that_is_opened() -> None:
+    own = "class QoS { public: QoS(int) {} };"
+    source = own + OPENED.replace("KeepLast(3)", "3").replace(".best_effort()", "")
+    [robot] = [node for node in graph({"src/robot.cpp": source})["nodes"] if node["name"] == "/robot"]
+    assert (robot["publishers"][2]["name"], robot["publishers"][2]["qos"]["reliability"]) == ("/scan/2", None)
+
+
+ASKED = """
+#include "rclcpp/rclcpp.hpp"
+int main(int argc, char ** argv) {
+  rclcpp::init(argc, argv);
+  auto node = std::make_shared<rclcpp::Node>("robot");
+  bool images = false;
+  int count = 0;
+  std::istringstream(argv[1]) >> images >> count;
+  if (images) node->create_publisher<std_msgs::msg::String>("images", 1);
+  if (count > 3) node->create_publisher<std_msgs::msg::String>("many", 1);
+  rclcpp::spin(node);
+}
+"""
+
+
+def test_what_a_stream_reads_may_be_anything() -> None:
+    [node] = graph({"src/robot.cpp": ASKED})["nodes"]
+    assert [end["name"] for end in node["publishers"]] == ["/images", "/many"]
+    [node] = graph({"src/robot.cpp": ASKED.replace(" >> count", "")})["nodes"]
+    assert [end["name"] for end in node["publishers"]] == ["/images"]

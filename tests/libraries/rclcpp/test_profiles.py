@@ -44,6 +44,10 @@ DEFAULT = ("keep_last", 10, "reliable", "volatile")
             "rclcpp::QoS(rclcpp::QoS(2).best_effort().transient_local())",
             ("keep_last", 2, "best_effort", "transient_local"),
         ),
+        (
+            "rclcpp::QoS(rclcpp::QoSInitialization::from_rmw(rmw_qos_profile_default), rmw_qos_profile_default)",
+            DEFAULT,
+        ),
         ("rclcpp::QoS(rclcpp::SensorDataQoS())", ("keep_last", 5, "best_effort", "volatile")),
         ("rclcpp::SystemDefaultsQoS()", ("system_default", None, "system_default", "system_default")),
     ],

@@ -41,6 +41,18 @@ def in_a_method(statement: str) -> str:
             "timer_ = create_wall_timer(std::chrono::milliseconds(500), std::bind(&Talker::tick, this));",
             "?timer_ = self.create_timer(timer_period_sec=0.5, callback=self.tick)",
         ),
+        (
+            "create_wall_timer(std::chrono::milliseconds{500}, f);",
+            "self.create_timer(timer_period_sec=0.5, callback=?f)",
+        ),
+        (
+            "create_wall_timer(std::chrono::duration<double, std::milli>(20), f);",
+            "self.create_timer(timer_period_sec=0.02, callback=?f)",
+        ),
+        (
+            "create_wall_timer(std::chrono::duration<int, std::ratio<1, 30>>(1), f);",
+            "self.create_timer(timer_period_sec=<a duration>, callback=?f)",
+        ),
         ("rclcpp::create_timer(this, get_clock(), 100ms, f);", "self.create_timer(timer_period_sec=0.1, callback=?f)"),
         (
             'rclcpp_action::create_client<nav2_msgs::action::Spin>(shared_from_this(), "spin");',
@@ -89,6 +101,7 @@ def test_parameters_are_declared_and_read_by_value(written: str, expected: str) 
         ('std::string s = ""; s.push_back(n_);', "s = ''\ns += ?n_"),
         ('std::string s = "a"; s.size();', "s = 'a'\nlen(s)"),
         ("for (int i = 0; i < 3; ++i) { go(i); }", "for i in range(0, 3):\n    ?go(i)"),
+        ("for (size_t i{1}; i < 3; ++i) { go(i); }", "for i in range(1, 3):\n    ?go(i)"),
         ('for (const auto & n : {"a", "b"}) { go(n); }', "for n in ['a', 'b']:\n    ?go(n)"),
         ('names_.push_back("a");', "?names_.append('a')"),
         ("if (auto p = find()) { p->go(); }", "p = ?find()\nif p:\n    p.go()"),

@@ -128,6 +128,9 @@ def _set_names(run: Run, blueprint: model.Blueprint, call: ApiUse) -> None:
         blueprint.constructed = True
         blueprint.name = text_of_value(call.get("node_name"), "a node without a name")
     namespace = call.get("namespace")
+    options = call.get("rclcpp_options")
+    if namespace is None and options is not None and options.text is not None:
+        namespace = options  # a class of C++ that inherits the constructors of a node takes either
     if namespace is None:
         # **kwargs may carry a namespace; rclpy's default is the root.
         blueprint.namespace = ROOT

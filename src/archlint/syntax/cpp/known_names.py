@@ -55,12 +55,35 @@ IN_PYTHON = {
 }
 
 RMW_PROFILES = {
+    "rmw_qos_profile_default": "rclpy.qos.qos_profile_default",
     "rmw_qos_profile_sensor_data": "rclpy.qos.qos_profile_sensor_data",
     "rmw_qos_profile_services_default": "rclpy.qos.qos_profile_services_default",
     "rmw_qos_profile_parameters": "rclpy.qos.qos_profile_parameters",
     "rmw_qos_profile_parameter_events": "rclpy.qos.qos_profile_parameter_events",
     "rmw_qos_profile_system_default": "rclpy.qos.qos_profile_system_default",
 }
+
+OPENED = {
+    "std": frozenset(
+        {
+            *("string", "to_string", "make_shared", "make_unique", "make_pair", "make_tuple", "bind", "move", "ref"),
+            *("vector", "list", "deque", "set", "array", "map", "unordered_map", "shared_ptr", "unique_ptr", "chrono"),
+            *("stringstream", "ostringstream", "static_pointer_cast", "dynamic_pointer_cast"),
+        }
+    ),
+    "rclcpp": frozenset(
+        {
+            *("Node", "NodeOptions", "QoS", "KeepLast", "KeepAll", "SensorDataQoS", "SystemDefaultsQoS", "ServicesQoS"),
+            *("ParametersQoS", "QoSInitialization", "Parameter", "executors", "init", "ok", "shutdown", "spin"),
+            *("spin_some", "create_publisher", "create_subscription", "create_service", "create_client"),
+        }
+    ),
+}
+"""Names of libraries that many use without their namespace, behind ``using namespace``."""
+UNLIKE_METHODS = frozenset({"init", "ok", "shutdown", "spin", "spin_some", "move", "set"}) | {
+    *("create_publisher", "create_subscription", "create_service", "create_client"),
+}
+"""Those of them that methods are called, too: in a method of a class they mean these."""
 
 POINTERS = frozenset(
     {
@@ -100,6 +123,9 @@ DURATIONS = {
 }
 """In seconds."""
 
+RATIOS = {"ratio<1>": 1.0, "ratio<60>": 60.0, "milli": 1e-3, "micro": 1e-6, "nano": 1e-9}
+"""What ``std::chrono::duration`` counts, by its second template argument: in seconds."""
+
 PAIRS = "std.pairs"
 """The function that gives the pairs of a map, and any other container as it is; the standard library has none."""
 FIELDS = "__fields__"
@@ -124,11 +150,14 @@ __all__ = [
     "MAPS",
     "MEMBER",
     "OBJECT",
+    "OPENED",
     "PAIRS",
     "POINTERS",
+    "RATIOS",
     "RMW_PROFILES",
     "SAME",
     "SEQUENCES",
     "STREAMS",
     "TEMPLATE_ARGUMENT",
+    "UNLIKE_METHODS",
 ]

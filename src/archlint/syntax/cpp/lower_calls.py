@@ -224,7 +224,7 @@ class CallLowering(ObjectLowering):
         if path in SAME:
             return values[0] if values else facts.Opaque(path, span)
         if path in DURATIONS or path == "std.chrono.duration":
-            return _seconds(values, DURATIONS.get(path, 1.0), span)
+            return self.seconds(path, last, values, span)
         types = [self.lower_type(argument) for argument in last.arguments]
         if path in calls.FREE and values:
             created = self._created(values[0], calls.FREE[path], types, values[1:], span)
@@ -314,16 +314,6 @@ def _is_placeholder(value: Expr) -> bool:
 def _is_of_node(name: str) -> bool:
     """Whether a method is one that a node has."""
     return name in calls.METHODS or name in calls.GENERIC or name in _OF_NODE
-
-
-def _seconds(values: Sequence[Expr], unit: float, span: Span) -> Expr:
-    """A duration as a number of seconds."""
-    if len(values) != 1:
-        return facts.Opaque("a duration", span)
-    number = values[0].number
-    if number is not None:
-        return facts.Literal(number * unit, span)
-    return values[0] if unit == 1.0 else facts.Binary("*", values[0], facts.Literal(unit, span), span)
 
 
 __all__ = ["CallLowering"]

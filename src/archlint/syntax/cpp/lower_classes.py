@@ -11,13 +11,13 @@ from archlint.syntax.cpp.declared import declared
 from archlint.syntax.cpp.known_names import FIELD, FIELDS
 from archlint.syntax.cpp.lower_expressions import given
 from archlint.syntax.cpp.lower_functions import BASES, FunctionLowering, function_declarator
-from archlint.syntax.cpp.names import FunctionScope, Names
+from archlint.syntax.cpp.names import FunctionScope, Names, Part
 
 if TYPE_CHECKING:
     from tree_sitter import Node
 
     from archlint.syntax.cpp.source import SourceText
-    from archlint.syntax.facts import Expr, Span, Stmt
+    from archlint.syntax.facts import Argument, Expr, Param, Span, Stmt
 
 
 class ClassLowering(FunctionLowering):
@@ -47,7 +47,7 @@ class ClassLowering(FunctionLowering):
         inner.append(self._method(FIELDS, [], [*self._arguments_of(bases, own, span), *fields], span))
         inner.append(self._method(BASES, [], self._plain_bases(written, span), span))
         if not has_constructor:
-            inner.append(self._default_constructor(own, span))
+            inner += self._constructors(own, block, [self.names.parts(base) for base in bases], span)
         self._template_parameters, self._class_parameters, self.names.class_parameters = outer
         body.append(facts.Class(own, given(written), inner, [], span, self.source.span(name)))
 
@@ -111,6 +111,40 @@ class ClassLowering(FunctionLowering):
             "__init__", params, [*kept, self._calls(own, FIELDS, span), self._calls(own, BASES, span)], span
         )
 
+    def _constructors(self, own: str, block: Node, bases: Sequence[list[Part]], span: Span) -> list[Stmt]:
+        """What C++ makes for a class without one: one without parameters, or those of a base, ``using Base::Base``."""
+        for member in _members_of(block):
+            named = [part for child in member.named_children for part in self.names.parts(child)]
+            if member.type == "using_declaration" and len(named) > 1 and named[-1].name == named[-2].name:
+                base = next((base for base in bases if base[-1].name == named[-1].name), named[:-1])
+                return self._inherited(own, self.names.written(base), span)
+        return [self._default_constructor(own, span)]
+
+    def _inherited(self, own: str, base: list[Part], span: Span) -> list[Stmt]:
+        """Constructors that pass on what they are given."""
+        if not self.is_node(base):
+            passed_on = facts.Argument(facts.Name("arguments", span), None, "*")
+            return [self._passes_on(own, base, [facts.Param("arguments", "star")], [passed_on], span)]
+        return [
+            self._passes_on(
+                own,
+                base,
+                [facts.Param(word, "normal") for word in words],
+                [facts.Argument(facts.Name(word, span), word) for word in words],
+                span,
+            )
+            for words in _OF_NODES
+        ]
+
+    def _passes_on(
+        self, own: str, base: list[Part], params: Sequence[Param], arguments: Sequence[Argument], span: Span
+    ) -> Stmt:
+        called = facts.Attribute(self.names.resolve(base, span), "__init__", span)
+        call = facts.Call(called, [facts.Argument(facts.Name("self", span)), *arguments], span)
+        types, kept = self._of_templates(own, span)
+        body = [*kept, self._calls(own, FIELDS, span), facts.Expression(call, span)]
+        return self._method("__init__", [*params, *types], body, span)
+
     def _arguments_of(self, bases: Sequence[Node], own: str, span: Span) -> list[Stmt]:
         """The template arguments of the bases of a class, which its objects keep."""
         itself = facts.Name("self", span)
@@ -164,6 +198,10 @@ def _members_of(block: Node) -> list[Node]:
     return members
 
 
+_OF_NODES = (("node_name",), ("node_name", "rclcpp_options"), ("node_name", "namespace", "rclcpp_options"))
+"""What the constructors of a node take."""
+_OF_NODES = (("node_name",), ("node_name", "rclcpp_options"), ("node_name", "namespace", "rclcpp_options"))
+"""What the constructors of a node take; the second argument of two may be a namespace, too."""
 _TYPES = frozenset({"type_identifier", "qualified_identifier", "template_type"})
 
 __all__ = ["ClassLowering"]

@@ -211,14 +211,17 @@ class FunctionLowering(StatementLowering):
         itself = facts.Name("self", span)
         if not is_field or len(parts) > 1 or last.name in self.names.aliases:
             values = [] if arguments is None else self.lower_all(arguments.named_children)
-            path = self.names.path(parts)
             base = self.names.resolve(parts, span)
-            is_node = IN_PYTHON.get(path, "").endswith("Node") or (not path and last.name in ("Node", "LifecycleNode"))
-            listed = calls.node_arguments(values, self.source.words) if is_node else given(values)
+            listed = calls.node_arguments(values, self.source.words) if self.is_node(parts) else given(values)
             called = facts.Attribute(base, "__init__", span)
             return facts.Expression(facts.Call(called, [facts.Argument(itself), *listed], span), span)
         target = facts.Attribute(itself, last.name, span)
         return facts.Assign([target], self._member_value(name, arguments, span), span)
+
+    def is_node(self, parts: list[Part]) -> bool:
+        """Whether a base is a node of rclcpp, which may be named without its namespace."""
+        path = self.names.path(parts)
+        return IN_PYTHON.get(path, "").endswith("Node") or (not path and parts[-1].name in ("Node", "LifecycleNode"))
 
     def _member_value(self, name: Node, arguments: Node | None, span: Span) -> Expr:
         """What ``member(…)`` of a constructor's list sets.  Where the type of the member is not known here, its class

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from archlint.syntax import facts
 from archlint.syntax.cpp import calls
-from archlint.syntax.cpp.known_names import IN_PYTHON, MAPS, SEQUENCES
+from archlint.syntax.cpp.known_names import DURATIONS, IN_PYTHON, MAPS, RATIOS, SEQUENCES
 from archlint.syntax.cpp.lower_expressions import ExpressionLowering, given
 from archlint.syntax.cpp.names import Names, Part
 from archlint.syntax.facts import Argument
@@ -66,6 +66,8 @@ class ObjectLowering(ExpressionLowering):
             values = [] if arguments is None else self.lower_all(arguments.named_children)
         if path.startswith("std.") and (collection := self._collection(last.name, arguments, values, span)) is not None:
             return collection
+        if path in DURATIONS or path == "std.chrono.duration":
+            return self.seconds(path, last, values, span)
         mapped = IN_PYTHON.get(path, "")
         function = self.names.library(path, span)
         if mapped in ("rclpy.node.Node", "rclpy.lifecycle.node.LifecycleNode"):
@@ -87,6 +89,17 @@ class ObjectLowering(ExpressionLowering):
         if path == "rclcpp.Parameter":
             return facts.Call(function, calls.parameter(values), span)
         return facts.Call(function, given(values), span)
+
+    def seconds(self, path: str, last: Part, values: Sequence[Expr], span: Span) -> Expr:
+        """``std::chrono::milliseconds(5)``, ``std::chrono::duration<double, std::milli>(5)`` as a number of seconds."""
+        ratio = self.source.text(last.arguments[1]) if len(last.arguments) > 1 else ""
+        unit = DURATIONS.get(path, 1.0) if not ratio else RATIOS.get(ratio.removeprefix("std::"))
+        if len(values) != 1 or unit is None:
+            return facts.Opaque("a duration", span)
+        number = values[0].number
+        if number is not None:
+            return facts.Literal(number * unit, span)
+        return values[0] if unit == 1.0 else facts.Binary("*", values[0], facts.Literal(unit, span), span)
 
     def _collection(self, name: str, arguments: Node | None, values: list[Expr], span: Span) -> Expr | None:
         """A container of the standard library; None for anything else."""

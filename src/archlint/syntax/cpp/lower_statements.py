@@ -118,6 +118,8 @@ class StatementLowering(TextLowering):
                 return
             case _ if (written := self.written_text(value, span)) is not None:
                 body.append(written)
+            case "binary_expression" if self.operator(value) == ">>":
+                self._read_into(value, body)
             case _ if (changed := self.changed_text(value)) is not None:
                 unknown = facts.Opaque("a text that is changed in place", span)
                 body.append(facts.Assign([facts.Name(changed, span)], unknown, span))
@@ -125,6 +127,16 @@ class StatementLowering(TextLowering):
                 lowered = self.lower(value)
                 if not isinstance(lowered, (facts.Literal, facts.Opaque, facts.Name, facts.Implicit)):
                     body.append(facts.Expression(lowered, span))
+
+    def _read_into(self, node: Node, body: list[Stmt]) -> None:
+        """``stream >> first >> second``: what stands in them now comes from outside."""
+        before = node.child_by_field_name("left")
+        if before is not None and before.type == "binary_expression":
+            self._read_into(before, body)
+        target, span = self.lower_field(node, "right"), self.source.span(node)
+        self.note_assigned(target)
+        if is_target(target):
+            body.append(facts.Assign([target], facts.Opaque("what is read from a stream", span), span))
 
     def _is_logging(self, node: Node) -> bool:
         """Whether a call does nothing but log."""
@@ -265,7 +277,9 @@ class StatementLowering(TextLowering):
         end = self.lower_field(test, "right")
         if word == "<=":
             end = facts.Binary("+", end, facts.Literal(1, self.source.span(test)), self.source.span(test))
-        return name, self.lower(value), end
+        inner = value.named_children if value.type == "initializer_list" else [value]
+        start = self.lower(inner[0]) if inner else facts.Literal(0, self.source.span(value))
+        return name, start, end
 
     def _for_range(self, node: Node, body: list[Stmt]) -> None:
         span = self.source.span(node)

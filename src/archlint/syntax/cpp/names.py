@@ -8,7 +8,15 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, NamedTuple
 
 from archlint.syntax import facts
-from archlint.syntax.cpp.known_names import IN_PYTHON, INTERFACE_KINDS, LIBRARIES, POINTERS, RMW_PROFILES
+from archlint.syntax.cpp.known_names import (
+    IN_PYTHON,
+    INTERFACE_KINDS,
+    LIBRARIES,
+    OPENED,
+    POINTERS,
+    RMW_PROFILES,
+    UNLIKE_METHODS,
+)
 
 if TYPE_CHECKING:
     from tree_sitter import Node
@@ -119,6 +127,9 @@ class Names:
         alias = self.aliases.get(name)
         if alias is not None and alias != [name]:
             return self.resolve([Part(part) for part in alias], span)
+        opened = self._opened_library([Part(name)]) if name[:1].isupper() else ""
+        if opened:
+            return self.library(f"{opened}.{name}", span)
         if name.startswith("RMW_QOS_POLICY_"):
             return self._imported(f"rclcpp.{name}", name, span)
         if name in RMW_PROFILES:
@@ -160,6 +171,9 @@ class Names:
         parts = self.written(parts)
         if len(parts) > 1 and parts[0].name in LIBRARIES and parts[0].name not in self.namespaces:
             return ".".join(part.name for part in parts)
+        opened = self._opened_library(parts)
+        if opened:
+            return ".".join((opened, *(part.name for part in parts)))
         if len(parts) == 1 and not self.is_variable(parts[0].name):
             alias = self.aliases.get(parts[0].name)
             if alias is not None and alias[0] in LIBRARIES and len(alias) > 1:
@@ -167,6 +181,15 @@ class Names:
             if parts[0].name in ("static_cast", "dynamic_cast", "const_cast", "reinterpret_cast"):
                 return parts[0].name
         return ""
+
+    def _opened_library(self, parts: list[Part]) -> str:
+        """The library that a name is of by ``using namespace``; empty where the file may mean another one."""
+        name = parts[0].name if parts else ""
+        if not self.opened or self.is_variable(name) or name in self.aliases:
+            return ""
+        if name in self.classes or name in self.namespaces or (self.is_in_method and name in UNLIKE_METHODS):
+            return ""
+        return next((lib for lib, names in OPENED.items() if [lib] in self.opened and name in names), "")
 
     def resolve(self, parts: list[Part], span: Span) -> Expr:
         """What a qualified name stands for."""
