@@ -80,3 +80,13 @@ def test_what_is_done_when_a_parameter_changes():
 def test_what_is_not_known_may_add_something():
     [node] = graph_of("auto updater = std::make_shared<acme::Updater>(this);")
     assert not node["complete"]
+
+
+def test_a_parameter_that_is_read_with_its_name_is_asked_for_its_value():
+    body = """
+        declare_parameter("topic", "chatter");
+        rclcpp::Parameter topic;
+        if (get_parameter("topic", topic)) create_publisher<std_msgs::msg::String>(topic.as_string(), 1);
+    """
+    [node] = graph_of(body)
+    assert [end["name"] for end in node["publishers"]] == ["/chatter"]

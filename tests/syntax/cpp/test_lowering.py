@@ -53,6 +53,24 @@ def in_a_method(statement: str) -> str:
             "create_wall_timer(std::chrono::duration<int, std::ratio<1, 30>>(1), f);",
             "self.create_timer(timer_period_sec=<a duration>, callback=?f)",
         ),
+        (
+            "rclcpp::create_timer(this, get_clock(), rclcpp::Duration::from_seconds(0.1), f);",
+            "self.create_timer(timer_period_sec=0.1, callback=?f)",
+        ),
+        (
+            'rclcpp::create_publisher<std_msgs::msg::Bool>(parameters_, topics_, "a", 1);',
+            "?topics_.create_publisher(msg_type=std_msgs::msg::Bool, topic='a', qos_profile=1)",
+        ),
+        (
+            "rclcpp::create_client<std_srvs::srv::Trigger>(get_node_base_interface(), get_node_graph_interface(), "
+            'get_node_services_interface(), "go", rclcpp::ServicesQoS(), group_);',
+            "self.create_client(srv_type=std_srvs::srv::Trigger, srv_name='go', qos_profile=rclcpp.ServicesQoS(), "
+            "callback_group=?group_)",
+        ),
+        (
+            "rclcpp::create_publisher<std_msgs::msg::Bool>(node_, topic_, qos_);",
+            "?node_.create_publisher(msg_type=std_msgs::msg::Bool, topic=?topic_, qos_profile=?qos_)",
+        ),
         ("rclcpp::create_timer(this, get_clock(), 100ms, f);", "self.create_timer(timer_period_sec=0.1, callback=?f)"),
         (
             'rclcpp_action::create_client<nav2_msgs::action::Spin>(shared_from_this(), "spin");',
@@ -369,7 +387,7 @@ def test_a_member_is_made_with_what_its_class_elsewhere_takes() -> None:
 @pytest.mark.parametrize(
     ("statement", "expected"),
     [
-        ("Limits l = {.low = go(1), .high = go(2)};", "l = ?Limits(?go(1), ?go(2))"),
+        ("Limits l = {.low = go(1), .high = go(2)};", "l = ?Limits(low=?go(1), high=?go(2))"),
         ("use({.low = go(1)});", "?use([?go(1)])"),
         ("go(1), go(2);", "?go(1)\n?go(2)"),
         (

@@ -7,7 +7,17 @@ from typing import TYPE_CHECKING
 
 from archlint.interpreter.attributes import get_attribute
 from archlint.interpreter.containers import new_list
-from archlint.interpreter.values import ClassValue, DictValue, External, Instance, Member, Unknown, Value
+from archlint.interpreter.values import (
+    ClassValue,
+    DictValue,
+    External,
+    FunctionValue,
+    Instance,
+    ListValue,
+    Member,
+    Unknown,
+    Value,
+)
 from archlint.syntax.cpp.known_names import FIELDS
 
 if TYPE_CHECKING:
@@ -19,10 +29,22 @@ if TYPE_CHECKING:
 def _pairs(run: Run, site: CallSite) -> Value:
     """What a loop over a container goes through: keys with their values, where it is a map."""
     container = site.args[0] if site.args else Unknown("no container")
+    if isinstance(container, ListValue):
+        items = container.items(run)
+        rows = [_row(run, item) for item in items.values]
+        return new_list(run, rows, open_=items.open) if rows != list(items.values) else container
     if not isinstance(container, DictValue):
         return container
     entries = container.entries(run)
     return new_list(run, [new_list(run, pair, "tuple") for pair in entries.entries.values()], open_=entries.open)
+
+
+def _row(run: Run, item: Value) -> Value:
+    """The fields of a structure, as ``auto [name, depth]`` takes them; anything else as it is."""
+    init = item.own_class.lookup(run, "__init__")[0] if item.own_class is not None else None
+    if not isinstance(init, FunctionValue) or not init.ir.params[1:]:
+        return item
+    return new_list(run, [get_attribute(run, item, param.name) for param in init.ir.params[1:]], "tuple")
 
 
 def _template_argument(run: Run, site: CallSite) -> Value:
@@ -42,6 +64,16 @@ def _field(run: Run, site: CallSite) -> Value:
     if cls is None or not (isinstance(cls, External) or _is_class(run, cls)):
         return Unknown("a variable without a value")
     return Member(cls, tuple(site.keywords.items()))
+
+
+def _given(run: Run, site: CallSite) -> Value:
+    """``given(object, field, value, first)``: what a field holds after ``Limits{1, 2}``, or ``Limits{others}``."""
+    owner, field, value, first = site.args
+    if first.own_class is not None and first.own_class == owner.own_class and field.text:
+        return get_attribute(run, first, field.text)
+    if value.is_none and field.text:
+        return get_attribute(run, owner, field.text)
+    return value
 
 
 def _object(run: Run, site: CallSite) -> Value:
@@ -77,6 +109,7 @@ PLAIN: dict[str, Plain] = {
     "std.pairs": _pairs,
     "std.template_argument": _template_argument,
     "std.__field__": _field,
+    "std.__given__": _given,
     "std.__object__": _object,
     "std.__member__": _member,
 }

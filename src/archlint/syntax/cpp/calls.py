@@ -7,6 +7,7 @@ parameter where Python hands out the parameter.  Source: ``rclcpp/node.hpp``, ``
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
@@ -144,8 +145,36 @@ def parameter(values: Sequence[Expr]) -> list[Argument]:
     return [*arguments, Argument(values[-1], "value")] if len(values) > 1 else arguments
 
 
+def without_interfaces(values: Sequence[Expr]) -> list[Expr]:
+    """The arguments of a function that takes a node, where it is given several interfaces of it instead."""
+    listed = list(values)
+    while len(listed) > 2 and _is_interface(listed[0], listed[1]):
+        del listed[0]
+    return listed
+
+
+def _is_interface(first: Expr, other: Expr) -> bool:
+    """Whether two arguments are interfaces of one node: what asks a node for them stands for the node itself."""
+    if isinstance(first, facts.Name) and isinstance(other, facts.Name) and first.id == other.id:
+        return True
+    return all(not _INTERFACES.isdisjoint(re.split("[_.]", name.lower())) for name in (_last(first), _last(other)))
+
+
+def _last(value: Expr) -> str:
+    return value.name if isinstance(value, facts.Implicit) else value.last_name
+
+
+_INTERFACES = frozenset(
+    {
+        *("base", "graph", "services", "topics", "parameters", "params", "timers", "clock", "logging", "waitables"),
+    }
+)
+"""Words for what the interfaces of a node are called."""
+
+
 def free_timer(path: str, values: Sequence[Expr], span: Span) -> Expr:
     """``rclcpp::create_timer(node, clock, period, callback)``, and the same without a clock."""
+    values = [_seconds_of(value) for value in values]
     if path == "rclcpp.create_timer" and len(values) >= 4:
         created = method(values[0], "create_timer", (), values[-2:] if len(values) == 4 else values[2:4], span)
     elif path == "rclcpp.create_wall_timer" and len(values) >= 4:
@@ -153,6 +182,14 @@ def free_timer(path: str, values: Sequence[Expr], span: Span) -> Expr:
     else:
         created = None
     return created or facts.Opaque(path, span)
+
+
+def _seconds_of(value: Expr) -> Expr:
+    """``rclcpp::Duration::from_seconds(0.1)`` as that number."""
+    match value:
+        case facts.Call(func=facts.Attribute(facts.Attribute(_, "Duration"), "from_seconds"), args=[only]):
+            return only.value
+    return value
 
 
 __all__ = [
@@ -169,4 +206,5 @@ __all__ = [
     "parameter",
     "template_arguments",
     "template_parameter",
+    "without_interfaces",
 ]

@@ -126,6 +126,17 @@ DURATIONS = {
 RATIOS = {"ratio<1>": 1.0, "ratio<60>": 60.0, "milli": 1e-3, "micro": 1e-6, "nano": 1e-9}
 """What ``std::chrono::duration`` counts, by its second template argument: in seconds."""
 
+PAIRS_MADE_BY = frozenset({"std.make_pair", "std.make_tuple", "std.pair", "std.tuple"})
+CHANGING = {
+    **{f"std.{name}": 0 for name in ("replace", "replace_if", "remove", "remove_if", "fill", "generate")},
+    **{"std.transform": 2, "std.copy": 2, "std.getline": 1},
+    **{
+        f"boost.{scope}{name}": 0
+        for scope in ("", "algorithm.")
+        for name in ("replace_all", "replace_first", "replace_last", "erase_all", "to_lower", "to_upper", "trim")
+    },
+}
+"""Functions that change what they are given, or what the iterator they are given points to: which argument that is."""
 PAIRS = "std.pairs"
 """The function that gives the pairs of a map, and any other container as it is; the standard library has none."""
 FIELDS = "__fields__"
@@ -133,6 +144,8 @@ FIELDS = "__fields__"
 FIELD, MEMBER, OBJECT = "std.__field__", "std.__member__", "std.__object__"
 """The functions that give a member which is an object: before anything makes it, and made with arguments; and a
 variable that is one, made without any."""
+GIVEN = "std.__given__"
+"""The function that gives what a field holds after an object was made of values."""
 TEMPLATE_ARGUMENT = "std.template_argument"
 """The function that gives what a template argument of a class is for one of its objects."""
 SEQUENCES = frozenset({"vector", "list", "deque", "set", "unordered_set", "array", "initializer_list"})
@@ -140,9 +153,11 @@ MAPS = frozenset({"map", "unordered_map", "multimap"})
 STREAMS = frozenset({"stringstream", "ostringstream"})
 
 __all__ = [
+    "CHANGING",
     "DURATIONS",
     "FIELD",
     "FIELDS",
+    "GIVEN",
     "INTERFACE_KINDS",
     "IN_PYTHON",
     "LIBRARIES",
@@ -152,6 +167,7 @@ __all__ = [
     "OBJECT",
     "OPENED",
     "PAIRS",
+    "PAIRS_MADE_BY",
     "POINTERS",
     "RATIOS",
     "RMW_PROFILES",

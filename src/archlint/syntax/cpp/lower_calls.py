@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 
 from archlint.syntax import facts
 from archlint.syntax.cpp import calls
-from archlint.syntax.cpp.known_names import DURATIONS, MAKERS, PAIRS, SAME, SEQUENCES
-from archlint.syntax.cpp.lower_expressions import given
+from archlint.syntax.cpp.known_names import CHANGING, DURATIONS, MAKERS, PAIRS, PAIRS_MADE_BY, SAME, SEQUENCES
+from archlint.syntax.cpp.lower_expressions import given, is_target
 from archlint.syntax.cpp.lower_objects import ObjectLowering
 from archlint.syntax.cpp.names import FunctionScope, Names, Part
 
@@ -143,7 +143,8 @@ class CallLowering(ObjectLowering):
             return facts.Opaque("whether the port has a value", span)
         if name == "get_parameter" and len(values) == 2:
             read = facts.Call(facts.Attribute(value, name, span), given(values[:1]), span)
-            self._write(values[1], facts.Attribute(read, "value", span), span)
+            is_parameter = isinstance(values[1], facts.Name) and self.names.is_parameter(values[1].id)
+            self._write(values[1], read if is_parameter else facts.Attribute(read, "value", span), span)
             return facts.Opaque("whether there is such a parameter", span)
         if name in ("get_parameter_or", "param") and len(values) == 3:
             other = facts.Call(self.names.library("rclcpp.Parameter", span), calls.parameter(values), span)
@@ -217,6 +218,9 @@ class CallLowering(ObjectLowering):
             return self.constructed(path.rpartition(".")[0], last, arguments, span)
         if path == "std.bind":
             return self._bound(arguments, span)
+        loop = self._algorithm(path, arguments, span)
+        if loop is not None:
+            return loop
         owner = path.rpartition(".")[0]
         if owner in ("rclcpp.Node", "rclcpp_lifecycle.LifecycleNode") and self.names.is_in_method:
             return self._on(facts.Name("self", span), last, arguments, span, span)
@@ -226,7 +230,10 @@ class CallLowering(ObjectLowering):
         if path in DURATIONS or path == "std.chrono.duration":
             return self.seconds(path, last, values, span)
         types = [self.lower_type(argument) for argument in last.arguments]
+        if path in PAIRS_MADE_BY and values:
+            return facts.Sequence("tuple", values, span)
         if path in calls.FREE and values:
+            values = calls.without_interfaces(values)
             created = self._created(values[0], calls.FREE[path], types, values[1:], span)
             return created or facts.Opaque(path, span)
         if path in ("rclcpp.init", "rclcpp.shutdown"):
@@ -238,6 +245,34 @@ class CallLowering(ObjectLowering):
         if path in ("fmt.format", "std.format") and values:
             return facts.Call(facts.Attribute(values[0], "format", span), given(values[1:]), span)
         return self.constructed(path, last, arguments, span, values)
+
+    def _algorithm(self, path: str, arguments: Node, span: Span) -> Expr | None:
+        """``std::for_each(names.begin(), names.end(), open)`` calls a function with each item; ``std::replace`` and the
+        like change what they are given.  None for any other function."""
+        nodes = [argument for argument in arguments.named_children if argument.type != "comment"]
+        changed = CHANGING.get(path)
+        if changed is not None and len(nodes) > changed:
+            target = self.lower(self._begun(nodes[changed]) or nodes[changed])
+            if is_target(target):
+                self._write(target, facts.Opaque("a text that is changed in place", span), span)
+        container = self._begun(nodes[0]) if nodes else None
+        if path.startswith("std.ranges.") and nodes:
+            container = nodes[0]
+        if path.removeprefix("std.ranges.").removeprefix("std.") not in ("for_each", "transform") or container is None:
+            return None
+        items, function = self.lower(container), self.lower(nodes[-1])
+        item = facts.Name(f"item_{span[0]}_{span[1]}", span)
+        self.names.declare(item.id)
+        call = facts.Expression(facts.Call(function, given([item]), span), span)
+        self.before.append(facts.For(item, items, [call], [], False, span))
+        return facts.Opaque(path, span)
+
+    def _begun(self, node: Node) -> Node | None:
+        """The container of ``names.begin()``."""
+        called = node.child_by_field_name("function") if node.type == "call_expression" else None
+        field = None if called is None else called.child_by_field_name("field")
+        is_begin = field is not None and self.source.text(field) in ("begin", "cbegin")
+        return called.child_by_field_name("argument") if called is not None and is_begin else None
 
     # ------------------------------------------------------------------------------- functions as values
 

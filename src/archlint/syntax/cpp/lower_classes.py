@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from archlint.syntax import facts
 from archlint.syntax.cpp import calls
 from archlint.syntax.cpp.declared import declared
-from archlint.syntax.cpp.known_names import FIELD, FIELDS
+from archlint.syntax.cpp.known_names import FIELD, FIELDS, GIVEN
 from archlint.syntax.cpp.lower_expressions import given
 from archlint.syntax.cpp.lower_functions import BASES, FunctionLowering, function_declarator
 from archlint.syntax.cpp.names import FunctionScope, Names, Part
@@ -47,7 +47,8 @@ class ClassLowering(FunctionLowering):
         inner.append(self._method(FIELDS, [], [*self._arguments_of(bases, own, span), *fields], span))
         inner.append(self._method(BASES, [], self._plain_bases(written, span), span))
         if not has_constructor:
-            inner += self._constructors(own, block, [self.names.parts(base) for base in bases], span)
+            named = [] if bases or node.type != "struct_specifier" else _names_of(fields)
+            inner += self._constructors(own, block, [self.names.parts(base) for base in bases], named, span)
         self._template_parameters, self._class_parameters, self.names.class_parameters = outer
         body.append(facts.Class(own, given(written), inner, [], span, self.source.span(name)))
 
@@ -104,21 +105,30 @@ class ClassLowering(FunctionLowering):
                     fields.extend((*self.before, facts.Assign([of_self], value, span)))
                 self.before = outer
 
-    def _default_constructor(self, own: str, span: Span) -> Stmt:
-        """What C++ makes for a class without a constructor."""
-        params, kept = self._of_templates(own, span)
-        return self._method(
-            "__init__", params, [*kept, self._calls(own, FIELDS, span), self._calls(own, BASES, span)], span
-        )
+    def _default_constructor(self, own: str, fields: Sequence[str], span: Span) -> Stmt:
+        """What C++ makes for a class without a constructor; ``Limits{1, 2}`` gives its fields values."""
+        types, kept = self._of_templates(own, span)
+        params = [facts.Param(name, "normal", facts.Literal(None, span)) for name in fields]
+        itself = facts.Name("self", span)
+        filled: list[Stmt] = []
+        for name in fields:
+            words = (itself, facts.Literal(name, span), facts.Name(name, span), facts.Name(fields[0], span))
+            value = facts.Call(self.names.library(GIVEN, span), given(words), span)
+            filled.append(facts.Assign([facts.Attribute(itself, name, span)], value, span))
+        body = [*kept, self._calls(own, FIELDS, span), self._calls(own, BASES, span), *filled]
+        return self._method("__init__", [*params, *types], body, span)
 
-    def _constructors(self, own: str, block: Node, bases: Sequence[list[Part]], span: Span) -> list[Stmt]:
-        """What C++ makes for a class without one: one without parameters, or those of a base, ``using Base::Base``."""
+    def _constructors(
+        self, own: str, block: Node, bases: Sequence[list[Part]], fields: Sequence[str], span: Span
+    ) -> list[Stmt]:
+        """What C++ makes for a class without one: one that may be given the fields, or those of a base, ``using
+        Base::Base``."""
         for member in _members_of(block):
             named = [part for child in member.named_children for part in self.names.parts(child)]
             if member.type == "using_declaration" and len(named) > 1 and named[-1].name == named[-2].name:
                 base = next((base for base in bases if base[-1].name == named[-1].name), named[:-1])
                 return self._inherited(own, self.names.written(base), span)
-        return [self._default_constructor(own, span)]
+        return [self._default_constructor(own, fields, span)]
 
     def _inherited(self, own: str, base: list[Part], span: Span) -> list[Stmt]:
         """Constructors that pass on what they are given."""
@@ -188,6 +198,20 @@ class ClassLowering(FunctionLowering):
             body.append(facts.Class(own, [], members, [], span, self.source.span(name)))
         if not any(child.type in ("class", "struct") for child in node.children):
             body.extend(members)
+
+
+MOST_FIELDS = 20
+"""Structures with more fields are no rows of a table."""
+
+
+def _names_of(fields: Sequence[Stmt]) -> list[str]:
+    """The fields that a class gives values."""
+    names = [
+        row.targets[0].attr
+        for row in fields
+        if isinstance(row, facts.Assign) and isinstance(row.targets[0], facts.Attribute)
+    ]
+    return names if len(names) <= MOST_FIELDS else []
 
 
 def _members_of(block: Node) -> list[Node]:

@@ -61,6 +61,8 @@ class DeclarationLowering(CallLowering):
             return facts.Literal("", span)
         if last.name == "string" and self.names.scopes:
             self.names.scopes[-1].texts.add(variable.name)
+        if self.names.scopes and self.names.path(parts) == "rclcpp.Parameter":
+            self.names.scopes[-1].parameters.add(variable.name)
         if value is None:
             return self.default_of(parts, variable, span)
         if value.type in ("argument_list", "initializer_list", "parameter_list"):
@@ -78,11 +80,13 @@ class DeclarationLowering(CallLowering):
         last = parts[-1] if parts else Part("")
         inner = [child for child in value.named_children if child.type != "comment"]
         if last.name in MAPS:
-            return self.mapping(value, span)
+            return self.mapping(value, last, span)
         if last.name == "rmw_qos_profile_t":
             return self._profile(inner, span)
         if last.name in SEQUENCES or variable.is_array:
-            return self.lower(value) if value.type == "initializer_list" else facts.Opaque("a list", span)
+            of_items = parts if variable.is_array else self.kind_of_items(last)
+            is_listed = value.type == "initializer_list"
+            return self.items(value, of_items, span) if is_listed else facts.Opaque("a list", span)
         smart = last.name in ("shared_ptr", "unique_ptr", "optional", "atomic") or last.name.endswith("Ptr")
         plain = kind is None or kind.type in ("primitive_type", "sized_type_specifier", "placeholder_type_specifier")
         if smart or plain or is_pointer(parts):
@@ -121,18 +125,16 @@ class DeclarationLowering(CallLowering):
         path = self.names.path(parts)
         if bool(parts) and not path and len(parts[-1].name) > 1 and self._is_own_class(parts):
             return self.construct_parts(parts, None, span)
-        made = self._object(OBJECT, variable, parts, span) if self.names.scopes and not path else None
-        return made or facts.Opaque("a variable without a value", span)
+        value = self._object(OBJECT, variable, parts, span) if self.names.scopes and not path else None
+        return value or facts.Opaque("a variable without a value", span)
 
     def _object(self, maker: str, variable: Declared, parts: list[Part], span: Span) -> Expr | None:
         """A member or variable that is an object of a class, made later or without arguments; None for any other."""
         if len(parts) == 1:
             parts = self.names.templates.get(parts[0].name, parts)
-        is_class = bool(parts) and parts[-1].name[:1].isupper() and not parts[-1].name.endswith("Ptr")
-        if not is_class or variable.value is not None or variable.is_pointer or variable.is_array:
+        if not parts or variable.value is not None or variable.is_pointer or variable.is_array:
             return None
-        path = self.names.path(parts)
-        if (path and path not in _MADE_WITH_NODE) or any(part.name in INTERFACE_KINDS for part in parts):
+        if self.names.path(parts) not in _MADE_WITH_NODE and not self.is_class(parts):
             return None
         types = [self.lower_type(argument) for argument in parts[-1].arguments]
         arguments = [facts.Argument(self.names.resolve(parts, span)), *calls.template_arguments(types)]

@@ -142,7 +142,10 @@ class ExpressionLowering:
         return self.names.resolve(self.names.parts(node), span)
 
     def _field(self, node: Node, span: Span) -> Expr:
-        field = node.child_by_field_name("field")
+        field, owner = node.child_by_field_name("field"), node.child_by_field_name("argument")
+        looked_up = None if owner is None or field is None or field.text != b"second" else self._looked_up(owner, span)
+        if looked_up is not None:
+            return looked_up
         value = self.lower_field(node, "argument")
         if field is None:
             return value
@@ -150,6 +153,16 @@ class ExpressionLowering:
         if isinstance(value, facts.Name) and name in _OF_PAIR and self.names.is_pair(value.id):
             return facts.Subscript(value, facts.Literal(_OF_PAIR[name], span), span)
         return facts.Attribute(value, name, span)
+
+    def _looked_up(self, node: Node, span: Span) -> Expr | None:
+        """``names.find(key)->second`` is what the map has for the key."""
+        called, listed = node.child_by_field_name("function"), node.child_by_field_name("arguments")
+        if called is None or listed is None or called.type != "field_expression" or listed.named_child_count != 1:
+            return None
+        field, owner = called.child_by_field_name("field"), called.child_by_field_name("argument")
+        if field is None or owner is None or field.text != b"find":
+            return None
+        return facts.Subscript(self.lower(owner), self.lower(listed.named_children[0]), span)
 
     # ------------------------------------------------------------------------------------------ operators
 

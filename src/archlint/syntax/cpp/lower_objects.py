@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from archlint.syntax import facts
 from archlint.syntax.cpp import calls
-from archlint.syntax.cpp.known_names import DURATIONS, IN_PYTHON, MAPS, RATIOS, SEQUENCES
+from archlint.syntax.cpp.known_names import DURATIONS, IN_PYTHON, INTERFACE_KINDS, MAPS, RATIOS, SEQUENCES
 from archlint.syntax.cpp.lower_expressions import ExpressionLowering, given
 from archlint.syntax.cpp.names import Names, Part
 from archlint.syntax.facts import Argument
@@ -52,11 +52,39 @@ class ObjectLowering(ExpressionLowering):
         if path:
             return self.constructed(path, parts[-1], arguments, span)
         cls = self.names.resolve(parts, span)
-        values = [] if arguments is None else self.lower_all(arguments.named_children)
+        values = [] if arguments is None else self._given_to_class(arguments)
         if isinstance(cls, facts.Name) and "::msg::" in cls.id:
             return facts.Call(cls, [], span)  # how a message is filled matters to nobody here
         types = [self.lower_type(argument) for argument in parts[-1].arguments] if parts else []
-        return facts.Call(cls, [*given(values), *calls.template_arguments(types)], span)
+        return facts.Call(cls, [*values, *calls.template_arguments(types)], span)
+
+    def _given_to_class(self, arguments: Node) -> list[Argument]:
+        """What an object is made of; ``{.low = 1}`` says by name which field it is for."""
+        listed: list[Argument] = []
+        for node in [child for child in arguments.named_children if child.type != "comment"]:
+            designator = node.child_by_field_name("designator") if node.type == "initializer_pair" else None
+            name = None if designator is None else self.source.text(designator).lstrip(".")
+            listed.append(Argument(self.lower(node), name))
+        return listed
+
+    def items(self, node: Node, kind: list[Part], span: Span) -> Expr:
+        """The list ``{{"left", 1}, {"right", 2}}`` of objects of a type; items that are no objects are as they are."""
+        nodes = [child for child in node.named_children if child.type != "comment"]
+        inner = nodes[0].named_children if len(nodes) == 1 and nodes[0].type == "initializer_list" else []
+        if inner and all(child.type == "initializer_list" for child in inner):
+            nodes = list(inner)  # std::array has braces of its own
+        return facts.Sequence("list", [self._item(kind, child, span) for child in nodes], span)
+
+    def _item(self, kind: list[Part], node: Node, span: Span) -> Expr:
+        is_object = node.type == "initializer_list" and bool(kind) and self.is_class(kind)
+        return self.construct_parts(kind, node, span) if is_object else self.lower(node)
+
+    def is_class(self, parts: list[Part]) -> bool:
+        """Whether a type may be a class of the workspace: not one of a library, a message or a pointer."""
+        last = parts[-1].name
+        if self.names.path(parts) or any(part.name in INTERFACE_KINDS for part in parts):
+            return False
+        return last in self.names.classes or (last[:1].isupper() and len(last) > 1 and not last.endswith("Ptr"))
 
     def constructed(
         self, path: str, last: Part, arguments: Node | None, span: Span, values: list[Expr] | None = None
@@ -64,7 +92,7 @@ class ObjectLowering(ExpressionLowering):
         """An object of a library's class, or what its function gives."""
         if values is None:
             values = [] if arguments is None else self.lower_all(arguments.named_children)
-        if path.startswith("std.") and (collection := self._collection(last.name, arguments, values, span)) is not None:
+        if path.startswith("std.") and (collection := self._collection(last, arguments, values, span)) is not None:
             return collection
         if path in DURATIONS or path == "std.chrono.duration":
             return self.seconds(path, last, values, span)
@@ -101,22 +129,34 @@ class ObjectLowering(ExpressionLowering):
             return facts.Literal(number * unit, span)
         return values[0] if unit == 1.0 else facts.Binary("*", values[0], facts.Literal(unit, span), span)
 
-    def _collection(self, name: str, arguments: Node | None, values: list[Expr], span: Span) -> Expr | None:
+    def _collection(self, last: Part, arguments: Node | None, values: list[Expr], span: Span) -> Expr | None:
         """A container of the standard library; None for anything else."""
-        if name in SEQUENCES:
-            return _sequence(arguments, values, span)
-        if name not in MAPS:
+        is_listed = arguments is not None and arguments.type == "initializer_list"
+        if last.name in SEQUENCES:
+            return (
+                self.items(arguments, self.kind_of_items(last), span)
+                if arguments is not None and is_listed
+                else _sequence(values, span)
+            )
+        if last.name not in MAPS or arguments is None or not is_listed:
             return None
-        return self.mapping(arguments, span) if arguments is not None and arguments.type == "initializer_list" else None
+        return self.mapping(arguments, last, span)
 
-    def mapping(self, node: Node, span: Span) -> Expr:
+    def kind_of_items(self, container: Part) -> list[Part]:
+        """The type of what a container holds; of a map, what it has for a key."""
+        at = 1 if container.name in MAPS else 0
+        return self.names.parts(container.arguments[at]) if len(container.arguments) > at else []
+
+    def mapping(self, node: Node, container: Part, span: Span) -> Expr:
         """``{{"a", 1}, {"b", 2}}`` of a map."""
         pairs = [child.named_children for child in node.named_children if child.type == "initializer_list"]
         if any(len(pair) != 2 for pair in pairs) or len(pairs) != len(
             [c for c in node.named_children if c.type != "comment"]
         ):
             return facts.Opaque("a map", span)
-        return facts.Mapping([self.lower(key) for key, _ in pairs], [self.lower(value) for _, value in pairs], span)
+        kind = self.kind_of_items(container)
+        values = [self._item(kind, value, span) for _, value in pairs]
+        return facts.Mapping([self.lower(key) for key, _ in pairs], values, span)
 
     def filtered(self, last: Part, values: Sequence[Expr], span: Span) -> Expr:
         """``message_filters::Subscriber<T>(node, "topic", qos)``."""
@@ -132,11 +172,8 @@ class ObjectLowering(ExpressionLowering):
         )
 
 
-def _sequence(arguments: Node | None, values: list[Expr], span: Span) -> Expr | None:
-    """``std::vector<int>{1, 2}`` and ``std::vector<int>({1, 2})``; None for what is made in another way, such as
-    of two iterators."""
-    if arguments is not None and arguments.type == "initializer_list":
-        return facts.Sequence("list", values, span)
+def _sequence(values: list[Expr], span: Span) -> Expr | None:
+    """``std::vector<int>({1, 2})``; None for what is made in another way, such as of two iterators."""
     if len(values) == 1 and isinstance(values[0], facts.Sequence):
         return values[0]
     return None if values else facts.Sequence("list", [], span)
