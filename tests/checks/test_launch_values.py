@@ -261,3 +261,86 @@ def test_what_is_no_text_to_launch(findings, action, message, help):
 )
 def test_what_launch_makes_a_text_of(findings, action):
     assert findings("LCH008", **{"launch/it.launch.py": GIVEN.format(action=action)}) == []
+
+
+READS = """\
+import os
+import yaml
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, OpaqueFunction
+from launch.substitutions import LaunchConfiguration
+from launch_ros.actions import Node
+
+
+def read(name):
+    with open(os.path.join(get_package_share_directory('robot'), 'config', name)) as file:
+        return yaml.safe_load(file)
+
+
+def start(context):
+    data = read(LaunchConfiguration('file').perform(context))
+    return [Node(package='robot', executable='talker', namespace=data['nmae'])]
+
+
+def generate_launch_description():
+    data = read('c.yaml')
+    {line}
+    return LaunchDescription([Node(package='robot', executable='talker'){more}])
+"""
+HELD = "controller:\n  gain: 1.0\n  limits: {speed: 2.0}\nname: left\n"
+
+
+def _read(findings, line: str, held: str = HELD, more: str = ""):
+    return findings("LCH008", **{"launch/it.launch.py": READS.format(line=line, more=more), "config/c.yaml": held})
+
+
+@pytest.mark.parametrize(
+    ("line", "message", "help"),
+    [
+        ("data['controller']['gains']", "has no 'gains' here", "write 'gain'"),
+        ("data['controller']['limits']['speeed']", "has no 'speeed' here", "write 'speed'"),
+        ("limits = data['limits']", "has no 'limits' here", "to the file, or take what is there: controller, name"),
+        ("data['controller']['gains']['p'] = 1.0", "has no 'gains' here", "write 'gain'"),
+    ],
+)
+def test_a_key_that_a_file_does_not_have(findings, line: str, message: str, help: str):
+    (told,) = _read(findings, line)
+    assert f"config/c.yaml {message}: this launch file stops with a KeyError" in told.message
+    assert told.help.endswith(help)
+    assert told.place.line == 22
+
+
+def test_a_key_that_an_opaque_function_asks_for(findings):
+    more = ", DeclareLaunchArgument('file', default_value='c.yaml'), OpaqueFunction(function=start)"
+    (told,) = _read(findings, "", more=more)
+    assert told.message.endswith("has no 'nmae' here: this launch file stops with a KeyError; did you mean 'name'?")
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "data['controller']['gain']",
+        "data.get('gains', 1.0)",
+        "data['gains'] if 'gains' in data else 1.0",
+        "'gains' in data and data['gains']",
+        "data['gains'] = 1.0; data['gains']",
+        "data.update(os.environ); data['gains']",
+        "data.setdefault('gains', 1.0); data['gains']",
+        "data = dict(data, gains=1.0); data['gains']",
+        "data = {**data, 'gains': 1.0}; data['gains']",
+        "[data[key] for key in data]",
+        "[data[key] for key in ('gains', 'name') if key in data]",
+        "import sys\n    if len(sys.argv) > 3:\n        data['gains']",
+        "try:\n        data['gains']\n    except KeyError:\n        pass",
+        "data[os.environ['KEY']]",
+        "data = read('of_the_machine.yaml')['gains']",
+    ],
+)
+def test_a_key_that_is_there_or_may_be(findings, line: str):
+    assert _read(findings, line) == []
+
+
+def test_a_file_that_is_a_list_and_one_with_a_merged_map(findings):
+    assert _read(findings, "data[0]['name']", "- name: left\n") == []
+    assert _read(findings, "data['b']['x']", "a: &a {x: 1}\nb: {<<: *a, y: 2}\n") == []

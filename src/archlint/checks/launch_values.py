@@ -12,9 +12,10 @@ from archlint.checks.folding import folds, with_other_places
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Severity
+from archlint.suggestions import listed, meant, nearest
 
 if TYPE_CHECKING:
-    from archlint.launch.mistakes import RefusedValue, WithoutContext
+    from archlint.launch.mistakes import AbsentKey, RefusedValue, WithoutContext
     from archlint.systems.model import System
 
 
@@ -42,6 +43,8 @@ def launch_description(system: System, options: Options) -> Iterator[Finding]:
         )
     for failing in system.launched.without_context if system.launched is not None else ():
         yield _without_context(failing)
+    for absent in system.launched.absent_keys if system.launched is not None else ():
+        yield _absent_key(absent)
     for refused in system.launched.refused if system.launched is not None else ():
         yield _refused(refused)
     for file, wrong in wrong_descriptions(system):
@@ -49,6 +52,25 @@ def launch_description(system: System, options: Options) -> Iterator[Finding]:
     if system.launched is None and system.workspace is not None:
         for file, wrong in misnamed_functions(system.workspace):
             yield _of_description(file, wrong)
+
+
+def _absent_key(absent: AbsentKey) -> Finding:
+    near = nearest(absent.key, absent.known)
+    return finding(
+        "LCH008",
+        absent.place,
+        f"{absent.file} has no '{absent.key}' here: this launch file stops with a KeyError"
+        + meant(f"'{near}'" if near is not None else ""),
+        help=f"write '{near}'" if near is not None else _what_is_there(absent),
+        identity=(absent.file, absent.key),
+        meant=near or "",
+    )
+
+
+def _what_is_there(absent: AbsentKey) -> str:
+    if not absent.known:
+        return f"add '{absent.key}' to the file"
+    return f"add '{absent.key}' to the file, or take what is there: {listed(absent.known)}"
 
 
 def _refused(value: RefusedValue) -> Finding:

@@ -132,6 +132,13 @@ def _external_item(machine: Machine, container: External, index: Value) -> Value
     return machine.library.item_of_external(container, name) or container
 
 
+def is_absent(machine: Machine, container: DictValue, key: Known) -> bool:
+    """Whether a dict certainly has no such key, and makes none."""
+    entries, at = container.entries(machine), entry_key(machine, key)
+    makes = machine.store.get(container.key, FACTORY) is not None
+    return at is not None and not entries.open and at not in entries.entries and not makes
+
+
 def get_entry(machine: Machine, container: DictValue, index: Value, default: Value | None) -> Value:
     """``dict[index]``, or ``dict.get(index, default)`` where a default is given; what chose the index chooses it."""
     return with_via(_get_entry(machine, container, index, default), via(index))

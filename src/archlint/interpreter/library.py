@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from archlint.interpreter.activation import Activation
     from archlint.interpreter.call_site import CallSite
     from archlint.interpreter.modules import Module
-    from archlint.interpreter.values import Builtin, ClassValue, Known
+    from archlint.interpreter.values import Builtin, ClassValue, DictValue, Known
     from archlint.syntax import facts
 
 INSTALL_FOLDER = "where the workspace is installed"
@@ -51,6 +51,9 @@ class Library:
 
     def note_uncallable(self, value: Value, site: CallSite) -> None:
         """What is called is no function, no class, and no object of a class of ours that can be called."""
+
+    def note_absent_key(self, container: DictValue, key: Known, expression: facts.Subscript) -> None:
+        """Code takes something out of a dict of which all is known, under a key that it does not have."""
 
     def is_made_plainly(self, cls: ClassValue) -> bool:
         """Whether no foreign base of a class changes how its objects are made."""

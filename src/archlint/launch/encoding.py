@@ -8,6 +8,7 @@ from archlint import branches
 from archlint.finding import Place
 from archlint.launch.kinds import FileKind, FileStatus, GapKind, StartedKind
 from archlint.launch.mistakes import (
+    AbsentKey,
     LeakedArgument,
     NotACondition,
     NotAPath,
@@ -29,7 +30,7 @@ LAUNCHES: Final = Language(
     (
         *(Launched, Started, Remap, Included, DeclaredArgument, Gap, Place, Text),
         *(ParameterSetting, ParameterFileUse, OpenParameters, FileReference, Rewriting, Replacing, Written),
-        *(NotKnown, LeakedArgument, NotACondition, NotAPath, RefusedValue, UndeclaredUse),
+        *(NotKnown, AbsentKey, LeakedArgument, NotACondition, NotAPath, RefusedValue, UndeclaredUse),
         *(UnknownAttribute, WithoutContext),
         *(branches.CodeBranch, branches.ChoiceOfCallee, branches.ChoiceOfArgument, branches.AttributeBranch),
         *(branches.ArgumentBranch, branches.UnfollowedCondition, branches.ChoiceOfValue, branches.ChoiceOfVisit),

@@ -24,7 +24,7 @@ from archlint.libraries.rclpy import names
 
 if TYPE_CHECKING:
     from archlint.interpreter.call_site import CallSite
-    from archlint.interpreter.values import ClassValue
+    from archlint.interpreter.values import ClassValue, DictValue
     from archlint.launch.run import LaunchRun
     from archlint.libraries.run import Run
     from archlint.libraries.tables import Api
@@ -120,6 +120,9 @@ class LaunchFileLibrary(LaunchLibrary):
     def expects_to_read(self) -> bool:
         """What a launch file reads of the workspace is there, for all that is seen."""
         return True
+
+    def note_absent_key(self, container: DictValue, key: Known, expression: facts.Subscript) -> None:
+        read_files.note_absent_key(self._launch, container, key, expression)
 
     def matches(self, folder: str, pattern: str) -> list[str] | None:
         return read_files.matches(self._launch, folder, pattern)

@@ -83,6 +83,16 @@ class WithoutContext:
 
 
 @dataclass(frozen=True)
+class AbsentKey:
+    """A ``key`` that code takes out of what a file holds, where there is none; ``known`` are those that are there."""
+
+    key: str
+    known: tuple[str, ...]
+    file: str
+    place: Place
+
+
+@dataclass(frozen=True)
 class NotAPath:
     """A ``substitution`` (or, empty, a tuple) that ``os.path.join()`` is given; ``package`` is the one whose folder it
     stands for."""

@@ -8,6 +8,7 @@ from archlint.branches import Branch, BranchArm, BranchArms
 from archlint.finding import Place
 from archlint.launch.kinds import FileStatus, GapKind
 from archlint.launch.mistakes import (
+    AbsentKey,
     LeakedArgument,
     NotACondition,
     NotAPath,
@@ -99,6 +100,7 @@ class Launched:
     mistakes: list[NotACondition] = field(default_factory=list)
     refused: list[RefusedValue] = field(default_factory=list)
     without_context: list[WithoutContext] = field(default_factory=list)
+    absent_keys: list[AbsentKey] = field(default_factory=list)
     joined: list[NotAPath] = field(default_factory=list)
     undefined: dict[Place, str] = field(default_factory=dict)
     """Names that a launch file reads and nothing defines, each where it stops the launch."""

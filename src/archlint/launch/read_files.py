@@ -22,7 +22,9 @@ from archlint.interpreter.values import (
 )
 from archlint.launch import file_texts, written_files
 from archlint.launch.kinds import FileKind, FileStatus
-from archlint.launch.objects import known_text
+from archlint.launch.mistakes import AbsentKey
+from archlint.launch.objects import argument, known_text
+from archlint.launch.perform_calls import stops_the_launch
 from archlint.launch.shared_paths import note_paths
 from archlint.syntax.safe_yaml import YamlError, YamlReader
 
@@ -31,6 +33,7 @@ _FOR_WRITING = ("w", "wt", "w+")
 if TYPE_CHECKING:
     from archlint.interpreter.call_site import CallSite
     from archlint.launch.run import LaunchRun
+    from archlint.syntax import facts
 
     Plain = Callable[[LaunchRun, CallSite], Value]
 
@@ -50,20 +53,20 @@ def _open(run: LaunchRun, site: CallSite) -> Value:
 
 def _load_yaml(run: LaunchRun, site: CallSite) -> Value:
     """``yaml.safe_load(file)``: what a YAML file of this workspace holds."""
-    return _of_yaml(run, _text_in(run, site.args))
+    return _of_yaml(run, _text_in(run, site.args), _file_of(run, site.args))
 
 
 def yaml_file(run: LaunchRun, path: Value) -> Value:
     """What the YAML file at a path holds."""
-    return _of_yaml(run, file_texts.text_of(run, path))
+    return _of_yaml(run, file_texts.text_of(run, path), _source_of(run, path))
 
 
-def _of_yaml(run: LaunchRun, text: str | Unknown) -> Value:
+def _of_yaml(run: LaunchRun, text: str | Unknown, file: str | None = None) -> Value:
     if isinstance(text, Unknown):
         return text
     try:
         reader = YamlReader(text)
-        return value_of(run, None if reader.root is None else reader.value(reader.root))
+        return value_of(run, None if reader.root is None else reader.value(reader.root), file)
     except (YamlError, RecursionError):
         return Unknown("the content of an invalid YAML file")
 
@@ -76,7 +79,7 @@ def _load_json(run: LaunchRun, site: CallSite) -> Value:
     if isinstance(text, Unknown):
         return text
     try:
-        return value_of(run, json.loads(text))
+        return value_of(run, json.loads(text), _file_of(run, site.args))
     except (ValueError, RecursionError):
         return Unknown("the content of an invalid JSON file")
 
@@ -86,16 +89,38 @@ def _text_in(run: LaunchRun, args: list[Value]) -> str | Unknown:
     return file_texts.text_in(run, args[0]) if args else Unknown("the content of a file")
 
 
-def value_of(run: LaunchRun, value: object) -> Value:
+def _file_of(run: LaunchRun, args: list[Value]) -> str | None:
+    """The file of the workspace that a loader is given."""
+    path = argument(args[0], "path") if args else None
+    return None if path is None else _source_of(run, path)
+
+
+def _source_of(run: LaunchRun, path: Value) -> str | None:
+    return run.resolve(FileKind.PARAMETERS, path, run.place_now).source
+
+
+def value_of(run: LaunchRun, value: object, file: str | None = None) -> Value:
+    """What a file of the workspace holds, or a part of it."""
     match value:
         case Mapping():
-            rows = {Known(key).entry_key(): (Known(key), value_of(run, item)) for key, item in value.items()}
-            return containers.new_dict(run, {key: row for key, row in rows.items() if key is not None})
+            rows = {Known(key).entry_key(): (Known(key), value_of(run, item, file)) for key, item in value.items()}
+            held = containers.new_dict(run, {key: row for key, row in rows.items() if key is not None})
+            if file is not None and None not in rows:
+                run.read_dicts[held.key] = file  # so that the file can be named for a key that is not there
+            return held
         case list():
-            return containers.new_list(run, [value_of(run, item) for item in value])
+            return containers.new_list(run, [value_of(run, item, file) for item in value])
         case None | str() | int() | float():
             return Known(value)
     raise AssertionError(value)
+
+
+def note_absent_key(run: LaunchRun, held: DictValue, key: Known, expression: facts.Subscript) -> None:
+    """Note that what a file holds is asked for what it does not have, which ends the launch with a KeyError."""
+    file = run.read_dicts.get(held.key)
+    if file is not None and isinstance(key.value, str) and stops_the_launch(run):
+        known = tuple(str(name.value) for name, _ in run.entries(held) if isinstance(name, Known))
+        run.note_absent_key(AbsentKey(key.value, known, file, run.place(expression.span)))
 
 
 def is_there(run: LaunchRun, path: str) -> bool | None:
@@ -222,4 +247,4 @@ PLAIN: dict[str, Plain] = {
     "json.dumps": _written(json.dumps, "json.dumps", _JSON_OPTIONS),
 }
 
-__all__ = ["FILE_OF_THE_MACHINE", "PLAIN", "is_there", "matches", "value_of", "yaml_file"]
+__all__ = ["FILE_OF_THE_MACHINE", "PLAIN", "is_there", "matches", "note_absent_key", "value_of", "yaml_file"]

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import posixpath
 from abc import abstractmethod
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Hashable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, TypeVar
@@ -26,6 +26,7 @@ from archlint.launch.domains import Domains
 from archlint.launch.given_arguments import GivenArguments
 from archlint.launch.kinds import FileKind, GapKind
 from archlint.launch.mistakes import (
+    AbsentKey,
     NotACondition,
     NotAPath,
     RefusedValue,
@@ -113,7 +114,7 @@ class LaunchRun(Run):
         """The actions around what is visited now, outermost first, each with the number of its visit."""
         self.given = GivenArguments(result)
         self.names = ArgumentNames()
-        self.domains, self.gone = Domains(), dict[str, Value]()
+        self.domains, self.gone, self.read_dicts = Domains(), dict[str, Value](), dict[Hashable, str]()
         self.declaring: str | None = None
         """The argument whose default value is performed now."""
         self._values: dict[str, list[str]] = {}
@@ -232,6 +233,9 @@ class LaunchRun(Run):
 
     def note_without_context(self, mistake: WithoutContext) -> None:
         self._note(mistake, self.result.without_context)
+
+    def note_absent_key(self, mistake: AbsentKey) -> None:
+        self._note(mistake, self.result.absent_keys)
 
     def note_joined(self, mistake: NotAPath) -> None:
         self._note(mistake, self.result.joined)
