@@ -6,6 +6,7 @@ import re
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from archlint.finding import Place
     from archlint.systems.model import WorkspaceIndex
 
 CPP_SOURCES = (".cpp", ".cc", ".cxx", ".hpp")
@@ -21,3 +22,28 @@ def names_cpp_node(workspace: WorkspaceIndex, file: str, name: str) -> bool:
     sources = [path for path in workspace.tree.files_below(installs.folder) if path.endswith(CPP_SOURCES)]
     texts = (workspace.tree.text(path) or "" for path in sources)
     return any("rclcpp" in text and node.search(text) is not None for text in texts)
+
+
+_KEPT = re.compile(r"(\w+)\s*=\s*(?:this\s*->\s*|\w+(?:->|\.))?create_publisher\b")
+_COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
+
+
+def is_never_used(workspace: WorkspaceIndex, place: Place) -> bool:
+    """Whether a publisher of C++ is kept in a variable that the sources of its package do nothing else with but declare
+    it: nothing is published with it."""
+    folder = workspace.installs.get(workspace.package_of(place.file) or "")
+    text = workspace.tree.text(place.file)
+    if folder is None or text is None or not place.file.endswith(CPP_SOURCES):
+        return False
+    lines = text.splitlines()[place.line - 1 : place.line + 1]
+    kept = _KEPT.search("\n".join(lines))
+    if kept is None:
+        return False
+    word = re.escape(kept[1])
+    uses = re.compile(rf"(?<!\w){word}(?!\w)(?!\s*=[^=])")
+    declarations = re.compile(rf"(?:Ptr|>|\*)\s+{word}\s*(?:;|\{{\s*(?:nullptr)?\s*\}}|=\s*nullptr)")
+    sources = [
+        path for path in workspace.tree.files_below(folder.folder) if path.endswith((*CPP_SOURCES, ".h", ".hxx"))
+    ]
+    code = [_COMMENT.sub(" ", workspace.tree.text(path) or "") for path in sources]
+    return not any(uses.search(declarations.sub(" ", row)) for row in code)

@@ -7,6 +7,7 @@ from collections import Counter
 from itertools import chain
 from typing import TYPE_CHECKING
 
+from archlint.analysis.cpp_nodes import is_never_used
 from archlint.analysis.own_names import BY_NAME
 from archlint.analysis.source_code import code_of
 from archlint.analysis.surrounding_code import tree_of
@@ -31,6 +32,8 @@ def is_left_over(workspace: WorkspaceIndex | None, endpoint: Endpoint) -> bool:
     topic."""
     if workspace is None or endpoint.kind != EntityKind.PUBLISHER:
         return False
+    if is_never_used(workspace, endpoint.place):
+        return True
     code, file, package = workspace.code, endpoint.place.file, endpoint.node.package
     attribute = _kept_as(workspace, endpoint.place)
     if attribute is None or package is None:

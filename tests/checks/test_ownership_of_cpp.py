@@ -1,0 +1,71 @@
+"""OWN001: publishers of C++ nodes, which the sources of their package may do nothing with."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from tests.robot_package import manifest
+
+from archlint.config.settings import load
+from archlint.engine.pipeline import Request, check
+
+SOURCE = """
+#include "{name}.hpp"
+#include "std_msgs/msg/float64.hpp"
+{class_}::{class_}() : Node("{name}") {{
+  goal_pub_ = this->create_publisher<std_msgs::msg::Float64>("goal", 1);
+  timer_ = create_wall_timer(std::chrono::seconds(1), [this]() {{ {tick} }});
+}}
+int main(int argc, char ** argv) {{ rclcpp::init(argc, argv); rclcpp::spin(std::make_shared<{class_}>()); }}
+"""
+HEADER = """
+#pragma once
+#include "rclcpp/rclcpp.hpp"
+class {class_} : public rclcpp::Node {{
+public:
+  {class_}();
+  rclcpp::Publisher<std_msgs::msg::Float64>::SharedPtr goal_pub_;  // goal_pub_ is for the goal
+  rclcpp::TimerBase::SharedPtr timer_;
+}};
+"""
+CMAKE = """
+project({name})
+add_executable({name} src/{name}.cpp)
+install(TARGETS {name} DESTINATION lib/${{PROJECT_NAME}})
+install(DIRECTORY launch DESTINATION share/${{PROJECT_NAME}})
+"""
+LAUNCH = '<launch><node pkg="one" exec="one"/><node pkg="two" exec="two"/></launch>'
+PUBLISH = "goal_pub_->publish(std_msgs::msg::Float64());"
+
+
+@pytest.mark.parametrize(
+    ("tick", "told"),
+    [
+        (PUBLISH, 1),
+        ("send(goal_pub_);", 1),
+        ("", 0),  # it only makes the publisher
+        (f"// {PUBLISH}\n", 0),
+    ],
+    ids=["both publish", "something else may", "only made", "commented out"],
+)
+def test_a_publisher_that_nothing_uses_says_nothing(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, tick: str, told: int
+):
+    for name, ticks in (("one", PUBLISH), ("two", tick)):
+        words = {"name": name, "class_": name.title(), "tick": ticks}
+        files = {
+            "package.xml": manifest(name, build_type="ament_cmake"),
+            "CMakeLists.txt": CMAKE.format(**words),
+            f"src/{name}.hpp": HEADER.format(**words),
+            f"src/{name}.cpp": SOURCE.format(**words),
+            "launch/both.launch.xml": LAUNCH,
+        }
+        for path, text in files.items():
+            file = tmp_path / name / path
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_text(text)
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "archlint.toml").write_text('select = ["OWN001"]')
+    report = check(Request((".",), load(tmp_path), cached=False, jobs=1))
+    assert len(report.findings) == told
