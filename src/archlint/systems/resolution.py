@@ -126,6 +126,9 @@ def _exact(name: str, weakest: Text, kind: EntityKind, own: NodeName, rules: Seq
     node = (own.name.text, own.namespace.text)
     final = remapping.resolve(name, NAMED[kind], node, rules)
     error = final.error.message if final.error else None
+    if not name and weakest.parameter is not None and final.rule is None:
+        why = f"the parameter '{weakest.parameter}' has to be set: it is empty"
+        return FinalName(None, error, "unknown", weakest.parameter, why)
     shown = final.name or names.substitute(final.rule.replacement if final.rule else name, *node)
     return FinalName(shown, error, weakest.resolution, weakest.parameter)
 
