@@ -393,6 +393,65 @@ def test_a_callback_may_not(judge: Judge):
     judge("TMO004", script(*lines, "rclpy.spin(node)"), config="")
 
 
+MANY_NODES = "".join(f"rclpy.create_node('part_{number}'); " for number in range(5))
+
+
+@pytest.mark.parametrize(("others", "mark"), [("pass", "  # here"), (MANY_NODES, "")], ids=["a lesson", "six nodes"])
+def test_a_silent_start_is_told_in_a_lesson_only(judge: Judge, others: str, mark: str):
+    lines = (others, f"while not {WAIT}:{mark}", "    time.sleep(1.0)", "rclpy.spin(node)")
+    judge("TMO004", script(*lines), config="")
+
+
+THREADS = """
+    import rclpy
+    from rclpy.callback_groups import ReentrantCallbackGroup
+    from rclpy.executors import MultiThreadedExecutor
+    from rclpy.node import Node
+    from std_msgs.msg import Empty
+    from std_srvs.srv import Trigger
+
+
+    class Driver(Node):
+        def __init__(self):
+            super().__init__('driver')
+            self.motor = self.create_client(Trigger, 'enable_motor')
+            group = {group}
+            self.create_subscription(Empty, 'go', self.on_go, 10, callback_group=group)
+            {other}
+
+        def on_go(self, message):
+            while not self.motor.wait_for_service(timeout_sec=1.0):{mark}
+                self.get_logger().info('waiting')
+            self.motor.call_async(Trigger.Request())
+
+
+    def main():
+        rclpy.init()
+        executor = {executor}()
+        executor.add_node(Driver())
+        executor.spin()
+
+
+    if __name__ == '__main__':
+        main()
+"""
+BEAT = "self.create_timer(0.1, lambda: print('alive'))"
+
+
+@pytest.mark.parametrize(
+    ("executor", "group", "other", "mark"),
+    [
+        ("MultiThreadedExecutor", "ReentrantCallbackGroup()", BEAT, ""),
+        ("MultiThreadedExecutor", "None", BEAT, "  # here"),
+        ("rclpy.executors.SingleThreadedExecutor", "ReentrantCallbackGroup()", BEAT, "  # here"),
+        ("rclpy.executors.SingleThreadedExecutor", "None", "pass", ""),
+    ],
+    ids=["other threads go on", "the timer is in its group", "one thread", "nothing else happens in the node"],
+)
+def test_a_callback_that_keeps_nobody_may_wait(judge: Judge, executor: str, group: str, other: str, mark: str):
+    judge("TMO004", THREADS.format(executor=executor, group=group, other=other, mark=mark), config="")
+
+
 IN_A_THREAD = """
     import threading
 

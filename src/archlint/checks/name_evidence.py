@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
+from archlint.analysis.lessons import is_lesson
 from archlint.checks.foreign_names import is_foreign
 from archlint.checks.name_reasons import (
     FIXED,
@@ -29,8 +30,6 @@ if TYPE_CHECKING:
 
 Home = tuple[str, str]
 """The file and the class that a name is fixed in; the class is empty where there is none."""
-_SMALL = 5
-"""How many nodes a workspace has at most that a lesson is about: three, and two that are added to them."""
 _ROOT = frozenset({""})
 _PROVIDES = frozenset({EntityKind.PUBLISHER, EntityKind.SERVICE, EntityKind.ACTION_SERVER})
 
@@ -79,7 +78,7 @@ def told(system: System, names: Sequence[FixedName]) -> list[tuple[FixedName, Re
     others = {home: rows for home, rows in by_home.items() if home not in started}
     evidence = {**_in_namespace(workspace, others), **_relative_elsewhere(others)}
     chosen = _linked(others, evidence)
-    if _is_small(system):
+    if is_lesson(system):
         evidence = {**_mixed(others), **evidence}
         chosen |= {home for home, rows in others.items() if not _is_tied(workspace, rows)}
     against = {**evidence, **started}
@@ -101,11 +100,6 @@ def _is_told(workspace: WorkspaceIndex | None, name: FixedName, started: Reason 
     if started is not None and started.key == INSTANCES and name.is_absolute:
         return _instances(workspace, name.endpoint) > 1
     return started is not None or is_chosen
-
-
-def _is_small(system: System) -> bool:
-    nodes = {key_of(node.blueprint) for node in system.nodes if node.blueprint is not None and not node.external}
-    return len(nodes) <= _SMALL
 
 
 def _is_tied(workspace: WorkspaceIndex | None, names: Iterable[FixedName]) -> bool:

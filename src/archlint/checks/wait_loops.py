@@ -8,7 +8,9 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.announced_waits import says_something
 from archlint.analysis.callback_roles import runs_in_executor
+from archlint.analysis.kept_waiting import blocks_nobody, is_one_chain
 from archlint.analysis.left_over import is_dead, is_never_made
+from archlint.analysis.lessons import is_lesson
 from archlint.analysis.present_servers import is_there, was_waited_for
 from archlint.analysis.reach import calls_of, creations_of, has_limit, node_name, related_creation
 from archlint.analysis.source_code import source_code
@@ -37,9 +39,9 @@ if TYPE_CHECKING:
 
 @rule("TMO004", scope=Scope.CODE, by_program=True, in_use=True, start_up=False)
 def endless_wait_loop(system: System, options: Options) -> Iterator[Finding]:
-    """Loops that repeat until a server appears, and that nothing else ends; with ``start-up`` also those in which a
-    program says as it starts what it waits for."""
-    start_up = options.flag("start-up")
+    """Loops that repeat until a server appears, and that nothing else ends.  Those with which a program starts count in
+    a lesson, if they do not say what they wait for, and with ``start-up``."""
+    start_up, lesson = options.flag("start-up"), is_lesson(system)
     asked = clients_of_handlers(system, options.distros)
     code = source_code(system)
     loops: dict[Place, list[ApiCall]] = {}
@@ -50,7 +52,10 @@ def endless_wait_loop(system: System, options: Options) -> Iterator[Finding]:
             continue
         if is_there(system, call) or was_waited_for(system, call):
             continue
-        if not start_up and not runs_in_executor(call.context) and says_something(code.loop(call)):
+        if runs_in_executor(call.context):
+            if blocks_nobody(call.context, program) or is_one_chain(call, program):
+                continue
+        elif not start_up and (not lesson or says_something(code.loop(call))):
             continue
         if not program.refused.isdisjoint(code.calls_in(call.loops[-1])):
             continue  # an error ends the loop
