@@ -16,6 +16,13 @@ ALONE = "self.create_timer(5.0, self.tick)\n"
 TIMER = "self.create_subscription(Empty, 'beside', print, 10)\n" + ALONE
 
 
+@pytest.fixture
+def run(run: Run, tmp_path: Path) -> Run:
+    """Runs the rules so that EXE003 speaks of callbacks that delay nothing else, too."""
+    (tmp_path / "archlint.toml").write_text("[rules.slow-callback]\nalone = true\n", encoding="utf-8")
+    return run
+
+
 def timer(body: str) -> str:
     return f"def tick(self):\n    {body}\n"
 
@@ -501,6 +508,50 @@ def test_a_timer_that_is_all_there_is_may_be_late(run: Run):
 def test_somebody_has_to_wait(run: Run, beside: str, severity: Severity | None):
     found = run(source(f"{ALONE}{beside}\n", timer("time.sleep(1.0)")))
     assert [one.severity for one in found if one.code == "EXE003"] == ([] if severity is None else [severity])
+
+
+@pytest.mark.parametrize(
+    ("beside", "body", "expected"),
+    [
+        pytest.param(ALONE, "time.sleep(6.0)", [], id="nothing else"),
+        pytest.param(ALONE + "self.create_timer(1.0, print)", "time.sleep(6.0)", [], id="a timer that seldom runs"),
+        pytest.param(TIMER, "input('where to? ')", [], id="a dialogue"),
+        pytest.param(ALONE + "bring_up(self)", "time.sleep(6.0)", ["EXE003"], id="nobody knows"),
+        pytest.param(ALONE + "self.create_timer(0.1, print)", "time.sleep(6.0)", ["EXE003"], id="an often timer"),
+        pytest.param(TIMER, "input('where to? ')\n    time.sleep(2.0)", ["EXE003"], id="a dialogue, and a sleep"),
+    ],
+)
+def test_what_delays_nothing_that_matters_is_told_on_demand(
+    run: Run, tmp_path: Path, beside: str, body: str, expected: list[str]
+):
+    (tmp_path / "archlint.toml").unlink()
+    assert codes(run(source(beside, timer(body)))) == expected
+
+
+ATTEMPTS = """
+{loop}:
+        try:
+            self.load()
+            {left}
+        except OSError:
+            {count}
+            time.sleep({pause})
+"""
+
+
+@pytest.mark.parametrize(
+    ("loop", "left", "count", "pause", "expected"),
+    [
+        ("for _ in range(5)", "break", "pass", "0.5", []),
+        ("while tries < 5", "return", "tries += 1", "0.5", []),
+        ("while True", "break", "pass", "0.5", ["EXE003"]),  # without an end
+        ("for _ in range(5)", "pass", "pass", "0.5", ["EXE003"]),  # each of five may fail
+        ("for _ in range(5)", "break", "pass", "3.0", ["EXE003"]),
+    ],
+)
+def test_the_pauses_between_a_few_attempts(run: Run, loop: str, left: str, count: str, pause: str, expected: list[str]):
+    body = "tries = 0\n    " + ATTEMPTS.format(loop=loop, left=left, count=count, pause=pause).strip()
+    assert codes(run(source(TIMER, timer(body) + "\ndef load(self):\n    open_bus()\n"))) == expected
 
 
 LISTENS = """

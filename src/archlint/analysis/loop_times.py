@@ -76,6 +76,25 @@ def is_retry(code: SourceCode, call: ApiCall) -> bool:
     return loop is not None and not loop.tests and loop_of(loop).is_left_by_jump
 
 
+def retries_after_errors(code: SourceCode, call: ApiCall) -> bool:
+    """Whether a call is in the ``except`` of a loop that makes some attempts, and that ends as soon as one has worked:
+    the pause is for what rarely fails, and has an end."""
+    loop = code.loop(call)
+    if loop is None or not loop_of(loop).is_left_by_jump or not (not loop.tests or _counts(loop)):
+        return False
+    handlers = [handler for attempt in statements_of(loop.body, facts.Try) for handler in attempt.handlers]
+    return any(handler.span[:2] <= call.place.span[:2] < handler.span[2:] for handler in handlers)
+
+
+def _counts(loop: Loop) -> bool:
+    """Whether a ``while`` compares a variable that each of its rounds changes by a number: ``attempts < 10``."""
+    changes = statements_of(loop.body, facts.Augmented)
+    counters = {
+        name for change in changes if isinstance(change.value, facts.Literal) for name in names_in(change.target)
+    }
+    return any(isinstance(test, facts.Compare) and not counters.isdisjoint(names_in(test)) for test in loop.tests)
+
+
 def reads_until_it_has(code: SourceCode, call: ApiCall) -> bool:
     """Whether the loop around a call is left with what it has just read: ``frame = camera.read()``, and then
     ``if frame is not None: return frame``.  Then the pauses are for the rare case that nothing comes."""

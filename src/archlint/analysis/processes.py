@@ -130,6 +130,7 @@ _SHORT = frozenset(
         "wpctl",
         "hostname",
         "ifconfig",
+        "iw",
         "iwconfig",
         "iwgetid",
         "uname",
@@ -138,7 +139,7 @@ _SHORT = frozenset(
     | {"kill", "killall", "pgrep", "pidof", "pkill"}
 )
 """Commands that ask the kernel or a service of this machine for something, or set it, and end."""
-_LASTING = frozenset({"monitor", "exec", "rescan"})
+_LASTING = frozenset({"event", "exec", "monitor", "rescan", "scan"})
 """Words that make such a command last."""
 
 

@@ -14,7 +14,7 @@ from archlint.analysis.callback_roles import callback_words, runs_in_executor
 from archlint.analysis.deadlock import threads_of
 from archlint.analysis.kept import once
 from archlint.analysis.kept_waiting import Waiting, blocks_nobody, is_one_chain, who_waits
-from archlint.analysis.loop_times import around_future, in_loops
+from archlint.analysis.loop_times import around_future, in_loops, retries_after_errors
 from archlint.analysis.own_timers import ends_its_timer_after, ends_its_timer_before
 from archlint.analysis.present_servers import is_there
 from archlint.analysis.processes import ends_the_machine, ends_with_the_node, is_signalled_to_end, is_soon_over
@@ -51,9 +51,11 @@ _TRIFLES = frozenset({"clear", "cls", "reset", ""})
 _Row = tuple["Program", "ApiCall", Stay]
 
 
-@rule("EXE003", scope=Scope.CODE, by_program=True, taste=True)
+@rule("EXE003", scope=Scope.CODE, by_program=True, taste=True, alone=False)
 def slow_callback(system: System, options: Options) -> Iterator[Finding]:
-    """Sleeps and waits for the world outside that callbacks reach: one finding for the function that holds them."""
+    """Sleeps and waits for the world outside that callbacks reach: one finding for the function that holds them.  With
+    ``alone`` also where that delays nothing but the callback's own next turn and timers that seldom run."""
+    code, alone = source_code(system), options.flag("alone")
     asked = clients_of_handlers(system, options.distros)
     reported = functions_that_ask(system, options.distros)
     endless = {loop.loop for loop in attribute_loops(system)}
@@ -70,6 +72,8 @@ def slow_callback(system: System, options: Options) -> Iterator[Finding]:
             continue  # EXE001 says what is wrong: with more threads such a spin takes the node away from its executor
         if call.cleaning:
             continue  # something has failed, and this is the way out of it
+        if _is_pause_of_retry(code, call, stay):
+            continue  # so it is here, and there are few attempts
         if stay.kind == "sleep" and ends_its_timer_after(system, call):
             continue  # the timer sleeps once
         if stay.kind == "lock" or _answers_in_time(call, stay):
@@ -87,6 +91,7 @@ def slow_callback(system: System, options: Options) -> Iterator[Finding]:
         sorted(rows.values(), key=_longest_first)
         for rows in functions.values()
         if not all(_is_left_alone(system, program, call, stay) for program, call, stay in rows.values())
+        if alone or not all(_delays_nothing(code, row) for row in rows.values())
     ]
     worst: dict[tuple[str, ...], _Row] = {}
     for [row, *_] in slow_functions:
@@ -134,6 +139,19 @@ def _is_left_alone(system: System, program: Program, call: ApiCall, stay: Stay) 
         )
         minor = role in _RUNS_AGAIN and (in_time or brief or leaves_its_state(code, call))
     return minor and not made_here(call) and who_waits(code, call, program) == Waiting.NOBODY
+
+
+def _delays_nothing(code: SourceCode, row: _Row) -> bool:
+    """Whether a wait delays nothing that anybody would miss, or is for what the program asks whoever sits before it."""
+    program, call, stay = row
+    if stay.kind == "keyboard":
+        return True
+    return not made_here(call) and who_waits(code, call, program) in (Waiting.NOBODY, Waiting.SELDOM)
+
+
+def _is_pause_of_retry(code: SourceCode, call: ApiCall, stay: Stay) -> bool:
+    """Whether a short sleep comes before the next of a few attempts, each of which is to work."""
+    return stay.kind == "sleep" and (stay.seconds or math.inf) <= PAUSE and retries_after_errors(code, call)
 
 
 _RUNS_AGAIN = frozenset({Role.SUBSCRIPTION, Role.TIMER, Role.EXECUTE, Role.SERVICE})
