@@ -104,17 +104,21 @@ def test_what_a_declared_package_does_not_bring_is_missing(lint: Lint):
 )
 def test_an_unknown_package_may_bring_what_is_named_after_it(lint: Lint, declared: str, expected: list[str]):
     files = {
-        "package.xml": manifest("talk", *depends("rclpy", declared)),
-        "talk/node.py": node("from ourarm_msgs.msg import Joint"),
+        "talk/package.xml": manifest("talk", *depends("rclpy", declared)),
+        "talk/talk/node.py": node("from ourarm_msgs.msg import Joint"),
+        "user/package.xml": manifest("user", *depends("ourarm_msgs")),  # so there is one, somewhere
     }
     assert missing(lint(files)) == expected
 
 
 def test_what_a_package_is_known_to_need_is_all_that_it_brings(lint: Lint):
     assert table().brings["nav_msgs"]  # it has been read
-    one = {"talk/node.py": node("from nav_msgs_extra.msg import Model")}
+    one = {
+        "talk/talk/node.py": node("from nav_msgs_extra.msg import Model"),
+        "user/package.xml": manifest("user", *depends("nav_msgs_extra")),
+    }
     known = manifest("talk", *depends("rclpy", "nav_msgs"))
-    assert missing(lint({**one, "package.xml": known})) == ["nav_msgs_extra"]
+    assert missing(lint({**one, "talk/package.xml": known})) == ["nav_msgs_extra"]
 
 
 def test_what_a_package_of_the_workspace_needs_is_all_that_it_brings(lint: Lint):
@@ -474,8 +478,21 @@ def test_a_package_that_a_build_leaves_out(lint: Lint, path: str, text: str, lin
     assert out == ([] if line is None else [(path, line)])
 
 
-def test_no_fix_names_a_package_that_nobody_knows(lint: Lint):
-    files = {"package.xml": manifest("talk", *depends("rclpy")), "talk/a.py": node("from secret_msgs.msg import X")}
+def test_a_package_that_is_nowhere_is_left_out(lint: Lint):
+    """It may be the old name of another one, and rosdep would stop at it."""
+    files = {
+        "talk/package.xml": manifest("talk", *depends("rclpy")),
+        "talk/talk/a.py": node("from secret_msgs.msg import X", LASER),
+    }
+    assert missing(lint(files)) == ["sensor_msgs"]
+
+
+def test_no_fix_names_a_package_that_only_another_manifest_knows(lint: Lint):
+    files = {
+        "talk/package.xml": manifest("talk", *depends("rclpy")),
+        "talk/talk/a.py": node("from secret_msgs.msg import X"),
+        "user/package.xml": manifest("user", *depends("secret_msgs")),
+    }
     (found,) = lint(files)
     assert (missing([found]), found.fix) == (["secret_msgs"], None)
 
@@ -691,7 +708,7 @@ from launch_ros.actions import Node
 
 
 def generate_launch_description():
-    config = get_package_share_directory('rover_description') + '/config/talker.yaml'
+    config = get_package_share_directory('turtlebot3_description') + '/config/talker.yaml'
     return LaunchDescription([Node(package='robot', executable='talker', parameters=[config])])
 """
 
@@ -700,16 +717,16 @@ def test_a_file_of_a_package_that_is_not_declared(lint):
     files = {"package.xml": manifest("robot"), "launch/it.launch.py": CONFIG}
     (found,) = lint(files)
     assert found.message == (
-        "package 'robot' takes files of 'rover_description', which its package.xml does not declare"
+        "package 'robot' takes files of 'turtlebot3_description', which its package.xml does not declare"
     )
-    declared = {"package.xml": manifest("robot", *depends("rover_description"))}
+    declared = {"package.xml": manifest("robot", *depends("turtlebot3_description"))}
     assert lint(files | declared) == []
 
 
 def test_the_name_under_which_setup_py_indexes_a_package_is_the_package_itself(lint):
-    launch = '<launch><node pkg="other" exec="drive"/></launch>'
-    setup = "from setuptools import setup\nsetup(name='other', data_files=[('share/{}', ['resource/other'])])\n"
-    files = {"package.xml": manifest("robot"), "resource/other": "", "launch/it.launch.xml": launch}
+    launch = '<launch><node pkg="turtlesim" exec="drive"/></launch>'
+    setup = "from setuptools import setup\nsetup(name='turtlesim', data_files=[('share/{}', ['resource/turtlesim'])])\n"
+    files = {"package.xml": manifest("robot"), "resource/turtlesim": "", "launch/it.launch.xml": launch}
     assert lint({**files, "setup.py": setup.format("ament_index/resource_index/packages")}) == []
-    [told] = lint({**files, "setup.py": setup.format("other")})
-    assert "'other'" in told.message
+    [told] = lint({**files, "setup.py": setup.format("turtlesim")})
+    assert "'turtlesim'" in told.message

@@ -8,6 +8,7 @@ from collections.abc import Set as AbstractSet
 from typing import TYPE_CHECKING
 
 from archlint.analysis.ignored import words_ignored_at
+from archlint.analysis.kept import once
 from archlint.analysis.skipped_packages import skipped_packages
 from archlint.checks.dependency_uses import BUILDS, FOR_OTHERS, How, Use, uses_by_package
 from archlint.checks.packages import workspace_of
@@ -37,12 +38,25 @@ def undeclared_dependency(system: System, options: Options) -> Iterator[Finding]
     for folder, uses in by_package.items():
         used.setdefault(workspace.manifests[folder].name, set()).update(use.needed for use in uses)
     for folder, uses in sorted(by_package.items()):
+        uses = [use for use in uses if _is_somewhere(workspace, use.needed)]
         hidden = [use for use in uses if _is_hidden(workspace, use)]
         # What a comment allows is a finding of its own, for the comment to hide.
         shown = [use for use in uses if use not in hidden and not _closes_circle(use, workspace, folder, used)]
         for group in (shown, *([use] for use in hidden)):
             if group:
                 yield _undeclared(workspace, workspace.manifests[folder], group)
+
+
+def _is_somewhere(workspace: WorkspaceIndex, name: str) -> bool:
+    """Whether a package is known: of this workspace, of ROS, or to another manifest here.  A name that is nowhere may
+    be an old one, that of the same package in setup.py, or of a repository that is built beside this one: nobody knows
+    what to declare, and rosdep stops at it."""
+    return name in packages.table().names or name in workspace.packages or name in _declared_anywhere(workspace)
+
+
+@once
+def _declared_anywhere(workspace: WorkspaceIndex) -> frozenset[str]:
+    return frozenset(d.name for package in workspace.manifests.values() for d in package.dependencies)
 
 
 def _closes_circle(use: Use, workspace: WorkspaceIndex, folder: str, used: Mapping[str, AbstractSet[str]]) -> bool:
