@@ -110,6 +110,19 @@ def test_an_operator_that_works(judge: Judge, line: str):
     judge("API001", NODE.format(line=line))
 
 
+def test_what_another_object_holds_is_not_known(judge: Judge):
+    """A message of this file has a stamp, and so has a state that another file makes, where it is a number."""
+    lines = (
+        "msg.stamp = now.to_msg()",
+        "state = given.latest_state()",
+        "if state.stamp <= 0.0 or time.time() - state.stamp > 1.0:",
+        "    return None",
+        "self.stamp = now.to_msg()",
+        "return self.stamp > 0.0  # here",
+    )
+    judge("API001", NODE.format(line="\n        ".join(lines)))
+
+
 def test_operators_of_a_file_that_fail_alike_are_one_finding(judge: Judge):
     (finding,) = judge("API001", NODE.format(line="return waited > 1.0 or waited > 2.0  # here"))
     assert finding.message.endswith("; another operator in this file does the same")

@@ -142,8 +142,8 @@ class Variables:
                 return Kind.STAMP
             case facts.Attribute(attr="nanoseconds", value=inner):
                 return Kind.NUMBER if self.kind(inner) in (Kind.TIME, Kind.DURATION) else None
-            case facts.Attribute(value=facts.Name(), attr=name):
-                return self._code.attribute(name)
+            case facts.Attribute(value=facts.Name(id="self"), attr=name):
+                return self._code.attribute(name)  # of another object, other files may store what they like
             case facts.Binary(op=op, left=left, right=right):
                 return _result(op, self.kind(left), self.kind(right))
         return None
