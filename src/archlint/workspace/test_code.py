@@ -19,7 +19,7 @@ _NAMED_OLD = re.compile(
     r"(?:old|archived|deprecated)_.+|.+_(?:old|archived?|deprecated|backup|bak|unused)|(?:.+_)?not_?used"
 )
 _MARKED = re.compile(r"[(\[](?:archived?|backup|deprecated|obsolete|old|unused)[)\]]")
-_COPY = re.compile(r"\(copy|[ _.-]copy\W|sync-conflict-|\(\d+\)|[ _.-](?:bak|backup|old|orig|unused)\.")
+_COPY = re.compile(r"\(copy|[ _.-]copy\W|sync-conflict-|\(\d+\)|[ _.-](?:bak|backup|bk|old|orig|unused)\.")
 _RETIRED = re.compile(r"(?:old|archived|deprecated|unused)_(?=.*\.py$)(?!.*\.launch\.py$)", re.IGNORECASE)
 
 
