@@ -185,3 +185,43 @@ def test_a_method_of_a_program_that_nothing_calls_is_information(findings: Calla
     (finding,) = findings("API005", **{"robot/talker.py": node})
     assert finding.severity is Severity.INFO
     assert finding.help == "delete helper(), which nothing calls"
+
+
+LAUNCH = """
+from launch import LaunchDescription
+from launch.actions import OpaqueFunction
+from launch_ros.actions import Node
+
+
+def talker(context):
+    return [Node(package='robot', executable='talker', namespace=side)]
+
+
+def spare():
+    return Node(package='robot', executable='talker', namespace=elsewhere)
+
+
+def generate_launch_description():
+    return LaunchDescription([OpaqueFunction(function=talker)])
+"""
+
+
+def test_a_function_that_a_launch_file_passes_on(findings: Callable[..., list[Finding]]) -> None:
+    """What no line of the file names, spare(), is never run."""
+    (finding,) = findings("API005", **{"launch/robot.launch.py": LAUNCH})
+    assert (finding.place.file, finding.place.line) == ("launch/robot.launch.py", 8)
+    assert finding.message == "nothing defines 'side': this line fails with a NameError"
+
+
+def test_a_name_that_keeps_a_launch_file_from_being_read_is_for_lch008(
+    findings: Callable[..., list[Finding]],
+) -> None:
+    launch = LAUNCH.replace("function=talker", "function=talkers")
+    assert not findings("API005", **{"launch/robot.launch.py": launch})
+    assert [f.place.line for f in findings("LCH008", **{"launch/robot.launch.py": launch})] == [16]
+
+
+def test_names_that_a_launch_file_has(findings: Callable[..., list[Finding]]) -> None:
+    launch = LAUNCH.replace("\n\ndef talker", "\n\nside = 'front'\n\n\ndef talker")
+    assert not findings("API005", **{"launch/robot.launch.py": launch})
+    assert not findings("API005", **{"launch/robot.launch.py": f"from launch import *\n{LAUNCH}"})

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import kept_for_few_files
 from archlint.analysis.offered_names import MAKES_NAMES, bound_in, own_names, starred
+from archlint.launch.files import GENERATE
 from archlint.place import Place
 from archlint.syntax import facts
 from archlint.syntax.bindings import bound_by
@@ -35,6 +36,7 @@ _OF_PYTHON_2 = frozenset(
 _ALWAYS = frozenset(dir(builtins)) | _OF_MODULES | _OF_CLASSES | _NEWER | {"WindowsError", "_"}
 _CHECKS_VERSION = frozenset({"PY2", "PY3", "six", "version_info"})
 _ROS_1 = frozenset({"rospy", "roslib"})
+_KINDS = frozenset({"python", "launch_python"})
 _SPHINX = "/conf.py"
 """The file for which Sphinx defines names of its own."""
 
@@ -57,10 +59,14 @@ class Undefined:
 
 def undefined_names(workspace: WorkspaceIndex) -> Iterator[Undefined]:
     """Every such read in the files that were asked for: the first of each name in each function."""
+    told = _told_of_launch_files(workspace)
     for file, file_facts in workspace.code.asked_for():
-        if file.kind != "python" or file.relative.endswith(_SPHINX) or workspace.roles.is_test(file.relative):
+        if file.kind not in _KINDS or file.relative.endswith(_SPHINX) or workspace.roles.is_test(file.relative):
             continue
         unbound = _unbound(workspace, file.relative)
+        if file.kind == "launch_python":
+            idle = _idle_functions(file_facts)
+            unbound = [r for r in unbound if (file.relative, r.name.id) not in told and not _lies_in(r.name, idle)]
         brought = starred(workspace, file.relative, file_facts) if unbound else None
         if brought is None:
             continue
@@ -69,6 +75,22 @@ def undefined_names(workspace: WorkspaceIndex) -> Iterator[Undefined]:
                 known = read.known | brought.names if brought.names else read.known  # a copy for each read is a square
                 place = Place(file.relative, *read.name.span)
                 yield Undefined(place, read.name.id, known, read.of_self, read.added, read.without_self)
+
+
+def _told_of_launch_files(workspace: WorkspaceIndex) -> frozenset[tuple[str, str]]:
+    """The names, each with its file, that keep a launch file from being read at all, of which LCH008 speaks."""
+    lost = (each for launched in workspace.launched for each in launched.undefined.items())
+    return frozenset((place.file, name) for place, name in lost)
+
+
+def _idle_functions(code: facts.Facts) -> list[facts.Function]:
+    """The functions of a launch file that neither launch nor any line of the file calls or passes on."""
+    named = {name.id for name in everything_in(code.body, facts.Name)} | {GENERATE}
+    return [function for function in statements_of(code.body, facts.Function) if function.name not in named]
+
+
+def _lies_in(name: facts.Name, functions: Sequence[facts.Function]) -> bool:
+    return any(function.span[:2] <= name.span[:2] <= function.span[2:] for function in functions)
 
 
 # ------------------------------------------------------------------------------------------------------ scopes
