@@ -129,6 +129,18 @@ def test_a_module_called_like_one_that_is_installed(said: Callable[..., list[Fin
     assert said("import queue", **{"robot/queue.py": ""}) == []
 
 
+@pytest.mark.parametrize("listed", ["robot/lens", "robot.lens"])
+def test_a_package_beside_it_that_the_setup_installs_inside(said: Callable[..., list[Finding]], listed: str) -> None:
+    files = {"robot/lens/__init__.py": "", "robot/lens/optics.py": "FOCUS = 1\n"}
+    setup = SETUP.replace("['robot']", f"['robot', '{listed}']")
+    (finding,) = said("from lens import optics", **{"setup.py": setup}, **files)
+    assert finding.help == "write `from robot.lens import …`"
+    beside = setup.replace("entry_points", "data_files=[('lib/robot', ['robot/lens/optics.py'])], entry_points")
+    assert said("from lens import optics", **{"setup.py": beside}, **files) == []
+    above = setup.replace("entry_points", "package_dir={'': 'robot'}, entry_points")
+    assert said("from lens import optics", **{"setup.py": above}, **files) == []
+
+
 def test_a_file_that_no_console_script_imports(findings: Callable[..., list[Finding]]) -> None:
     files = {
         "setup.py": SETUP,

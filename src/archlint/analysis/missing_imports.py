@@ -8,6 +8,7 @@ beside it is found.
 from __future__ import annotations
 
 import posixpath
+import re
 import sys
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -155,8 +156,7 @@ def _beside(workspace: WorkspaceIndex, file: SourceFile, module: str, place: Pla
     if top in sys.stdlib_module_names or key_of(top) is not None or path not in (f"{there}.py", f"{there}/__init__.py"):
         return None
     above = (file.module or "").rpartition(".")[0]
-    named = _is_named_in_setup(workspace, file.package or "", top)
-    if not above or named:
+    if not above or _is_named_in_setup(workspace, file.package or "", above, top):
         return None
     inside = "" if path.endswith("/__init__.py") else module.rpartition(".")[0].replace(".", "/")
     folder = posixpath.join(posixpath.dirname(file.relative), inside)
@@ -164,10 +164,20 @@ def _beside(workspace: WorkspaceIndex, file: SourceFile, module: str, place: Pla
     return MissingImport(place, module, beside=f"{above}.{module}", without_init=without_init)
 
 
-def _is_named_in_setup(workspace: WorkspaceIndex, package: str, top: str) -> bool:
-    """Whether the setup.py of a package has a word: it may install the module somewhere else, too."""
+def _is_named_in_setup(workspace: WorkspaceIndex, package: str, above: str, top: str) -> bool:
+    """Whether the setup.py of a package has a word, but for the name of the module inside of the package ``above``, as
+    `packages=` lists it: it may install the module somewhere else, too."""
     installs = workspace.installs.get(package)
-    return installs is None or workspace.code.mentions(posixpath.normpath(f"{installs.folder}/setup.py"), top)
+    if installs is None:
+        return True
+    path = posixpath.normpath(f"{installs.folder}/setup.py")
+    if not workspace.code.mentions(path, top):
+        return False
+    text = workspace.tree.text(path)
+    if text is None or "package_dir" in text:
+        return True
+    inside = "[./]".join(map(re.escape, [*above.split("."), top]))
+    return re.search(rf"\b{re.escape(top)}\b", re.sub(rf"['\"]{inside}['\"]", "", text)) is not None
 
 
 @once
