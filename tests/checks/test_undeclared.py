@@ -699,6 +699,22 @@ def test_what_is_declared_is_not_built_or_may_be_brought(lint):
     assert lint(of_cpp(**{"include/tf2_ros/buffer.h": "// a copy\n"})) == []
 
 
+def test_a_trial_is_built_like_anything_else(lint):
+    """As taste goes, it is left alone; whether it can be built is no matter of taste."""
+    files = {f"robot_testing/{name}": text for name, text in of_cpp().items()}
+    (found,) = lint(files)
+    assert found.place.file == "robot_testing/src/talker.cpp"
+
+
+def test_what_a_package_needs_when_it_runs_brings_no_headers(lint):
+    """tf2_geometry_msgs needs tf2_ros: that is installed where the robot is built only if the build needs the former."""
+    (found,) = lint(of_cpp("<exec_depend>tf2_geometry_msgs</exec_depend>"))
+    assert found.message == "package 'robot' includes headers of 'tf2_ros', which its package.xml does not declare"
+    assert lint(of_cpp("<depend>tf2_geometry_msgs</depend>")) == []
+    assert lint(of_cpp("<build_depend>tf2_geometry_msgs</build_depend>")) == []
+    assert lint(of_cpp("<exec_depend>tf2_ros</exec_depend>")) == []
+
+
 # ---------------------------------------------------------------------------------------- files of other packages
 
 CONFIG = """

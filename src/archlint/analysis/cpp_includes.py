@@ -10,7 +10,7 @@ import re
 from collections.abc import Container, Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from archlint.analysis.aside import is_aside
+from archlint.analysis.aside import is_disused
 from archlint.analysis.kept import once
 from archlint.place import Place
 from archlint.ros import packages, rosdep
@@ -57,7 +57,8 @@ def packages_of_headers(workspace: WorkspaceIndex) -> Iterator[tuple[Place, str]
 def _built(workspace: WorkspaceIndex, installs: Installs) -> list[str]:
     """The sources that a CMakeLists.txt builds, and the headers of the package that they include."""
     code = _code(workspace).get(installs.package, ())
-    todo = [path for path in code if path in installs.sources and not is_aside(workspace, path)]
+    idle = {path for path in code if workspace.roles.is_test(path) or is_disused(workspace, path)}
+    todo = [path for path in code if path in installs.sources and path not in idle]
     by_name: dict[str, list[str]] = {}
     for path in code:
         by_name.setdefault(posixpath.basename(path), []).append(path)
