@@ -149,6 +149,27 @@ def test_an_action_that_nothing_adds(findings):
 
 
 @pytest.mark.parametrize(
+    "action",
+    [
+        "SetEnvironmentVariable('ROS_DOMAIN_ID', '3')",
+        "SetLaunchConfiguration('use_sim_time', 'true')",
+        "SetParameter('use_sim_time', True)",
+        "SetRemap('scan', 'front/scan')",
+    ],
+)
+def test_a_setting_that_nothing_adds(findings, action):
+    rest = f"setting = {action}\n    return LaunchDescription([talker])"
+    more = "from launch.actions import *\nfrom launch_ros.actions import *\n"
+    names = "SetEnvironmentVariable, SetLaunchConfiguration"
+    more = f"from launch.actions import {names}\nfrom launch_ros.actions import SetParameter, SetRemap\n"
+    (told,) = findings("LCH008", **{"launch/it.launch.py": more + _file(rest)["launch/it.launch.py"]})
+    kind = action.partition("(")[0]
+    assert told.message == f"nothing adds 'setting' to the launch description, so that launch never runs this {kind}"
+    added = more + _file(rest.replace("[talker]", "[setting, talker]"))["launch/it.launch.py"]
+    assert findings("LCH008", **{"launch/it.launch.py": added}) == []
+
+
+@pytest.mark.parametrize(
     "rest",
     [
         "return LaunchDescription([\n        # talker,\n    ])",  # somebody has taken it out

@@ -111,7 +111,12 @@ ACTIONS = frozenset(
 )
 _STARTS = ACTIONS - {"DeclareLaunchArgument", "LogInfo", "SetEnvironmentVariable", "SetParameter", "PushRosNamespace"}
 """The actions whose absence leaves something out."""
-_ADDED = _STARTS | {"DeclareLaunchArgument"}
+_SETS = frozenset(
+    {"AppendEnvironmentVariable", "PushRosNamespace", "SetEnvironmentVariable", "SetLaunchConfiguration", "SetParameter"}
+    | {"SetParametersFromFile", "SetRemap", "SetUseSimTime", "UnsetEnvironmentVariable", "UnsetLaunchConfiguration"}
+)
+"""The actions that say something of those behind them."""
+_ADDED = _STARTS | _SETS | {"DeclareLaunchArgument"}
 _NODES = frozenset({"Node", "LifecycleNode", "ComposableNodeContainer"})
 
 
