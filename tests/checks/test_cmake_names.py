@@ -8,6 +8,7 @@ from robot_package import CMAKE
 
 HEAD = "project(robot)\nfind_package(ament_cmake REQUIRED)\nfind_package(rclcpp REQUIRED)\n"
 TALKER = "add_executable(talker src/talker.cpp)\n"
+GENERATES = 'set(files "msg/Speed.msg")\nrosidl_generate_interfaces(${PROJECT_NAME} ${files})\n'
 SOURCE = "int main() {}\n"
 
 
@@ -45,6 +46,11 @@ def names(findings):
             TALKER + "ament_target_dependencies(talker rclcpp nav_msgs)\n",
             "ament_target_dependencies() is given 'nav_msgs', which no find_package() has found: the build stops",
             "add find_package(nav_msgs REQUIRED)",
+        ),
+        (
+            TALKER + GENERATES + "ament_target_dependencies(talker rclcpp Speed)\n",
+            "'Speed' is an interface of this package, and ament_target_dependencies() takes packages: the build stops",
+            "take it off: a target gets the types of its own package with rosidl_get_typesupport_target()",
         ),
         (
             "ament_export_dependencies(rclcpp nav_msgsgeometry_msgs)\n",
@@ -85,6 +91,7 @@ def test_one_finding_for_a_name(names):
         TALKER + "robot_find_all()\nament_target_dependencies(talker nav_msgs)\n",
         TALKER + "ament_auto_find_build_dependencies()\nament_target_dependencies(talker nav_msgs)\n",
         TALKER + "find_package(PCL)\nament_target_dependencies(talker PCL Eigen3)\n",
+        TALKER + GENERATES + "find_package(Speed REQUIRED)\nament_target_dependencies(talker Speed)\n",
         TALKER + "target_link_libraries(talker yaml-cpp)\ntarget_link_libraries(rclcpp::rclcpp INTERFACE x)\n",
     ],
 )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import posixpath
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
@@ -50,6 +51,8 @@ def _of_build(workspace: WorkspaceIndex, installs: Installs, options: Options) -
             yield _two_names(installs, named, halves)
         elif named.name in lacking and named.command == _TAKES_A_TARGET:
             yield _package(installs, named)
+        elif named.name not in known and named.name in _interfaces_of(installs) and named.command == _TAKES_A_TARGET:
+            yield _interface(installs, named)
 
 
 def _found_with(workspace: WorkspaceIndex, name: str) -> set[str]:
@@ -61,6 +64,7 @@ def _found_with(workspace: WorkspaceIndex, name: str) -> set[str]:
 _SYSTEM = frozenset({"Boost", "Eigen3", "GTest", "OpenCV", "OpenMP", "PkgConfig", "Python3", "Threads"})
 """What CMake finds that finds no package of ROS with it."""
 _TAKES_A_TARGET = "ament_target_dependencies"
+_KINDS = frozenset({"action", "msg", "srv"})
 
 
 def _target(installs: Installs, named: NameInCMake) -> Finding:
@@ -82,6 +86,18 @@ def _target_as_package(installs: Installs, named: NameInCMake) -> Finding:
 def _package(installs: Installs, named: NameInCMake) -> Finding:
     message = f"{named.command}() is given '{named.name}', which no find_package() has found: the build stops"
     return _finding(installs, named, message, f"add find_package({named.name} REQUIRED)", "package")
+
+
+def _interfaces_of(installs: Installs) -> frozenset[str]:
+    """The names of the interfaces that a package generates."""
+    files = (posixpath.basename(word) for word in installs.generated or ())
+    return frozenset(name for name, dot, kind in (file.rpartition(".") for file in files) if dot and kind in _KINDS)
+
+
+def _interface(installs: Installs, named: NameInCMake) -> Finding:
+    message = f"'{named.name}' is an interface of this package, and {named.command}() takes packages: the build stops"
+    help = "take it off: a target gets the types of its own package with rosidl_get_typesupport_target()"
+    return _finding(installs, named, message, help, "interface")
 
 
 def _two_names(installs: Installs, named: NameInCMake, halves: tuple[str, str]) -> Finding:
