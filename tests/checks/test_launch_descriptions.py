@@ -232,3 +232,62 @@ def test_a_parameter_that_launch_does_not_pass(findings, parameters, count):
     assert [row.message for row in rows] == [
         "generate_launch_description() wants 'context', and launch passes nothing: a TypeError stops it"
     ] * count
+
+
+# ------------------------------------------------------------------------------ includes of another language
+
+INCLUDE = """\
+from launch import LaunchDescription
+from launch.actions import IncludeLaunchDescription
+from {module} import {source}
+from launch_ros.substitutions import FindPackageShare
+
+def generate_launch_description():
+    return LaunchDescription([
+        IncludeLaunchDescription({source}([FindPackageShare('{package}'), '/launch/{file}'])),
+    ])
+"""
+PYTHON, XML, YAML = (f"{kind}LaunchDescriptionSource" for kind in ("Python", "XML", "YAML"))
+
+
+@pytest.mark.parametrize(
+    ("source", "package", "file", "message"),
+    [
+        (PYTHON, "mavros", "px4.launch", "reads 'px4.launch' as Python, and it is XML: launch stops at this include"),
+        (
+            PYTHON,
+            "robot",
+            "arm.launch.xml",
+            "reads 'arm.launch.xml' as Python, and it is XML: launch stops at this include",
+        ),
+        (
+            XML,
+            "mavros",
+            "node.launch.yaml",
+            "reads 'node.launch.yaml' as XML, and it is YAML: launch stops at this include",
+        ),
+        (
+            YAML,
+            "slam",
+            "slam.launch.py",
+            "reads 'slam.launch.py' as YAML, and it is Python: launch stops at this include",
+        ),
+        (PYTHON, "slam", "slam.launch.py", None),
+        (XML, "mavros", "px4.launch", None),
+        ("AnyLaunchDescriptionSource", "mavros", "px4.launch", None),
+        (PYTHON, "robot", "base.launch", None),
+    ],
+)
+def test_an_include_that_reads_another_language(findings, source, package, file, message):
+    """base.launch is Python, whatever its name says."""
+    module = {XML: "launch_xml.launch_description_sources", YAML: "launch_yaml.launch_description_sources"}
+    text = INCLUDE.format(
+        module=module.get(source, "launch.launch_description_sources"), source=source, package=package, file=file
+    )
+    others = {
+        "launch/arm.launch.xml": "<launch/>\n",
+        "launch/base.launch": FILE.format(rest="return LaunchDescription([talker])", given=""),
+    }
+    told = findings("LCH008", **{"launch/it.launch.py": text}, **others)
+    assert [one.message for one in told] == ([f"{source} {message}"] if message else [])
+    assert all(one.place.line == 8 for one in told)

@@ -112,7 +112,13 @@ ACTIONS = frozenset(
 _STARTS = ACTIONS - {"DeclareLaunchArgument", "LogInfo", "SetEnvironmentVariable", "SetParameter", "PushRosNamespace"}
 """The actions whose absence leaves something out."""
 _SETS = frozenset(
-    {"AppendEnvironmentVariable", "PushRosNamespace", "SetEnvironmentVariable", "SetLaunchConfiguration", "SetParameter"}
+    {
+        "AppendEnvironmentVariable",
+        "PushRosNamespace",
+        "SetEnvironmentVariable",
+        "SetLaunchConfiguration",
+        "SetParameter",
+    }
     | {"SetParametersFromFile", "SetRemap", "SetUseSimTime", "UnsetEnvironmentVariable", "UnsetLaunchConfiguration"}
 )
 """The actions that say something of those behind them."""

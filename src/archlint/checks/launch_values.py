@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from archlint.analysis.foreign_launch_files import ForeignLaunchFile, foreign_launch_files
 from archlint.analysis.launch_descriptions import misnamed_functions, wrong_descriptions
 from archlint.analysis.wrong_launch_descriptions import Wrong, WrongDescription
 from archlint.checks.folding import folds, with_other_places
@@ -47,6 +48,7 @@ def launch_description(system: System, options: Options) -> Iterator[Finding]:
         yield _absent_key(absent)
     for refused in system.launched.refused if system.launched is not None else ():
         yield _refused(refused)
+    yield from map(_foreign, foreign_launch_files(system))
     for file, wrong in wrong_descriptions(system):
         yield _of_description(file, wrong)
     if system.launched is None and system.workspace is not None:
@@ -90,6 +92,17 @@ def _refused(value: RefusedValue) -> Finding:
         help=help,
         identity=(value.action, value.parameter, value.what),
         group=(value.place.file, value.action, "pairs" if value.pairs else "value"),
+    )
+
+
+def _foreign(included: ForeignLaunchFile) -> Finding:
+    return finding(
+        "LCH008",
+        included.place,
+        f"{included.source} reads '{included.file}' as {included.reads}, and it is {included.language}: launch stops at "
+        "this include",
+        help="write AnyLaunchDescriptionSource, which asks what the file is",
+        identity=(included.source, included.file),
     )
 
 

@@ -35,6 +35,8 @@ class Included:
     visible: tuple[str, ...] | None = None
     own_process: bool = False
     """Whether a process of its own launches the file: ``ros2 launch``."""
+    source_class: str = ""
+    """The class that reads the file, ``PythonLaunchDescriptionSource`` …; empty where an include finds out itself."""
 
     @property
     def is_missing(self) -> bool:

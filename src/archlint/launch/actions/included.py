@@ -52,11 +52,17 @@ def include(run: LaunchRun, entity: LaunchObject) -> None:
     for option in each_alternative(run, path):
         reference = run.reference(FileKind.LAUNCH, option, place)
         visible = None if given is not None and run.is_open(given) else _visible_texts(run, [name for name, _ in names])
-        run.result.included.append(Included(reference, names, place, run.file, run.is_dormant, visible))
+        row = Included(reference, names, place, run.file, run.is_dormant, visible, source_class=_class_of(source))
+        run.result.included.append(row)
         if reference.source is None:
             run.given.note_unread_include(run.launch.configurations)
         with run.given.passing([name for name, _ in names]):
             run.include(reference, plain=not names and option is path, called_at=entity.called_at)
+
+
+def _class_of(source: Value | None) -> str:
+    kind = kind_of(source)
+    return kind.value if kind is not None and kind in SOURCES else ""
 
 
 def _visible_texts(run: LaunchRun, names: Sequence[str]) -> tuple[str, ...] | None:
