@@ -707,7 +707,7 @@ def test_a_trial_is_built_like_anything_else(lint):
 
 
 def test_what_a_package_needs_when_it_runs_brings_no_headers(lint):
-    """tf2_geometry_msgs needs tf2_ros: that is installed where the robot is built only if the build needs the former."""
+    """tf2_geometry_msgs needs tf2_ros, which is there for a build only if that build needs the former."""
     (found,) = lint(of_cpp("<exec_depend>tf2_geometry_msgs</exec_depend>"))
     assert found.message == "package 'robot' includes headers of 'tf2_ros', which its package.xml does not declare"
     assert lint(of_cpp("<depend>tf2_geometry_msgs</depend>")) == []

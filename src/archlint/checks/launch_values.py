@@ -99,8 +99,8 @@ def _foreign(included: ForeignLaunchFile) -> Finding:
     return finding(
         "LCH008",
         included.place,
-        f"{included.source} reads '{included.file}' as {included.reads}, and it is {included.language}: launch stops at "
-        "this include",
+        f"{included.source} reads '{included.file}' as {included.reads}, and it is {included.language}: "
+        "launch stops at this include",
         help="write AnyLaunchDescriptionSource, which asks what the file is",
         identity=(included.source, included.file),
     )
