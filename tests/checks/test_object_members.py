@@ -63,6 +63,30 @@ def test_a_member_that_an_object_of_rclpy_does_not_have(judge: Judge, line: str,
     assert help in told.help
 
 
+def test_a_variable_right_behind_what_it_is_assigned(judge: Judge):
+    """Though it becomes a number afterwards."""
+    lines = (
+        "passed = self.get_clock().now() - now",
+        "passed, _ = passed.seconds_nanoseconds  # here",
+        "print(passed.real)",
+    )
+    (told,) = judge("API002", NODE.replace("{line}", "\n        ".join(lines)))
+    assert told.message.startswith("Duration has no 'seconds_nanoseconds'")
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        ("passed = self.get_clock().now() - now", "passed = passed.nanoseconds / 1e9", "print(passed.real)"),
+        ("passed = self.get_clock().now() - now", "passed = 1.5", "print(passed.real)"),
+        ("passed = self.get_clock().now() - now", "print([passed.real for passed in (1, 2)])", "passed = 2"),
+        ("passed = self.get_clock().now() - now", "if self.limit:", "    passed = 1.5", "print(passed.real)"),
+    ],
+)
+def test_a_variable_that_is_something_else_by_then(judge: Judge, lines: tuple[str, ...]):
+    judge("API002", NODE.replace("{line}", "\n        ".join(lines)))
+
+
 @pytest.mark.parametrize(
     "line",
     [

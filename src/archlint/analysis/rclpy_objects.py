@@ -6,6 +6,8 @@ It goes by what each variable and attribute is assigned, so that it needs nothin
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Iterator, Sequence
+from itertools import pairwise
 
 from archlint.analysis.class_chains import targets_of
 from archlint.string_enum import StringEnum
@@ -128,12 +130,15 @@ class Variables:
             for name, values in self._values.items()
             if targets[name] == len(values) and name not in changed
         }
+        self._straight = {Itself(name): value for name, value in _read_straight_after(function.body)}
 
     def kind(self, e: facts.Expr) -> Kind | None:
         """What an expression certainly is."""
         match e:
             case facts.Literal():
                 return None if e.number is None else Kind.NUMBER
+            case facts.Name() if Itself(e) in self._straight:
+                return self.kind(self._straight[Itself(e)])
             case facts.Name(id=name):
                 return Kind.GOAL if name == self._goal and name else self._variable(name)
             case facts.Call():
@@ -169,6 +174,20 @@ class Variables:
             case facts.Attribute(value=owner, attr="to_msg"):
                 return Kind.STAMP if self.kind(owner) == Kind.TIME else None
         return self._code.classes.get(call.func.dotted)
+
+
+def _read_straight_after(body: Sequence[facts.Stmt]) -> Iterator[tuple[facts.Name, facts.Expr]]:
+    """The variables that a statement reads right behind the one that assigns them, each with what it has there,
+    whatever else it is assigned elsewhere."""
+    for before, after in pairwise(body):
+        match before, after:
+            case facts.Assign(targets=[facts.Name(id=name)], value=value), facts.Assign() | facts.Expression():
+                parts = [*parts_of(after.value)]
+                if not any(isinstance(part, (facts.Lambda, facts.Comprehension)) for part in parts):
+                    yield from ((part, value) for part in parts if isinstance(part, facts.Name) and part.id == name)
+    for statement in body:
+        for block in () if isinstance(statement, (facts.Function, facts.Class)) else statement.blocks:
+            yield from _read_straight_after(block)
 
 
 def _is_node(e: facts.Expr) -> bool:
