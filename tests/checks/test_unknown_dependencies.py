@@ -40,6 +40,7 @@ def judge(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Judge:
         ("<test_depend>ament_cmake_lint_copyright</test_depend>", "ament_cmake_copyright"),
         ("<depend>launch-pytest</depend>", "launch_pytest"),
         ("<exec_depend>nav_msg</exec_depend>", "nav_msgs"),
+        ("<exec_depend>rviz</exec_depend>", "rviz2"),
     ],
 )
 def test_what_was_meant(judge: Judge, tag: str, meant: str):
@@ -56,6 +57,7 @@ def test_what_was_meant(judge: Judge, tag: str, meant: str):
         "<exec_depend>python3-numpy</exec_depend>",
         "<depend>our_messages</depend>",  # perhaps of another repository
         "<depend>robot</depend>",
+        "<depend>geometry</depend>",  # perhaps of another repository, whatever geometry2 is
         '<depend condition="$ROS_VERSION == 1">nav_msg</depend>',
         "<!-- <depend>nav_msg</depend> -->",
     ],
@@ -189,3 +191,14 @@ def test_a_name_that_cmake_takes_from_package_xml_is_still_to_be_found(judge: Ju
 )
 def test_a_name_that_cmake_does_not_take_from_package_xml(judge: Judge, tag: str, cmake: str):
     assert help_for(judge, tag, cmake) == "write 'eigen' instead"
+
+
+def test_a_package_of_the_workspace_with_a_2_behind_its_name(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.chdir(tmp_path)
+    depends = ("<test_depend>arm_msgs</test_depend>", "<test_depend>our_own_messages</test_depend>")
+    (told,) = of_packages(tmp_path, arm_msgs2=(), arm=depends)
+
+    assert (
+        told.message
+        == "'arm_msgs' is neither a ROS package nor a key of rosdep, which stops here: 'arm_msgs2' was probably meant"
+    )

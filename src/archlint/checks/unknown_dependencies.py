@@ -63,10 +63,21 @@ def _unknown(
         yield _finding(package, dependency, "", _instead_of_build_type(package))
         return
     meant = rosdep.meant_by(name, there, is_python=_is_of_python(workspace, package, name))
+    meant = meant or _successor(workspace, name)
     if meant is not None:
         own = f", and add find_package({name} REQUIRED) to CMakeLists.txt, which takes its packages from here"
         needed = _is_found_by_name(workspace, package, dependency)
         yield _finding(package, dependency, meant, f"write '{meant}' instead{own if needed else ''}")
+
+
+_SUCCEEDED = frozenset({"rosbag", "rviz", "tf"})
+"""Packages of ROS 1 whose successors are called like them, with a 2 behind it."""
+
+
+def _successor(workspace: WorkspaceIndex, name: str) -> str | None:
+    """The package for ROS 2 that goes by a name with a 2 behind it: of ROS itself, or of the workspace."""
+    newer = f"{name}2"
+    return newer if name in _SUCCEEDED or newer in workspace.packages else None
 
 
 _FINDS_DEPENDENCIES = "ament_auto_find_build_dependencies"
