@@ -473,6 +473,17 @@ def test_a_path_of_an_argument_that_may_be_there(findings, launch):
     assert findings("LCH004", launch, **{"config/map.yaml": ""}) == []
 
 
+def test_a_path_of_an_argument_to_another_folder_than_the_file_is_in(findings):
+    launch, config = arg("map", "config/map.yaml", "default"), {"config/other.yaml": "", "config/halls/map.yaml": ""}
+    (finding,) = findings("LCH004", launch, **config)
+    assert finding.message == "package 'robot' has no file 'config/map.yaml'; did you mean 'config/halls/map.yaml'?"
+
+
+def test_a_path_of_an_argument_where_several_files_have_that_name(findings):
+    launch, config = arg("map", "config/map.yaml", "default"), {"config/other.yaml": "", "config/halls/map.yaml": ""}
+    assert findings("LCH004", launch, **config, **{"config/sheds/map.yaml": ""}) == []
+
+
 def test_a_world_that_the_build_makes_of_a_template(findings):
     world = arg("world", "worlds/dock.world", "default")
     assert findings("LCH004", world, **{"worlds/dock.world.xacro": "", "worlds/a.world.xacro": ""}) == []

@@ -30,6 +30,20 @@ def names_beside(workspace: WorkspaceIndex, package: str, path: str) -> list[str
     return [posixpath.basename(file) for file in files if not named.search(workspace.tree.text(file) or "")]
 
 
+def namesake(workspace: WorkspaceIndex, package: str, path: str) -> str | None:
+    """The only file of a package, below its folder, that has the name of a missing one, in another folder."""
+    installs = workspace.installs.get(package)
+    if installs is None:
+        return None
+    name, top = posixpath.basename(posixpath.normpath(path)), installs.folder
+    files = [
+        file.removeprefix(f"{top}/")
+        for file in workspace.tree.files_below(top)
+        if posixpath.basename(file) == name and not workspace.roles.is_trial(file)
+    ]
+    return files[0] if len(files) == 1 else None
+
+
 def lies_in(workspace: WorkspaceIndex, reference: FileReference) -> tuple[str, str] | None:
     """The package, and the path below its share folder, of a file that a launch file names by a relative path: it lies
     beside that launch file, or there from the folder of its package on, and not where all packages are seen from; a

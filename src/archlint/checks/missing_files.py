@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.absent_packages import is_nowhere, is_placeholder, package_meant
 from archlint.analysis.generated_files import has_template, is_generated, is_ignored
 from archlint.analysis.launch_code import writes_files
-from archlint.analysis.missing_files import is_folder_missing, lies_in, names_beside
+from archlint.analysis.missing_files import is_folder_missing, lies_in, names_beside, namesake
 from archlint.checks.folding import folds, with_places
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -233,13 +233,15 @@ def _decided_at(reference: FileReference) -> Place:
 
 
 def _did_you_mean_file(workspace: WorkspaceIndex | None, package: str, shown: str) -> str:
-    """The file beside a missing one whose name is nearest to its name."""
+    """The file beside a missing one whose name is nearest to its name, or one of its very name in another folder."""
     beside = [] if workspace is None else names_beside(workspace, package, shown)
     name = posixpath.basename(posixpath.normpath(shown))
     same = [other for other in beside if have_same_words(name, other)]
     if len(same) == 1:
         return meant(f"'{same[0]}'")
-    return did_you_mean(name, [other for other in beside if _is_like(name, other)])
+    near = did_you_mean(name, [other for other in beside if _is_like(name, other)])
+    other = None if near or workspace is None else namesake(workspace, package, shown)
+    return meant(f"'{other}'") if other is not None else near
 
 
 def _is_like(name: str, other: str) -> bool:
