@@ -143,6 +143,7 @@ def test_times_where_times_are_wanted(judge: Judge, line: str):
         ("print(self.get_parameter('speed') == 1.0)", "this is always false: '==' compares a Parameter"),
         ("print(float(self.get_parameter('speed')))", "float() fails with a TypeError: this is a Parameter"),
         ("print([step for step in self.get_parameter('speed')])", "a loop fails with a TypeError: this is a Parameter"),
+        ("print([*zip([1], self.get_parameter('speed'))])", "zip() fails with a TypeError: this is a Parameter"),
         ("print(1 if self.get_parameter('speed') else 2)", "this is always true: it asks a Parameter"),
         ("print(not self.get_parameter('speed'))", "this is always true: it asks a Parameter"),
     ],
@@ -162,6 +163,7 @@ def test_a_parameter_that_is_kept(judge: Judge):
     [
         "print(1.0 / self.declare_parameter('rate', 2.0).value)",
         "print(1.0 / self.get_parameter('speed').value)",
+        "print([*zip([1], self.get_parameter('speed').value)])",
         "print('%s' % self.get_parameter('speed'), f\"{self.get_parameter('speed')}\", self.get_parameter('speed'))",
         "print(self.get_parameter('speed') is None, self.get_parameter('speed') == self.get_parameter('speed'))",
         "self.speed = self.get_parameter('speed'); self.speed = 1.0; print(self.speed > 0.5)",

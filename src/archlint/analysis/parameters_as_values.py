@@ -137,15 +137,18 @@ def _failing(scope: Variables, part: facts.Base) -> Iterator[_Use]:
             yield Outcome.FAILS, "an index", span
         case facts.For(iterable=iterable) | facts.Generator(iterable=iterable) if is_parameter(iterable):
             yield Outcome.FAILS, "a loop", span_of(iterable)
+        case facts.Call(func=facts.Name(id="zip"), args=given):
+            if any(is_parameter(argument.value) and not argument.star and not argument.keyword for argument in given):
+                yield Outcome.FAILS, "zip()", part.span
         case facts.Call(func=facts.Name(id=name), args=[facts.Argument(value=value, keyword=None, star=""), *_]):
             if name in _OF_VALUES and is_parameter(value):
                 yield Outcome.FAILS, f"{name}()", part.span
 
 
 _OF_VALUES = frozenset(
-    {"abs", "enumerate", "float", "int", "iter", "len", "list", "open", "range", "round", "set", "sorted"}
+    {"abs", "all", "any", "enumerate", "float", "int", "iter", "len", "list", "open", "range", "reversed", "round"}
 )
-_OF_VALUES |= {"sum", "tuple"}
+_OF_VALUES |= {"set", "sorted", "sum", "tuple"}
 """Functions of Python that refuse an object which is no number, text or list."""
 
 
