@@ -225,3 +225,8 @@ def test_names_that_a_launch_file_has(findings: Callable[..., list[Finding]]) ->
     launch = LAUNCH.replace("\n\ndef talker", "\n\nside = 'front'\n\n\ndef talker")
     assert not findings("API005", **{"launch/robot.launch.py": launch})
     assert not findings("API005", **{"launch/robot.launch.py": f"from launch import *\n{LAUNCH}"})
+
+
+def test_a_launch_file_that_python_refuses_to_compile(findings: Callable[..., list[Finding]]) -> None:
+    told = findings("API005", **{"launch/robot.launch.py": f"{LAUNCH}\nreturn side\n"})
+    assert [finding.code for finding in told] == ["LNT002"]

@@ -64,6 +64,8 @@ def undefined_names(workspace: WorkspaceIndex) -> Iterator[Undefined]:
         if file.kind not in _KINDS or file.relative.endswith(_SPHINX) or workspace.roles.is_test(file.relative):
             continue
         unbound = _unbound(workspace, file.relative)
+        if file.kind == "launch_python" and file_facts.problems:
+            continue  # Python refuses all of it
         if file.kind == "launch_python":
             idle = _idle_functions(file_facts)
             unbound = [r for r in unbound if (file.relative, r.name.id) not in told and not _lies_in(r.name, idle)]
