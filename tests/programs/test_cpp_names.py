@@ -355,3 +355,90 @@ def test_what_a_stream_reads_may_be_anything() -> None:
     assert [end["name"] for end in node["publishers"]] == ["/images", "/many"]
     [node] = graph({"src/robot.cpp": ASKED.replace(" >> count", "")})["nodes"]
     assert [end["name"] for end in node["publishers"]] == ["/images"]
+
+
+FREE = """
+#include "rclcpp/rclcpp.hpp"
+#include "ends.hpp"
+void ends::open(rclcpp::Node & node, const std::string & prefix) {
+  node.create_publisher<std_msgs::msg::String>(prefix + "/open", 1);
+}
+std::string ends::names::base = "base";
+int main(int argc, char ** argv) {
+  rclcpp::init(argc, argv);
+  auto node = std::make_shared<rclcpp::Node>("robot");
+  ends::open(*node, ends::names::base);
+  rclcpp::spin(node);
+}
+"""
+ENDS = """
+#pragma once
+namespace ends {
+void open(rclcpp::Node & node, const std::string & prefix);
+namespace names { extern std::string base; }
+}
+"""
+
+
+def test_a_function_may_be_defined_with_the_namespace_that_a_header_opens() -> None:
+    [node] = graph({"src/robot.cpp": FREE, "src/ends.hpp": ENDS})["nodes"]
+    assert (node["name"], [end["name"] for end in node["publishers"]]) == ("/robot", ["/base/open"])
+
+
+SMALL = """
+#include "rclcpp/rclcpp.hpp"
+#include "driver.hpp"
+driver::driver(rclcpp::Node * node) : node_(node) {}
+void driver::open() { node_->create_publisher<std_msgs::msg::String>("driver", 1); }
+int main(int argc, char ** argv) {
+  rclcpp::init(argc, argv);
+  rclcpp::Node node("robot");
+  driver robot(&node);
+  robot.open();
+}
+"""
+DRIVER = "class driver { public: driver(rclcpp::Node * node); void open(); rclcpp::Node * node_; };"
+
+
+def test_a_class_may_be_written_small() -> None:
+    [node] = graph({"src/robot.cpp": SMALL, "src/driver.hpp": DRIVER})["nodes"]
+    assert (node["name"], [end["name"] for end in node["publishers"]]) == ("/robot", ["/driver"])
+
+
+OPTIONS = """
+#include "rclcpp/rclcpp.hpp"
+class Robot : public rclcpp::Node {
+public:
+  explicit Robot(%s) : rclcpp::Node("robot", given) { create_publisher<std_msgs::msg::String>("a", 1); }
+};
+"""
+
+
+@pytest.mark.parametrize(
+    ("parameter", "name"),
+    [
+        ("const rclcpp::NodeOptions & given", "/a"),
+        ("rclcpp::NodeOptions given = rclcpp::NodeOptions()", "/a"),
+        ("const std::string & given", None),  # it may be any namespace
+    ],
+)
+def test_the_type_of_a_parameter_says_whether_it_is_options(parameter: str, name: str | None) -> None:
+    [node] = graph({"src/robot.cpp": OPTIONS % parameter})["nodes"]
+    assert [end["name"] for end in node["publishers"]] == [name]
+
+
+def test_macros_may_be_made_of_others() -> None:
+    source = """
+    #include "rclcpp/rclcpp.hpp"
+    #define PREFIX "arm"
+    #define TOPIC PREFIX "/state"
+    #define DEPTH (5)
+    int main(int argc, char ** argv) {
+      rclcpp::init(argc, argv);
+      rclcpp::Node node("robot");
+      auto publisher = node.create_publisher<std_msgs::msg::String>(TOPIC, DEPTH);
+      rclcpp::spin(node.get_node_base_interface());
+    }
+    """
+    [node] = graph({"src/robot.cpp": source})["nodes"]
+    assert [(end["name"], end["qos"]["depth"]) for end in node["publishers"]] == [("/arm/state", 5)]

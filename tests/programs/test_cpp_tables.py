@@ -48,6 +48,8 @@ def published(statements: str) -> list[tuple[Any, Any]]:
         "for (const auto & row : more) publish(row.first, row.second);",
         'auto [topic, depth] = std::make_pair("a", 1); publish(topic, depth); publish("b", 2);',
         "publish(rows[0].topic, rows[0].depth); publish(rows[1].topic, rows[1].depth);",
+        "publish(rows.front().topic, 1); publish(rows.back().topic, 2);",
+        'std::tuple<std::string, int> row{"a", 1}; publish(std::get<0>(row), std::get<1>(row)); publish("b", 2);',
     ],
 )
 def test_rows_of_a_table(statements: str) -> None:

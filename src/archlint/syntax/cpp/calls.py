@@ -15,6 +15,7 @@ from archlint.syntax import facts
 from archlint.syntax.facts import Argument
 
 if TYPE_CHECKING:
+    from archlint.syntax.cpp.names import Names
     from archlint.syntax.facts import Expr, Span
 
 METHODS = {
@@ -104,12 +105,12 @@ def _is_of_node(value: Expr) -> bool:
     return isinstance(value, facts.Name) and value.id == "self"
 
 
-def node_arguments(arguments: Sequence[Expr], words: str) -> list[Argument]:
+def node_arguments(arguments: Sequence[Expr], words: str, names: Names) -> list[Argument]:
     """The arguments of ``rclcpp::Node(name, [namespace], [options])``; ``words`` is the text of the file, which says
     what is set in options that come from outside."""
     given = [Argument(value, keyword) for keyword, value in zip(("node_name",), arguments, strict=False)]
     rest = list(arguments[1:3])
-    if len(rest) == 2 or (rest and not _are_options(rest[0])):
+    if len(rest) == 2 or (rest and not _are_options(rest[0], names)):
         given.append(Argument(rest.pop(0), "namespace"))
     given += [Argument(value, "rclcpp_options") for value in rest]
     for option in ("allow_undeclared_parameters", "automatically_declare_parameters_from_overrides"):
@@ -126,7 +127,9 @@ def _span_of(arguments: Sequence[Expr]) -> Span:
     return (1, 1, 1, 1)
 
 
-def _are_options(value: Expr) -> bool:
+def _are_options(value: Expr, names: Names) -> bool:
+    if isinstance(value, facts.Name) and names.is_options(value.id):
+        return True
     words = [part.last_name.lower() for part in _chain(value)]
     return any("option" in word for word in words) or isinstance(value, facts.Opaque)
 

@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 
 _ITSELF = frozenset({"c_str", "str", "get", "data", "value", "lock", "get_rmw_qos_profile", "view", "release"})
 """Methods without arguments that give what they are called on, as far as names are concerned."""
+_ENDS = {"front": 0, "back": -1}
+"""Methods that give the first and the last item of a container."""
 _LIST_METHODS = {"push_back": "append", "emplace_back": "append"}
 _POLICIES = frozenset({"history", "reliability", "durability", "liveliness", "deadline", "lifespan"})
 """Setters of ``rclcpp::QoS`` that have the names of what they set."""
@@ -98,6 +100,8 @@ class CallLowering(ObjectLowering):
         method = facts.Attribute(value, renamed, function_span)
         if name == "at" and len(values) == 1:
             return facts.Subscript(value, values[0], span)
+        if name in _ENDS and not values:
+            return facts.Subscript(value, facts.Literal(_ENDS[name], span), span)
         own = calls.template_arguments(types) if isinstance(value, (facts.Name, facts.Implicit)) else []
         return facts.Call(method, [*given(values), *own], span)
 
@@ -230,6 +234,13 @@ class CallLowering(ObjectLowering):
         if path in DURATIONS or path == "std.chrono.duration":
             return self.seconds(path, last, values, span)
         types = [self.lower_type(argument) for argument in last.arguments]
+        if (
+            path == "std.get"
+            and len(values) == 1
+            and last.arguments
+            and (at := self.lower(last.arguments[0]).number) is not None
+        ):
+            return facts.Subscript(values[0], facts.Literal(int(at), span), span)
         if path in PAIRS_MADE_BY and values:
             return facts.Sequence("tuple", values, span)
         if path in calls.FREE and values:

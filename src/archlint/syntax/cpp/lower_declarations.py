@@ -7,7 +7,15 @@ from typing import TYPE_CHECKING
 from archlint.syntax import facts
 from archlint.syntax.cpp import calls
 from archlint.syntax.cpp.declared import Declared, declared, is_pointer
-from archlint.syntax.cpp.known_names import INTERFACE_KINDS, MAPS, OBJECT, RMW_PROFILES, SEQUENCES, STREAMS
+from archlint.syntax.cpp.known_names import (
+    INTERFACE_KINDS,
+    MAPS,
+    OBJECT,
+    PAIRS_MADE_BY,
+    RMW_PROFILES,
+    SEQUENCES,
+    STREAMS,
+)
 from archlint.syntax.cpp.lower_calls import CallLowering
 from archlint.syntax.cpp.names import Part
 
@@ -34,7 +42,7 @@ class DeclarationLowering(CallLowering):
                 target: Expr = facts.Sequence(
                     "tuple", [facts.Name(n, variable.span) for n in variable.bound], variable.span
                 )
-            elif variable.owner:
+            elif variable.owner and (variable.owner in self.names.classes or not variable.owner[:1].islower()):
                 target = facts.Attribute(facts.Name(variable.owner, variable.span), variable.name, variable.span)
             else:
                 self.names.declare(variable.name)
@@ -61,6 +69,7 @@ class DeclarationLowering(CallLowering):
             return facts.Literal("", span)
         if last.name == "string" and self.names.scopes:
             self.names.scopes[-1].texts.add(variable.name)
+        self.note_options(variable.name, parts)
         if self.names.scopes and self.names.path(parts) == "rclcpp.Parameter":
             self.names.scopes[-1].parameters.add(variable.name)
         if value is None:
@@ -87,6 +96,8 @@ class DeclarationLowering(CallLowering):
             of_items = parts if variable.is_array else self.kind_of_items(last)
             is_listed = value.type == "initializer_list"
             return self.items(value, of_items, span) if is_listed else facts.Opaque("a list", span)
+        if self.names.path(parts) in PAIRS_MADE_BY and inner:
+            return facts.Sequence("tuple", self.lower_all(inner), span)
         smart = last.name in ("shared_ptr", "unique_ptr", "optional", "atomic") or last.name.endswith("Ptr")
         plain = kind is None or kind.type in ("primitive_type", "sized_type_specifier", "placeholder_type_specifier")
         if smart or plain or is_pointer(parts):

@@ -66,7 +66,7 @@ class FunctionLowering(StatementLowering):
             return
         parts = self.names.parts(name)
         owner = parts[-2].name if len(parts) > 1 else ""
-        if owner and (owner in self.names.classes or owner not in self.names.namespaces):
+        if owner and self.is_class_called(owner):
             outer, self.names.class_parameters = self.names.class_parameters, self._of_owner(parts[-2])
             self._class_parameters = [row for row in self._template_parameters if self._is_of_class(row)]
             self._template_parameters = [row for row in self._template_parameters if not self._is_of_class(row)]
@@ -82,6 +82,14 @@ class FunctionLowering(StatementLowering):
             function = self._defined(node, None, parts[-1], parts[-1].name)
             if function is not None:
                 body.append(function)
+
+    def is_class_called(self, name: str) -> bool:
+        """Whether ``name::`` in front of a definition is a class.  A namespace may be opened in a header alone; classes
+        whose names are written as those of namespaces mostly are have a constructor or a destructor here, too."""
+        if name in self.names.classes or name in self.names.namespaces:
+            return name in self.names.classes
+        written = self.source.words
+        return not name[:1].islower() or f"{name}::{name}(" in written or f"{name}::~{name}(" in written
 
     def _of_owner(self, owner: Part) -> dict[str, str]:
         """What ``Channel<T>::open()`` calls the template arguments of its class."""
@@ -176,6 +184,7 @@ class FunctionLowering(StatementLowering):
             if is_main:
                 default = facts.Opaque("the command line", self.source.span(node))
             self.names.declare(name)
+            self.note_options(name, [] if kind is None else self.names.parts(kind))
             annotation = None if kind is None else self.names.resolve(self.names.parts(kind), self.source.span(kind))
             kind_of_type = annotation if _is_type(annotation) else None
             params.append(facts.Param(name, "normal", default, kind_of_type, _is_reference(node)))
@@ -212,7 +221,9 @@ class FunctionLowering(StatementLowering):
         if not is_field or len(parts) > 1 or last.name in self.names.aliases:
             values = [] if arguments is None else self.lower_all(arguments.named_children)
             base = self.names.resolve(parts, span)
-            listed = calls.node_arguments(values, self.source.words) if self.is_node(parts) else given(values)
+            listed = (
+                calls.node_arguments(values, self.source.words, self.names) if self.is_node(parts) else given(values)
+            )
             called = facts.Attribute(base, "__init__", span)
             return facts.Expression(facts.Call(called, [facts.Argument(itself), *listed], span), span)
         target = facts.Attribute(itself, last.name, span)

@@ -99,7 +99,7 @@ class ObjectLowering(ExpressionLowering):
         mapped = IN_PYTHON.get(path, "")
         function = self.names.library(path, span)
         if mapped in ("rclpy.node.Node", "rclpy.lifecycle.node.LifecycleNode"):
-            return facts.Call(function, calls.node_arguments(values, self.source.words), span)
+            return facts.Call(function, calls.node_arguments(values, self.source.words, self.names), span)
         if mapped == "message_filters.Subscriber":
             return self.filtered(last, values, span)
         if mapped == "str":
@@ -117,6 +117,11 @@ class ObjectLowering(ExpressionLowering):
         if path == "rclcpp.Parameter":
             return facts.Call(function, calls.parameter(values), span)
         return facts.Call(function, given(values), span)
+
+    def note_options(self, name: str, kind: Sequence[Part]) -> None:
+        """Take note of a variable or parameter that is an ``rclcpp::NodeOptions``."""
+        if kind and kind[-1].name == "NodeOptions" and self.names.scopes:
+            self.names.scopes[-1].options.add(name)
 
     def seconds(self, path: str, last: Part, values: Sequence[Expr], span: Span) -> Expr:
         """``std::chrono::milliseconds(5)``, ``std::chrono::duration<double, std::milli>(5)`` as a number of seconds."""

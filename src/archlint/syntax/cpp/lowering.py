@@ -6,6 +6,7 @@ class first; a method that is defined outside of its class is set on it; what st
 
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING
 
 from archlint.syntax import facts
@@ -100,7 +101,7 @@ class Lowering(ClassLowering):
             return
         written = self.source.text(value).strip()
         span = self.source.span(node)
-        literal = _literal(written, span)
+        literal = _literal(written, span) or _joined(written, span)
         if literal is not None:
             body.append(facts.Assign([facts.Name(self.source.text(name), span)], literal, span))
 
@@ -127,6 +128,20 @@ def _literal(written: str, span: Span) -> Expr | None:
         return None if text is None else facts.Literal(text, span)
     number = number_of(written)
     return None if number is None else facts.Literal(number, span)
+
+
+_WORDS = re.compile(r'"[^"\\\n]*"|[A-Za-z_]\w*')
+
+
+def _joined(written: str, span: Span) -> Expr | None:
+    """``PREFIX "/name"``: texts and other macros side by side; ``(5)`` in brackets."""
+    if written.startswith("(") and written.endswith(")"):
+        return _literal(written[1:-1].strip(), span)
+    parts = _WORDS.findall(written)
+    if len(parts) < 2 or not any(part.startswith('"') for part in parts) or _WORDS.sub("", written).strip():
+        return None
+    fields = [text_of(part) if part.startswith('"') else facts.Field(facts.Name(part, span)) for part in parts]
+    return facts.FormatString([field for field in fields if field is not None], span)
 
 
 _HOLDERS = frozenset(

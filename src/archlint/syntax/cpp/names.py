@@ -54,6 +54,8 @@ class FunctionScope:
     """Variables of the type ``std::string``, which methods can change."""
     parameters: set[str] = field(default_factory=set)
     """Variables of the type ``rclcpp::Parameter``, which parameters are read into with their names."""
+    options: set[str] = field(default_factory=set)
+    """Variables of the type ``rclcpp::NodeOptions``."""
     pairs: set[str] = field(default_factory=set)
     """Variables of loops that hold pairs, such as the items of a map."""
     is_lambda: bool = False
@@ -115,6 +117,10 @@ class Names:
     def is_parameter(self, name: str) -> bool:
         """Whether a variable is an ``rclcpp::Parameter``."""
         return any(name in scope.parameters for scope in self.scopes)
+
+    def is_options(self, name: str) -> bool:
+        """Whether a variable is an ``rclcpp::NodeOptions``."""
+        return any(name in scope.options for scope in self.scopes)
 
     def is_stream(self, name: str) -> bool:
         """Whether a variable is one that texts are written into with ``<<``."""
