@@ -16,13 +16,6 @@ ALONE = "self.create_timer(5.0, self.tick)\n"
 TIMER = "self.create_subscription(Empty, 'beside', print, 10)\n" + ALONE
 
 
-@pytest.fixture
-def run(run: Run, tmp_path: Path) -> Run:
-    """Runs the rules so that EXE003 speaks of callbacks that delay nothing else, too."""
-    (tmp_path / "archlint.toml").write_text("[rules.slow-callback]\nalone = true\n", encoding="utf-8")
-    return run
-
-
 def timer(body: str) -> str:
     return f"def tick(self):\n    {body}\n"
 
@@ -521,11 +514,15 @@ def test_somebody_has_to_wait(run: Run, beside: str, severity: Severity | None):
         pytest.param(TIMER, "input('where to? ')\n    time.sleep(2.0)", ["EXE003"], id="a dialogue, and a sleep"),
     ],
 )
-def test_what_delays_nothing_that_matters_is_told_on_demand(
+def test_what_delays_nothing_that_matters_is_told_in_a_lesson_and_on_demand(
     run: Run, tmp_path: Path, beside: str, body: str, expected: list[str]
 ):
-    (tmp_path / "archlint.toml").unlink()
-    assert codes(run(source(beside, timer(body)))) == expected
+    others = "".join(f"    rclpy.create_node('part_{number}')\n" for number in range(5))
+    large = ON_ONE_THREAD.replace("    rclpy.spin", f"{others}    rclpy.spin")
+    assert codes(run(source(beside, timer(body), large))) == expected
+    assert codes(run(source(beside, timer(body)))) == ["EXE003"]
+    (tmp_path / "archlint.toml").write_text("[rules.slow-callback]\nalone = true\n", encoding="utf-8")
+    assert codes(run(source(beside, timer(body), large))) == ["EXE003"]
 
 
 ATTEMPTS = """

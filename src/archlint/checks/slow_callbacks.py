@@ -14,6 +14,7 @@ from archlint.analysis.callback_roles import callback_words, runs_in_executor
 from archlint.analysis.deadlock import threads_of
 from archlint.analysis.kept import once
 from archlint.analysis.kept_waiting import Waiting, blocks_nobody, is_one_chain, who_waits
+from archlint.analysis.lessons import is_lesson
 from archlint.analysis.loop_times import around_future, in_loops, retries_after_errors
 from archlint.analysis.own_timers import ends_its_timer_after, ends_its_timer_before
 from archlint.analysis.present_servers import is_there
@@ -53,9 +54,9 @@ _Row = tuple["Program", "ApiCall", Stay]
 
 @rule("EXE003", scope=Scope.CODE, by_program=True, taste=True, alone=False)
 def slow_callback(system: System, options: Options) -> Iterator[Finding]:
-    """Sleeps and waits for the world outside that callbacks reach: one finding for the function that holds them.  With
-    ``alone`` also where that delays nothing but the callback's own next turn and timers that seldom run."""
-    code, alone = source_code(system), options.flag("alone")
+    """Sleeps and waits for the world outside that callbacks reach: one finding for the function that holds them.  In a
+    lesson, and with ``alone``, also where that delays nothing but the callback's own next turn and slow timers."""
+    code, alone = source_code(system), options.flag("alone") or is_lesson(system)
     asked = clients_of_handlers(system, options.distros)
     reported = functions_that_ask(system, options.distros)
     endless = {loop.loop for loop in attribute_loops(system)}
