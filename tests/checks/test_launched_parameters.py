@@ -347,13 +347,13 @@ NAME = 'constant'
 @pytest.mark.parametrize(
     ("lines", "told"),
     [
-        (["self.p('rate')", "self.p('rat')", "self.p('speed')", "self.p(name='a')"], {2: "rat", 3: "speed", 4: "a"}),
+        (["self.p('rate')", "self.p('rat')", "self.p('speed')", "self.p(name='a')"], {2: "rat", 3: "speed a"}),
         (["self.rate, self.kind = of(self, 'rate'), of(self, 'kind')"], {1: "kind"}),
-        (["self.p('on_start')", "self.create_timer(1.0, lambda: self.p('on_timer'))"], {1: "on_start", 2: "on_timer"}),
-        (["self.all = [self.p(n) for n in ('rate', 'one', 'two')]"], {1: "one"}),
+        (["self.p('on_start')", "self.create_timer(1.0, lambda: self.p('on_timer'))"], {1: "on_start on_timer"}),
+        (["self.all = [self.p(n) for n in ('rate', 'one', 'two')]"], {1: "one two"}),
         (["if self.has_parameter('rat'):", "    self.p('rat')"], {}),
         (["try:", "    self.p('rat')", "except Exception:", "    pass"], {}),
-        (["self.p(NAME)", "self.get_parameter(NAME)"], {1: "constant", 2: "constant"}),
+        (["self.p(NAME)", "self.get_parameter(NAME)"], {1: "constant"}),  # one cause, told at the first read
         (["self.p(input())"], {}),
         (["self.get_parameters(['rate', 'rat'])", "self.get_parameters([", "    'speed'])"], {1: "rat", 3: "speed"}),
         (["self.get_parameters(['rate'])", "self.get_parameters(input())", "self.get_parameters([NAME])"], {}),
@@ -365,7 +365,17 @@ def test_names_that_a_helper_reads(findings, lines, told):
     text = TALKER.replace("        self.create_publisher", body + "        self.create_publisher")
     text = text.replace("\ndef main", HELPER + "\ndef main")
     found = findings("PRM003", **{"robot/talker.py": text})
-    assert {one.place.line - 8: one.identity[1] for one in reversed(found)} == told
+    assert {one.place.line - 8: " ".join(one.identity[1:]) for one in reversed(found)} == told
+
+
+def test_what_a_node_reads_and_does_not_declare_is_one_finding(findings):
+    reads = "".join(f"        self.get_parameter('{name}')\n" for name in ("speed", "rat", "frame", "speed"))
+    text = TALKER.replace("        self.create_publisher", reads + "        self.create_publisher")
+    all_names, slip = findings("PRM003", **{"robot/talker.py": text})
+
+    assert all_names.message == "Talker reads 2 parameters that it never declares: speed, frame"
+    assert [related.message for related in all_names.related] == ["'frame' is read here", "'speed' is read here"]
+    assert "'rat'" in slip.message and "did you mean 'rate'" in slip.message
 
 
 DECLARATIVE = """\

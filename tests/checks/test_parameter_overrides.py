@@ -613,3 +613,10 @@ LARGE = """        for a in range(400):
 def test_a_name_that_no_code_has_is_no_parameter_of_a_program_that_is_cut_short(findings, read: str, told: list[str]):
     talker = TALKER.replace("\ndef main", f"{LARGE.format(read=read)}\ndef main")
     assert [row.identity[1] for row in findings("{'maximum_gain': 0.1}", talker=talker)] == told
+
+
+@pytest.mark.parametrize(("read", "told"), [("'speed'", ["volume"]), ("'other'", ["speed", "volume"])])
+def test_a_value_that_the_node_reads_undeclared_is_told_at_the_read(findings, read: str, told: list[str]):
+    talker = TALKER.replace("\ndef main", f"        self.get_parameter({read})\n\ndef main")
+    [found] = findings("{'speed': 1.0, 'volume': 2.0}", talker=talker)
+    assert [name for name in ("speed", "volume") if name in found.message] == told

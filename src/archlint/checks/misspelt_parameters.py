@@ -1,4 +1,5 @@
-"""What PRM004 says of names that are almost that of a parameter which every node has."""
+"""What PRM004 says of names that are almost that of a parameter which every node has, and which of others it leaves to
+other findings."""
 
 from __future__ import annotations
 
@@ -7,6 +8,7 @@ from functools import lru_cache
 from typing import TYPE_CHECKING, Final
 
 from archlint.analysis.declared_parameters import declared_by
+from archlint.checks.parameter_reads import undeclared_reads
 from archlint.checks.registry import finding
 from archlint.finding import Finding
 from archlint.suggestions import distance
@@ -15,6 +17,7 @@ from archlint.systems.overrides import settings_of
 if TYPE_CHECKING:
     from archlint.launch.started import Started
     from archlint.systems.model import System
+    from archlint.systems.nodes import Node
 
 _OF_EVERY_NODE: Final = "use_sim_time"
 """The one parameter that every node has, of C++ or of Python, and that is set from outside."""
@@ -26,6 +29,12 @@ _SLIP = 2
 def is_misspelt(name: str) -> bool:
     """Whether a name is almost that of the parameter."""
     return name != _OF_EVERY_NODE and distance(name, _OF_EVERY_NODE, _SLIP) <= _SLIP
+
+
+def is_told_otherwise(system: System, node: Node, name: str) -> bool:
+    """Whether another finding is about a name that a node does not declare: it is misspelt for every node, or the node
+    reads it all the same, and a declaration mends both (PRM003)."""
+    return is_misspelt(name) or any(name == read for _, read, _ in undeclared_reads(system, node))
 
 
 def misspelt_for_every_node(system: System) -> Iterator[Finding]:
@@ -58,4 +67,4 @@ def _is_declared(system: System, started: Started, name: str) -> bool:
     return any((declared := declared_by(node)) is None or name in declared for node in nodes)
 
 
-__all__ = ["is_misspelt", "misspelt_for_every_node"]
+__all__ = ["is_misspelt", "is_told_otherwise", "misspelt_for_every_node"]

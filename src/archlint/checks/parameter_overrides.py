@@ -20,7 +20,7 @@ from archlint.analysis.set_parameters import (
 )
 from archlint.checks.external_parameters import has_unseen_nodes, unknown_to_externals
 from archlint.checks.folding import folds
-from archlint.checks.misspelt_parameters import is_misspelt, misspelt_for_every_node
+from archlint.checks.misspelt_parameters import is_told_otherwise, misspelt_for_every_node
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related
@@ -54,13 +54,13 @@ def unknown_parameter_override(system: System, options: Options) -> Iterator[Fin
             continue  # what the launch file sets is for the node that the process is there for
         others, bundles = [_declared_in_sight(other) for other in siblings], _bundles_of(settings)
         for setting in settings:
-            if setting.name in declared or always_declared(setting.name) or setting.shared or is_misspelt(setting.name):
+            if setting.name in declared or always_declared(setting.name) or setting.shared:
                 continue
             if _for_another_choice(setting.name, declared, settings) or _by_default(system, node, setting.name):
                 continue
             if any(names is None or setting.name in names for names in others):
                 continue
-            if not is_judged(system, node, setting.name):
+            if not is_judged(system, node, setting.name) or is_told_otherwise(system, node, setting.name):
                 continue
             if node_meant(system, node, setting, siblings) is not node:
                 continue

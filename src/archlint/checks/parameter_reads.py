@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.declared_parameters import always_declared, declared_by, followed
 from archlint.analysis.parameter_uses import is_passed_on, names_listed
+from archlint.checks.folding import folds
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related, Severity
 from archlint.model import Role
 from archlint.model.given import Constant
-from archlint.suggestions import did_you_mean
+from archlint.suggestions import did_you_mean, listed
 
 if TYPE_CHECKING:
     from archlint.model import ApiCall, ParameterDeclaration
@@ -26,19 +27,25 @@ def undeclared_parameter(system: System, options: Options) -> Iterator[Finding]:
     """Parameters that are read and never declared."""
     for node in system.nodes:
         declared = declared_by(node)
-        if node.blueprint is None or declared is None or node.program is None or node.program.exhausted:
-            continue
-        if not node.blueprint.just_rclpy or not followed(node):
-            continue
-        calls = [call for call in node.program.calls if call.node is node.blueprint]
-        guarded = {name_asked_for(call) for call in calls if call.api.endswith(".has_parameter")}
-        for call in calls:
-            for name, place in _reads(system, call):
-                if always_declared(name) or name in declared or name in guarded or call.in_try:
-                    continue
-                diagnostic = _undeclared(node, call, name, place, declared)
-                used = call.context.role != Role.METHOD  # what nothing calls raises nothing
-                yield diagnostic if used else replace(diagnostic, severity=Severity.INFO)
+        for call, name, place in undeclared_reads(system, node):
+            diagnostic = _undeclared(node, call, name, place, declared or {})
+            used = call.context.role != Role.METHOD  # what nothing calls raises nothing
+            yield diagnostic if used else replace(diagnostic, severity=Severity.INFO)
+
+
+def undeclared_reads(system: System, node: Node) -> Iterator[tuple[ApiCall, str, Place]]:
+    """The reads of parameters that a node never declares, each with the name and where the code says it."""
+    declared = declared_by(node)
+    if node.blueprint is None or declared is None or node.program is None or node.program.exhausted:
+        return
+    if not node.blueprint.just_rclpy or not followed(node):
+        return
+    calls = [call for call in node.program.calls if call.node is node.blueprint]
+    guarded = {name_asked_for(call) for call in calls if call.api.endswith(".has_parameter")}
+    for call in calls:
+        for name, place in _reads(system, call):
+            if not (always_declared(name) or name in declared or name in guarded or call.in_try):
+                yield call, name, place
 
 
 def _reads(system: System, call: ApiCall) -> Iterator[tuple[str, Place]]:
@@ -55,14 +62,33 @@ def _undeclared(
     node: Node, call: ApiCall, name: str, place: Place, declared: dict[str, list[ParameterDeclaration]]
 ) -> Finding:
     assert node.blueprint is not None
+    hint = did_you_mean(name, declared)
     return finding(
         "PRM003",
         place,
-        f"parameter '{name}' is read, but {node.blueprint.class_name} never declares it" + did_you_mean(name, declared),
+        f"parameter '{name}' is read, but {node.blueprint.class_name} never declares it{hint}",
         help=f"declare it first: {_declaration(name, place)}",
         related=[] if _encloses(call.place, place) else [Related(call.place, "it is read here")],
         node=node.name,
         identity=(node.blueprint.class_name, name),
+        group=(place.file, node.blueprint.class_name, name if hint else ""),
+    )
+
+
+@folds("PRM003")
+def _of_one_node(findings: Sequence[Finding]) -> Finding:
+    """The finding for all parameters that a node reads and does not declare, at the first."""
+    first, *others = findings
+    cls, _ = first.identity
+    names = list(dict.fromkeys(other.identity[1] for other in findings))
+    if len(names) == 1:
+        return replace(first, related=(*first.related, *(Related(other.place, "and here") for other in others)))
+    return replace(
+        first,
+        message=f"{cls} reads {len(names)} parameters that it never declares: {listed(names)}",
+        help=f"declare each first: {_declaration(names[0], first.place)}",
+        related=(*first.related, *(Related(other.place, f"'{other.identity[1]}' is read here") for other in others)),
+        identity=(cls, *names),
     )
 
 
