@@ -114,7 +114,13 @@ def _instead_of_method(path: str) -> str:
     owner, _, name = path.rpartition(".")
     expected = f"rclpy.executors.Executor.{name}" if owner.startswith("rclpy.executors.") else path
     near = suggestions.nearest(name, [other for other in _known(owner) or () if not other.startswith("_")])
+    if owner in names.NODE_CLASSES and near in _PROPERTIES:
+        return f"{near}, which has no parentheses and gives one after the other: list(self.{near})"
     return _INSTEAD.get(expected) or (f"{near}()" if near else "")
+
+
+_PROPERTIES = frozenset({"clients", "guards", "publishers", "services", "subscriptions", "timers", "waitables"})
+"""What a node has made: properties that are iterated over."""
 
 
 def _note(run: Run, path: str, instead: str, site: CallSite) -> None:
