@@ -25,7 +25,7 @@ def packages_of_includes(workspace: WorkspaceIndex) -> Iterator[tuple[Place, str
             reference = include.reference
             known = reference.package is not None and reference.status is not FileStatus.UNKNOWN
             if known and not include.dormant and not reference.conditional and not reference.optional:
-                yield include.place, reference.package or ""
+                yield reference.given or include.place, reference.package or ""
 
 
 def packages_of_files(workspace: WorkspaceIndex) -> Iterator[tuple[Place, str]]:
