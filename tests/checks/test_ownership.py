@@ -80,6 +80,17 @@ class TestMultiplePublishers:
         assert finding.severity is Severity.INFO
         assert finding.message.endswith(", if they run together: no launch file here starts both by default")
 
+    def test_what_nothing_starts_together_is_told_in_a_lesson_only(self):
+        drivers = [node("/joystick", publisher("cmd_vel")), node("/planner", publisher("cmd_vel"))]
+        arms = [node("/left", service("home")), node("/right", service("home"))]
+        others = [node(f"/part_{number}", publisher(f"part_{number}")) for number in range(4)]
+
+        assert owners(system(*drivers)) == [("/joystick", "/planner")]
+        assert owners(system(*drivers, *others)) == []
+        assert servers(system(*arms)) == [("/left", "/right")]
+        assert servers(system(*arms, *others)) == []
+        assert servers(system(*arms, *others, name="launch/robot.launch.py")) == [("/left", "/right")]
+
     def test_many_nodes_on_one_topic_have_it_for_all_of_them(self):
         nodes = [node(f"/{name}", publisher("state")) for name in "abcd"]
 

@@ -14,6 +14,7 @@ from archlint.analysis.coexistence import (
 )
 from archlint.analysis.echoes import is_driven, repeats
 from archlint.analysis.happenings import are_events, are_requests
+from archlint.analysis.lessons import is_lesson
 from archlint.analysis.owners import several_owners, some_coexist
 from archlint.analysis.sharing import are_words, is_bus, is_state
 from archlint.analysis.streams import sends_again_and_again, waits_for_nobody
@@ -73,6 +74,7 @@ def _is_meant(system: System, connection: Connection, owners: list[Endpoint]) ->
         has_launch_files(system)
         or _says_what_happens(connection.name)
         or _are_exercises(owners)
+        or not is_lesson(system)
         or any(is_not_installed(system.workspace, end.place.file) for end in owners)  # each is run by hand
     ):
         return True

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from archlint.analysis.owners import several_owners
+from archlint.analysis.lessons import is_lesson
+from archlint.analysis.owners import several_owners, some_coexist
 from archlint.checks.owner_findings import all_of, finding_for_owners
 from archlint.checks.registry import Options, rule
 from archlint.checks.scope import Scope
@@ -17,9 +18,12 @@ if TYPE_CHECKING:
 
 @rule("OWN002", scope=Scope.SYSTEM)
 def multiple_servers(system: System, options: Options) -> Iterator[Finding]:
-    """Services and actions with servers in several nodes that run together."""
+    """Services and actions with servers in several nodes that run together.  What nothing starts together are variants,
+    unless one who learns has written them."""
     for connection in (*system.services.values(), *system.actions.values()):
         for owners in several_owners(system, connection):
+            if not some_coexist(system, owners) and not is_lesson(system):
+                continue
             yield finding_for_owners(
                 "OWN002",
                 system,
