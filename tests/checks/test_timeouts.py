@@ -314,7 +314,8 @@ LOG, WAIT = "self.get_logger().info('waiting')", "self.far.wait_for_service()  #
         ([f"{LOG[:-1]} if input() else None)", WAIT], None),
         ([WAIT], Severity.WARNING),
         ([WAIT, LOG], Severity.WARNING),
-        ([LOG, "self.create_timer(1.0, print)", WAIT], Severity.WARNING),
+        ([LOG.replace("waiting", "hello"), "self.create_timer(1.0, print)", WAIT], Severity.WARNING),
+        ([LOG, "self.create_timer(1.0, print)", WAIT], None),
         ([f"if input(): {LOG}", WAIT], Severity.WARNING),
         ([LOG, WAIT, "self.create_service(Trigger, 'near', self.answer)"], None),
         ([LOG, "self.create_timer(1.0, lambda: self.far.wait_for_service())  # here"], Severity.WARNING),
@@ -326,6 +327,7 @@ LOG, WAIT = "self.get_logger().info('waiting')", "self.far.wait_for_service()  #
         "not announced",
         "announced too late",
         "said of something else",
+        "said earlier that it waits",
         "said now and then",
         "a node that serves others",
         "in a callback",
@@ -335,6 +337,14 @@ def test_a_node_that_says_that_it_waits_before_it_starts(judge: Judge, lines: li
     text = STARTS.format(name="Robot", lines="\n            ".join(lines))
     found = judge("TMO001", text if severity is not None else text.replace("  # here", ""))
     assert [one.severity for one in found] == ([] if severity is None else [severity])
+
+
+def test_what_a_script_waits_for_is_told_in_a_lesson_and_on_demand(judge: Judge):
+    others = "".join(f"rclpy.create_node('part_{number}'); " for number in range(5))
+    wait = script(f"{others}\n        client.wait_for_service()  # here")
+    judge("TMO001", wait.replace("  # here", ""))
+    [found] = judge("TMO001", wait, config="[rules.wait-without-timeout]\nscripts = true\n")
+    assert found.severity is Severity.INFO
 
 
 def test_what_the_scripts_of_one_package_wait_for_is_one_finding(judge: Judge, tmp_path):

@@ -8,6 +8,7 @@ from archlint.analysis.source_code import SourceCode, source_code
 from archlint.model import Role
 from archlint.syntax import facts
 from archlint.syntax.control_flow import graph_of
+from archlint.syntax.parts import everything_in
 from archlint.syntax.walk import called_name, calls_in
 
 if TYPE_CHECKING:
@@ -29,7 +30,10 @@ def says_something(loop: facts.While | facts.For | None) -> bool:
 
 
 def _is_announced(code: SourceCode, call: ApiCall) -> bool:
-    """Whether on every way to a call a line says something, and since then there are only assignments."""
+    """Whether on every way to a call a line says something, and since then there are only assignments; or a line before
+    that says that it waits."""
+    if any(_says_so(statement.value) and statement.span < call.place.span for statement in _expressions(code, call)):
+        return True
 
     def step(said: bool, fact: facts.Base) -> bool:
         match fact:
@@ -42,6 +46,19 @@ def _is_announced(code: SourceCode, call: ApiCall) -> bool:
     graph = graph_of(code.body(call))
     waits, states = graph.evaluating(call.place.span), graph.states(False, step)
     return bool(waits) and all(states.get(block) == frozenset({True}) for block in waits)
+
+
+def _expressions(code: SourceCode, call: ApiCall) -> list[facts.Expression]:
+    """The statements of the function around a call, those of its branches left out, that are expressions."""
+    return [statement for statement in code.body(call) if isinstance(statement, facts.Expression)]
+
+
+def _says_so(e: facts.Expr) -> bool:
+    """``self.get_logger().info('Waiting for the arm')``"""
+    if not isinstance(e, facts.Call) or called_name(e) not in _SAYS:
+        return False
+    texts = [part.text or "" for argument in e.args for part in everything_in(argument.value, facts.Literal)]
+    return any("waiting" in text.lower() for text in texts)
 
 
 __all__ = ["is_announced_start", "says_something"]

@@ -12,6 +12,7 @@ from archlint.analysis.callback_roles import runs_in_executor
 from archlint.analysis.called_by_hand import is_driven_by_hand
 from archlint.analysis.client_loops import is_for_each_client
 from archlint.analysis.left_over import is_dead, is_never_made
+from archlint.analysis.lessons import is_lesson
 from archlint.analysis.limit_sites import sites_of_wait
 from archlint.analysis.reach import (
     calls_of,
@@ -52,9 +53,11 @@ _LIMIT = {
 }
 
 
-@rule("TMO001", scope=Scope.CODE, taste=True)
+@rule("TMO001", scope=Scope.CODE, taste=True, scripts=False)
 def wait_without_timeout(system: System, options: Options) -> Iterator[Finding]:
-    """Waits for a service, an action server or a message that nothing limits."""
+    """Waits for a service, an action server or a message that nothing limits; those of scripts, and of what nothing
+    calls, in a lesson and with ``scripts``."""
+    minor = options.flag("scripts") or is_lesson(system)
     calls = list(calls_of(system, _LIMIT))
     called = {call.place for _, call in calls if call.context.role != Role.METHOD}
     yield from one_for_each_place(
@@ -67,6 +70,7 @@ def wait_without_timeout(system: System, options: Options) -> Iterator[Finding]:
         and not is_never_made(system.workspace, call)
         and not _is_unused(system, program, call)
         and not is_announced_start(system, call)
+        and (minor or not _is_minor(system, program, call))
     )
 
 
