@@ -97,6 +97,29 @@ def test_a_mismatch_of_nodes_that_perhaps_never_run_together(
     assert all((one.place.file, one.place.line) == ("drive/right.py", 10) for one in found)
 
 
+@pytest.mark.parametrize(("depth", "told"), [("10", []), (TALKS.partition("'said', ")[2][:-1], ["QOS001"])])
+def test_a_subscription_that_was_made_for_another_publisher(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, depth: str, told: list[str]
+):
+    """The one that nothing starts is no partner of it, unless it has no other."""
+    monkeypatch.chdir(tmp_path)
+    write_package(tmp_path, ["right"])
+    setup = tmp_path / "setup.py"
+    setup.write_text(setup.read_text().replace("'left = ", "'front = drive.front:main', 'left = "))
+    front = (tmp_path / "drive" / "left.py").read_text().replace("left", "front").replace("Left", "Front")
+    (tmp_path / "drive" / "front.py").write_text(front)
+    for name, creates in (
+        ("left", TALKS),
+        ("right", HEARS),
+        ("front", f"self.create_publisher(String, 'said', {depth})"),
+    ):
+        file = tmp_path / "drive" / f"{name}.py"
+        text = file.read_text().replace("self.create_publisher(String, 'said', 10)", creates)
+        file.write_text("from rclpy.qos import QoSProfile, ReliabilityPolicy\n" + text)
+    found = check(Request((".",), Settings(), cached=False, jobs=1)).findings
+    assert [one.code for one in found if one.code.startswith("QOS")] == told
+
+
 BENCH = """
     import subprocess
 

@@ -45,8 +45,8 @@ def _mismatches(code: str, system: System, policies: set[DurationPolicy | Streng
         request = pair.request
         if id(request) not in served:
             served[id(request)] = fits_any(system, request)
-        if served[id(request)] and _is_of_loose_scripts(system, pair):
-            continue  # each is run by hand, beside the program that it was made for
+        if served[id(request)] and (not _is_proven(system, pair) or _is_of_loose_scripts(system, pair)):
+            continue  # it was made for the publisher that fits
         if _is_put_aside(system, pair):
             continue
         for verdict in pair.verdicts:
@@ -71,8 +71,7 @@ def _mismatch(code: str, system: System, pairs: list[tuple[Undelivered, Verdict]
     if loose:
         lost += ", in scripts that no installed program uses"
     elif not proven:
-        both = "; no launch file here starts the two together by default"  # what fits may be the one that is meant
-        lost += both if served else ", if they run together: no launch file here starts both by default"
+        lost += ", if they run together: no launch file here starts both by default"
     cause = (str(offer.place), verdict.policy, user.name or "", offer.node.name or "", offered, requested, lost)
     at = offer if user.external else user
     diagnostic = finding(
