@@ -551,6 +551,19 @@ def test_the_pauses_between_a_few_attempts(run: Run, loop: str, left: str, count
     assert codes(run(source(TIMER, timer(body) + "\ndef load(self):\n    open_bus()\n"))) == expected
 
 
+@pytest.mark.parametrize(
+    ("start", "again", "expected"),
+    [
+        ("self.open_port()", "if self.port is None:\n        self.open_port()", []),
+        ("self.open_port()", "self.open_port()", ["EXE003"]),  # in each turn
+        ("self.port = None", "if self.port is None:\n        self.open_port()", ["EXE003"]),
+    ],
+)
+def test_a_device_that_is_opened_again_as_at_the_start(run: Run, start: str, again: str, expected: list[str]):
+    opens = "\ndef open_port(self):\n    self.port = connect()\n    time.sleep(2.0)\n"
+    assert codes(run(source(f"{start}\n{TIMER}", timer(again) + opens))) == expected
+
+
 LISTENS = """
 self.buffer = Buffer()
 self.listener = TransformListener(self.buffer, self)

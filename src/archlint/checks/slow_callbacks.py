@@ -75,6 +75,8 @@ def slow_callback(system: System, options: Options) -> Iterator[Finding]:
             continue  # something has failed, and this is the way out of it
         if _is_pause_of_retry(code, call, stay):
             continue  # so it is here, and there are few attempts
+        if stay.kind == "sleep" and call.branch_arms and call.place in _at_start(system):
+            continue  # a device is opened again as at the start: without it the callback can do nothing
         if stay.kind == "sleep" and ends_its_timer_after(system, call):
             continue  # the timer sleeps once
         if stay.kind == "lock" or _answers_in_time(call, stay):
@@ -229,6 +231,17 @@ def held_up_by_goals(system: System) -> frozenset[int]:
         id(call.context.node)
         for program, call, stay in _stays(system)
         if call.context.role == Role.EXECUTE and not _is_left_alone(system, program, call, stay)
+    )
+
+
+@once
+def _at_start(system: System) -> frozenset[Place]:
+    """The calls that programs come to while they start, too."""
+    return frozenset(
+        call.place
+        for program in system.programs
+        for call in program.calls
+        if call.context.role in (Role.INIT, Role.MAIN)
     )
 
 
