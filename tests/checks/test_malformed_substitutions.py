@@ -9,6 +9,8 @@ from xml.sax.saxutils import quoteattr
 
 import pytest
 
+from robot_package import TALKER, node
+
 
 def _args(text: str) -> str:
     return f'<arg name="x" default="1"/><node pkg="robot" exec="talker" args={quoteattr(text)}/>'
@@ -129,3 +131,48 @@ def test_a_template_is_no_launch_file(findings):
     filled_in = '<arg name="x" default="1"/><node pkg="robot" exec="talker" name="${robot_name}" namespace="${x}"/>'
     assert findings("LCH007", filled_in) == []
     assert findings("LCH007", '<arg name="x" default="${x}"/><node pkg="robot" exec="talker" name="$(var x)"/>') == []
+
+
+PARAMETERS = "talker:\n  ros__parameters:\n    rate: 1.0\n    grid: {}\n"
+FROM = '<param from="$(find-pkg-share robot)/config/p.yaml"{}/>'
+
+
+def _given(findings, value: str, asked: str = "", also: str = "", **files: str):
+    launch = f'<arg name="x" default="1"/>{node(FROM.format(asked))}{also}'
+    return findings("LCH007", launch, **{"config/p.yaml": PARAMETERS.format(value), **files})
+
+
+@pytest.mark.parametrize("text", ["$(find-pkg-share robot)/a.yaml", "$(var x)", "'$(env HOME)/a'", "$(dirname)/a"])
+def test_a_parameter_file_that_launch_does_not_look_into(findings, text):
+    (told,) = _given(findings, text)
+    assert told.message.startswith("launch does not perform '$(")
+    assert told.message.endswith(")' in this file: the parameter 'grid' is set to that text")
+    assert told.help == 'write <param from="…" allow_substs="true"/>'
+    assert (told.place.file, told.place.line) == ("config/p.yaml", 4)
+    assert [row.place.file for row in told.related] == ["launch/it.launch.xml"]
+
+
+def test_what_to_write_in_a_python_launch_file(findings):
+    launch = (
+        "from ament_index_python.packages import get_package_share_directory\n"
+        "from launch import LaunchDescription\nfrom launch_ros.actions import Node\n"
+        "from launch_ros.parameter_descriptions import ParameterFile\n\n\ndef generate_launch_description():\n"
+        "    path = get_package_share_directory('robot') + '/config/p.yaml'\n"
+        "    return LaunchDescription([Node(package='robot', executable='talker', parameters=[{}])])\n"
+    )
+    files = {"launch/it.launch.xml": "<launch/>", "config/p.yaml": PARAMETERS.format("$(find-pkg-share robot)/a")}
+    (told,) = findings("LCH007", **files, **{"launch/py.launch.py": launch.format("path")})
+    assert told.help == "write ParameterFile(…, allow_substs=True) where the file is given to a node"
+    for allowed in ("True", "asked()"):
+        given = launch.format(f"ParameterFile(path, allow_substs={allowed})")
+        assert findings("LCH007", **files, **{"launch/py.launch.py": given}) == []
+
+
+def test_a_parameter_file_in_which_launch_or_the_node_performs_them(findings):
+    text = "$(find-pkg-share robot)/a.yaml"
+    assert _given(findings, text, ' allow_substs="true"') == []
+    assert _given(findings, text, also=node(FROM.format(' allow_substs="true"'), name="talker2")) == []
+    reads = TALKER + "\nPATTERN = '$(find-pkg-share '\n"
+    assert _given(findings, text, **{"robot/talker.py": reads}) == []
+    assert _given(findings, "costs 5$ (five)") == []
+    assert _given(findings, "$(date)") == []

@@ -605,3 +605,35 @@ def test_branches_that_choose_a_package_choose_its_file_too(tmp_path, monkeypatc
     found = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
     assert [finding.message[: len(start)] for finding, start in zip(found, told, strict=False)] == told
     assert bool(found) == bool(told)
+
+
+@pytest.mark.parametrize(
+    ("value", "substitutions", "found"),
+    [
+        ("package://robot/config/gird.yaml", False, 1),
+        ("file://$(find-pkg-share robot)/config/gird.yaml", True, 1),
+        ("$(find-pkg-share robot)/config/gird.yaml", True, 1),
+        ("$(find-pkg-share robot)/config/gird.yaml", False, 0),  # a text like any other: LCH007's
+        ("package://robot/config/grid.yaml", False, 0),
+        ("package://robot/maps/hall.yaml", False, 0),  # nothing like it is there: a node may make it
+        ("package://elsewhere/config/gird.yaml", False, 0),
+        ("package://robot/config", False, 0),
+    ],
+)
+def test_a_path_in_the_value_of_a_parameter_file(findings, value: str, substitutions: bool, found: int):
+    files = {"config/grid.yaml": "", "config/p.yaml": f"talker:\n  ros__parameters:\n    grid: {value}\n"}
+    allowed = ' allow_substs="true"' if substitutions else ""
+    told = findings("LCH004", node(f'<param from="$(find-pkg-share robot)/config/p.yaml"{allowed}/>'), **files)
+    assert [(one.place.file, one.place.line) for one in told] == [("config/p.yaml", 3)] * found
+    assert [one.message for one in told] == [
+        "package 'robot' has no file 'config/gird.yaml'; did you mean 'grid.yaml'?"
+    ] * found
+
+
+def test_a_path_in_a_value_that_a_launch_file_sets(findings):
+    for scheme in ("package://robot", "file://$(find-pkg-share robot)"):
+        files = {"config/grid.yaml": ""}
+        (told,) = findings("LCH004", node(f'<param name="grid" value="{scheme}/config/gird.yaml"/>'), **files)
+        assert told.message == "package 'robot' has no file 'config/gird.yaml'; did you mean 'grid.yaml'?"
+        assert findings("LCH004", node(f'<param name="grid" value="{scheme}/config/grid.yaml"/>'), **files) == []
+        assert findings("LCH004", node(f'<param name="output_file" value="{scheme}/config/gird.yaml"/>'), **files) == []

@@ -6,10 +6,11 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.analysis.malformed_substitutions import Malformed, MalformedText, malformed_substitutions
+from archlint.analysis.unperformed_substitutions import unperformed_substitutions
 from archlint.checks.folding import folds, with_places
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
-from archlint.finding import Finding, Place
+from archlint.finding import Finding, Place, Related
 
 if TYPE_CHECKING:
     from archlint.systems.model import System
@@ -28,6 +29,19 @@ def malformed_substitution(system: System, options: Options) -> Iterator[Finding
             identity=(malformed.kind, malformed.written),
             group=(file,),
         )
+    for text in unperformed_substitutions(system):
+        yield finding(
+            "LCH007",
+            text.place,
+            f"launch does not perform '{text.written}' in this file: the parameter '{text.name}' is set to that text",
+            help=_ASK_FOR_IT if text.given.file.endswith(".py") else 'write <param from="…" allow_substs="true"/>',
+            related=[Related(text.given, "the file is given to a node here")],
+            identity=(text.name, text.written),
+            group=(text.place.file,),
+        )
+
+
+_ASK_FOR_IT = "write ParameterFile(…, allow_substs=True) where the file is given to a node"
 
 
 def _said(malformed: MalformedText) -> tuple[str, str]:

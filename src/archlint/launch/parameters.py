@@ -82,7 +82,7 @@ def _of_item(run: LaunchRun, item: Value, place: Place) -> Iterator[Parameter]:
             alone = setting(run, run.perform(item.argument("name")), item.given("value"), place)
             yield replace(alone, in_file=False)
         case LaunchObject(kind=LaunchClass.PARAMETER_FILE):
-            substitutions = item.argument("allow_substs") == Known(True)
+            substitutions = item.argument("allow_substs") not in (None, Known(False), Known(None))
             yield file_use(run, item.argument("param_file"), place, substitutions)
         case Known() | ListValue() | Holed() | LaunchObject(is_substitution=True):
             yield file_use(run, item, place)

@@ -17,6 +17,8 @@ if TYPE_CHECKING:
 _SHARED = re.compile(r"\$\(find-pkg-share [\w.-]+\)/[^\s'\"\0]*\.\w+(?=$|[\s'\"])")
 """A file, by its path; where a name ends that is not known in full, nothing is."""
 _HOLE = "\0"
+_FILE_URL = "file://"
+_PACKAGE_URL = re.compile(r"package://([\w.-]+)(/.*)")
 
 
 _WRITTEN = frozenset(
@@ -39,6 +41,13 @@ def note_paths(run: LaunchRun, values: Iterable[Value], place: Place) -> None:
             run.reference(FileKind.OTHER, value, place)
 
 
+def note_value(run: LaunchRun, text: str, place: Place) -> None:
+    """Note the path of a file that a parameter is set to, by itself or as ``file://…`` or ``package://robot/…``."""
+    in_package = _PACKAGE_URL.fullmatch(text)
+    path = f"$(find-pkg-share {in_package[1]}){in_package[2]}" if in_package else text.removeprefix(_FILE_URL)
+    note_paths(run, [Known(path)], place)
+
+
 def note_argument(run: LaunchRun, name: str, value: Value, place: Place) -> None:
     """Note the path that a launch argument or configuration gets, if it is for a file that is read."""
     if not is_written(name) and _SHARED.fullmatch(known_text(value) or ""):
@@ -51,4 +60,4 @@ def note_paths_in_command(run: LaunchRun, parts: Iterable[Value], place: Place) 
     note_paths(run, (Known(path[0]) for path in _SHARED.finditer(line)), place)
 
 
-__all__ = ["is_written", "note_argument", "note_paths", "note_paths_in_command"]
+__all__ = ["is_written", "note_argument", "note_paths", "note_paths_in_command", "note_value"]

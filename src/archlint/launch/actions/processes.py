@@ -19,10 +19,11 @@ from archlint.launch.actions.scopes import remap
 from archlint.launch.context import absolute, prefix_namespace
 from archlint.launch.kinds import FileKind, StartedKind
 from archlint.launch.mistakes import UnknownAttribute
+from archlint.launch.named_files import FileReference
 from archlint.launch.objects import LaunchObject, argument, class_name, kind_of, known_text
-from archlint.launch.parameter_sources import OpenParameters, ParameterSetting
+from archlint.launch.parameter_sources import OpenParameters, ParameterFileUse, ParameterSetting
 from archlint.launch.parameters import Parameter, file_use, parameters_of
-from archlint.launch.shared_paths import is_written, note_paths
+from archlint.launch.shared_paths import is_written, note_paths, note_value
 from archlint.launch.started import Remap, Started
 from archlint.launch.tables import LaunchClass
 from archlint.libraries.texts import text_of_value
@@ -107,7 +108,19 @@ def _note_files(run: LaunchRun, started: Started, words: Sequence[Value]) -> Non
     for parameter in started.parameters:
         match parameter:
             case ParameterSetting(name, str(text), place, shared=False) if not is_written(name):
-                note_paths(run, [Known(text)], place)
+                note_value(run, text, place)
+            case ParameterFileUse(reference=FileReference(source=str(file)), changes=()):
+                _note_values_in_file(run, file, parameter.substitutions)
+
+
+def _note_values_in_file(run: LaunchRun, file: str, substitutions: bool) -> None:
+    """Note the files that the values of a parameter file name; a ``$(…)`` is one with ``allow_substs`` alone."""
+    for section in run.files.parameters(file).sections:
+        for entry in section.entries:
+            text = entry.value
+            is_text = isinstance(text, str) and (substitutions or "$(" not in text)
+            if is_text and not is_written(entry.name):
+                note_value(run, text, Place(file, *entry.span))
 
 
 def _is_of_another_value(run: LaunchRun, word: Value) -> bool:
