@@ -57,6 +57,7 @@ MODULES: tuple[str, ...] = (
     "service_cycles",
     "signatures",
     "slow_callbacks",
+    "spawned_controllers",
     "spinning",
     "idle_groups",
     "starvation",

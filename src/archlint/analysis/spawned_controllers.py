@@ -1,0 +1,110 @@
+"""Controllers that a launch file spawns, held against those whose type the controller manager beside it is given.
+
+Source: ``controller_manager`` in ros2_control: a controller is loaded by its ``type``, a parameter of the manager that
+``--controller-type`` or the file of ``--param-file`` may bring, too.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from archlint.launch.parameter_sources import ParameterFileUse, ParameterSetting
+
+if TYPE_CHECKING:
+    from archlint.launch.started import Started
+    from archlint.place import Place
+    from archlint.systems.model import System, WorkspaceIndex
+
+_MANAGER = ("controller_manager", "ros2_control_node")
+_SPAWNERS = frozenset({("controller_manager", "spawner"), ("controller_manager", "spawner.py")})
+_WITH_VALUE = frozenset(
+    {"-c", "--controller-manager", "-n", "--namespace", "--controller-manager-timeout", "--switch-timeout"}
+    | {"--service-call-timeout", "--controller-ros-args"}
+)
+"""Options of the spawner that a word follows."""
+_WITHOUT_VALUE = frozenset(
+    {
+        "--inactive",
+        "--stopped",
+        "--load-only",
+        "--unload-on-kill",
+        "--activate-as-group",
+        "-u",
+    }
+)
+_LAST = ".type"
+
+
+@dataclass(frozen=True)
+class UnknownController:
+    """A controller of whose type the manager knows nothing; ``known`` are those of which it does."""
+
+    place: Place
+    name: str
+    known: tuple[str, ...]
+    manager: Place
+
+
+def unknown_controllers(system: System) -> Iterator[UnknownController]:
+    """Every such controller of a system with one manager, of whose parameters all are known."""
+    workspace = system.workspace
+    started = system.launched.started if system.launched is not None else ()
+    managers = [process for process in started if (process.package.text, process.executable.text) == _MANAGER]
+    if workspace is None or len(managers) != 1 or managers[0].dormant:
+        return
+    [manager] = managers
+    known = _controllers(workspace, manager)
+    if not known:
+        return
+    for process in started:
+        is_spawner = (process.package.text, process.executable.text) in _SPAWNERS and not process.dormant
+        if is_spawner and process.branch_arms >= manager.branch_arms:
+            for name in _names(process):
+                if name not in known:
+                    place = process.places.get("arguments", process.place)
+                    yield UnknownController(place, name, tuple(sorted(known)), manager.place)
+
+
+def _controllers(workspace: WorkspaceIndex, manager: Started) -> set[str]:
+    """The controllers that have a type; none where there may be others."""
+    known: set[str] = set()
+    for given in manager.parameters:
+        match given:
+            case ParameterSetting(name=str(name)):
+                if name.endswith(_LAST):
+                    known.add(name.removesuffix(_LAST))
+            case ParameterFileUse(changes=()) if given.reference.source is not None:
+                for section in workspace.parameters_of(given.reference.source).sections:
+                    if "*" in section.key and section.key not in ("/**", "/**/controller_manager"):
+                        return set()
+                    for entry in section.entries:
+                        if entry.name == "type":
+                            known.add(section.key.rpartition("/")[2])
+                        elif entry.name.endswith(_LAST):
+                            known.add(entry.name.removesuffix(_LAST))
+            case _:
+                return set()
+    return known
+
+
+def _names(spawner: Started) -> list[str]:
+    """The controllers that a spawner names; none where it may have their types, or their names, from elsewhere."""
+    if not spawner.knows_all_arguments or spawner.ros_arguments or spawner.parameters:
+        return []
+    names: list[str] = []
+    words = iter(spawner.arguments)
+    for word in words:
+        if word is None:
+            return []
+        if word in _WITH_VALUE:
+            next(words, None)
+        elif word.startswith("-") and word not in _WITHOUT_VALUE:
+            return []  # the type, a file with it, or an option that is not known
+        elif not word.startswith("-"):
+            names.append(word)
+    return names
+
+
+__all__ = ["UnknownController", "unknown_controllers"]

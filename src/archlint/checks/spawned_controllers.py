@@ -1,0 +1,43 @@
+"""LCH012: controllers that are spawned and of which the controller manager knows nothing."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
+
+from archlint.analysis.spawned_controllers import unknown_controllers
+from archlint.checks.folding import folds, with_places
+from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
+from archlint.finding import Finding, Related
+from archlint.suggestions import listed, meant, nearest
+
+if TYPE_CHECKING:
+    from archlint.systems.model import System
+
+
+@rule("LCH012", scope=Scope.LAUNCH_FILE, in_use=True)
+def unknown_controller(system: System, options: Options) -> Iterator[Finding]:
+    """Spawned controllers that none of the controller manager's parameters gives a type."""
+    for spawned in unknown_controllers(system):
+        near = nearest(spawned.name, spawned.known)
+        yield finding(
+            "LCH012",
+            spawned.place,
+            f"the controller manager gets no type of a controller '{spawned.name}', so that spawning it fails"
+            + (meant(f"'{near}'") if near is not None else ""),
+            help=f"write '{near}'" if near is not None else f"spawn one that it knows: {listed(spawned.known)}",
+            related=[Related(spawned.manager, "the controller manager is started here")],
+            identity=(spawned.name,),
+            group=(spawned.place.file, spawned.name),
+            meant=near or "",
+        )
+
+
+@folds("LCH012")
+def _of_one_controller(findings: Sequence[Finding]) -> Finding:
+    """One finding for a controller of a file, however many spawners name it."""
+    return with_places(findings, "it is spawned here, too")
+
+
+__all__ = ["unknown_controller"]

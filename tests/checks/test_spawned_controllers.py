@@ -1,0 +1,87 @@
+"""LCH012: controllers that are spawned and that the controller manager does not know."""
+
+from __future__ import annotations
+
+import pytest
+
+CONTROLLERS = """\
+controller_manager:
+  ros__parameters:
+    update_rate: 100
+    wheel_controller:
+      type: diff_drive_controller/DiffDriveController
+    arm_controller: {type: joint_trajectory_controller/JointTrajectoryController}
+gripper_controller:
+  ros__parameters:
+    type: position_controllers/GripperActionController
+wheel_controller:
+  ros__parameters:
+    publish_rate: 50.0
+"""
+MANAGER = (
+    '<node pkg="controller_manager" exec="ros2_control_node"{}>'
+    '<param from="$(find-pkg-share robot)/config/controllers.yaml"/>{}</node>'
+)
+
+
+def _spawner(words: str, more: str = "") -> str:
+    return f'<node pkg="controller_manager" exec="spawner" args="{words}"{more}/>'
+
+
+def _told(findings, launch: str, controllers: str = CONTROLLERS):
+    return findings("LCH012", launch, **{"config/controllers.yaml": controllers})
+
+
+def test_a_controller_of_another_name(findings):
+    (told,) = _told(findings, MANAGER.format("", "") + _spawner("wheels_controller"))
+    assert told.message == (
+        "the controller manager gets no type of a controller 'wheels_controller', so that spawning it fails; "
+        "did you mean 'wheel_controller'?"
+    )
+    assert told.help == "write 'wheel_controller'"
+    assert told.place.file == "launch/it.launch.xml"
+    (told,) = _told(findings, MANAGER.format("", "") + _spawner("imu_broadcaster -c /controller_manager"))
+    assert told.help == "spawn one that it knows: arm_controller, gripper_controller, wheel_controller"
+
+
+def test_a_controller_that_several_spawners_name(findings):
+    launch = MANAGER.format("", "") + _spawner("legs --inactive") + _spawner("arm_controller legs")
+    (told,) = _told(findings, launch)
+    assert [row.message for row in told.related][1:] == ["it is spawned here, too"]
+
+
+@pytest.mark.parametrize(
+    "spawner",
+    [
+        _spawner("wheel_controller arm_controller gripper_controller --inactive"),
+        _spawner("wheel_controller --controller-manager-timeout 30 -c controller_manager"),
+        _spawner("legs --controller-type legs/Legs"),
+        _spawner("legs --param-file legs.yaml"),
+        _spawner("$(env CONTROLLER)"),
+        _spawner("legs --new-option"),
+        '<node pkg="controller_manager" exec="unspawner" args="legs"/>',
+        '<node pkg="another_manager" exec="spawner" args="legs"/>',
+    ],
+)
+def test_a_spawner_that_succeeds_or_may(findings, spawner: str):
+    assert _told(findings, MANAGER.format("", "") + spawner) == []
+
+
+@pytest.mark.parametrize(
+    "manager",
+    [
+        "",
+        '<arg name="real"/>' + MANAGER.format(' if="$(var real)"', ""),
+        '<arg name="real" default="false"/>' + MANAGER.format(' if="$(var real)"', ""),
+        MANAGER.format("", "") + MANAGER.format(' namespace="left"', ""),
+        MANAGER.format("", '<param from="/etc/robot/controllers.yaml"/>'),
+        MANAGER.format("", '<param name="legs.type" value="legs/Legs"/>'),
+    ],
+)
+def test_a_manager_that_may_know_more(findings, manager: str):
+    assert _told(findings, manager + _spawner("legs")) == []
+
+
+def test_a_manager_that_knows_no_controller_at_all(findings):
+    controllers = "controller_manager:\n  ros__parameters:\n    update_rate: 100\n"
+    assert _told(findings, MANAGER.format("", "") + _spawner("legs"), controllers) == []
