@@ -72,13 +72,14 @@ def _invalid_endpoints(system: System, node: Node) -> Iterator[Finding]:
     values: dict[Place, tuple[Setting, list[Endpoint]]] = {}
     for endpoint in node.endpoints:
         creation = endpoint.creation
-        if endpoint.error is None or not endpoint.resolved or node.test:
+        if endpoint.error is None or not (endpoint.resolved or _must_be_set(endpoint)) or node.test:
             continue
-        value = _set_by_launch(system, endpoint) if endpoint.resolution == "parameter" else None
+        by_parameter = endpoint.resolution == "parameter" or _must_be_set(endpoint)
+        value = _set_by_launch(system, endpoint) if by_parameter else None
         if value is not None:
             values.setdefault(value.place, (value, []))[1].append(endpoint)
             continue
-        if endpoint.resolution == "parameter" and (creation.conditional or is_renamed(system, node)):
+        if by_parameter and (creation.conditional or is_renamed(system, node)):
             # The branch may not be taken with that value, or launch files start the node: their systems report it.
             continue
         if _is_one_of_several(endpoint) or (_must_be_set(endpoint) and system.name is None):
@@ -89,7 +90,7 @@ def _invalid_endpoints(system: System, node: Node) -> Iterator[Finding]:
         shown, word = endpoint.written or "", NAMED[endpoint.kind]
         if not shown and endpoint.resolution == "exact" and _is_empty_at_first(creation):
             continue
-        default = f", the default of the parameter '{endpoint.parameter}'" if endpoint.resolution == "parameter" else ""
+        default = f", the default of the parameter '{endpoint.parameter}'" if by_parameter else ""
         if relative is not None and creation.name.origin_kind == "node_name":
             default = " of a node in no namespace"
         only_complete = names.validate_topic_name(shown) is None and endpoint.name != shown
@@ -118,7 +119,7 @@ def _is_empty_at_first(creation: Creation) -> bool:
 
 def _must_be_set(endpoint: Endpoint) -> bool:
     """Whether a name is the empty default of a parameter: it stands for one that whoever starts the node has to set."""
-    return not endpoint.written and endpoint.resolution == "parameter"
+    return endpoint.written == "" and endpoint.parameter is not None
 
 
 def _set_by_launch(system: System, endpoint: Endpoint) -> Setting | None:
