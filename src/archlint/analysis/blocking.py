@@ -189,6 +189,8 @@ class Verdict:
     why: str
     before: Outcome | None = None
     """What the first releases of the distributions of :data:`NESTED_SINCE` do, where that is something else."""
+    kept_since: tuple[str, str] | None = None
+    """A distribution, and the rclpy from which on the call no longer loses its node there."""
 
     @property
     def safe(self) -> bool:
@@ -208,15 +210,20 @@ class Verdict:
         before = None if self.before is None else _WITH_AN_ACTION_CLIENT.get(self.before, self.before)
         return replace(self, outcomes=outcomes, before=before)
 
-    def stranding_in(self, distro: str) -> Verdict:
-        """The same where the call loses the node in a distribution, once it returns."""
-        outcomes = {each: Outcome.STRANDS if each == distro else outcome for each, outcome in self.outcomes.items()}
-        return replace(self, outcomes=outcomes)
+    def stranding_before(self, distro: str, release: str) -> Verdict:
+        """The same where the call, once it returns, has lost the node in the first releases of a distribution."""
+        return replace(self, kept_since=(distro, release)) if distro in self.outcomes else self
 
     @property
     def words(self) -> str:
         """``deadlocks``; where the distributions and their releases differ, which does what."""
-        return outcome_words(self.outcomes) + self._before_words()
+        return outcome_words(self.outcomes) + self._before_words() + self._lost_words()
+
+    def _lost_words(self) -> str:
+        if self.kept_since is None:
+            return ""
+        distro, release = self.kept_since
+        return f"; in {distro} before rclpy {release} it {Outcome.STRANDS}"
 
     def _before_words(self) -> str:
         if self.before is None:

@@ -80,11 +80,16 @@ def spun_by_several(system: System) -> set[int]:
     return {node for node, where in threads.items() if len(where) > 1}
 
 
+KEPT_IN_HUMBLE_SINCE = "3.3.17"
+"""The first rclpy of humble whose ``spin_once()`` leaves a node where it was."""
+
+
 def is_dropped_in_humble(call: ApiCall, spun: Blueprint | None, program: Program) -> bool:
     """Whether a ``rclpy.spin_once(self)`` in a callback takes the node out of the executor that runs ``rclpy.spin()``:
-    in humble it removes the node afterwards, also one that was there before; ``rclpy.spin()`` adds it once.
+    in humble it first removed the node afterwards, also one that was there before; ``rclpy.spin()`` adds it once.
 
-    Source: rclpy/__init__.py, up to 3.3.15 of humble; 7.1.5 of jazzy and 9.1.2 of kilted remove what they have added.
+    Source: rclpy/__init__.py, up to 3.3.16 of humble; 3.3.17, 7.1.5 of jazzy and 9.1.2 of kilted remove what they have
+    added.
     """
     if call.api != "rclpy.spin_once" or spun is None or spun is not call.context.node or argument(call, "executor"):
         return False

@@ -18,7 +18,7 @@ from archlint.analysis.reach import (
 )
 from archlint.analysis.source_code import source_code
 from archlint.analysis.spin_flags import is_while_nobody_spins
-from archlint.analysis.spins import is_dropped_in_humble, is_left_to, is_spin_call, spun_node
+from archlint.analysis.spins import KEPT_IN_HUMBLE_SINCE, is_dropped_in_humble, is_left_to, is_spin_call, spun_node
 from archlint.analysis.stuck import nested_spins
 from archlint.checks.callback_findings import finding_in_callback
 from archlint.checks.callback_waits import when_done
@@ -56,7 +56,7 @@ def _nested_spin(system: System, program: Program, call: ApiCall, options: Optio
     if verdict.safe and set(verdict.outcomes.values()) == {blocking.Outcome.FINE} and spun is not call.context.node:
         return
     if is_dropped_in_humble(call, spun, program):
-        verdict = verdict.stranding_in("humble")
+        verdict = verdict.stranding_before("humble", KEPT_IN_HUMBLE_SINCE)
     if verdict.unknown:
         return
     function = call.api.rpartition(".")[2]
