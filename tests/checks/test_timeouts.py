@@ -339,6 +339,25 @@ def test_a_node_that_says_that_it_waits_before_it_starts(judge: Judge, lines: li
     assert [one.severity for one in found] == ([] if severity is None else [severity])
 
 
+@pytest.mark.parametrize(
+    ("first", "marks"),
+    [
+        ("self.far.wait_for_service()  # here", ""),  # told there
+        ("self.get_logger().info('waiting')\n            self.far.wait_for_service()", ""),
+        ("self.far.wait_for_service(timeout_sec=5.0)", "  # here"),
+        ("self.near.wait_for_service()  # here", "  # here"),
+    ],
+    ids=["it came", "it came, as announced", "perhaps it did not", "another one"],
+)
+def test_a_callback_waits_for_what_came_before_the_program_span(judge: Judge, first: str, marks: str):
+    lines = (
+        "self.near = self.create_client(Trigger, 'near')",
+        first,
+        f"self.create_timer(1.0, lambda: self.far.wait_for_service()){marks}",
+    )
+    judge("TMO001", STARTS.format(name="Robot", lines="\n            ".join(lines)))
+
+
 def test_what_a_script_waits_for_is_told_in_a_lesson_and_on_demand(judge: Judge):
     others = "".join(f"rclpy.create_node('part_{number}'); " for number in range(5))
     wait = script(f"{others}\n        client.wait_for_service()  # here")

@@ -14,13 +14,15 @@ from archlint.analysis.client_loops import is_for_each_client
 from archlint.analysis.left_over import is_dead, is_never_made
 from archlint.analysis.lessons import is_lesson
 from archlint.analysis.limit_sites import sites_of_wait
+from archlint.analysis.present_servers import is_there
 from archlint.analysis.reach import (
     calls_of,
+    creations_of,
     node_name,
     one_for_each_place,
     waits_for_ever,
 )
-from archlint.analysis.source_code import source_code
+from archlint.analysis.source_code import SourceCode, source_code
 from archlint.checks.folding import class_around, folds, of_one_class, of_one_package, package_around
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -71,6 +73,21 @@ def wait_without_timeout(system: System, options: Options) -> Iterator[Finding]:
         and not _is_unused(system, program, call)
         and not is_announced_start(system, call)
         and (minor or not _is_minor(system, program, call))
+        and not is_there(system, call)
+        and not _has_waited_at_start(source_code(system), program, call)
+    )
+
+
+def _has_waited_at_start(code: SourceCode, program: Program, call: ApiCall) -> bool:
+    """Whether a callback waits for a server that its program has waited for before it spun anything: it was there."""
+    clients = {client.place for client in creations_of(call.receiver)}
+    return runs_in_executor(call.context) and any(
+        other.api == call.api
+        and other.context.role in (Role.INIT, Role.MAIN)
+        and bool(clients)
+        and clients == {client.place for client in creations_of(other.receiver)}
+        and waits_for_ever(code, other, _LIMIT[other.api])
+        for other in program.calls
     )
 
 
