@@ -73,6 +73,8 @@ def generate_launch_description():
         ("", "pass", "output=output", 6),
         ("", "rate = rate_of(3)", "output='log'", 5),
         ("rate = RATE", "pass", "output='log'", 3),
+        ("def main(words=sys.argv): print(words)", "pass", "output='log'", 3),
+        ("@cached\ndef main(): pass", "pass", "output='log'", 3),
         ("", "import os", "output=os.environ.get(OUTPUT)", 6),
         ("", "with open('rate') as file: rate = file.read() or print(rates[0])", "output=str(RATE)", 6),
         ("", "with open(folder) as file: print(file)", "output='log'", 5),
@@ -93,6 +95,8 @@ def test_a_name_that_nothing_defines_stops_the_launch(findings, above, line, arg
         ("from shared import *", "pass", "output=output"),
         ("", "global output; output = 'log'", "output=output"),
         ("def setup(output): pass", "pass", "output=str(output)"),  # bound elsewhere: let Python say it
+        ("def setup(log: Level = None) -> Level: return later", "pass", "output='log'"),
+        ("if __file__:\n    def main(words=sys.argv): pass", "pass", "output='log'"),
         ("", "output = [name for name in ('log',)][0]", "output=output"),
         ("", "for output in ('log',): pass", "output=output"),
         ("", "output: str = __file__", "output=output or other"),

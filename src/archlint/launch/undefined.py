@@ -42,15 +42,19 @@ def _read(body: Sequence[facts.Stmt]) -> Iterator[facts.Name]:
     for block in graph.blocks:
         caught = reach([edge.target for edge in block.edges if edge.kind is Kind.RAISE]) - {graph.raised}
         if caught.isdisjoint(graph.exits) and graph.post_dominates([block], graph.entry, without_exceptions):
-            yield from _names(_evaluated(block))
+            for part in _evaluated(block):
+                yield from _names(part)
 
 
-def _evaluated(block: Block) -> facts.Base | None:
+def _evaluated(block: Block) -> Sequence[facts.Base | None]:
     """What a statement, or the head of one, evaluates first of all."""
     match block.fact:
         case facts.Assign() | facts.Annotated() | facts.Augmented() | facts.Expression() | facts.Return() as statement:
-            return statement.value
-    return None if block.fact is block.statement else block.fact
+            return [statement.value]
+    match block.statement:
+        case facts.Function(params=params, decorators=decorators):
+            return [*decorators, *(param.default for param in params)]
+    return [] if block.fact is block.statement else [block.fact]
 
 
 def _names(value: facts.Base | None) -> Iterator[facts.Name]:
