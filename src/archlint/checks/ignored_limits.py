@@ -1,4 +1,4 @@
-"""TMO005: limits whose outcome nobody reads."""
+"""TMO005: limits whose outcome nobody reads, and waits for another server than the one that is asked."""
 
 from __future__ import annotations
 
@@ -7,9 +7,11 @@ from itertools import takewhile
 from typing import TYPE_CHECKING
 
 from archlint.analysis.left_over import is_never_made
+from archlint.analysis.other_clients import MistakenWait, mistaken_waits, words_for_client
 from archlint.analysis.reach import (
     calls_of,
     creations_of,
+    endpoint_words,
     has_limit,
     node_name,
     one_for_each_place,
@@ -28,7 +30,7 @@ from archlint.checks.wait_words import (
     related_path,
     server_words,
 )
-from archlint.finding import Finding, Place
+from archlint.finding import Finding, Place, Related
 from archlint.model import EntityKind
 
 if TYPE_CHECKING:
@@ -36,14 +38,18 @@ if TYPE_CHECKING:
     from archlint.systems.model import System
 
 
-@rule("TMO005", scope=Scope.CODE, by_program=True, in_use=True)
+@rule("TMO005", scope=Scope.CODE, in_use=True)
 def ignored_wait_result(system: System, options: Options) -> Iterator[Finding]:
-    """Waits with a timeout whose result is ignored, and that nothing checks later."""
+    """Waits with a timeout whose result is ignored, and that nothing checks later; waits for the wrong server."""
     asked = _clients_asked_for(system)
+    mistaken = mistaken_waits(system)
+    yield from (_mistaken(system, row) for row in mistaken if not is_never_made(system.workspace, row.wait))
+    told = {row.wait.place for row in mistaken}
     yield from one_for_each_place(
         _ignored(system, call)
         for _, call in calls_of(system, (WAIT_FOR_SERVICE, WAIT_FOR_SERVER))
-        if is_thrown_away(source_code(system), call)
+        if call.place not in told
+        and is_thrown_away(source_code(system), call)
         and not is_never_made(system.workspace, call)
         and has_limit(call, "timeout_sec")
         and asked.isdisjoint(creation.place for creation in creations_of(call.receiver))
@@ -96,6 +102,27 @@ def _ignored(system: System, call: ApiCall) -> Finding:
         node=node_name(system, call.node or call.context.node),
         identity=(call.function, name_of(call.creation), function),
         group=(call.file, call.function),
+    )
+
+
+def _mistaken(system: System, mistaken: MistakenWait) -> Finding:
+    wait, then, before = mistaken.wait, mistaken.then, mistaken.before
+    asked, meant = endpoint_words(mistaken.waited_for), endpoint_words(mistaken.meant)
+    if then is not None:
+        message = f"this waits for {asked}, and the request goes to {meant}, for which nothing waits"
+        related = Related(then.place, "the request is sent here")
+    else:
+        message = f"this waits for {asked} once more, and nothing waits for {meant}"
+        related = Related(before.place if before is not None else wait.place, "here it waits for it first")
+    return finding(
+        "TMO005",
+        wait.place,
+        message,
+        help=f"wait with the other client: {words_for_client(system, mistaken)}.{wait.api.rpartition('.')[2]}(…)",
+        related=[related, Related(mistaken.meant.place, "the other client is created here")],
+        node=node_name(system, wait.node or wait.context.node),
+        identity=(wait.function, name_of(mistaken.waited_for), name_of(mistaken.meant)),
+        group=(wait.file, wait.function, name_of(mistaken.meant)),
     )
 
 
