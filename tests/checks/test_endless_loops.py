@@ -77,6 +77,8 @@ def robot(*lines: str, helper: str = "pass", wait: str = "pass", spin: str = ONE
         robot("while not self.data:  # here", "    self.out.publish(String(data='?'))", "    time.sleep(0.1)"),
         robot("while not self.data:  # here", "    out = String()", "    out.data = '?'", "    self.out.publish(out)"),
         robot("self.wait()", wait="while self.data is None:  # here\n            time.sleep(0.1)"),
+        robot("self.wait()", wait="while self.data is None:  # here\n            pass"),
+        robot("self.helper()", helper="self.wait()", wait="while not self.data:  # here\n            pass"),
         robot("while abs(self.goal - self.data.x) > 0.1:  # here", "    self.out.publish(String())"),
         robot("end = 5.0", "while self.data.x < end:  # here", "    time.sleep(0.1)"),
         robot("far = True", "while far:  # here", "    far = math.hypot(self.data.x, self.data.y) > 0.1"),
@@ -93,6 +95,8 @@ def robot(*lines: str, helper: str = "pass", wait: str = "pass", spin: str = ONE
         "publishes",
         "publishes what it makes",
         "a method that waits",
+        "a busy method",
+        "a busy method of a method",
         "a distance",
         "a limit",
         "a variable",
@@ -137,6 +141,8 @@ def test_a_loop_that_keeps_out_what_would_end_it(judge: Judge, source: str):
         robot("while self.data.x > self.step():", "    time.sleep(0.1)"),
         robot("while self.data.x > self.goal:", "    time.sleep(0.1)", helper="self.goal = 1.0"),
         robot("self.other.wait()", wait="while self.data is None:\n            time.sleep(0.1)"),
+        robot("self.other.wait()", wait="while self.data is None:\n            pass"),
+        robot("print(self.wait)", wait="while self.data is None:\n            pass"),
     ],
     ids=[
         "it spins",
@@ -164,10 +170,69 @@ def test_a_loop_that_keeps_out_what_would_end_it(judge: Judge, source: str):
         "a method in its test",
         "a second attribute that may change",
         "a method of another object",
+        "a busy method of another object",
+        "a method that is not called",
     ],
 )
 def test_a_loop_that_may_end(judge: Judge, source: str):
     judge("EXE009", source)
+
+
+ASKS = """
+import time
+
+import rclpy
+from rclpy.callback_groups import ReentrantCallbackGroup
+from rclpy.executors import MultiThreadedExecutor
+from rclpy.node import Node
+from rclpy.task import Future
+from std_srvs.srv import Trigger
+
+
+class Robot(Node):
+    def __init__(self):
+        super().__init__('robot')
+        self.answer = None
+        self.client = self.create_client(Trigger, 'far'{group})
+        self.create_timer(1.0, self.tick{group})
+
+    def on_answer(self, future):
+        self.answer = future.result()
+
+    def tick(self):
+        self.answer = None
+        {future}.add_done_callback(self.on_answer)
+        while self.answer is None:{mark}
+            time.sleep(0.1)
+
+
+def main():
+    rclpy.init()
+    {spin}
+
+
+if __name__ == '__main__':
+    main()
+"""
+SENT = "self.client.call_async(Trigger.Request())"
+
+
+def test_a_loop_until_a_done_callback_has_the_response(judge: Judge):
+    [finding] = judge("EXE009", ASKS.format(future=SENT, group="", spin=ONE_THREAD, mark="  # here"))
+    assert "only Robot.on_answer changes self.answer, and it cannot run meanwhile" in finding.message
+    assert finding.help == "return instead, and go on in Robot.on_answer"
+
+
+@pytest.mark.parametrize(
+    ("future", "group", "spin"),
+    [
+        (SENT, ", callback_group=ReentrantCallbackGroup()", THREADS),
+        ("Future()", "", ONE_THREAD),  # whoever has it may be in another thread
+        ("rclpy.create_node('other').create_client(Trigger, 'far').call_async(Trigger.Request())", "", ONE_THREAD),
+    ],
+)
+def test_a_response_that_may_come(judge: Judge, future: str, group: str, spin: str):
+    judge("EXE009", ASKS.format(future=future, group=group, spin=spin, mark=""))
 
 
 def test_only_the_stronger_is_said_of_a_line(judge: Judge):

@@ -46,7 +46,7 @@ def _loops_of(system: System, program: Program, waiting: Waiting) -> Iterator[At
     for loop in statements_of(waiting.function.body, facts.While):
         attributes = awaited_attributes(loop, waiting.variable, code)
         setters = _setters(system, program, waiting, attributes)
-        reasons = [why_kept_out(waiting, setter, program) for _, setter in setters]
+        reasons = [why_kept_out(system, waiting, setter, program) for _, setter in setters]
         if reasons and all(reasons):
             attribute, setter = setters[0]
             yield AttributeLoop(

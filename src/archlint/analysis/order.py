@@ -53,7 +53,7 @@ def _comes_before(code: SourceCode, first: _Path, later: _Path) -> bool:
     if shared is None:
         return False
     here, *inside = first[shared:]
-    return _dominates(code, here, later[shared]) and all(_always_runs(code, place) for place in inside)
+    return dominates(code, here, later[shared]) and all(_always_runs(code, place) for place in inside)
 
 
 def _shared(path: _Path, other: _Path) -> int | None:
@@ -62,7 +62,8 @@ def _shared(path: _Path, other: _Path) -> int | None:
     return next((number for number, (here, there) in steps if here != there), None)
 
 
-def _dominates(code: SourceCode, first: Place, later: Place) -> bool:
+def dominates(code: SourceCode, first: Place, later: Place) -> bool:
+    """Whether a function cannot get to a place without another one before."""
     if first.file != later.file:
         return False
     graph = graph_of(code.body_at(later))
@@ -103,4 +104,4 @@ def _true_calls(test: facts.Expr, holds: bool) -> Iterator[facts.Call]:
             yield test
 
 
-__all__ = ["always_comes_after", "always_comes_before", "certainly_true", "paths_to"]
+__all__ = ["always_comes_after", "always_comes_before", "certainly_true", "dominates", "paths_to"]

@@ -119,7 +119,7 @@ def _only_setter(system: System, program: Program, waiting: Waiting, attribute: 
     called = {call.func.last_name for call in calls_in(waiting.function.body)}
     if any(setter.name.rpartition(".")[2] in called for setter in setters):
         return None, ""
-    reasons = [why_kept_out(waiting, setter, program) for setter in setters]
+    reasons = [why_kept_out(system, waiting, setter, program) for setter in setters]
     return (setters[0], reasons[0] or "") if reasons and all(reasons) else (None, "")
 
 

@@ -12,10 +12,12 @@ from archlint.analysis.deadlock import threads_of
 from archlint.analysis.event_waits import ONLY_THREAD, kept_out
 from archlint.analysis.kept import once
 from archlint.analysis.source_code import source_code
+from archlint.analysis.waits import asked_clients
 from archlint.finding import Place
 from archlint.model import ExecutorKind, Role
 from archlint.syntax import facts
-from archlint.syntax.parts import everything_in
+from archlint.syntax.parts import everything_in, parts_of
+from archlint.syntax.walk import calls_in
 
 if TYPE_CHECKING:
     from archlint.model import Blueprint, Callback, Frame, Program
@@ -68,6 +70,7 @@ def _in_callbacks(system: System, program: Program) -> Iterator[Waiting]:
         function = code.definition(callback)
         if function is not None and runs_in_executor(callback) and callback.bound_arguments == 1:
             yield from _method(function, callback.file, callback.node, callback)
+            yield from _own_methods(system, function, callback)
     for call in program.calls:
         if call.api != "time.sleep" or not call.loops or not call.chain or not runs_in_executor(call.context):
             continue
@@ -81,6 +84,38 @@ def _method(
 ) -> Iterator[Waiting]:
     if node is not None and function.params and not function.decorators:
         yield Waiting(function, file, function.params[0].name, node, callback)
+
+
+def _own_methods(system: System, function: facts.Function, callback: Callback) -> Iterator[Waiting]:
+    """The methods with loops that a callback of a node calls on it, be it through others of its methods."""
+    methods = {} if callback.node is None else _methods_of(system, callback.node)
+    if (callback.file, function) not in methods.values():
+        return
+    seen, waiting = {function.name}, [function]
+    while waiting:
+        caller = waiting.pop()
+        if not caller.params or caller.decorators:
+            continue
+        for call in calls_in(caller.body):
+            name = call.func.attribute
+            if name in methods and name not in seen and call.func.dotted == f"{caller.params[0].name}.{name}":
+                seen.add(name)
+                file, method = methods[name]
+                waiting.append(method)
+                if parts_of(method.body, facts.While):
+                    yield from _method(method, file, callback.node, callback)
+
+
+def _methods_of(system: System, node: Blueprint) -> dict[str, tuple[str, facts.Function]]:
+    """The methods of a node that classes of the workspace define, by name, each with its file."""
+    methods: dict[str, tuple[str, facts.Function]] = {}
+    for cls in node.classes:
+        code = source_code(system).facts_at(cls.place.file)
+        for written in everything_in([] if code is None else code.body, facts.Class):
+            if Place.of(cls.place.file, written.name_span) == cls.place:
+                own = (method for method in written.body if isinstance(method, facts.Function))
+                methods = {method.name: (cls.place.file, method) for method in own} | methods
+    return methods
 
 
 def _on_itself(system: System, chain: tuple[Frame, ...]) -> bool:
@@ -158,10 +193,12 @@ def classes_of(system: System, waiting: Waiting) -> set[Place]:
     return classes if own and own <= classes else set()
 
 
-def why_kept_out(waiting: Waiting, setter: Callback, program: Program) -> str | None:
+def why_kept_out(system: System, waiting: Waiting, setter: Callback, program: Program) -> str | None:
     """Why what changes the attribute cannot run while the loop goes on; None where it may."""
     if waiting.callback is not None and setter.role == Role.DONE:
-        alone = setter.node is waiting.node and setter.creation is not None and threads_of(waiting.node, program) == ONE
+        clients = () if setter.registered is None else asked_clients(system).get((program, setter.registered), ())
+        own = setter.creation is not None or (bool(clients) and all(c.node is waiting.node for c in clients))
+        alone = setter.node is waiting.node and own and threads_of(waiting.node, program) == ONE
         return ONLY_THREAD if alone else None
     if waiting.callback is not None:
         return kept_out(waiting.callback, setter, program)

@@ -128,16 +128,22 @@ def other_arm_only_sends(code: SourceCode, call: ApiCall) -> bool:
     return False
 
 
+@once
+def asked_clients(system: System) -> dict[tuple[Program, Place], tuple[Creation, ...]]:
+    """The clients whose responses done callbacks take, by the program and the place where these are registered."""
+    return {
+        (program, call.place): creations_of(call.receiver)
+        for program, call in judged_calls(system)
+        if call.api == _ADD_DONE_CALLBACK and isinstance(call.receiver, Future)
+    }
+
+
 def _signals(system: System) -> dict[Program, _Signals]:
     """Event objects that the done callback of a future sets, with the client whose answer that is.
 
     Each program has clients of its own: a file that is run both as an executable and as a script is two programs.
     """
-    clients = {
-        (program, call.place): creations_of(call.receiver)
-        for program, call in judged_calls(system)
-        if call.api == _ADD_DONE_CALLBACK and isinstance(call.receiver, Future)
-    }
+    clients = asked_clients(system)
     signals: dict[Program, _Signals] = {}
     of_place: dict[tuple[Program, Place], list[Creation]] = {}
     for program, call in judged_calls(system):

@@ -19,34 +19,23 @@ from archlint.analysis.source_code import source_code
 from archlint.analysis.stuck import is_spin, stuck_waits
 from archlint.analysis.waits import Wait
 from archlint.checks.callback_findings import finding_in_callback
+from archlint.checks.joins import vain_joins
 from archlint.checks.registry import Options, rule
 from archlint.checks.scope import Scope
+from archlint.checks.wait_words import CONTINUE_WHEN_DONE, when_done
 from archlint.finding import Finding, Severity
-from archlint.model import EntityKind, Role
+from archlint.model import Role
 
 if TYPE_CHECKING:
-    from archlint.model import Callback, Creation
     from archlint.systems.model import System
 
-_CONTINUE_WHEN_DONE = "send the request with call_async(), return, and continue in a done callback"
-_AWAIT = "make the execute callback async, and await {}: the goal continues with the response"
 _GROUP_HELP = (
-    "give the client its own callback group (callback_group=MutuallyExclusiveCallbackGroup()), or "
-    + _CONTINUE_WHEN_DONE
+    "give the client its own callback group (callback_group=MutuallyExclusiveCallbackGroup()), or " + CONTINUE_WHEN_DONE
 )
 
 _LEAVE_OUT = "leave result() out: the request is sent without it"
 _STORE = "continue in the callback that sets the event"
 _OWN_GROUP = "give the callback that sets the event its own callback group, and wait here with a timeout"
-
-
-def when_done(callback: Callback, client: Creation | None) -> str:
-    """How to get an answer without waiting for it.  An execute callback that returns has ended its goal; it holds no
-    callback group, so that it may await."""
-    if callback.role != Role.EXECUTE:
-        return _CONTINUE_WHEN_DONE
-    action = client is not None and client.kind == EntityKind.ACTION_CLIENT
-    return _AWAIT.format("send_goal_async(…)" if action else "call_async(…)")
 
 
 @rule("EXE002", scope=Scope.CODE)
@@ -61,6 +50,7 @@ def blocking_call_in_callback(system: System, options: Options) -> Iterator[Find
             ),
             *(_no_answer_yet(system, early) for early in early_results(system) if runs_in_executor(early.call.context)),
             *(_deaf(system, wait) for wait in event_waits(system)),
+            *vain_joins(system, options),
         )
     )
 

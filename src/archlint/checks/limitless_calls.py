@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.callback_roles import runs_in_executor
 from archlint.analysis.deadlock import CALL
+from archlint.analysis.joined_threads import stuck_joins
 from archlint.analysis.limit_sites import sites_of_call
 from archlint.analysis.paces import runs_beside_itself
 from archlint.analysis.piling_waits import piling_up
@@ -90,6 +91,7 @@ _AT_START = (Role.INIT, Role.MAIN, Role.MODULE)
 
 def _limitless(system: System, options: Options) -> Iterator[tuple[Program, ApiCall]]:
     reported = spoken_of(system, options.distros) | {wait.call.place for wait in piling_up(system)}
+    reported |= {row.wait.call.place for row in stuck_joins(system, options.distros)}
     return (
         (program, call)
         for program, call in calls_of(system, (_CALL, _SEND_GOAL))

@@ -21,10 +21,10 @@ from archlint.analysis.spin_flags import is_while_nobody_spins
 from archlint.analysis.spins import KEPT_IN_HUMBLE_SINCE, is_dropped_in_humble, is_left_to, is_spin_call, spun_node
 from archlint.analysis.stuck import nested_spins
 from archlint.checks.callback_findings import finding_in_callback
-from archlint.checks.callback_waits import when_done
 from archlint.checks.folding import folds, with_places
 from archlint.checks.registry import Options, rule
 from archlint.checks.scope import Scope
+from archlint.checks.wait_words import when_done
 from archlint.finding import Finding, Severity
 from archlint.model import Role
 

@@ -9,6 +9,7 @@ from archlint.analysis.attribute_loops import AttributeLoop, attribute_loops
 from archlint.analysis.callback_roles import callback_words
 from archlint.analysis.queue_waits import QueueWait, queue_waits
 from archlint.analysis.reach import node_name, one_for_each_place
+from archlint.checks.joins import endless_joins
 from archlint.checks.limitless_calls import unanswerable_calls, unanswerable_loops
 from archlint.checks.rate_sleeps import endless_sleeps
 from archlint.checks.registry import Options, finding, rule
@@ -25,6 +26,7 @@ def unanswerable_wait(system: System, options: Options) -> Iterator[Finding]:
     yield from one_for_each_place(unanswerable_calls(system, options))
     yield from one_for_each_place(unanswerable_loops(system))
     yield from one_for_each_place(endless_sleeps(system))
+    yield from one_for_each_place(endless_joins(system, options))
     for loop in attribute_loops(system):
         yield _endless(system, loop)
     for wait in queue_waits(system):

@@ -19,7 +19,7 @@ from archlint.model.given import Constant
 
 if TYPE_CHECKING:
     from archlint.analysis.reach import AskedKind
-    from archlint.model import ApiCall, Creation
+    from archlint.model import ApiCall, Callback, Creation
     from archlint.systems.model import System
 
 WAIT_FOR_SERVICE = "rclpy.client.Client.wait_for_service"
@@ -27,6 +27,18 @@ WAIT_FOR_SERVER = "rclpy.action.client.ActionClient.wait_for_server"
 WAIT_FOR_MESSAGE = "rclpy.wait_for_message.wait_for_message"
 READY = ("rclpy.client.Client.service_is_ready", "rclpy.action.client.ActionClient.server_is_ready")
 MAKE_IT_EARLIER = "create the client in the constructor, and check here without waiting whether its server is available"
+
+CONTINUE_WHEN_DONE = "send the request with call_async(), return, and continue in a done callback"
+_AWAIT = "make the execute callback async, and await {}: the goal continues with the response"
+
+
+def when_done(callback: Callback, client: Creation | None) -> str:
+    """How to get an answer without waiting for it.  An execute callback that returns has ended its goal; it holds no
+    callback group, so that it may await."""
+    if callback.role != Role.EXECUTE:
+        return CONTINUE_WHEN_DONE
+    action = client is not None and client.kind == EntityKind.ACTION_CLIENT
+    return _AWAIT.format("send_goal_async(…)" if action else "call_async(…)")
 
 
 def made_here(call: ApiCall) -> bool:

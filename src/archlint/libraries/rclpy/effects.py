@@ -153,6 +153,7 @@ EFFECTS: dict[str, Effect] = {
     "destroy": entities.destroy,
     "callbacks": _callbacks,
     "thread": threads.thread,
+    "submit": threads.submit,
     "wait_answer": _wait_answer,
     "call_async": _call_async,
     "future_result": _future_result,

@@ -37,22 +37,36 @@ def thread(run: Run, call: ApiUse) -> Value:
         arguments = list(given.items(run).values)
     keywords = call.get("kwargs")
     idle = is_never_started(run, call.expression)
+    named: dict[str, Value] = {}
+    if isinstance(keywords, DictValue):
+        entries = keywords.entries(run).entries.values()
+        named = {key.text: item for key, item in entries if key.text is not None}
+    _run_later(run, call, arguments, named, idle)
+    place = run.place(call.expression.span) if call.expression is not None else None
+    return Instance(External(call.api.path), run.store.new_key(), place)
+
+
+def submit(run: Run, call: ApiUse) -> Value:
+    """``pool.submit(self.download, address)``: a thread of the pool calls ``self.download(address)``."""
+    named = {name: value for name, value in call.keywords.items() if name != "fn"}
+    _run_later(run, call, call.rest, named)
+    place = run.place(call.expression.span) if call.expression is not None else None
+    return Instance(External("concurrent.futures.Future"), run.store.new_key(), place)
+
+
+def _run_later(run: Run, call: ApiUse, arguments: list[Value], named: dict[str, Value], idle: bool = False) -> None:
+    """Note what a thread runs, and what it is called with."""
     for parameter, role in call.api.callbacks:
         value = call.get(parameter)
         if value is None:
             continue
-        if isinstance(keywords, DictValue):
-            entries = keywords.entries(run).entries.values()
-            pairs = tuple((key.text, item) for key, item in entries if key.text is not None)
-            value = Partial(value, (), pairs) if pairs else value
+        value = Partial(value, (), tuple(named.items())) if named else value
         callback = register(run, value, role, None, None, None, call, tuple(arguments))
         if callback is not None:
             callback.never_starts = idle
         if isinstance(value, (Unknown, OneOf)):
             run.library.given_away(CallSite(arguments))
         _run_foreign_target(run, value, arguments, call, idle)
-    place = run.place(call.expression.span) if call.expression is not None else None
-    return Instance(External(call.api.path), run.store.new_key(), place)
 
 
 def _run_foreign_target(run: Run, value: Value, arguments: list[Value], call: ApiUse, idle: bool) -> None:

@@ -26,6 +26,7 @@ EffectName = Literal[
     # callbacks, answers and executors
     "callbacks",
     "thread",
+    "submit",
     "wait_answer",
     "call_async",
     "future_result",

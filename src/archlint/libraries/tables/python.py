@@ -14,10 +14,21 @@ ROWS = (
         callbacks=(("target", Role.THREAD),),
     ),
     Api("threading.Timer", "interval function args kwargs", effect="thread", callbacks=(("function", Role.THREAD),)),
+    Api(
+        "concurrent.futures.ThreadPoolExecutor.submit",
+        "fn",
+        effect="submit",
+        callbacks=(("fn", Role.THREAD),),
+        watched=True,
+    ),
+    Api("concurrent.futures.Future.add_done_callback", "fn", effect="submit", callbacks=(("fn", Role.THREAD),)),
     # ---- waiting
     Api("time.sleep", "seconds", watched=True),
     Api("threading.Event.wait", "timeout", watched=True),
     Api("threading.Event.set", watched=True),
+    Api("threading.Thread.join", "timeout", watched=True),
+    Api("threading.Timer.join", "timeout", watched=True),
+    Api("concurrent.futures.Future.result", "timeout", watched=True),
     Api("builtins.input", "prompt", watched=True),
     # ---- what is outside of ROS
     *(

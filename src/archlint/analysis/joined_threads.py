@@ -1,0 +1,136 @@
+"""Waits for threads that wait for a response themselves: it cannot come before the wait for them is over."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+from archlint.analysis.blocking import CALL
+from archlint.analysis.callback_roles import runs_in_executor
+from archlint.analysis.deadlock import Verdict, judge_wait
+from archlint.analysis.kept import once
+from archlint.analysis.order import dominates
+from archlint.analysis.reach import has_limit, judged_calls
+from archlint.analysis.source_code import SourceCode, source_code
+from archlint.analysis.spins import is_spin_call
+from archlint.analysis.waits import Wait, waits
+from archlint.finding import Place
+from archlint.model import ExecutorKind, Role
+from archlint.model.given import Object
+from archlint.syntax import facts
+from archlint.syntax.parts import everything_in
+
+if TYPE_CHECKING:
+    from archlint.model import ApiCall, Callback, Program
+    from archlint.systems.model import System
+
+_JOINS = frozenset({"threading.Thread.join", "threading.Timer.join", "concurrent.futures.Future.result"})
+_SUBMIT = "concurrent.futures.ThreadPoolExecutor.submit"
+_AT_START = (Role.INIT, Role.MAIN, Role.MODULE)
+
+
+@dataclass(frozen=True)
+class JoinedWait:
+    """A wait for a thread, and what that thread waits for."""
+
+    join: ApiCall
+    thread: Callback
+    wait: Wait
+    program: Program
+    limited: bool
+    """Whether a timeout ends the wait for the thread, or that of the thread."""
+
+    def verdict(self, distros: Sequence[str]) -> Verdict:
+        """What becomes of it where a callback waits for the thread, and so for what the thread waits for."""
+        call = replace(self.wait.call, context=self.join.context)
+        return judge_wait(CALL, call, self.wait.client, self.program, self.limited, distros)
+
+
+def stuck_joins(system: System, distros: Sequence[str]) -> list[JoinedWait]:
+    """The waits for threads that keep out the response which the thread waits for."""
+    return [row for row in joined_waits(system) if _is_stuck(row, distros)]
+
+
+def _is_stuck(row: JoinedWait, distros: Sequence[str]) -> bool:
+    if runs_in_executor(row.join.context):
+        verdict = row.verdict(distros)
+        return not verdict.safe and not verdict.unknown
+    program, node = row.program, row.wait.client.node
+    known = program.executable and not program.exhausted and row.join.context.role in _AT_START
+    seen = not (node.caller_unknown or node.escapes) and node.executor != ExecutorKind.UNKNOWN
+    return known and seen and not any(use.in_thread for use in program.executors_of(node))
+
+
+@once
+def joined_waits(system: System) -> list[JoinedWait]:
+    """The waits for threads that are made just before, and wait for a response for certain."""
+    by_thread: dict[int, list[Wait]] = {}
+    for wait in waits(system):
+        if wait.kind == CALL and wait.call.context.role == Role.THREAD and not wait.call.conditional:
+            by_thread.setdefault(id(wait.call.context), []).append(wait)
+    rows = [row for program, call in judged_calls(system) for row in _of_join(system, program, call, by_thread)]
+    joined = {id(row.thread) for row in rows if row.join.api != _SUBMIT}
+    rows = [row for row in rows if row.join.api != _SUBMIT or id(row.thread) not in joined]
+    return sorted(rows, key=lambda row: (row.join.place, row.wait.call.place))
+
+
+def _of_join(system: System, program: Program, join: ApiCall, by_thread: dict[int, list[Wait]]) -> Iterator[JoinedWait]:
+    if join.context.is_async or not (made_at := _made_at(system, join)):
+        return
+    threads = [thread for thread in program.callbacks if thread.role == Role.THREAD and thread.registered in made_at]
+    if not threads or not all(_is_made_here(system, program, join, thread.registered) for thread in threads):
+        return
+    waiting = [by_thread.get(id(thread), []) for thread in threads]
+    if all(waiting):
+        limited = has_limit(join, "timeout") or waiting[0][0].limited
+        yield JoinedWait(join, threads[0], waiting[0][0], program, limited)
+
+
+def _made_at(system: System, join: ApiCall) -> Sequence[Place]:
+    """Where the threads are made that a call waits for; nothing where one is not known, or it waits for none."""
+    if join.api == _SUBMIT:
+        return (join.place,) if _ends_its_pool(source_code(system), join) else ()
+    if join.api not in _JOINS or join.receiver is None:
+        return ()
+    places = [option.place if isinstance(option, Object) else None for option in join.receiver.alternatives]
+    return [place for place in places if place is not None] if None not in places else ()
+
+
+def _ends_its_pool(code: SourceCode, submit: ApiCall) -> bool:
+    """Whether a ``with`` around a call makes the pool that it is of: at its end it waits for the threads."""
+    pool = submit.receiver
+    if not isinstance(pool, Object) or pool.place is None:
+        return False
+    around = [block for block in everything_in(code.body(submit), facts.With) if _holds(block, submit.place)]
+    return any(
+        isinstance(item.value, facts.Call) and Place.of(submit.file, item.value.span) == pool.place
+        for block in around
+        for item in block.items
+    )
+
+
+def _holds(block: facts.With, place: Place) -> bool:
+    return block.span[:2] <= place.span[:2] and place.span[2:] <= block.span[2:]
+
+
+def _is_made_here(system: System, program: Program, join: ApiCall, made_at: Place | None) -> bool:
+    """Whether the function that waits for a thread makes it first, and nothing spins between: one that was made before
+    may be over."""
+    if made_at is None or made_at.file != join.place.file:
+        return False
+    begin, end = join.place.span[:2], join.place.span[2:]
+    inside = begin <= made_at.span[:2] and made_at.span[2:] <= end
+    return inside or (
+        dominates(source_code(system), made_at, join.place) and not _spins_between(program, made_at, join)
+    )
+
+
+def _spins_between(program: Program, made_at: Place, join: ApiCall) -> bool:
+    """Whether the function may spin after it has made a thread: then the thread gets its response."""
+    places = [frame.place for call in program.calls if is_spin_call(call) for frame in call.chain]
+    places += [call.place for call in program.calls if is_spin_call(call)]
+    return any(place.file == join.file and made_at < place < join.place for place in places)
+
+
+__all__ = ["JoinedWait", "stuck_joins"]
