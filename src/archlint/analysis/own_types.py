@@ -37,10 +37,30 @@ def has_no_server_here(system: System, end: Endpoint) -> bool:
         return False
     if not is_defined(workspace, end.type) or _is_served(system, workspace, end):
         return False
-    name = end.type.rpartition("/")[2]
+    return _all_ends_known(system, workspace, end.type)
+
+
+def is_only_server(system: System, server: Endpoint) -> bool:
+    """Whether the workspace defines a server's type, and nothing else there serves it: whoever asks for the type can
+    mean no other server.
+
+    False wherever something that is not followed names the type, for it may serve it, too.
+    """
+    workspace = system.workspace
+    if workspace is None or workspace.is_subset or workspace.cut_short() or server.type is None:
+        return False
+    servers = [end for end in system.endpoints if end.kind == server.kind and end.type in (server.type, None)]
+    lines = _ends_of_system(system).lines_of(server) | _ends_of_workspace(workspace).lines_of(server)
+    only = len(servers) == 1 and lines == {server.place}
+    return only and is_defined(workspace, server.type) and _all_ends_known(system, workspace, server.type)
+
+
+def _all_ends_known(system: System, workspace: WorkspaceIndex, type_: str) -> bool:
+    """Whether each file of the workspace that names a type has ends of it, and nothing else that may have some."""
+    name = type_.rpartition("/")[2]
     ends, others = _ends_of_system(system), _ends_of_workspace(workspace)
     files = kept(workspace, (_files_that_name, name), lambda: _files_that_name(workspace, name))
-    return files <= ends.files_of(end.type) | others.files_of(end.type)
+    return files <= ends.files_of(type_) | others.files_of(type_)
 
 
 _REQUESTS = (".call", ".call_async", ".send_goal", ".send_goal_async")
@@ -89,6 +109,7 @@ class _Ends:
     def __init__(self, systems: Iterable[System]) -> None:
         self.served: set[tuple[str, str | None]] = set()
         """The kinds of their servers, with the types; None for a type that is not known."""
+        self._lines: defaultdict[tuple[str, str | None], set[Place]] = defaultdict(set)
         self.asked: set[str] = set()
         """The types of their clients that are known."""
         self._files: defaultdict[str | None, set[str]] = defaultdict(set)
@@ -96,8 +117,13 @@ class _Ends:
             self._files[end.type].add(end.place.file)
             if end.kind in _SERVERS.values():
                 self.served.add((end.kind, end.type))
+                self._lines[end.kind, end.type].add(end.place)
             elif end.kind in _SERVERS and end.type is not None:
                 self.asked.add(end.type)
+
+    def lines_of(self, server: Endpoint) -> set[Place]:
+        """Where servers of the type of one are made, or of a type that is not known."""
+        return self._lines.get((server.kind, server.type), set()) | self._lines.get((server.kind, None), set())
 
     def files_of(self, type_: str) -> frozenset[str]:
         return frozenset(self._files.get(type_, ()))
@@ -121,4 +147,4 @@ def _files_that_name(workspace: WorkspaceIndex, name: str) -> frozenset[str]:
     return frozenset(path for path in paths if workspace.code.mentions(path, name))
 
 
-__all__ = ["has_no_server_here", "may_be_served_elsewhere"]
+__all__ = ["has_no_server_here", "is_only_server", "may_be_served_elsewhere"]

@@ -15,6 +15,7 @@ from archlint.analysis.coexistence import (
 )
 from archlint.analysis.kept import once
 from archlint.analysis.left_over import is_left_over
+from archlint.analysis.own_types import is_only_server
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.sight import in_sight
@@ -129,6 +130,7 @@ def _misses(system: System, provider: Endpoint, user: Endpoint) -> bool:
             nearly_equal(provider.name or "", user.name or "")
             or _namespace_slip(system, provider, user)
             or (is_private_of(provider, user) and not _is_renamed(system, provider, user))
+            or _is_the_one_meant(system, provider, user)
         )
         and _is_for_us(system, provider, user)
         and not is_left_over(system.workspace, provider)  # reads code, where names of most pairs say no
@@ -158,6 +160,29 @@ def _namespace_slip(system: System, provider: Endpoint, user: Endpoint) -> bool:
     return any(
         long[:at] + long[at + 1 :] == short and long[1 : at + 1] == namespaces[:at] for at in range(1, len(long) - 1)
     ) and known_to_coexist(system, provider.node, user.node)
+
+
+def in_other_namespace(end: Endpoint, other: Endpoint) -> bool:
+    """Whether two servers or clients have the same name in different namespaces: ``/robot/set_motor`` and
+    ``/set_motor``."""
+    mine, yours = (each.name or "" for each in (end, other))
+    return end.kind in _SERVED and mine != yours and mine.rpartition("/")[2] == yours.rpartition("/")[2]
+
+
+_SERVED = frozenset({EntityKind.SERVICE, EntityKind.ACTION_SERVER, EntityKind.CLIENT, EntityKind.ACTION_CLIENT})
+
+
+def _is_the_one_meant(system: System, server: Endpoint, client: Endpoint) -> bool:
+    """Whether a client asks in another namespace for what only this server offers: of a type that the workspace
+    defines, nobody else can have one.  Without a launch file both are of one package, and no launch file has either."""
+    if not in_other_namespace(server, client) or _is_renamed(system, server, client):
+        return False
+    together = (
+        server.node.package == client.node.package is not None
+        if system.name is None
+        else known_to_coexist(system, server.node, client.node)
+    )
+    return together and is_only_server(system, server)
 
 
 def is_private_of(server: Endpoint, client: Endpoint) -> bool:

@@ -11,7 +11,7 @@ from archlint.analysis.coexistence import certain, in_source_order, named_by_lib
 from archlint.analysis.left_out_servers import left_out_server
 from archlint.analysis.own_types import has_no_server_here, may_be_served_elsewhere
 from archlint.checks.folding import folds
-from archlint.checks.near_misses import MOST_PAIRS, is_private_of, missed, nearly_equal
+from archlint.checks.near_misses import MOST_PAIRS, in_other_namespace, is_private_of, missed, nearly_equal
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.sight import in_sight, is_complete
@@ -225,4 +225,6 @@ class _Partners:
         near = [
             other for other in partners if nearly_equal(other.name or "", end.name or "") or is_private_of(other, end)
         ]
+        if len(partners) == 1 and in_other_namespace(partners[0], end):
+            near = partners
         return min(near, key=lambda other: (other.name or "", other.place), default=None)
