@@ -25,6 +25,7 @@ from archlint.analysis.source_code import SourceCode, source_code
 from archlint.analysis.spins import is_spin_call
 from archlint.analysis.states import leaves_its_state
 from archlint.analysis.stuck import clients_of_handlers, functions_that_ask
+from archlint.checks.added_waits import added_waits
 from archlint.checks.callback_findings import finding_in_callback, told_at
 from archlint.checks.folding import folds
 from archlint.checks.registry import Options, rule
@@ -103,6 +104,7 @@ def slow_callback(system: System, options: Options) -> Iterator[Finding]:
     yield from one_for_each_place(
         _slow(system, rows, _place_of(system, worst[_cause(rows[0][1].context)])) for rows in slow_functions
     )
+    yield from one_for_each_place(added_waits(system, {id(call.context) for _, call, _ in _stays(system)}))
 
 
 def _place_of(system: System, row: _Row) -> str:
