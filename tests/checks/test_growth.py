@@ -10,7 +10,7 @@ import pytest
 
 from archlint import suggestions
 from archlint.analysis import class_chains, coexistence, delivery, unassigned_attributes
-from archlint.checks import near_misses, service_cycles, unmatched
+from archlint.checks import circle_search, near_misses, unmatched
 from archlint.config import toml_places
 from archlint.config.options import options_for
 from archlint.config.settings import Settings
@@ -223,7 +223,7 @@ def test_the_headers_of_a_configuration_are_read_once(monkeypatch: pytest.Monkey
 
 def test_circles_of_services_are_looked_for_up_to_a_limit(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     def found(limit: int) -> set[str]:
-        monkeypatch.setattr(service_cycles, "MOST_STEPS", limit)
+        monkeypatch.setattr(circle_search, "MOST_STEPS", limit)
         served = "".join(
             f"        self.create_service(Trigger, 's{k}', self.on_{k})\n"
             f"        self.c{k} = self.create_client(Trigger, 's{(k + 1) % 5}')\n"

@@ -26,7 +26,7 @@ def paths_to(call: ApiCall) -> Iterator[_Path]:
 
 def always_comes_before(code: SourceCode, first: ApiCall, later: ApiCall) -> bool:
     """Whether a callback cannot get to a call without another one, be that in a function which it calls on its way."""
-    return all(any(_comes_before(code, path, other) for path in paths_to(first)) for other in paths_to(later))
+    return all(any(path_comes_before(code, path, other) for path in paths_to(first)) for other in paths_to(later))
 
 
 def always_comes_after(code: SourceCode, last: ApiCall, earlier: ApiCall) -> bool:
@@ -48,7 +48,8 @@ def _comes_after(code: SourceCode, last: _Path, earlier: _Path) -> bool:
     return bool(before and after) and follows and all(_always_runs(code, place) for place in inside)
 
 
-def _comes_before(code: SourceCode, first: _Path, later: _Path) -> bool:
+def path_comes_before(code: SourceCode, first: _Path, later: _Path) -> bool:
+    """Whether what runs cannot go one way to its end without having gone another one."""
     shared = _shared(first, later)
     if shared is None:
         return False
@@ -104,4 +105,4 @@ def _true_calls(test: facts.Expr, holds: bool) -> Iterator[facts.Call]:
             yield test
 
 
-__all__ = ["always_comes_after", "always_comes_before", "certainly_true", "dominates", "paths_to"]
+__all__ = ["always_comes_after", "always_comes_before", "certainly_true", "dominates", "path_comes_before", "paths_to"]

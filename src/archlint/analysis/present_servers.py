@@ -57,7 +57,7 @@ def was_waited_for(system: System, call: ApiCall, clients: Sequence[Creation] | 
     return len(clients) == 1 and any(
         other.context is call.context
         and other.place != call.place
-        and _until_it_comes(code, other)
+        and until_it_comes(code, other)
         and always_comes_before(code, other, call)
         for other in _waits_for(system).get(id(clients[0]), ())
     )
@@ -74,7 +74,7 @@ def _waits_for(system: System) -> dict[int, list[ApiCall]]:
     return waits
 
 
-def _until_it_comes(code: SourceCode, call: ApiCall) -> bool:
+def until_it_comes(code: SourceCode, call: ApiCall) -> bool:
     """Whether the code goes on from a wait only where it has found the server."""
     loop = code.loop(call)
     if isinstance(loop, facts.While) and only_the_server_ends(loop):
@@ -164,4 +164,4 @@ def _lists(value: facts.Expr, body: Sequence[facts.Stmt], asked: frozenset[str])
     return False
 
 
-__all__ = ["is_there", "was_waited_for"]
+__all__ = ["is_there", "until_it_comes", "was_waited_for"]

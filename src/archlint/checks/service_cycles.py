@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import deque
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -10,8 +9,10 @@ from typing import TYPE_CHECKING
 from archlint.analysis.kept import once
 from archlint.analysis.reach import one_for_each_place
 from archlint.analysis.waits import Wait, waits
+from archlint.checks.circle_search import Key, Steps, shortest_circle
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
+from archlint.checks.start_circles import start_circles
 from archlint.finding import Finding, Related
 from archlint.model import (
     EntityKind,
@@ -25,19 +26,13 @@ if TYPE_CHECKING:
 _SERVER_OF = {EntityKind.CLIENT: EntityKind.SERVICE, EntityKind.ACTION_CLIENT: EntityKind.ACTION_SERVER}
 _HANDLES = {Role.SERVICE: EntityKind.SERVICE, Role.EXECUTE: EntityKind.ACTION_SERVER}
 
-MOST_STEPS = 1_000_000
-"""Steps of ways that are gone along in the search for circles: enough for one of a hundred services."""
-
-_Key = tuple[str, str]
-"""Kind of server and full name."""
-
 
 @dataclass(frozen=True)
 class Edge:
     """The handler of one server waits for another."""
 
     server: Endpoint
-    target: _Key
+    target: Key
     wait: Wait
 
 
@@ -69,26 +64,27 @@ def _may_coexist(system: System, node: Node, other: Node) -> bool:
 
 @rule("SRV006", scope=Scope.SYSTEM)
 def service_call_cycle(system: System, options: Options) -> Iterator[Finding]:
-    """Circles of handlers, each of which waits for the next."""
+    """Circles of handlers, and of nodes at their start, each of which waits for the next."""
     edges = waits_of_handlers(system)
-    seen: set[frozenset[_Key]] = set()
+    seen: set[frozenset[Key]] = set()
     findings = []
-    steps = _Steps()
+    steps = Steps()
     for start in sorted(edges):
         for first in edges[start]:
-            circle = _shortest_circle(first, start, edges, system, steps)
+            circle = shortest_circle(first, start, edges, system, steps)
             keys = frozenset((edge.server.kind, edge.server.name or "") for edge in circle)
             if circle and keys not in seen:
                 seen.add(keys)
                 findings.append(_circle(circle))
     yield from one_for_each_place(findings)
+    yield from one_for_each_place(start_circles(system))
 
 
 @once
-def waits_of_handlers(system: System) -> dict[_Key, list[Edge]]:
+def waits_of_handlers(system: System) -> dict[Key, list[Edge]]:
     """For each server, by kind and full name, the servers that its handler waits for."""
     ends = {id(end.creation): end for end in system.endpoints if end.resolved and not end.node.test}
-    edges: dict[_Key, list[Edge]] = {}
+    edges: dict[Key, list[Edge]] = {}
     for wait in waits(system):
         handler = wait.call.context
         kind = _HANDLES.get(handler.role)
@@ -99,40 +95,6 @@ def waits_of_handlers(system: System) -> dict[_Key, list[Edge]]:
         edge = Edge(server, (_SERVER_OF[client.kind], client.name), wait)
         edges.setdefault((kind, server.name), []).append(edge)
     return edges
-
-
-class _Steps:
-    """How many steps may still be gone along, of all ways together."""
-
-    def __init__(self) -> None:
-        self.left = MOST_STEPS
-
-
-def _shortest_circle(
-    first: Edge, start: _Key, edges: dict[_Key, list[Edge]], system: System, steps: _Steps
-) -> list[Edge]:
-    """The shortest circle that begins with a wait and comes back to ``start``; empty where there is none.
-
-    Each server is reached once, over the way that was found first: there are more circles than anybody can list where
-    all handlers ask each other, and each wait of them is in its shortest one.
-    """
-    ways: dict[_Key, list[Edge]] = {first.target: [first]}
-    waiting = deque(ways)
-    while waiting:
-        target = waiting.popleft()
-        way = ways[target]
-        if target == start:
-            return way
-        steps.left -= len(way)
-        if steps.left < 0:
-            return []
-        for edge in edges.get(target, ()):
-            node = edge.server.node
-            together = all(node is step.server.node or system.may_coexist(node, step.server.node) for step in way)
-            if together and edge.target not in ways:
-                ways[edge.target] = [*way, edge]
-                waiting.append(edge.target)
-    return []
 
 
 def _circle(circle: list[Edge]) -> Finding:
