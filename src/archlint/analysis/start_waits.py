@@ -35,7 +35,7 @@ class StartWait:
     """
 
     server: Endpoint
-    made: bool
+    comes_after: bool
     """Whether the server is made after the wait; else it is there by then, and nobody spins its node."""
     client: Endpoint
     call: ApiCall
@@ -47,11 +47,11 @@ def start_waits(system: System) -> list[StartWait]:
     """The waits of all programs at their start, each with the servers that it keeps out."""
     ends = {id(end.creation): end for end in system.endpoints if end.resolved and not end.node.test}
     return [
-        StartWait(server, made, client, call, for_response)
+        StartWait(server, comes_after, client, call, for_response)
         for program, call, asked, for_response in _endless(system)
         for client in [ends.get(id(asked))]
         if client is not None
-        for creation, made in _kept_out(system, program, call, for_response)
+        for creation, comes_after in _kept_out(system, program, call, for_response)
         for server in [ends.get(id(creation))]
         if server is not None and certain(server) and _is_only_one(system, server)
     ]

@@ -45,7 +45,7 @@ def start_circles(system: System) -> Iterator[Finding]:
     """What SRV006 says of waits at the start that only their own end could end."""
     edges: dict[Key, list[_Edge]] = {}
     for wait in start_waits(system):
-        for state in (_THERE, _ANSWERS) if wait.made else (_ANSWERS,):
+        for state in (_THERE, _ANSWERS) if wait.comes_after else (_ANSWERS,):
             edges.setdefault(_key(state, wait.server.kind, wait.server.name), []).append(_Edge(wait))
     seen: set[frozenset[object]] = set()
     steps = Steps()
@@ -66,7 +66,7 @@ def _circle(circle: list[StartWait]) -> Finding:
         last.call.place,
         _words(last, ordered),
         help="make the servers before waiting for others"
-        if all(wait.made for wait in circle)
+        if all(wait.comes_after for wait in circle)
         else "wait for others in a timer, once the node is spun",
         related=[row for wait in ordered for row in _related(wait)],
         node=last.server.node.name,
@@ -88,7 +88,7 @@ def _words(last: StartWait, ordered: list[StartWait]) -> str:
 def _related(wait: StartWait) -> Iterator[Related]:
     awaited = "the response of " if wait.for_response else ""
     yield Related(wait.call.place, f"{wait.client.node.name} waits for {awaited}{wait.client.name} here")
-    until = "is made only afterwards" if wait.made else "does not answer before that"
+    until = "is made only afterwards" if wait.comes_after else "does not answer before that"
     yield Related(wait.server.place, f"{wait.server.name} {until}")
 
 
