@@ -486,6 +486,36 @@ def test_only_what_an_edit_can_change_is_followed_again(workspace, outputs, foll
     assert files == {"robot/robot/talker.py", "robot/robot/listener.py"}
 
 
+LOUD = """\
+    import rclpy
+    from rclpy.node import Node
+    from rclpy.parameter import Parameter
+    from std_msgs.msg import String
+
+
+    class Talker(Node):
+        def __init__(self):
+            super().__init__('talker', allow_undeclared_parameters=True)
+            if self.get_parameter_or('loud', Parameter('loud', value=False)).value:
+                self.create_publisher(String, 'shout', 10)
+
+
+    def main():
+        rclpy.init()
+        rclpy.spin(Talker())
+    """
+BLUE = """\
+    <launch><node pkg="robot" exec="talker" namespace="blue"><param name="color" value="blue"/></node></launch>
+    """
+
+
+def test_a_program_of_a_launch_that_does_what_it_does_alone_is_known_afterwards(workspace, outputs, followed):
+    write_all(workspace, {"robot/robot/talker.py": LOUD, "robot/launch/blue.launch.xml": BLUE})
+    printed = outputs(cached=True)  # `check`, and then `graph`, which knows all programs
+    assert [key.file for key in followed if isinstance(key, EntryKey)].count("robot/robot/talker.py") == 1
+    assert printed == outputs(cached=False)
+
+
 CPP = {
     "drive/package.xml": """\
         <package format="3"><name>drive</name><version>1.0.0</version><description>d</description>

@@ -10,7 +10,7 @@ from __future__ import annotations
 import hashlib
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeVar, cast
 
@@ -239,7 +239,9 @@ class KeptResults(ABC, Generic[Result]):
         if row is not None and self.keeps:
             self.changed = True
             self._new.append(key.text)
-            self._rows[key.text] = row
+            # What the other one was first to import had run before this one.
+            writers = sorted(self.index.writers(row.used))
+            self._rows[key.text] = replace(row, imports=[], writers=writers, writes=False)
 
     def _owner(self, item: object, name: str) -> str:
         return self._owners.setdefault(id(item), (name, item))[0]
