@@ -21,7 +21,7 @@ from archlint.analysis.class_chains import (
     methods_of,
     targets_of,
 )
-from archlint.analysis.kept import kept_for_each_file, once_for_each_file
+from archlint.analysis.kept import kept_for_each_file
 from archlint.analysis.offered_names import MAKES_NAMES, stars
 from archlint.analysis.tried_code import tried_for
 from archlint.model import Misuse
@@ -76,34 +76,30 @@ def refused_own_calls(workspace: WorkspaceIndex) -> Iterator[RefusedOwnCall]:
     for file, _ in workspace.code.asked_for():
         if file.kind not in ("python", "launch_python") or workspace.roles.is_test(file.relative):
             continue
-        for call, cls in _calls(workspace, file.relative) or ():
-            meant = _meant(workspace, file.relative, call, cls)
-            wrong = None if meant is None else misfit(meant.code.params[meant.bound :], call)
+        for call in _calls(workspace, file.relative) or ():
+            meant = _meant(workspace, file.relative, call)
+            wrong = None if meant is None else _misfit(meant.code.params[meant.bound :], call)
             if meant is not None and wrong is not None:
                 place = Place(file.relative, *call.span)
-                name = call.func.dotted
-                signature = tuple(_needed(meant.code.params[meant.bound :]))
-                lacks_self = cls is not None and meant.bound == 1 and meant.code.params[0].name not in ("self", "cls")
+                params = meant.code.params
+                lacks_self = call.cls is not None and meant.bound == 1 and params[0].name not in ("self", "cls")
                 defined = Place(meant.file, *meant.code.name_span)
-                yield RefusedOwnCall(place, name, wrong, defined, signature, lacks_self)
+                signature = tuple(_needed(params[meant.bound :]))
+                yield RefusedOwnCall(place, call.name, wrong, defined, signature, lacks_self)
 
 
-def misfit(params: Sequence[facts.Param], call: facts.Call) -> Misfit | None:
-    """What is wrong with the arguments of a call for such parameters; None where nothing is, or not all are known."""
-    if any(argument.star for argument in call.args):
-        return None
+def _misfit(params: Sequence[facts.Param], call: _Call) -> Misfit | None:
+    """What is wrong with the arguments of a call for such parameters; None where nothing is."""
     by_position = [param.name for param in params if param.kind in ("positional_only", "normal")]
     by_name = {param.name for param in params if param.kind in ("normal", "keyword_only")}
     kinds = {param.kind for param in params}
-    given = sum(argument.keyword is None for argument in call.args)
-    keywords = [argument.keyword for argument in call.args if argument.keyword is not None]
-    if given > len(by_position) and "star" not in kinds:
+    if call.given > len(by_position) and "star" not in kinds:
         return Misfit(Misuse.TOO_MANY, takes=len(by_position))
-    unknown = tuple(name for name in keywords if name not in by_name)
+    unknown = tuple(name for name in call.keywords if name not in by_name)
     if unknown and "double_star" not in kinds:
         return Misfit(Misuse.UNKNOWN_KEYWORD, unknown)
-    filled = {*by_position[:given], *keywords}
-    twice = tuple(name for name in keywords if name in by_position[:given])
+    filled = {*by_position[: call.given], *call.keywords}
+    twice = tuple(name for name in call.keywords if name in by_position[: call.given])
     if twice:
         return Misfit(Misuse.TWICE, twice)
     missing = tuple(name for name in _needed(params) if name not in filled)
@@ -127,22 +123,54 @@ def calls_of_bare_super(workspace: WorkspaceIndex) -> Iterator[Place]:
 # ----------------------------------------------------------------------------------------------- which calls there are
 
 
-@once_for_each_file
-def _calls(code: facts.Facts) -> list[tuple[facts.Call, facts.Class | None]]:
-    """The calls of plain names, and those of methods of ``self`` with the class that the method around them is of."""
+@dataclass(frozen=True)
+class _Call:
+    """A call of which all arguments are written out."""
+
+    name: str
+    """What is called, as it is written."""
+    span: facts.Span
+    cls: int | None
+    """For a method of ``self``: the class that the method around it is of, by its position in the file."""
+    given: int
+    """How many arguments are given by position."""
+    keywords: tuple[str, ...]
+
+
+@kept_for_each_file
+def _calls(code: facts.Facts) -> list[_Call]:
+    """The calls of functions and classes that the file defines or imports, and those of methods of ``self``."""
     if not MAKES_NAMES.isdisjoint(code.names):
         return []
     forgiven = tried_for(code.body, {"TypeError"})
-    around = {Itself(call): cls for cls in classes_of(code) for call in _on_self(cls)}
-    rows: list[tuple[facts.Call, facts.Class | None]] = []
+    around = {Itself(call): number for number, cls in enumerate(classes_of(code)) for call in _on_self(cls)}
+    defined = _defined_once(code)
+    rows: list[_Call] = []
     for call in everything_in(code.body, facts.Call):
         cls = around.get(Itself(call))
-        if Itself[facts.Base](call) not in forgiven and (cls is not None or call.func.variable):
-            rows.append((call, cls))
+        if any(argument.star for argument in call.args) or Itself[facts.Base](call) in forgiven:
+            continue
+        if cls is not None or call.func.variable in defined:
+            keywords = tuple(argument.keyword for argument in call.args if argument.keyword is not None)
+            rows.append(_Call(call.func.dotted, call.span, cls, len(call.args) - len(keywords), keywords))
     return rows
 
 
-@once_for_each_file
+def _defined_once(code: facts.Facts) -> frozenset[str]:
+    """The names of functions and classes that a file defines or imports at its top level, and binds nowhere else."""
+    if stars(code):
+        return frozenset()
+    names: set[str] = set()
+    for statement in code.body:
+        match statement:
+            case facts.Function(name=name) | facts.Class(name=name):
+                names.add(name)
+            case facts.ImportFrom(names=imported):
+                names.update(bound for _, bound in imported)
+    return frozenset(name for name in names if bindings_of(code)[name] == 1)
+
+
+@kept_for_each_file
 def _bare_super_calls(code: facts.Facts) -> list[facts.Span]:
     if "super" in bindings_of(code) or not MAKES_NAMES.isdisjoint(code.names):
         return []
@@ -170,10 +198,12 @@ def _on_self(cls: facts.Class) -> Iterator[facts.Call]:
 # ---------------------------------------------------------------------------------------------------- what they mean
 
 
-def _meant(workspace: WorkspaceIndex, file: str, call: facts.Call, cls: facts.Class | None) -> FunctionInFile | None:
-    if cls is not None:
-        return _method(workspace, ClassInFile(file, cls), call.func.attribute)
-    return _function(workspace, file, call.func.variable)
+def _meant(workspace: WorkspaceIndex, file: str, call: _Call) -> FunctionInFile | None:
+    if call.cls is None:
+        return _function(workspace, file, call.name)
+    code = workspace.facts_at(file)
+    cls = None if code is None else ClassInFile(file, classes_of(code)[call.cls])
+    return None if cls is None else _method(workspace, cls, call.name.rpartition(".")[2])
 
 
 def _function(workspace: WorkspaceIndex, file: str, name: str) -> FunctionInFile | None:
@@ -291,6 +321,5 @@ __all__ = [
     "bindings_of",
     "calls_of_bare_super",
     "class_meant_by",
-    "misfit",
     "refused_own_calls",
 ]
