@@ -27,12 +27,18 @@ def never_returns(
     """What ends a path through a function of a file because a helper raises."""
     if workspace is None or depth == 0:
         return lambda fact: False
+    known: dict[str, bool] = {}
 
     def ends(fact: facts.Base) -> bool:
         match fact:
             case facts.Expression(value=facts.Call(func=called)) | facts.Assign(value=facts.Call(func=called)):
-                helpers = list(_meant(workspace, file, function, called.dotted))
-                return bool(helpers) and all(_always_raises(workspace, *helper, depth - 1) for helper in helpers)
+                name = called.dotted
+                if name not in known:
+                    helpers = list(_meant(workspace, file, function, name))
+                    known[name] = bool(helpers) and all(
+                        _always_raises(workspace, *helper, depth - 1) for helper in helpers
+                    )
+                return known[name]
         return False
 
     return ends
