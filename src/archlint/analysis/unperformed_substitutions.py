@@ -40,13 +40,16 @@ def unperformed_substitutions(system: System) -> Iterator[Unperformed]:
     for process in system.launched.started:
         for use in files_among(process.parameters):
             file = use.reference.source
-            if file is None or use.changes or file in _performed(workspace) or not _is_plain(workspace, process):
+            if file is None or use.changes or file in _performed(workspace):
                 continue
-            for section in workspace.launch_files.parameters(file).sections:
-                for entry in section.entries:
-                    match = _PERFORMED.search(entry.value) if isinstance(entry.value, str) else None
-                    if match is not None:
-                        yield Unperformed(Place(file, *entry.span), entry.name, match[0], use.place)
+            rows = [
+                Unperformed(Place(file, *entry.span), entry.name, match[0], use.place)
+                for section in workspace.launch_files.parameters(file).sections
+                for entry in section.entries
+                if isinstance(entry.value, str) and (match := _PERFORMED.search(entry.value)) is not None
+            ]
+            if rows and _is_plain(workspace, process):  # which reads all texts of a package
+                yield from rows
 
 
 def _is_plain(workspace: WorkspaceIndex, process: Started) -> bool:
