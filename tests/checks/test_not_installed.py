@@ -344,6 +344,24 @@ def test_a_marker_that_is_not_there_stops_the_build(findings):
     assert findings("PKG004", **{"setup.py": listing("package.xml"), "resource/robot": ""}) == []
 
 
+def test_a_marker_with_the_name_of_another_package(findings):
+    setup = listing("package.xml").replace("resource/robot", "resource/old_robot")
+    (finding,) = findings("PKG004", **{"setup.py": setup, "resource/old_robot": ""})
+    assert finding.message == (
+        "the marker that data_files= installs is 'old_robot', and this is package 'robot': ROS takes this package for "
+        "'old_robot', too"
+    )
+    assert finding.help == "rename 'resource/old_robot' to 'resource/robot', and write that here"
+
+
+@pytest.mark.parametrize(
+    "markers", ["['resource/old_robot', 'resource/robot']", "['resource/' + name]", "glob('resource/*')", "[]"]
+)
+def test_a_package_with_a_marker_of_its_own_or_perhaps_one(findings, markers: str):
+    setup = listing("package.xml").replace("['resource/robot']", markers).replace("setup(", "name = 'robot'\nsetup(", 1)
+    assert findings("PKG004", **{"setup.py": setup, "resource/robot": "", "resource/old_robot": ""}) == []
+
+
 def test_several_files_of_one_list(findings):
     (finding,) = findings("PKG004", **{"setup.py": listing("package.xml", "a.yaml", "b.yaml"), "resource/robot": ""})
     assert finding.message.endswith("another file of the list is not there, either")

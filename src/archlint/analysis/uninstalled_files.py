@@ -173,6 +173,29 @@ def listed_in_vain(workspace: WorkspaceIndex) -> Iterator[ListedInVain]:
 
 
 @dataclass(frozen=True)
+class MisnamedMarker:
+    """The only marker that a package installs, under the name of another one; ``file`` is below its folder."""
+
+    place: Place
+    package: str
+    file: str
+    name: str
+
+
+def misnamed_markers(workspace: WorkspaceIndex) -> Iterator[MisnamedMarker]:
+    """Every such marker: who makes a package of another one forgets to rename it."""
+    for installs in understood(workspace).values():
+        at = installs.data_files_at
+        rows = [row for row in installs.files if posixpath.normpath(row.destination) == MARKERS]
+        if at is None or not rows or any(_is_pattern(row) or row.folder for row in rows):
+            continue
+        names = [row.rename or posixpath.basename(row.source) for row in rows]
+        if installs.package not in names and workspace.tree.is_file(rows[0].source):
+            [below] = _below(installs, [rows[0].source])
+            yield MisnamedMarker(rows[0].place or at, installs.package, below, names[0])
+
+
+@dataclass(frozen=True)
 class FolderListed:
     """A folder that a pattern in the ``data_files=`` of a setup.py matches: setuptools stops, as it copies files."""
 
@@ -227,9 +250,11 @@ __all__ = [
     "FolderListed",
     "LaunchFilesLeftOut",
     "ListedInVain",
+    "MisnamedMarker",
     "folders_listed",
     "launch_files_left_out",
     "listed_in_vain",
     "mended_at",
+    "misnamed_markers",
     "understood",
 ]

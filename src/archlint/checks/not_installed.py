@@ -14,9 +14,11 @@ from archlint.analysis.uninstalled_files import (
     FolderListed,
     LaunchFilesLeftOut,
     ListedInVain,
+    MisnamedMarker,
     folders_listed,
     launch_files_left_out,
     listed_in_vain,
+    misnamed_markers,
     understood,
 )
 from archlint.checks.folding import folds, with_others
@@ -55,6 +57,7 @@ def not_installed(system: System, options: Options) -> Iterator[Finding]:
     yield from map(_data, named.values())
     yield from map(_in_vain, listed_in_vain(workspace))
     yield from map(_folder, folders_listed(workspace))
+    yield from map(_misnamed, misnamed_markers(workspace))
     yield from map(_interfaces, not_generated(workspace))
 
 
@@ -203,6 +206,18 @@ def _in_vain(row: ListedInVain) -> Finding:
         help=f"add an empty file '{row.file}'" if row.marker else f"add the {kind}, or take it off the list",
         identity=(row.file,),
         group=(row.place.file, row.command),
+    )
+
+
+def _misnamed(row: MisnamedMarker) -> Finding:
+    return finding(
+        "PKG004",
+        row.place,
+        f"the marker that data_files= installs is '{row.name}', and this is package '{row.package}': ROS takes this "
+        f"package for '{row.name}', too",
+        help=f"rename '{row.file}' to 'resource/{row.package}', and write that here",
+        identity=(row.package, row.name),
+        group=(row.place.file, "marker"),
     )
 
 
