@@ -10,6 +10,7 @@ import pytest
 from archlint.config.settings import load
 from archlint.engine.pipeline import Request, check
 from archlint.finding import Finding
+from checks.judging import EVERYWHERE
 from robot_package import write_robot
 
 
@@ -19,7 +20,7 @@ def findings(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[..., l
     monkeypatch.chdir(tmp_path)
 
     def run(code: str, launch: str = "", **files: str) -> list[Finding]:
-        write_robot(tmp_path, launch, **{"archlint.toml": f'select = ["{code}"]'} | files)
+        write_robot(tmp_path, launch, **{"archlint.toml": f'select = ["{code}"]\n' + EVERYWHERE.get(code, "")} | files)
         return check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
 
     return run

@@ -11,6 +11,8 @@ from archlint.finding import Finding
 from archlint.report import concise
 
 MARK = "# here"
+EVERYWHERE = {"NME001": "[rules.NME001]\neverywhere = true\n"}
+"""Options with which a rule tells of single names and classes what it tells by itself where more speaks for it."""
 
 
 class Judge:
@@ -29,7 +31,7 @@ class Judge:
             lines = dedent(source).lstrip("\n").splitlines()
             (self.folder / name).write_text("\n".join(lines) + "\n", encoding="utf-8")
             marked += [(name, line) for line, text in enumerate(lines, 1) if text.endswith(MARK)]
-        settings = f'select = ["{code}"]\n' + dedent(config)
+        settings = f'select = ["{code}"]\n' + (dedent(config) or EVERYWHERE.get(code, ""))
         (self.folder / "archlint.toml").write_text(settings, encoding="utf-8")
         report = check(Request((".",), load(self.folder), cached=False, jobs=1))
         found = sorted((one.place.file, one.place.line) for one in report.findings)

@@ -71,7 +71,9 @@ def named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
             path = tmp_path / "robot" / name
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(dedent(text), encoding="utf-8")
-        (tmp_path / "archlint.toml").write_text('select = ["NME001"]\n', encoding="utf-8")
+        (tmp_path / "archlint.toml").write_text(
+            'select = ["NME001"]\n[rules.NME001]\neverywhere = true\n', encoding="utf-8"
+        )
         return check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
 
     return run
@@ -225,7 +227,7 @@ def test_a_script_beside_the_packages(named):
 def test_a_script_where_there_is_no_package(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "measure.py").write_text(NODE)
-    (tmp_path / "archlint.toml").write_text('select = ["NME001"]\n')
+    (tmp_path / "archlint.toml").write_text('select = ["NME001"]\n[rules.NME001]\neverywhere = true\n')
     [script] = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
     assert script.severity is Severity.INFO and script.message.endswith("no namespace applies to it")
     assert script.fix is not None and script.fix.title == "take the name from a parameter"

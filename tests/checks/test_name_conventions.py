@@ -114,7 +114,7 @@ def test_the_message_counts_more_than_what_is_related(folder: Path):
 
 def test_it_stays_the_same_finding_when_a_name_is_added(folder: Path):
     marks = []
-    for more in ({}, {"drive": node("Drive", "/drive")}):
+    for more in ({}, {"drive": node("Drive", "/wheels/drive")}):
         findings = check(request(folder, arm=ARM, base=BASE, **more)).findings
         marks += [mark for _, mark in with_fingerprints(findings)]
 
@@ -129,17 +129,19 @@ def test_its_fix_is_that_of_all_classes(folder: Path):
 
 
 def test_one_name_that_all_classes_use(folder: Path):
-    modules = {name.lower(): node(name, "/words") for name in ("Arm", "Base", "Camera")}
+    modules = {name.lower(): node(name, "/bus/words") for name in ("Arm", "Base", "Camera")}
     [finding] = check(request(folder, **modules)).findings
 
-    assert finding.message == ("3 nodes of package 'robot' fix the absolute name '/words': no namespace applies to it")
+    assert finding.message == (
+        "3 nodes of package 'robot' fix the absolute name '/bus/words': no namespace applies to it"
+    )
 
 
 def test_classes_whose_nodes_have_one_name_are_several_nodes(folder: Path):
-    other = node("Other", "/words").replace("__init__('other')", "__init__('arm')")
-    [finding] = check(request(folder, arm=node("Arm", "/words"), other=other)).findings
+    other = node("Other", "/bus/words").replace("__init__('other')", "__init__('arm')")
+    [finding] = check(request(folder, arm=node("Arm", "/bus/words"), other=other)).findings
 
-    assert finding.message.startswith("2 nodes of package 'robot' fix the absolute name '/words'")
+    assert finding.message.startswith("2 nodes of package 'robot' fix the absolute name '/bus/words'")
 
 
 def test_a_class_that_mixes_both_forms_is_told_with_its_package(folder: Path):
@@ -206,10 +208,10 @@ def test_a_large_workspace_may_mix_names_that_nobody_else_has(folder: Path):
     assert check(request(folder, **nodes, **many(*ALL_ABSOLUTE))).findings == []
 
 
-@pytest.mark.parametrize(("call", "told"), [("self.get_topic_names_and_types()", False), ("print('/words')", True)])
+@pytest.mark.parametrize(("call", "told"), [("self.get_topic_names_and_types()", False), ("print('/bus/words')", True)])
 def test_a_name_that_is_held_against_those_of_the_graph(folder: Path, call: str, told: bool):
     """The names that ROS answers with are absolute, whatever namespace the node is in."""
-    arm = node("Arm", "/words").replace("\n\n\ndef main", f"\n        {call}\n\n\ndef main")
+    arm = node("Arm", "/bus/words").replace("\n\n\ndef main", f"\n        {call}\n\n\ndef main")
     assert bool(check(request(folder, arm=arm)).findings) == told
 
 
@@ -328,6 +330,23 @@ def test_a_node_that_speaks_with_a_fixed_system_cannot_be_started_twice(folder: 
     assert finding.message.startswith("2 names of Arm")
 
 
+def test_a_name_without_a_namespace_needs_something_that_speaks_against_it(folder: Path):
+    """``/scan`` is how everybody writes it; the namespace of one robot in a name, or another form of it, are not."""
+    modules = {"lidar": node("Lidar", "/scan"), "map": node("Map", "/scan", "/map")}
+    assert check(request(folder, **modules)).findings == []
+
+    (folder / "archlint.toml").write_text('select = ["NME001"]\n[rules.NME001]\neverywhere = true\n')
+    [every] = check(Request((".",), load(folder), cached=False, jobs=1)).findings
+    assert every.message == "2 nodes of package 'robot' fix 2 absolute names: no namespace applies to any of them"
+
+    [other_form] = check(request(folder, **modules, planner=node("Planner", "map"))).findings
+    assert other_form.message.startswith(
+        "2 nodes of package 'robot' fix 2 absolute names, beside relative ones such as"
+    )
+    [own_form] = check(request(folder, lidar=node("Lidar", "/scan", "state"))).findings
+    assert "beside relative names of the same node such as 'state'" in own_form.message
+
+
 def test_a_private_name_beside_an_absolute_one_is_no_mixture(folder: Path):
     [finding] = check(request(folder, arm=ARM, lidar=node("Lidar", "/lidar/scan", "~/state"))).findings
 
@@ -355,7 +374,7 @@ def test_a_name_that_another_node_has_as_a_relative_one(folder: Path):
     assert [related.message for related in told.related] == ["'base/state' is relative here", "the topic '/base/goal'"]
 
     camera = node("Camera", "arm/state")
-    [told] = check(request(folder, base=BASE, arm=ARM, drive=node("Drive", "/drive"), camera=camera)).findings
+    [told] = check(request(folder, base=BASE, arm=ARM, drive=node("Drive", "/wheels/drive"), camera=camera)).findings
 
     assert places([told]) == [("robot/arm.py", 9)]
     assert told.message.startswith(
@@ -418,7 +437,7 @@ def test_a_class_whose_namespace_its_names_repeat_is_told_alone(folder: Path):
 
 def test_a_suppression_takes_its_class_out(folder: Path):
     quiet = node("Arm", "/arm/state", comment="  # archlint: ignore[NME001] one arm is all there is")
-    report = check(request(folder, arm=quiet, base=BASE, camera=CAMERA, drive=node("Drive", "/drive")))
+    report = check(request(folder, arm=quiet, base=BASE, camera=CAMERA, drive=node("Drive", "/wheels/drive")))
 
     [finding] = report.findings
     assert "3 nodes of package 'robot' fix 4 absolute names" in finding.message
@@ -433,15 +452,15 @@ def test_a_baseline_holds_what_was_there_and_a_new_class_is_told(folder: Path):
     assert len(keys) == 5
     assert check(replace(before, baseline=known)).findings == []
 
-    after = request(folder, arm=ARM, base=BASE, camera=CAMERA, drive=node("Drive", "/drive"))
+    after = request(folder, arm=ARM, base=BASE, camera=CAMERA, drive=node("Drive", "/wheels/drive"))
     [finding] = check(replace(after, baseline=known)).findings
-    assert finding.message.startswith("the topic '/drive' is absolute and fixed in the code")
+    assert finding.message.startswith("the topic '/wheels/drive' is absolute and fixed in the code")
 
 
 def test_what_was_there_before_a_change_is_not_told_again(folder: Path):
     occurrences = check(replace(request(folder, arm=ARM, base=BASE, camera=CAMERA), occurrences=True)).occurrences
     older = tuple(Older(occurrence.key, occurrence.severity) for occurrence in occurrences)
-    after = request(folder, arm=ARM, base=BASE, camera=CAMERA, drive=node("Drive", "/drive"))
+    after = request(folder, arm=ARM, base=BASE, camera=CAMERA, drive=node("Drive", "/wheels/drive"))
 
     [finding] = check(replace(after, before=older)).findings
     assert places([finding]) == [("robot/drive.py", 9)]

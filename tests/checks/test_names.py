@@ -189,7 +189,7 @@ class TestHardcodedName:
             "NME001",
             script(
                 "node.create_publisher(String, '/fleet/state', 10)",
-                "node.create_publisher(String, '/words', 10)  # here",
+                "node.create_publisher(String, '/bus/words', 10)  # here",
             ),
             config="""
             [rules.hardcoded-name]

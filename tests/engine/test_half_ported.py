@@ -27,7 +27,13 @@ NAMED = TALKER.replace("'chatter'", "'/said'")
 def test_a_file_that_fails_at_an_import_of_ros1(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, before: str, severity: Severity
 ):
-    write_robot(tmp_path, **{"robot/talker.py": before + NAMED, "archlint.toml": 'select = ["NME001"]'})
+    write_robot(
+        tmp_path,
+        **{
+            "robot/talker.py": before + NAMED,
+            "archlint.toml": 'select = ["NME001"]\n[rules.NME001]\neverywhere = true\n',
+        },
+    )
     monkeypatch.chdir(tmp_path)
     (told,) = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
     assert told.severity is severity
@@ -37,7 +43,7 @@ def test_a_file_that_fails_at_an_import_of_ros1(
 def test_a_workspace_may_have_a_module_of_that_name(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     write_robot(tmp_path / "robot", **{"robot/talker.py": "import actionlib\n" + NAMED})
     write_robot(tmp_path / "actionlib", **{"package.xml": "<package><name>actionlib</name></package>"})
-    (tmp_path / "archlint.toml").write_text('select = ["NME001"]')
+    (tmp_path / "archlint.toml").write_text('select = ["NME001"]\n[rules.NME001]\neverywhere = true\n')
     monkeypatch.chdir(tmp_path)
     (told,) = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
     assert told.severity is Severity.WARNING

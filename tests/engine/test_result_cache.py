@@ -22,7 +22,7 @@ from std_srvs.srv import Trigger
 class Asker(Node):
     def __init__(self):
         super().__init__('asker')
-        self.client = self.create_client(Trigger, '/ask')
+        self.client = self.create_client(Trigger, '/robot/ask')
         self.client.wait_for_service()
 """
 

@@ -191,7 +191,7 @@ def test_no_module_has_a_container_to_be_filled():
 def test_what_two_copies_of_a_package_show_is_said_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     write_robot(tmp_path / "src/robot", **{"robot/talker.py": TALKER.replace("'chatter'", "'/said'")})
     write_robot(tmp_path / "vendor/robot", **{"robot/talker.py": "\n" + TALKER.replace("'chatter'", "'/said'")})
-    (tmp_path / "archlint.toml").write_text('select = ["NME001"]')
+    (tmp_path / "archlint.toml").write_text('select = ["NME001"]\n[rules.NME001]\neverywhere = true\n')
     monkeypatch.chdir(tmp_path)
 
     def told() -> list[tuple[str, list[str]]]:
@@ -211,7 +211,7 @@ def test_packages_of_one_name_that_are_no_copies_are_told_apart(tmp_path: Path, 
     assert other != TALKER
     for student, text in (("anna", TALKER), ("ben", other)):
         write_robot(tmp_path / student / "src/robot", **{"robot/talker.py": text.replace("'chatter'", "'/said'")})
-    (tmp_path / "archlint.toml").write_text('select = ["NME001"]')
+    (tmp_path / "archlint.toml").write_text('select = ["NME001"]\n[rules.NME001]\neverywhere = true\n')
     monkeypatch.chdir(tmp_path)
 
     report = check(Request((".",), load(tmp_path), cached=False, jobs=1))

@@ -272,13 +272,13 @@ def test_a_name_becomes_a_parameter(workbench: Workbench):
 
 
 def test_all_names_of_a_class_are_one_finding_and_one_fix(workbench: Workbench):
-    lines = "self.create_publisher(String, '/echo', 10)\n        self.create_client(Trigger, '/reset')"
+    lines = "self.create_publisher(String, '/robot/echo', 10)\n        self.create_client(Trigger, '/robot/reset')"
     fixed = workbench.fix(lines, "--unsafe-fixes", code="NME001")
     assert fixed.splitlines() == [
-        "self.declare_parameter('echo_topic', '/echo')",
+        "self.declare_parameter('echo_topic', '/robot/echo')",
         "echo_topic = self.get_parameter('echo_topic').value",
         "self.create_publisher(String, echo_topic, 10)",
-        "self.declare_parameter('reset_service', '/reset')",
+        "self.declare_parameter('reset_service', '/robot/reset')",
         "reset_service = self.get_parameter('reset_service').value",
         "self.create_client(Trigger, reset_service)",
     ]
@@ -316,32 +316,33 @@ def test_two_names_that_end_alike_get_a_parameter_each(workbench: Workbench):
             """,
         ),
         (  # one name, two endpoints
-            "self.create_publisher(String, '/echo', 10); x = 1\nself.create_subscription(String, '/echo', print, 10)",
+            "self.create_publisher(String, '/robot/echo', 10); x = 1\n"
+            "self.create_subscription(String, '/robot/echo', print, 10)",
             """
-            self.declare_parameter('echo_topic', '/echo')
+            self.declare_parameter('echo_topic', '/robot/echo')
             echo_topic = self.get_parameter('echo_topic').value
             self.create_publisher(String, echo_topic, 10); x = 1
             self.create_subscription(String, echo_topic, print, 10)
             """,
         ),
         (  # one name in two branches, neither of which reaches the other
-            "if rclpy.ok():\n    self.create_publisher(String, '/echo', 10)\n"
-            "else:\n    self.create_publisher(String, '/echo', 5)",
+            "if rclpy.ok():\n    self.create_publisher(String, '/robot/echo', 10)\n"
+            "else:\n    self.create_publisher(String, '/robot/echo', 5)",
             """
             if rclpy.ok():
-                self.declare_parameter('echo_topic', '/echo')
+                self.declare_parameter('echo_topic', '/robot/echo')
                 echo_topic = self.get_parameter('echo_topic').value
                 self.create_publisher(String, echo_topic, 10)
             else:
-                self.declare_parameter('echo_topic_2', '/echo')
-                echo_topic_2 = self.get_parameter('echo_topic_2').value
-                self.create_publisher(String, echo_topic_2, 5)
+                self.declare_parameter('robot_echo_topic', '/robot/echo')
+                robot_echo_topic = self.get_parameter('robot_echo_topic').value
+                self.create_publisher(String, robot_echo_topic, 5)
             """,
         ),
         (
-            "ActionClient(self, Fibonacci, '/count')",
+            "ActionClient(self, Fibonacci, '/robot/count')",
             """
-            self.declare_parameter('count_action', '/count')
+            self.declare_parameter('count_action', '/robot/count')
             count_action = self.get_parameter('count_action').value
             ActionClient(self, Fibonacci, count_action)
             """,
@@ -349,20 +350,21 @@ def test_two_names_that_end_alike_get_a_parameter_each(workbench: Workbench):
     ],
 )
 def test_names_that_are_not_simply_written_in_the_call(workbench: Workbench, before: str, after: str):
-    workbench.head = HEAD.replace("\n\nclass", "\nSAID = '/said'\n\n\nclass", 1)
+    workbench.head = HEAD.replace("\n\nclass", "\nSAID = '/robot/said'\n\n\nclass", 1)
     fixed = workbench.fix(before.replace("\n", "\n        "), "--unsafe-fixes", code="NME001")
     assert fixed == dedent(after).strip()
 
 
 def test_a_method_that_may_run_again_asks_for_the_parameter_first(workbench: Workbench):
     fixed = workbench.fix(
-        "self.open()\n        self.open()\n\n    def open(self):\n        self.create_publisher(String, '/said', 10)",
+        "self.open()\n        self.open()\n\n    def open(self):\n"
+        "        self.create_publisher(String, '/robot/said', 10)",
         "--unsafe-fixes",
         code="NME001",
     )
     assert fixed.partition("def open(self):\n")[2].splitlines() == [
         "    if not self.has_parameter('said_topic'):",
-        "        self.declare_parameter('said_topic', '/said')",
+        "        self.declare_parameter('said_topic', '/robot/said')",
         "    said_topic = self.get_parameter('said_topic').value",
         "    self.create_publisher(String, said_topic, 10)",
     ]
@@ -371,9 +373,9 @@ def test_a_method_that_may_run_again_asks_for_the_parameter_first(workbench: Wor
 @pytest.mark.parametrize(
     "lines",
     [
-        "say = '/said'\ndef again():\n    self.create_publisher(String, say, 10)\nagain()\nagain()",
-        "self.open('/said')\n\ndef open(self, say):\n    self.create_publisher(String, say, 10)",
-        "def open(say):\n    self.create_publisher(String, say, 10)\nopen('/said')\nopen('/said')",
+        "say = '/robot/said'\ndef again():\n    self.create_publisher(String, say, 10)\nagain()\nagain()",
+        "self.open('/robot/said')\n\ndef open(self, say):\n    self.create_publisher(String, say, 10)",
+        "def open(say):\n    self.create_publisher(String, say, 10)\nopen('/robot/said')\nopen('/robot/said')",
     ],
 )
 def test_a_name_that_a_method_may_be_given_is_left_alone(workbench: Workbench, lines: str):
@@ -384,11 +386,11 @@ def test_a_name_that_a_method_may_be_given_is_left_alone(workbench: Workbench, l
 
 def test_a_method_that_only_the_constructor_calls_declares_it_plainly(workbench: Workbench):
     fixed = workbench.fix(
-        "self._set_up()\n\n    def _set_up(self):\n        self.create_publisher(String, '/said', 10)",
+        "self._set_up()\n\n    def _set_up(self):\n        self.create_publisher(String, '/robot/said', 10)",
         "--unsafe-fixes",
         code="NME001",
     )
-    assert "has_parameter" not in fixed and "self.declare_parameter('said_topic', '/said')" in fixed
+    assert "has_parameter" not in fixed and "self.declare_parameter('said_topic', '/robot/said')" in fixed
 
 
 SCRIPT = """\
@@ -408,10 +410,10 @@ main()
 
 
 def test_a_node_of_a_function(workbench: Workbench):
-    workbench.file.write_text(SCRIPT.format("node.create_publisher(String, '/said', 10)"), encoding="utf-8")
+    workbench.file.write_text(SCRIPT.format("node.create_publisher(String, '/robot/said', 10)"), encoding="utf-8")
     main(["check", "--fix", "--unsafe-fixes", "--select", "NME001", "--no-cache"])
     assert workbench.file.read_text("utf-8") == SCRIPT.format(
-        "node.declare_parameter('said_topic', '/said')\n"
+        "node.declare_parameter('said_topic', '/robot/said')\n"
         "    said_topic = node.get_parameter('said_topic').value\n"
         "    node.create_publisher(String, said_topic, 10)"
     )
@@ -424,7 +426,7 @@ from std_msgs.msg import String
 class Helper:
     def __init__(self, node):
         self.node = node
-        self.node.create_publisher(String, '/said', 10)
+        self.node.create_publisher(String, '/robot/said', 10)
 """
 
 
@@ -433,19 +435,19 @@ def test_a_node_that_is_handed_over_may_have_a_parameter_of_that_name(workbench:
     workbench.fix("self.declare_parameter('said_topic', 'x'); import helper; helper.Helper(self)",
                   "--unsafe-fixes", code="NME001")  # fmt: skip
     fixed = (workbench.folder / "helper.py").read_text("utf-8")
-    assert "if not self.node.has_parameter('said_topic_2'):" in fixed
+    assert "if not self.node.has_parameter('robot_said_topic'):" in fixed
 
 
 @pytest.mark.parametrize(
     "line",
     [
-        "for _ in 'ab': self.create_publisher(String, '/said', 10)",
-        "if self.context: self.create_publisher(String, '/said', 10)",
-        "x = 1; self.create_publisher(String, '/said', 10)",
-        "[self.create_publisher(String, '/said', 10) for _ in 'a']",
-        "say = lambda: self.create_publisher(String, '/said', 10); say()",
-        "with open('x') as f, self.create_publisher(String, '/said', 10): pass",
-        "self.create_publisher(String, str('/said'), 10)",
+        "for _ in 'ab': self.create_publisher(String, '/robot/said', 10)",
+        "if self.context: self.create_publisher(String, '/robot/said', 10)",
+        "x = 1; self.create_publisher(String, '/robot/said', 10)",
+        "[self.create_publisher(String, '/robot/said', 10) for _ in 'a']",
+        "say = lambda: self.create_publisher(String, '/robot/said', 10); say()",
+        "with open('x') as f, self.create_publisher(String, '/robot/said', 10): pass",
+        "self.create_publisher(String, str('/robot/said'), 10)",
     ],
 )
 def test_a_name_that_cannot_become_a_parameter_in_one_step(workbench: Workbench, line: str):
@@ -611,7 +613,7 @@ FORMS = {
 
 @pytest.mark.parametrize("form", FORMS)
 def test_the_form_of_a_file_is_kept(workbench: Workbench, form: str):
-    lines = f"{CLIENT}.wait_for_service()\n        self.create_publisher(String, '/said', 10)"
+    lines = f"{CLIENT}.wait_for_service()\n        self.create_publisher(String, '/robot/said', 10)"
     written = f"{HEAD}        {lines}\n{TAIL}".encode()
     shaped = FORMS[form]
     workbench.file.write_bytes(written)
@@ -758,19 +760,19 @@ def test_a_base_class_in_another_file(workbench: Workbench, bases: str, edited: 
     package.mkdir()
     (package / "base.py").write_text(BASE.format(bases), encoding="utf-8")
     derived = package / "derived.py"
-    before = DERIVED.replace("from base", "from talk.base").format("self.create_publisher(String, '/said', 10)")
+    before = DERIVED.replace("from base", "from talk.base").format("self.create_publisher(String, '/robot/said', 10)")
     derived.write_text(before, encoding="utf-8")
     (package / "__init__.py").touch()
     main(["check", "--fix", "--unsafe-fixes", "--select", "NME001", "--no-cache"])
     after = derived.read_text("utf-8")
-    assert after == before if not edited else "self.declare_parameter('said_topic_2', '/said')" in after
+    assert after == before if not edited else "self.declare_parameter('robot_said_topic', '/robot/said')" in after
 
 
 MANIFEST = '<package format="3"><name>{}</name><export><build_type>ament_python</build_type></export></package>\n'
 WAIT = """\
 self.asked = self.create_client(Trigger, 'asked')
         self.asked.wait_for_service()
-        self.create_publisher(String, '/said', 10)"""
+        self.create_publisher(String, '/robot/said', 10)"""
 
 
 def test_a_base_class_in_another_package(workbench: Workbench):

@@ -167,7 +167,9 @@ def test_parameters_are_told_apart(driver):
 
 def test_the_place_of_a_name_is_that_of_its_own_literal(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    (tmp_path / "archlint.toml").write_text('select = ["NME001"]\n', encoding="utf-8")
+    (tmp_path / "archlint.toml").write_text(
+        'select = ["NME001"]\n[rules.NME001]\neverywhere = true\n', encoding="utf-8"
+    )
     init = "self.a = self.named('/a')\n" * 4 + "self.create_publisher(String, self.named('/a'), 10)\n"
     source = written(init, "def named(self, name):\n    return name\n")
     (tmp_path / "node.py").write_text(source, encoding="utf-8")

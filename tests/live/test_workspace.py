@@ -137,7 +137,7 @@ def test_a_manifest_that_is_not_saved_counts(live: Live) -> None:
 
 def test_the_first_answer_is_the_whole_one(live: Live) -> None:
     live.hold(live.robot.listener, LISTENER).analyse()
-    edited = LISTENER.replace("'chatter'", "'/chatter'").replace("import rclpy\n", "import rclpy\n\n\n")
+    edited = LISTENER.replace("'chatter'", "'/robot/chatter'").replace("import rclpy\n", "import rclpy\n\n\n")
     live.hold(live.robot.listener, edited)
 
     first, whole = live.first_answer(), live.analyse()
@@ -192,7 +192,7 @@ def test_an_analysis_that_is_overtaken_ends_before_the_next_rule(live: Live) -> 
 
 
 def test_a_comment_that_moves_nothing_is_no_reason_to_judge_again(live: Live, monkeypatch: pytest.MonkeyPatch) -> None:
-    text = LISTENER.replace("'chatter'", "'/chatter'")
+    text = LISTENER.replace("'chatter'", "'/robot/chatter'")
     before = live.hold(live.robot.listener, text).analyse()
     monkeypatch.setattr("archlint.live.workspace.judged_in_parts", None)
     edited = text.replace("import rclpy\n", "import rclpy  # always\n") + "# the end\n"
@@ -205,7 +205,7 @@ def test_a_comment_that_moves_nothing_is_no_reason_to_judge_again(live: Live, mo
 
 
 def test_what_a_comment_moves_is_there_at_once(live: Live, monkeypatch: pytest.MonkeyPatch) -> None:
-    text = LISTENER.replace("'chatter'", "'/chatter'")
+    text = LISTENER.replace("'chatter'", "'/robot/chatter'")
     live.hold(live.robot.listener, text).analyse()
     live.hold(live.robot.listener, text.replace("import rclpy\n", "# always\n\nimport rclpy\n"))
     with monkeypatch.context() as patch:
@@ -218,7 +218,7 @@ def test_what_a_comment_moves_is_there_at_once(live: Live, monkeypatch: pytest.M
 
 
 def test_a_comment_on_the_line_of_a_finding_is_judged(live: Live) -> None:
-    text = LISTENER.replace("'chatter'", "'/chatter'")
+    text = LISTENER.replace("'chatter'", "'/robot/chatter'")
     live.hold(live.robot.listener, text).analyse()
     live.hold(live.robot.listener, text.replace("import rclpy\n", "\nimport rclpy\n").replace("10)", "10)  # deep"))
 
@@ -229,7 +229,7 @@ def test_a_comment_on_the_line_of_a_finding_is_judged(live: Live) -> None:
 
 
 def test_a_comment_that_turns_a_rule_off_counts(live: Live) -> None:
-    text = LISTENER.replace("'chatter'", "'/chatter'")
+    text = LISTENER.replace("'chatter'", "'/robot/chatter'")
     live.hold(live.robot.listener, text).analyse()
     live.hold(live.robot.listener, f"# archlint: ignore-file[NME001] it is so\n{text}")
 
@@ -240,7 +240,7 @@ def test_a_comment_that_turns_a_rule_off_counts(live: Live) -> None:
 
 
 def test_what_does_not_compile_stands_for_what_it_said_before(live: Live) -> None:
-    wrong = LISTENER.replace("String", "Float64").replace("'chatter'", "'/chatter'")
+    wrong = LISTENER.replace("String", "Float64").replace("'chatter'", "'/robot/chatter'")
     assert lines([*live.hold(live.robot.listener, wrong).analyse().findings], "NME001") == [("listener.py", 9)]
 
     broken = wrong.replace("import rclpy\n", "import rclpy\nfrom (\n")
@@ -251,7 +251,7 @@ def test_what_does_not_compile_stands_for_what_it_said_before(live: Live) -> Non
 
 
 def test_nothing_is_judged_again_while_code_does_not_compile(live: Live, monkeypatch: pytest.MonkeyPatch) -> None:
-    text = LISTENER.replace("'chatter'", "'/chatter'")
+    text = LISTENER.replace("'chatter'", "'/robot/chatter'")
     live.hold(live.robot.listener, text).analyse()
     monkeypatch.setattr("archlint.live.workspace.judged_in_parts", None)
 

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 _PRESCRIBED = (
     *("/fmu/", "/ap/", "/mavros/"),  # the firmware of drones: PX4, ArduPilot
     *("/world/", "/gazebo/", "/pause_physics", "/unpause_physics", "/reset_simulation", "/reset_world"),  # Gazebo
-    *("/carla/",),
+    *("/carla/", "/turtle1/"),  # simulators: of a town, and of the turtle that turtlesim begins with
     *("/api/sport/", "/lf/lowstate", "/lf/sportmodestate", "/lowcmd", "/lowstate", "/sportmodestate"),  # Unitree
     *("/utlidar/",),
     *("/camera/camera/",),  # the driver of RealSense cameras, for a camera that nobody gives a name

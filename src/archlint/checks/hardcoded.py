@@ -36,14 +36,14 @@ _NAMES_SHOWN = 3
 """How many names of one place a message lists."""
 
 
-@rule("NME001", scope=Scope.CODE, taste=True, says_if_installed=True, relative=False, allow=())
+@rule("NME001", scope=Scope.CODE, taste=True, says_if_installed=True, relative=False, everywhere=False, allow=())
 def hardcoded_name(system: System, options: Options) -> Iterator[Finding]:
     """Absolute names that only an edit of the code can change, one finding a create call and literal; those of a
     class that launch files speak against become one, and so do those of all other classes."""
     relative, allowed = options.flag("relative"), options.texts("allow")
     names = _fixed_names(system, allowed, relative)
     findings: dict[tuple[Place, Place, str], Finding] = {}
-    for name, evidence in told(system, names):
+    for name, evidence in told(system, names, options.flag("everywhere")):
         if relative or name.text.startswith("/"):
             diagnostic = _hardcoded(system, name, evidence)
             findings.setdefault((diagnostic.place, name.endpoint.place, name.text), diagnostic)

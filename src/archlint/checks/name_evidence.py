@@ -47,6 +47,11 @@ class FixedName:
         return self.endpoint.written or ""
 
     @property
+    def has_namespace(self) -> bool:
+        """Whether it puts its topic into a namespace, as ``/robot/scan`` does and ``/scan`` does not."""
+        return self.text.startswith("/") and "/" in self.text[1:]
+
+    @property
     def is_own(self) -> bool:
         """Whether it is written in the file of the node, and not in one of constants."""
         return self.home[0] == self.endpoint.place.file
@@ -62,13 +67,14 @@ class FixedName:
         return self.is_own and not self.text.startswith(("/", "~"))
 
 
-def told(system: System, names: Sequence[FixedName]) -> list[tuple[FixedName, Reason | None]]:
+def told(system: System, names: Sequence[FixedName], everywhere: bool) -> list[tuple[FixedName, Reason | None]]:
     """The names that are worth a finding, each with what speaks against the form that it has: what launch files show of
     a class, or relative names beside it.
 
-    A small workspace hears of all its absolute names, as one who learns does.  In a large one they are how its robot is
-    built, unless another node has one of them as a relative name, or launch files start the node in a namespace: these
-    are told, with all that have to change together with them.
+    Absolute names are how the robot of a workspace is built, unless another node has one of them as a relative name, or
+    launch files start the node in a namespace: these are told, with all that have to change together with them.  A
+    small workspace, as of one who learns, also hears of names with the namespace of one robot in them, and of classes
+    that have names of both forms; who wants to be told of all, ``everywhere``.
     """
     workspace = system.workspace
     by_home: dict[Home, list[FixedName]] = {}
@@ -77,10 +83,13 @@ def told(system: System, names: Sequence[FixedName]) -> list[tuple[FixedName, Re
     started = {home: reason for home, rows in by_home.items() if (reason := _as_started(workspace, rows)) is not None}
     others = {home: rows for home, rows in by_home.items() if home not in started}
     evidence = {**_in_namespace(workspace, others), **_relative_elsewhere(others)}
-    chosen = _linked(others, evidence)
-    if is_lesson(system):
+    small = everywhere or is_lesson(system)
+    if small:
         evidence = {**_mixed(others), **evidence}
-        chosen |= {home for home, rows in others.items() if not _is_tied(workspace, rows)}
+    chosen = _linked(others, evidence)
+    if small:
+        fixed = {home for home, rows in others.items() if everywhere or any(name.has_namespace for name in rows)}
+        chosen |= {home for home in fixed if not _is_tied(workspace, others[home])}
     against = {**evidence, **started}
     return [
         (name, reason if (reason := against.get(name.home)) is not None and _is_of(reason, name) else None)
