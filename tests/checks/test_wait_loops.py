@@ -444,9 +444,16 @@ BEAT = "self.create_timer(0.1, lambda: print('alive'))"
         ("MultiThreadedExecutor", "ReentrantCallbackGroup()", BEAT, ""),
         ("MultiThreadedExecutor", "None", BEAT, "  # here"),
         ("rclpy.executors.SingleThreadedExecutor", "ReentrantCallbackGroup()", BEAT, "  # here"),
-        ("rclpy.executors.SingleThreadedExecutor", "None", "pass", ""),
+        ("rclpy.executors.SingleThreadedExecutor", "None", "pass", "  # here"),
+        ("rclpy.executors.SingleThreadedExecutor", "None", MANY_NODES, ""),
     ],
-    ids=["other threads go on", "the timer is in its group", "one thread", "nothing else happens in the node"],
+    ids=[
+        "other threads go on",
+        "the timer is in its group",
+        "one thread",
+        "nothing else happens in the node of a lesson",
+        "nothing else happens in a node of several",
+    ],
 )
 def test_a_callback_that_keeps_nobody_may_wait(judge: Judge, executor: str, group: str, other: str, mark: str):
     judge("TMO004", THREADS.format(executor=executor, group=group, other=other, mark=mark), config="")

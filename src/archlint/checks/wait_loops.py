@@ -53,7 +53,7 @@ def endless_wait_loop(system: System, options: Options) -> Iterator[Finding]:
         if is_there(system, call) or was_waited_for(system, call):
             continue
         if runs_in_executor(call.context):
-            if blocks_nobody(call.context, program) or is_one_chain(call, program):
+            if blocks_nobody(call.context, program) or (not lesson and is_one_chain(call, program)):
                 continue
         elif not start_up and (not lesson or says_something(code.loop(call))):
             continue
