@@ -31,9 +31,11 @@ _COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
 def is_never_used(workspace: WorkspaceIndex, place: Place) -> bool:
     """Whether a publisher of C++ is kept in a variable that the sources of its package do nothing else with but declare
     it: nothing is published with it."""
+    if not place.file.endswith(CPP_SOURCES):
+        return False  # before anything is read: whoever reads a text is asked again when it changes
     folder = workspace.installs.get(workspace.package_of(place.file) or "")
     text = workspace.tree.text(place.file)
-    if folder is None or text is None or not place.file.endswith(CPP_SOURCES):
+    if folder is None or text is None:
         return False
     lines = text.splitlines()[place.line - 1 : place.line + 1]
     kept = _KEPT.search("\n".join(lines))
