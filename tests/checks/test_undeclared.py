@@ -746,3 +746,22 @@ def test_the_name_under_which_setup_py_indexes_a_package_is_the_package_itself(l
     assert lint({**files, "setup.py": setup.format("ament_index/resource_index/packages")}) == []
     [told] = lint({**files, "setup.py": setup.format("turtlesim")})
     assert "'turtlesim'" in told.message
+
+
+def test_a_path_that_another_file_passes_on_is_told_in_that_file(lint):
+    """The one that only includes what its argument names needs nothing for it."""
+    includes = '<launch><arg name="part"/><include file="$(var part)"/></launch>'
+    passes = (
+        '<launch>\n<include file="$(find-pkg-share base)/launch/any.launch.xml">\n'
+        '<arg name="part" value="$(find-pkg-share turtlebot3_bringup)/launch/rviz2.launch.py"/>\n</include>\n</launch>'
+    )
+    files = {
+        "base/package.xml": manifest("base"),
+        "base/CMakeLists.txt": "install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})",
+        "base/launch/any.launch.xml": includes,
+        "robot/package.xml": manifest("robot", *depends("base")),
+        "robot/launch/it.launch.xml": passes,
+    }
+    assert [(one.place.file, missing([one])) for one in lint(files)] == [
+        ("robot/launch/it.launch.xml", ["turtlebot3_bringup"])
+    ]

@@ -19,13 +19,15 @@ _XACRO = "xacro"
 
 
 def packages_of_includes(workspace: WorkspaceIndex) -> Iterator[tuple[Place, str]]:
-    """The packages of the launch files that are included whatever the arguments are, each with its place."""
+    """The packages of the launch files that are included whatever the arguments are, each with its place: that of the
+    include, or of the path in another file, which passes it on."""
     for launched in workspace.launched:
         for include in launched.included:
             reference = include.reference
             known = reference.package is not None and reference.status is not FileStatus.UNKNOWN
             if known and not include.dormant and not reference.conditional and not reference.optional:
-                yield reference.given or include.place, reference.package or ""
+                given = reference.given or include.place
+                yield given if given.file != include.place.file else include.place, reference.package or ""
 
 
 def packages_of_files(workspace: WorkspaceIndex) -> Iterator[tuple[Place, str]]:
