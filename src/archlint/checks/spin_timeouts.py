@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.asking_scripts import has_only_clients, is_step_of_asking_script
 from archlint.analysis.left_over import is_dead, is_never_made
-from archlint.analysis.lessons import is_lesson
 from archlint.analysis.limit_sites import sites_of_spin, spins_for_a_result
 from archlint.analysis.loop_times import is_retried
 from archlint.analysis.own_futures import spins_for_a_message, spins_for_own_future, spins_for_own_task
@@ -52,12 +51,11 @@ _SPIN = "rclpy.spin_until_future_complete"
 _EXECUTOR_SPIN = "rclpy.executors.Executor.spin_until_future_complete"
 
 
-@rule("TMO003", scope=Scope.CODE, by_program=True, taste=True, scripts=False)
+@rule("TMO003", scope=Scope.CODE, by_program=True, taste=True)
 def spin_without_timeout(system: System, options: Options) -> Iterator[Finding]:
     """Spins until a future is complete that nothing limits.  Of a method that nothing calls, and of a client that
     nothing is seen to make, nobody knows whether it is ever there; a trial is ended by whoever runs it."""
     reported = spoken_of(system, options.distros)
-    scripts = options.flag("scripts") or is_lesson(system)
     yield from one_for_each_place(
         _limitless_spin(system, program, call, options)
         for program, call in calls_of(system, (_SPIN, _EXECUTOR_SPIN))
@@ -69,7 +67,6 @@ def spin_without_timeout(system: System, options: Options) -> Iterator[Finding]:
         if not _is_refused(program, call) and not _may_be_meant_as_a_limit(source_code(system), call)
         if not _is_uncalled(system, call) and not _is_all_there_is_to_do(system, program, call)
         if not _is_part_of_start(system, call)
-        if scripts or not is_step_of_asking_script(system, program, call)
     )
 
 
