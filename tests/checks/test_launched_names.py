@@ -46,6 +46,19 @@ def test_each_bad_name_of_a_launch_file_is_told_where_it_is_given(findings):
     assert [one.place.line for one in found[3].related] == [7]  # the namespace is pushed once, for both
 
 
+def test_a_namespace_that_all_nodes_are_given_is_one_finding(findings):
+    nodes = "".join("\n" + node(name=name, namespace="a-b") for name in ("left", "right", "rear"))
+    (found,) = findings("NME002", nodes)
+    assert (found.place.line, found.message.partition(":")[0]) == (2, "ROS rejects the namespace '/a-b'")
+    assert [related.place.line for related in found.related] == [3, 4]
+
+
+@pytest.mark.parametrize(("default", "told"), [("-", 0), ("", 0), ("robot-1", 1)])
+def test_an_argument_whose_default_says_nothing_waits_for_a_value(findings, default: str, told: int):
+    launch = f'<arg name="robot" default="{default}"/>' + node(namespace="$(var robot)", name="it-is" if told else "it")
+    assert len([one for one in findings("NME002", launch) if "namespace" in one.message]) == told
+
+
 def test_bad_names_in_yaml_and_python(findings):
     found = findings("NME002", **{"launch/two.launch.yaml": YAML})
     assert told(found) == [

@@ -25,6 +25,7 @@ def names_given_by_launch(system: System) -> Iterator[Finding]:
     """Every bad name that a launch file gives: of nodes, of namespaces, and in remappings; each cause once."""
     reported: dict[tuple[str, Place | str], list[Related]] = {}
     findings: dict[tuple[str, Place | str], _BadName] = {}
+    namespaces: dict[str, tuple[str, Place | str]] = {}
     launched = system.launched
     if launched is None:
         return
@@ -36,6 +37,8 @@ def names_given_by_launch(system: System) -> Iterator[Finding]:
             if empty and _has_empty_part(bad.finding):
                 continue
             key = (bad.finding.identity[0], bad.cause)  # the rounds of a loop give several names at one place
+            if bad.rejected[0] == "namespace":
+                key = namespaces.setdefault(bad.rejected[1], key)  # one value that all nodes are given
             first = findings.setdefault(key, bad)
             others = reported.setdefault(key, [Related(started.place, "")])
             if bad.rejected != first.rejected:
@@ -54,17 +57,25 @@ def names_given_by_launch(system: System) -> Iterator[Finding]:
 
 
 def _wants_a_value(launched: Launched) -> bool:
-    """Whether an argument is empty unless somebody gives it a value: names that are made of it wait for that."""
+    """Whether an argument says nothing unless somebody gives it a value: names that are made of it wait for that."""
     return any(
-        argument.default is not None and not argument.default.text and argument.name not in launched.arguments
+        argument.default is not None
+        and _says_nothing(argument.default.text or "")
+        and argument.name not in launched.arguments
         for argument in launched.declared
     )
 
 
 def _has_empty_part(diagnostic: Finding) -> bool:
-    """Whether the bad name is empty, or has nothing between two slashes or behind the last."""
+    """Whether the bad name is empty, or has nothing between two slashes or behind the last, or a mere ``-``."""
     _, *given = diagnostic.identity
-    return any(not name or "//" in name or (name.endswith("/") and name != "/") for name in given)
+    return any(_says_nothing(part) for name in given if name != "/" for part in name.removeprefix("/").split("/"))
+
+
+def _says_nothing(text: str) -> bool:
+    """Whether a text is empty or has no letter and no digit, as what stands where a value is to be given; ``~`` is the
+    node's own namespace."""
+    return text != "~" and not any(character.isalnum() for character in text)
 
 
 def is_given_by_launch(node: Node) -> bool:
