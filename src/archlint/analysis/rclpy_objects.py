@@ -131,6 +131,13 @@ class Variables:
             if targets[name] == len(values) and name not in changed
         }
         self._straight = {Itself(name): value for name, value in _read_straight_after(function.body)}
+        self._kinds_straight: dict[Itself[facts.Expr], Kind | None] = {}
+
+    def _kind_straight(self, value: Itself[facts.Expr]) -> Kind | None:
+        """What is assigned just before: worked out once, however often the next line reads it."""
+        if value not in self._kinds_straight:
+            self._kinds_straight[value] = self.kind(value.fact)
+        return self._kinds_straight[value]
 
     def kind(self, e: facts.Expr) -> Kind | None:
         """What an expression certainly is."""
@@ -138,7 +145,7 @@ class Variables:
             case facts.Literal():
                 return None if e.number is None else Kind.NUMBER
             case facts.Name() if Itself(e) in self._straight:
-                return self.kind(self._straight[Itself(e)])
+                return self._kind_straight(Itself(self._straight[Itself(e)]))
             case facts.Name(id=name):
                 return Kind.GOAL if name == self._goal and name else self._variable(name)
             case facts.Call():
