@@ -67,6 +67,8 @@ def undefined_names(workspace: WorkspaceIndex) -> Iterator[Undefined]:
         if file.kind == "launch_python" and file_facts.problems:
             continue  # Python refuses all of it
         if file.kind == "launch_python":
+            if not any(function.name == GENERATE for function in statements_of(file_facts.body, facts.Function)):
+                continue  # nothing launches it: any text may be called like a launch file, and linked from anywhere
             idle = _idle_functions(file_facts)
             unbound = [r for r in unbound if (file.relative, r.name.id) not in told and not _lies_in(r.name, idle)]
         brought = starred(workspace, file.relative, file_facts) if unbound else None
