@@ -856,12 +856,14 @@ class TestPolling:
         [
             ("await self.ask(self.client0)\n    await self.ask(self.client1)\n    await self.ask(self.client2)", True),
             ("await asyncio.gather(self.ask(self.client0), self.ask(self.client1), self.ask(self.client2))", False),
+            ("".join(f"await self.gather(self.client{i})\n    " for i in range(3)).rstrip(), True),
         ],
     )
     def test_coroutines_that_run_beside_each_other(self, run: Run, line: str, told: bool):
         apart = self.THREE.replace("')", "', callback_group=MutuallyExclusiveCallbackGroup())")
         methods = f"async def tick(self):\n    {line}\n\n"
-        methods += "async def ask(self, client):\n    await client.call_async(Trigger.Request())\n"
+        for name in ("ask", "gather"):  # the second is a method of one's own
+            methods += f"async def {name}(self, client):\n    await client.call_async(Trigger.Request())\n\n"
         text = "import asyncio\n" + source(apart + "self.create_timer(5.0, self.tick)\n", methods)
         assert ("SRV005" in codes(run(text))) is told
 

@@ -55,7 +55,8 @@ def runs_beside_others(code: SourceCode, chain: Sequence[Frame]) -> bool:
     for frame in chain:
         statement = code.statement_at(frame.place)
         around = [] if statement is None else [call for call in calls_in(statement) if called_name(call) in _BESIDE]
-        if any(covers(call, frame.place.span) for call in around):
+        span = frame.place.span  # a coroutine that is itself called ``gather()`` does not run beside others
+        if any(covers(call, span) and call.span[:2] < span[:2] for call in around):
             return True
     return False
 
