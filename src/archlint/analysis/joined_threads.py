@@ -13,12 +13,13 @@ from archlint.analysis.kept import once
 from archlint.analysis.order import dominates
 from archlint.analysis.reach import has_limit, judged_calls
 from archlint.analysis.source_code import SourceCode, source_code
-from archlint.analysis.spins import is_spin_call
+from archlint.analysis.spins import is_spin_call, is_spun_in_sight
 from archlint.analysis.waits import Wait, waits
 from archlint.finding import Place
-from archlint.model import ExecutorKind, Role
+from archlint.model import Role
 from archlint.model.given import Object
 from archlint.syntax import facts
+from archlint.syntax.flow_facts import covers
 from archlint.syntax.parts import everything_in
 
 if TYPE_CHECKING:
@@ -58,8 +59,7 @@ def _is_stuck(row: JoinedWait, distros: Sequence[str]) -> bool:
         return not verdict.safe and not verdict.unknown
     program, node = row.program, row.wait.client.node
     known = program.executable and not program.exhausted and row.join.context.role in _AT_START
-    seen = not (node.caller_unknown or node.escapes) and node.executor != ExecutorKind.UNKNOWN
-    return known and seen and not any(use.in_thread for use in program.executors_of(node))
+    return known and is_spun_in_sight(node) and not any(use.in_thread for use in program.executors_of(node))
 
 
 @once
@@ -102,16 +102,12 @@ def _ends_its_pool(code: SourceCode, submit: ApiCall) -> bool:
     pool = submit.receiver
     if not isinstance(pool, Object) or pool.place is None:
         return False
-    around = [block for block in everything_in(code.body(submit), facts.With) if _holds(block, submit.place)]
+    around = [block for block in everything_in(code.body(submit), facts.With) if covers(block, submit.place.span)]
     return any(
         isinstance(item.value, facts.Call) and Place.of(submit.file, item.value.span) == pool.place
         for block in around
         for item in block.items
     )
-
-
-def _holds(block: facts.With, place: Place) -> bool:
-    return block.span[:2] <= place.span[:2] and place.span[2:] <= block.span[2:]
 
 
 def _is_made_here(system: System, program: Program, join: ApiCall, made_at: Place | None) -> bool:

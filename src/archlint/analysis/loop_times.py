@@ -9,6 +9,7 @@ from archlint.analysis.collection_sizes import most_items
 from archlint.analysis.future_loops import ends_with_a_future
 from archlint.syntax import facts
 from archlint.syntax.control_flow import graph_of, loop_of
+from archlint.syntax.flow_facts import covers
 from archlint.syntax.parts import names_in
 from archlint.syntax.walk import called_name, calls_in, parts_of, statements_of
 
@@ -83,7 +84,7 @@ def retries_after_errors(code: SourceCode, call: ApiCall) -> bool:
     if loop is None or not loop_of(loop).is_left_by_jump or not (not loop.tests or _counts(loop)):
         return False
     handlers = [handler for attempt in statements_of(loop.body, facts.Try) for handler in attempt.handlers]
-    return any(handler.span[:2] <= call.place.span[:2] < handler.span[2:] for handler in handlers)
+    return any(covers(handler, call.place.span) for handler in handlers)
 
 
 def _counts(loop: Loop) -> bool:

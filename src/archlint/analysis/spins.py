@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.callback_roles import runs_in_executor
 from archlint.analysis.completeness import enclosing_function
 from archlint.analysis.reach import argument, judged_calls
-from archlint.model import Role, SpinDuration
+from archlint.model import ExecutorKind, Role, SpinDuration
 from archlint.model.given import Node, Object
 from archlint.syntax import facts
 from archlint.syntax.control_flow import graph_of
@@ -103,6 +103,11 @@ def is_left_to(call: ApiCall, spun: Blueprint | None, program: Program) -> bool:
         return False
     uses = [use for use in program.executors if spun in use.nodes]
     return is_spun_for_moments(spun, program) and all(spun in use.spells for use in uses)
+
+
+def is_spun_in_sight(node: Blueprint) -> bool:
+    """Whether it is known who spins a node: no code that is not read has it."""
+    return not (node.caller_unknown or node.escapes) and node.executor != ExecutorKind.UNKNOWN
 
 
 def is_spun_for_moments(spun: Blueprint, program: Program) -> bool:

@@ -13,16 +13,16 @@ from archlint.analysis.order import path_comes_before, paths_to
 from archlint.analysis.present_servers import until_it_comes
 from archlint.analysis.reach import creations_of, judged_calls
 from archlint.analysis.source_code import source_code
+from archlint.analysis.spins import is_spun_in_sight
 from archlint.analysis.waits import waits
-from archlint.model import EntityKind, ExecutorKind, Role
+from archlint.model import SERVER_OF, EntityKind, Role
 
 if TYPE_CHECKING:
     from archlint.model import ApiCall, Blueprint, Creation, Program
     from archlint.systems.model import System
     from archlint.systems.nodes import Endpoint
 
-_SERVER_OF = {EntityKind.CLIENT: EntityKind.SERVICE, EntityKind.ACTION_CLIENT: EntityKind.ACTION_SERVER}
-_SERVERS = frozenset(_SERVER_OF.values())
+_SERVERS = frozenset(SERVER_OF.values())
 _AT_START = (Role.INIT, Role.MAIN, Role.MODULE)
 _WAITS = ("rclpy.client.Client.wait_for_service", "rclpy.action.client.ActionClient.wait_for_server")
 
@@ -93,8 +93,7 @@ def _kept_out(system: System, program: Program, call: ApiCall, for_response: boo
 
 def _is_spun_afterwards(program: Program, node: Blueprint) -> bool:
     """Whether it is known that no other thread spins a node."""
-    seen = not (node.caller_unknown or node.escapes) and node.executor != ExecutorKind.UNKNOWN
-    return seen and not any(use.in_thread or use.astray for use in program.executors_of(node))
+    return is_spun_in_sight(node) and not any(use.in_thread or use.astray for use in program.executors_of(node))
 
 
 def _is_only_one(system: System, server: Endpoint) -> bool:

@@ -17,6 +17,7 @@ from archlint.launch.files import GENERATE
 from archlint.place import Place
 from archlint.syntax import facts
 from archlint.syntax.bindings import bound_by
+from archlint.syntax.flow_facts import covers
 from archlint.syntax.parts import everything_in, parts_of
 from archlint.syntax.walk import statements_of
 
@@ -64,13 +65,14 @@ def undefined_names(workspace: WorkspaceIndex) -> Iterator[Undefined]:
         if file.kind not in _KINDS or file.relative.endswith(_SPHINX) or workspace.roles.is_test(file.relative):
             continue
         unbound = _unbound(workspace, file.relative)
-        if file.kind == "launch_python" and file_facts.problems:
-            continue  # Python refuses all of it
         if file.kind == "launch_python":
+            if file_facts.problems:
+                continue  # Python refuses all of it
             if not any(function.name == GENERATE for function in statements_of(file_facts.body, facts.Function)):
                 continue  # nothing launches it: any text may be called like a launch file, and linked from anywhere
             idle = _idle_functions(file_facts)
-            unbound = [r for r in unbound if (file.relative, r.name.id) not in told and not _lies_in(r.name, idle)]
+            unbound = [r for r in unbound if (file.relative, r.name.id) not in told]
+            unbound = [r for r in unbound if not any(covers(function, r.name.span) for function in idle)]
         brought = starred(workspace, file.relative, file_facts) if unbound else None
         if brought is None:
             continue
@@ -91,10 +93,6 @@ def _idle_functions(code: facts.Facts) -> list[facts.Function]:
     """The functions of a launch file that neither launch nor any line of the file calls or passes on."""
     named = {name.id for name in everything_in(code.body, facts.Name)} | {GENERATE}
     return [function for function in statements_of(code.body, facts.Function) if function.name not in named]
-
-
-def _lies_in(name: facts.Name, functions: Sequence[facts.Function]) -> bool:
-    return any(function.span[:2] <= name.span[:2] <= function.span[2:] for function in functions)
 
 
 # ------------------------------------------------------------------------------------------------------ scopes

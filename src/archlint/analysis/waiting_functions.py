@@ -12,9 +12,10 @@ from archlint.analysis.deadlock import threads_of
 from archlint.analysis.event_waits import ONLY_THREAD, kept_out
 from archlint.analysis.kept import once
 from archlint.analysis.source_code import source_code
+from archlint.analysis.spins import is_spun_in_sight
 from archlint.analysis.waits import asked_clients
 from archlint.finding import Place
-from archlint.model import ExecutorKind, Role
+from archlint.model import Role
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in, parts_of
 from archlint.syntax.walk import calls_in
@@ -142,7 +143,7 @@ def _at_start(system: System, program: Program) -> Iterator[Waiting]:
 
 def _is_spun_by_this_thread(program: Program, node: Blueprint) -> bool:
     """Whether it is known who spins a node, and that is no other thread: one may be made in a way that is not seen."""
-    if node.caller_unknown or node.escapes or not node.complete or node.executor == ExecutorKind.UNKNOWN:
+    if not node.complete or not is_spun_in_sight(node):
         return False
     if any(use.in_thread or use.astray for use in program.executors if node in use.nodes or use.astray):
         return False
