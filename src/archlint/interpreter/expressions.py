@@ -19,7 +19,7 @@ from archlint.interpreter.containers import (
     new_list,
 )
 from archlint.interpreter.formatting import CARTESIAN, combine, format_one
-from archlint.interpreter.items import get_item, is_absent, slice_of
+from archlint.interpreter.items import get_item, slice_of
 from archlint.interpreter.narrowing import narrow
 from archlint.interpreter.operators import binary, compare_values
 from archlint.interpreter.values import (
@@ -178,8 +178,8 @@ def _subscript(machine: Machine, e: facts.Subscript) -> Value:
         bounds = _slice_bounds(machine, e.index)
         return one_of(slice_of(machine, alternative, bounds) for alternative in alternatives(value))
     index = machine.evaluate(e.index)
-    if isinstance(value, DictValue) and isinstance(index, Known) and is_absent(machine, value, index):
-        machine.library.note_absent_key(value, index, e)
+    if isinstance(value, DictValue) and isinstance(index, Known):
+        machine.library.note_key(value, index, e)
     items = [get_item(machine, container, at) for container in alternatives(value) for at in alternatives(index)]
     machine.unknown_results += any(isinstance(item, Unknown) for item in items)
     return one_of(items[:CARTESIAN])

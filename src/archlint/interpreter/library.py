@@ -52,8 +52,8 @@ class Library:
     def note_uncallable(self, value: Value, site: CallSite) -> None:
         """What is called is no function, no class, and no object of a class of ours that can be called."""
 
-    def note_absent_key(self, container: DictValue, key: Known, expression: facts.Subscript) -> None:
-        """Code takes something out of a dict of which all is known, under a key that it does not have."""
+    def note_key(self, container: DictValue, key: Known, expression: facts.Subscript) -> None:
+        """Code takes something out of a dict, under a key that is known."""
 
     def is_made_plainly(self, cls: ClassValue) -> bool:
         """Whether no foreign base of a class changes how its objects are made."""

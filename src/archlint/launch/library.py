@@ -121,8 +121,8 @@ class LaunchFileLibrary(LaunchLibrary):
         """What a launch file reads of the workspace is there, for all that is seen."""
         return True
 
-    def note_absent_key(self, container: DictValue, key: Known, expression: facts.Subscript) -> None:
-        read_files.note_absent_key(self._launch, container, key, expression)
+    def note_key(self, container: DictValue, key: Known, expression: facts.Subscript) -> None:
+        read_files.note_key(self._launch, container, key, expression)
 
     def matches(self, folder: str, pattern: str) -> list[str] | None:
         return read_files.matches(self._launch, folder, pattern)

@@ -9,7 +9,7 @@ import re
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
-from archlint.interpreter import containers
+from archlint.interpreter import containers, items
 from archlint.interpreter.values import (
     NONE,
     DictValue,
@@ -115,10 +115,12 @@ def value_of(run: LaunchRun, value: object, file: str | None = None) -> Value:
     raise AssertionError(value)
 
 
-def note_absent_key(run: LaunchRun, held: DictValue, key: Known, expression: facts.Subscript) -> None:
-    """Note that what a file holds is asked for what it does not have, which ends the launch with a KeyError."""
+def note_key(run: LaunchRun, held: DictValue, key: Known, expression: facts.Subscript) -> None:
+    """Note where what a file holds is asked for what it does not have, which ends the launch with a KeyError."""
     file = run.read_dicts.get(held.key)
-    if file is not None and isinstance(key.value, str) and stops_the_launch(run):
+    if file is None or not isinstance(key.value, str) or not items.is_absent(run, held, key):
+        return
+    if stops_the_launch(run):
         known = tuple(str(name.value) for name, _ in run.entries(held) if isinstance(name, Known))
         run.note_absent_key(AbsentKey(key.value, known, file, run.place(expression.span)))
 
@@ -247,4 +249,4 @@ PLAIN: dict[str, Plain] = {
     "json.dumps": _written(json.dumps, "json.dumps", _JSON_OPTIONS),
 }
 
-__all__ = ["FILE_OF_THE_MACHINE", "PLAIN", "is_there", "matches", "note_absent_key", "value_of", "yaml_file"]
+__all__ = ["FILE_OF_THE_MACHINE", "PLAIN", "is_there", "matches", "note_key", "value_of", "yaml_file"]
