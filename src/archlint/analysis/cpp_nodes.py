@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING
 
+from archlint.analysis.kept import kept
+
 if TYPE_CHECKING:
     from archlint.finding import Place
     from archlint.systems.model import WorkspaceIndex
@@ -24,7 +26,7 @@ def names_cpp_node(workspace: WorkspaceIndex, file: str, name: str) -> bool:
     return any("rclcpp" in text and node.search(text) is not None for text in texts)
 
 
-_KEPT = re.compile(r"(\w+)\s*=\s*(?:this\s*->\s*|\w+(?:->|\.))?create_publisher\b")
+_STORED = re.compile(r"(\w+)\s*=\s*(?:this\s*->\s*|\w+(?:->|\.))?create_publisher\b")
 _COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
 
 
@@ -38,14 +40,17 @@ def is_never_used(workspace: WorkspaceIndex, place: Place) -> bool:
     if folder is None or text is None:
         return False
     lines = text.splitlines()[place.line - 1 : place.line + 1]
-    kept = _KEPT.search("\n".join(lines))
-    if kept is None:
+    stored = _STORED.search("\n".join(lines))
+    if stored is None:
         return False
-    word = re.escape(kept[1])
+    word = re.escape(stored[1])
     uses = re.compile(rf"(?<!\w){word}(?!\w)(?!\s*=[^=])")
     declarations = re.compile(rf"(?:Ptr|>|\*)\s+{word}\s*(?:;|\{{\s*(?:nullptr)?\s*\}}|=\s*nullptr)")
-    sources = [
-        path for path in workspace.tree.files_below(folder.folder) if path.endswith((*CPP_SOURCES, ".h", ".hxx"))
-    ]
-    code = [_COMMENT.sub(" ", workspace.tree.text(path) or "") for path in sources]
-    return not any(uses.search(declarations.sub(" ", row)) for row in code)
+    code = kept(workspace, (is_never_used, folder.folder), lambda: _code_below(workspace, folder.folder))
+    return not any(stored[1] in row and uses.search(declarations.sub(" ", row)) for row in code)
+
+
+def _code_below(workspace: WorkspaceIndex, folder: str) -> list[str]:
+    """The C++ of a folder, without its comments."""
+    sources = [path for path in workspace.tree.files_below(folder) if path.endswith((*CPP_SOURCES, ".h", ".hxx"))]
+    return [_COMMENT.sub(" ", workspace.tree.text(path) or "") for path in sources]
