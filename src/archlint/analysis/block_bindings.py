@@ -71,9 +71,8 @@ def read_at(block: Block) -> Iterator[tuple[facts.Base, bool]]:
                 stack += [(child, False, hidden | own) for child in part.children() if child is not first.iterable]
                 continue
             case facts.Annotated(target=target, value=value):
-                stack += [(child, surely, hidden) for child in (target, value) if child is not None]
-                if value is None:
-                    stack.clear()  # a declaration reads nothing
+                if value is not None:  # a declaration alone reads nothing
+                    stack += [(target, surely, hidden), (value, surely, hidden)]
                 continue
             case facts.Boolean(values=[value, *others]):
                 stack += [(value, surely, hidden), *((other, False, hidden) for other in others)]

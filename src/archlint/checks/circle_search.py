@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Protocol, TypeVar
 
 if TYPE_CHECKING:
@@ -36,6 +36,20 @@ class Steps:
         self.left = MOST_STEPS
 
 
+def circles(
+    edges: Mapping[Key, Sequence[_Edge]], system: System, identity: Callable[[Sequence[_Edge]], frozenset[object]]
+) -> Iterator[list[_Edge]]:
+    """The shortest circle of each wait, those of one ``identity`` once."""
+    seen: set[frozenset[object]] = set()
+    steps = Steps()
+    for start in sorted(edges):
+        for first in edges[start]:
+            circle = shortest_circle(first, start, edges, system, steps)
+            if circle and (same := identity(circle)) not in seen:
+                seen.add(same)
+                yield circle
+
+
 def shortest_circle(
     first: _Edge, start: Key, edges: Mapping[Key, Sequence[_Edge]], system: System, steps: Steps
 ) -> list[_Edge]:
@@ -63,4 +77,4 @@ def shortest_circle(
     return []
 
 
-__all__ = ["MOST_STEPS", "Key", "Steps", "Waits", "shortest_circle"]
+__all__ = ["MOST_STEPS", "Key", "Steps", "Waits", "circles", "shortest_circle"]

@@ -2,28 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
 from archlint.analysis.reach import one_for_each_place
 from archlint.analysis.waits import Wait, waits
-from archlint.checks.circle_search import Key, Steps, shortest_circle
+from archlint.checks.circle_search import Key, circles
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.start_circles import start_circles
 from archlint.finding import Finding, Related
-from archlint.model import (
-    EntityKind,
-    Role,
-)
+from archlint.model import SERVER_OF, EntityKind, Role
 
 if TYPE_CHECKING:
     from archlint.systems.model import System
     from archlint.systems.nodes import Endpoint, Node
 
-_SERVER_OF = {EntityKind.CLIENT: EntityKind.SERVICE, EntityKind.ACTION_CLIENT: EntityKind.ACTION_SERVER}
 _HANDLES = {Role.SERVICE: EntityKind.SERVICE, Role.EXECUTE: EntityKind.ACTION_SERVER}
 
 
@@ -66,18 +62,12 @@ def _may_coexist(system: System, node: Node, other: Node) -> bool:
 def service_call_cycle(system: System, options: Options) -> Iterator[Finding]:
     """Circles of handlers, and of nodes at their start, each of which waits for the next."""
     edges = waits_of_handlers(system)
-    seen: set[frozenset[Key]] = set()
-    findings = []
-    steps = Steps()
-    for start in sorted(edges):
-        for first in edges[start]:
-            circle = shortest_circle(first, start, edges, system, steps)
-            keys = frozenset((edge.server.kind, edge.server.name or "") for edge in circle)
-            if circle and keys not in seen:
-                seen.add(keys)
-                findings.append(_circle(circle))
-    yield from one_for_each_place(findings)
+    yield from one_for_each_place([_circle(circle) for circle in circles(edges, system, _servers_of)])
     yield from one_for_each_place(start_circles(system))
+
+
+def _servers_of(circle: Sequence[Edge]) -> frozenset[object]:
+    return frozenset((edge.server.kind, edge.server.name or "") for edge in circle)
 
 
 @once
@@ -92,7 +82,7 @@ def waits_of_handlers(system: System) -> dict[Key, list[Edge]]:
         client = ends.get(id(wait.client))
         if kind is None or server is None or client is None or server.name is None or client.name is None:
             continue
-        edge = Edge(server, (_SERVER_OF[client.kind], client.name), wait)
+        edge = Edge(server, (SERVER_OF[client.kind], client.name), wait)
         edges.setdefault((kind, server.name), []).append(edge)
     return edges
 

@@ -8,17 +8,16 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.reach import endpoint_words
 from archlint.analysis.start_waits import StartWait, start_waits
-from archlint.checks.circle_search import Key, Steps, shortest_circle
+from archlint.checks.circle_search import Key, circles
 from archlint.checks.registry import finding
 from archlint.finding import Finding, Related
-from archlint.model import EntityKind
+from archlint.model import SERVER_OF, EntityKind
 
 if TYPE_CHECKING:
     from archlint.systems.model import System
     from archlint.systems.nodes import Endpoint
 
 _THERE, _ANSWERS = "there", "answers"
-_SERVER_OF = {EntityKind.CLIENT: EntityKind.SERVICE, EntityKind.ACTION_CLIENT: EntityKind.ACTION_SERVER}
 
 
 @dataclass(frozen=True)
@@ -34,7 +33,7 @@ class _Edge:
     @property
     def target(self) -> Key:
         client = self.wait.client
-        return _key(_ANSWERS if self.wait.for_response else _THERE, _SERVER_OF[client.kind], client.name)
+        return _key(_ANSWERS if self.wait.for_response else _THERE, SERVER_OF[client.kind], client.name)
 
 
 def _key(state: str, kind: EntityKind, name: str | None) -> Key:
@@ -47,15 +46,8 @@ def start_circles(system: System) -> Iterator[Finding]:
     for wait in start_waits(system):
         for state in (_THERE, _ANSWERS) if wait.comes_after else (_ANSWERS,):
             edges.setdefault(_key(state, wait.server.kind, wait.server.name), []).append(_Edge(wait))
-    seen: set[frozenset[object]] = set()
-    steps = Steps()
-    for start in sorted(edges):
-        for first in edges[start]:
-            circle = shortest_circle(first, start, edges, system, steps)
-            places = frozenset(edge.wait.call.place for edge in circle)
-            if circle and places not in seen:
-                seen.add(places)
-                yield _circle([edge.wait for edge in circle])
+    for circle in circles(edges, system, lambda circle: frozenset(edge.wait.call.place for edge in circle)):
+        yield _circle([edge.wait for edge in circle])
 
 
 def _circle(circle: list[StartWait]) -> Finding:

@@ -11,6 +11,7 @@ from archlint.model.futures import MistakenFuture
 from archlint.model.kinds import (
     ENDPOINT_KINDS,
     NAMED,
+    SERVER_OF,
     EntityKind,
     ExecutorKind,
     GroupKind,
@@ -41,6 +42,7 @@ __all__ = [
     "ENDPOINT_KINDS",
     "NAMED",
     "NEVER_CONSTRUCTED",
+    "SERVER_OF",
     "Access",
     "ApiCall",
     "Asked",

@@ -34,6 +34,11 @@ NAMED: Mapping[EntityKind, ConnectionKind] = {
 }
 """What the name of an endpoint is a name of."""
 ENDPOINT_KINDS = tuple(NAMED)
+SERVER_OF: Mapping[EntityKind, EntityKind] = {
+    EntityKind.CLIENT: EntityKind.SERVICE,
+    EntityKind.ACTION_CLIENT: EntityKind.ACTION_SERVER,
+}
+"""What kind of server answers a client."""
 
 
 class GroupKind(StringEnum):

@@ -223,8 +223,6 @@ def _members_of(block: Node) -> list[Node]:
 
 
 _OF_NODES = (("node_name",), ("node_name", "rclcpp_options"), ("node_name", "namespace", "rclcpp_options"))
-"""What the constructors of a node take."""
-_OF_NODES = (("node_name",), ("node_name", "rclcpp_options"), ("node_name", "namespace", "rclcpp_options"))
 """What the constructors of a node take; the second argument of two may be a namespace, too."""
 _TYPES = frozenset({"type_identifier", "qualified_identifier", "template_type"})
 
