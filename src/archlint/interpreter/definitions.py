@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from archlint.interpreter import overloads, refusals, registries
+from archlint.interpreter import declared, overloads, refusals, registries
 from archlint.interpreter.activation import Activation
 from archlint.interpreter.call_site import CallSite
 from archlint.interpreter.classes import SETTERS, called
@@ -39,6 +39,8 @@ def define_function(machine: Machine, s: facts.Function) -> Value:
         if param.default is not None:
             defaults.append((param.name, machine.evaluate(param.default).as_default()))
     owner_scope = activation.scope
+    if owner_scope.module.file.kind == "cpp":
+        defaults += declared.defaults_of(machine.index, machine.store, owner_scope, s)
     prefix = "" if owner_scope.kind == "module" else owner_scope.qualified + "."
     names: set[str] = set()
     foreign: list[Value] = []

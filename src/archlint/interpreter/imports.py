@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from archlint.interpreter.values import External, Unknown, Value
+from archlint.interpreter.values import Declared, External, Unknown, Value
 from archlint.syntax import facts
 
 if TYPE_CHECKING:
@@ -66,6 +66,8 @@ def _import_star(machine: Machine, module: Module | None, dotted: str) -> None:
         return
     exports = module.facts.exports
     for name, value in machine.store.variables(module.scope.key):
+        if isinstance(value, Declared) and machine.store.get(machine.activation.scope.key, name) is not None:
+            continue  # what defines it is known, or what declares it first
         if name in exports if exports is not None else not name.startswith("_"):
             machine.assign_name(name, value)
     machine.activation.module.star_externals.extend(module.star_externals)

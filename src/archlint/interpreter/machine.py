@@ -19,12 +19,13 @@ from archlint.finding import Place
 from archlint.interpreter.activation import Activation, Repeated
 from archlint.interpreter.call_site import NOTHING_GIVEN, CallSite
 from archlint.interpreter.caught import Raised
+from archlint.interpreter.declared import definition_of, note_definition
 from archlint.interpreter.heap import Layer, Store
 from archlint.interpreter.implementations import sources_to_run
 from archlint.interpreter.library import Library
 from archlint.interpreter.limits import COMPREHENDED, IMPORTS, NESTED_CALLS, PROGRAM_STEPS, RUNS, STEPS, WORK_OF_A_STEP
 from archlint.interpreter.modules import Module, ModuleIndex, Scope, ScopeKind
-from archlint.interpreter.values import External, Instance, Known, ModuleValue, Unknown, Value, reason
+from archlint.interpreter.values import Declared, External, Instance, Known, ModuleValue, Unknown, Value, reason
 from archlint.reasons import Uninformative
 from archlint.syntax import facts
 from archlint.syntax.control_flow import may_run_again
@@ -103,14 +104,12 @@ class Machine(ABC):
         self.runs: dict[int, int] = {}
         self.by_reference: dict[int, dict[str, Value]] = {}  # see references.py
         self.exhausted = False
-        self.refused: set[Place] = set()
-        """The calls that Python refuses."""
+        self.refused: set[Place] = set()  # the calls that Python refuses
         self.executed: set[tuple[int, int]] = set()
         """Functions that ran, as ``(instance key or 0, id of the function's facts)``."""
         self.ran: dict[int, tuple[facts.Function | facts.Lambda, str]] = {}
         """Functions that ran on anything, by the id of their facts, with the shown path of their file."""
-        self._repeats: dict[tuple[int, int], bool] = {}
-        """Whether a loop may repeat after a statement in it, by their ids."""
+        self._repeats: dict[tuple[int, int], bool] = {}  # whether a loop may repeat after a statement in it, by ids
 
     @property
     def phase(self) -> Phase:
@@ -182,7 +181,7 @@ class Machine(ABC):
             if (first or scope.kind != "class") and (scope.bound is None or name in scope.bound):
                 value = self.store.get(scope.key, name)
                 if value is not None:
-                    return value
+                    return definition_of(self.index, value) if value.__class__ is Declared else value
                 if scope.bound is not None and name not in scope.outer and scope.kind == "function":
                     return Unknown(f"'{name}' is not assigned on this path")
             first = False
@@ -203,9 +202,12 @@ class Machine(ABC):
     def _assign_in(self, scope: Scope, name: str, value: Value) -> None:
         if isinstance(value, Instance):
             self.library.rebound(value, self.store.get(scope.key, name))
+        if scope.kind != "module":
+            self.store.set(scope.key, name, value)
+            return
+        note_definition(self.index, self.store, scope, name, value)
         self.store.set(scope.key, name, value)
-        if scope.kind == "module":
-            self.library.module_variable(scope.module, name, value)
+        self.library.module_variable(scope.module, name, value)
 
     def assign_around(self, name: str, value: Value) -> None:
         """Assign to a variable that a scope around the function has, such as the module."""
@@ -272,7 +274,7 @@ class Machine(ABC):
         if module.scope is None:
             return Unknown("more imports inside each other than Python follows")
         if (value := self.store.get(module.scope.key, name)) is not None:
-            return value
+            return definition_of(self.index, value) if isinstance(value, Declared) else value
         if module.is_package:
             below = self.index.find(module, name, level=1)
             if below is not None and below is not module:

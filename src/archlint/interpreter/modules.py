@@ -112,6 +112,10 @@ class ModuleIndex:
         self.import_all_earlier: Callable[[], None] | None = None
         """Imports all of these."""
         self.overloads: dict[tuple[int, str], list[object]] = {}  # see overloads.py
+        self.definitions: dict[tuple[int, str], dict[str, object]] = {}
+        """What defines a name that a file of C++ declares (declared.py), by the path of the file that does."""
+        self.defaults: dict[tuple[int, str], list[object]] = {}
+        """The default arguments of functions of C++ that stand in a declaration, by the key of class or file."""
         self.running = 0
         """How many modules run their top level, each imported by the one before."""
         self.including: dict[str, tuple[dict[str, list[Module]], Reads]] = {}  # see implementations.py

@@ -64,7 +64,8 @@ def _accepted(function: FunctionValue) -> int:
 
 
 def _required(function: FunctionValue) -> int:
-    return sum(param.kind == "normal" and param.default is None for param in function.ir.params)
+    defaults = {name for name, _ in function.defaults}
+    return sum(param.kind == "normal" and param.name not in defaults for param in function.ir.params)
 
 
 __all__ = ["Overloads", "all_of", "meant", "note"]

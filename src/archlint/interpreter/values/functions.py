@@ -101,6 +101,15 @@ class Partial(Value):
 
 
 @dataclass(frozen=True, slots=True)
+class Declared(Value):
+    """A function or variable of C++ that is declared, and defined in another file or further down."""
+
+    owner: int
+    """The key of the file that declares it first."""
+    name: str
+
+
+@dataclass(frozen=True, slots=True)
 class Member(Value):
     """A member of C++ that is an object of a class: whoever reads it before it is made with arguments finds one that
     was made without any."""

@@ -7,18 +7,20 @@ from typing import TYPE_CHECKING
 
 from archlint.interpreter.attributes import get_attribute
 from archlint.interpreter.containers import new_list
+from archlint.interpreter.declared import Defaults, declare
 from archlint.interpreter.values import (
     ClassValue,
     DictValue,
     External,
     FunctionValue,
     Instance,
+    Known,
     ListValue,
     Member,
     Unknown,
     Value,
 )
-from archlint.syntax.cpp.known_names import FIELDS
+from archlint.syntax.cpp.known_names import DECLARED, FIELDS, ITSELF
 
 if TYPE_CHECKING:
     from archlint.interpreter.call_site import CallSite
@@ -105,7 +107,25 @@ def _member(run: Run, site: CallSite) -> Value:
     return run.call(maker or Unknown("the class of a member is elsewhere"), arguments)
 
 
+def _declared(run: Run, site: CallSite) -> Value:
+    """``declared(name, accepted, default, …)``: a function or variable that is defined elsewhere."""
+    name, accepted, *defaults = site.args
+    count = accepted.value if isinstance(accepted, Known) and isinstance(accepted.value, int) else len(defaults)
+    row = Defaults(count, tuple(value.as_default() for value in defaults))
+    return declare(run.index, run.store, run.activation.scope, name.text or "", row)
+
+
+def _itself(run: Run, site: CallSite) -> Value:
+    """``itself(object, class)``: whose method ``Class::method()`` is, called in one of an object: a static one has its
+    class alone."""
+    owner, cls = site.args
+    is_derived = owner.own_class is not None and isinstance(cls, ClassValue) and cls in owner.own_class.mro
+    return owner if is_derived or not isinstance(cls, ClassValue) else cls
+
+
 PLAIN: dict[str, Plain] = {
+    DECLARED: _declared,
+    ITSELF: _itself,
     "std.pairs": _pairs,
     "std.template_argument": _template_argument,
     "std.__field__": _field,

@@ -144,6 +144,10 @@ FIELDS = "__fields__"
 FIELD, MEMBER, OBJECT = "std.__field__", "std.__member__", "std.__object__"
 """The functions that give a member which is an object: before anything makes it, and made with arguments; and a
 variable that is one, made without any."""
+DECLARED = "std.__declared__"
+"""The function that gives what is declared in one place and defined in another."""
+ITSELF = "std.__itself__"
+"""The function that gives the object, or the class, whose method is called by the name of its class."""
 GIVEN = "std.__given__"
 """The function that gives what a field holds after an object was made of values."""
 TEMPLATE_ARGUMENT = "std.template_argument"
@@ -154,12 +158,14 @@ STREAMS = frozenset({"stringstream", "ostringstream"})
 
 __all__ = [
     "CHANGING",
+    "DECLARED",
     "DURATIONS",
     "FIELD",
     "FIELDS",
     "GIVEN",
     "INTERFACE_KINDS",
     "IN_PYTHON",
+    "ITSELF",
     "LIBRARIES",
     "MAKERS",
     "MAPS",

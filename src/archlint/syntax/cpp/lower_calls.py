@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from archlint.syntax import facts
 from archlint.syntax.cpp import calls
-from archlint.syntax.cpp.known_names import CHANGING, DURATIONS, MAKERS, PAIRS, PAIRS_MADE_BY, SAME, SEQUENCES
+from archlint.syntax.cpp.known_names import CHANGING, DURATIONS, ITSELF, MAKERS, PAIRS, PAIRS_MADE_BY, SAME, SEQUENCES
 from archlint.syntax.cpp.lower_expressions import given, is_target
 from archlint.syntax.cpp.lower_objects import ObjectLowering
 from archlint.syntax.cpp.names import FunctionScope, Names, Part
@@ -209,11 +209,14 @@ class CallLowering(ObjectLowering):
         if isinstance(called, facts.Attribute) and len(parts) > 1:  # Base::method(…), on this very object
             if _is_of_node(last.name):
                 return self._on(facts.Name("self", span), last, arguments, span, self.source.span(function))
-            values = [self._itself(span), *values]
+            values = [self._itself(called.value, span), *values]
         return facts.Call(called, [*given(values), *calls.template_arguments(types)], span)
 
-    def _itself(self, span: Span) -> Expr:
-        return facts.Name("self", span) if self.names.is_in_method else facts.Opaque("no object", span)
+    def _itself(self, cls: Expr, span: Span) -> Expr:
+        """What ``Class::method(…)`` is called on."""
+        if not self.names.is_in_method:
+            return cls
+        return facts.Call(self.names.library(ITSELF, span), given([facts.Name("self", span), cls]), span)
 
     def _library_call(self, path: str, last: Part, arguments: Node, span: Span) -> Expr:
         if path in MAKERS:

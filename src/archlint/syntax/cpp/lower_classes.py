@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from archlint.syntax import facts
 from archlint.syntax.cpp import calls
-from archlint.syntax.cpp.declared import declared
+from archlint.syntax.cpp.declared import Declared, declared
 from archlint.syntax.cpp.known_names import FIELD, FIELDS, GIVEN
 from archlint.syntax.cpp.lower_expressions import given
 from archlint.syntax.cpp.lower_functions import BASES, FunctionLowering, function_declarator
@@ -88,6 +88,8 @@ class ClassLowering(FunctionLowering):
         is_static = any(child.type == "storage_class_specifier" and child.text == b"static" for child in node.children)
         with self.names.function(FunctionScope(own)):
             for variable in declared(node, self.names, self.source):
+                if variable.is_function:
+                    self._note_defaults(variable, own, inner)
                 if variable.is_function or not variable.name:
                     continue
                 outer, self.before = self.before, []
@@ -104,6 +106,13 @@ class ClassLowering(FunctionLowering):
                     of_self = facts.Attribute(facts.Name("self", span), variable.name, variable.span)
                     fields.extend((*self.before, facts.Assign([of_self], value, span)))
                 self.before = outer
+
+    def _note_defaults(self, variable: Declared, own: str, inner: list[Stmt]) -> None:
+        """The default arguments of a method that is defined elsewhere."""
+        name = "__init__" if variable.name == own else variable.name
+        call = self.declared_as(name, variable)
+        if len(call.args) > _UNSAID:
+            inner.append(facts.Expression(call, variable.span))
 
     def _default_constructor(self, own: str, fields: Sequence[str], span: Span) -> Stmt:
         """What C++ makes for a class without a constructor; ``Limits{1, 2}`` gives its fields values."""
@@ -200,6 +209,8 @@ class ClassLowering(FunctionLowering):
             body.extend(members)
 
 
+_UNSAID = 2
+"""The arguments of a declaration that says nothing of defaults."""
 MOST_FIELDS = 20
 """Structures with more fields are no rows of a table."""
 

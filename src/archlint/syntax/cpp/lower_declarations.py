@@ -8,6 +8,7 @@ from archlint.syntax import facts
 from archlint.syntax.cpp import calls
 from archlint.syntax.cpp.declared import Declared, declared, is_pointer
 from archlint.syntax.cpp.known_names import (
+    DECLARED,
     INTERFACE_KINDS,
     MAPS,
     OBJECT,
@@ -34,6 +35,11 @@ class DeclarationLowering(CallLowering):
             if not variable.name and not variable.bound:
                 continue
             if variable.is_function and not (self.names.scopes and kind is not None and self._are_values(variable)):
+                if not self.names.scopes and kind is not None and not variable.owner:
+                    self._declare(variable, body)
+                continue
+            if variable.is_extern and variable.value is None and not self.names.scopes:
+                self._declare(variable, body)
                 continue
             value = self._initial(variable, kind)
             if variable.bound:
@@ -48,7 +54,27 @@ class DeclarationLowering(CallLowering):
                 self.names.declare(variable.name)
                 target = facts.Name(variable.name, variable.span)
             if not (variable.is_extern and variable.value is None):
-                body.append(facts.Assign([target], value, self.source.span(node)))
+                targets = [target]
+                if variable.owner and isinstance(target, facts.Name):
+                    targets.append(facts.Name(f"{variable.owner}::{variable.name}", variable.span))
+                body.append(facts.Assign(targets, value, self.source.span(node)))
+
+    def _declare(self, variable: Declared, body: list[Stmt]) -> None:
+        """A function or variable that is defined in another file, or further down."""
+        names = [variable.name, *(f"{space}::{variable.name}" for space in self.names.spaces[-1:])]
+        targets: list[Expr] = [facts.Name(name, variable.span) for name in names]
+        body.append(facts.Assign(targets, self.declared_as(names[-1], variable), variable.span))
+
+    def declared_as(self, name: str, variable: Declared) -> facts.Call:
+        """What a declaration says: a name, of a function how many arguments it takes, and the default ones."""
+        nodes = [] if variable.parameters is None else variable.parameters.named_children
+        params = [node for node in nodes if node.type in ("parameter_declaration", "optional_parameter_declaration")]
+        if [self.source.text(node) for node in params] == ["void"]:
+            params = []
+        defaults = [value for node in params if (value := node.child_by_field_name("default_value")) is not None]
+        given = (facts.Literal(name, variable.span), facts.Literal(len(params), variable.span))
+        values = [facts.Argument(value) for value in (*given, *self.lower_all(defaults))]
+        return facts.Call(self.names.library(DECLARED, variable.span), values, variable.span)
 
     def _are_values(self, variable: Declared) -> bool:
         """Whether what reads like the parameters of a function are arguments: ``rclcpp::Rate rate(hz);``, and

@@ -70,18 +70,26 @@ class FunctionLowering(StatementLowering):
             outer, self.names.class_parameters = self.names.class_parameters, self._of_owner(parts[-2])
             self._class_parameters = [row for row in self._template_parameters if self._is_of_class(row)]
             self._template_parameters = [row for row in self._template_parameters if not self._is_of_class(row)]
+            spaces = [part.name for part in parts[:-2]]
+            self.names.spaces += spaces
             function = self._defined(node, owner, parts[-1], f"{owner}::{parts[-1].name}")
+            cls = self.names.qualified(owner)
+            del self.names.spaces[len(self.names.spaces) - len(spaces) :]
             self.names.class_parameters, self._class_parameters = outer, []
             if function is None:
                 return
             attribute = "__init__" if parts[-1].name == owner else parts[-1].name
             span = function.span
-            target = facts.Attribute(facts.Name(owner, span), attribute, span)
+            target = facts.Attribute(facts.Name(cls, span), attribute, span)
             body.extend((function, facts.Assign([target], facts.Name(function.name, span), span)))
         else:
             function = self._defined(node, None, parts[-1], parts[-1].name)
-            if function is not None:
-                body.append(function)
+            if function is None:
+                return
+            body.append(function)
+            if owner:
+                name_in_space = facts.Name(f"{owner}::{function.name}", function.span)
+                body.append(facts.Assign([name_in_space], facts.Name(function.name, function.span), function.span))
 
     def is_class_called(self, name: str) -> bool:
         """Whether ``name::`` in front of a definition is a class.  A namespace may be opened in a header alone; classes
@@ -279,7 +287,8 @@ class FunctionLowering(StatementLowering):
 
     def _calls(self, own: str, method: str, span: Span) -> Stmt:
         """A call of what a class does for each of its objects."""
-        call = facts.Call(facts.Attribute(facts.Name(own, span), method, span), given([facts.Name("self", span)]), span)
+        cls = facts.Name(self.names.qualified(own), span)
+        call = facts.Call(facts.Attribute(cls, method, span), given([facts.Name("self", span)]), span)
         return facts.Expression(call, span)
 
 

@@ -7,11 +7,13 @@ class first; a method that is defined outside of its class is set on it; what st
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.syntax import facts
 from archlint.syntax.cpp.comments import find_suppressions
 from archlint.syntax.cpp.damage import problems_of
+from archlint.syntax.cpp.declared import declared
 from archlint.syntax.cpp.literals import number_of, text_of
 from archlint.syntax.cpp.lower_classes import ClassLowering
 from archlint.syntax.cpp.names import Names
@@ -75,16 +77,24 @@ class Lowering(ClassLowering):
 
     def note_classes(self, root: Node) -> None:
         """Take note of the namespaces and classes of the file, wherever they are."""
-        waiting = [root]
+        waiting = [(root, "")]
         while waiting:
-            node = waiting.pop()
+            node, space = waiting.pop()
             name = node.child_by_field_name("name")
             if name is not None and node.type in ("class_specifier", "struct_specifier", "enum_specifier"):
-                self.names.classes.add(self.source.text(name).partition("<")[0])
+                own = self.source.text(name).partition("<")[0]
+                self.names.classes.add(own)
+                if node.child_by_field_name("body") is not None:
+                    self.names.placed.setdefault(own, set()).add(space)
             elif name is not None and node.type == "namespace_definition":
-                self.names.namespaces.update(self.source.text(name).split("::"))
+                spaces = self.source.text(name).split("::")
+                self.names.namespaces.update(spaces)
+                space = spaces[-1]
+            elif space and node.type in ("function_definition", "declaration") and not _is_member(node):
+                for variable in declared(node, self.names, self.source):
+                    self.names.placed.setdefault(variable.name, set()).add(space)
             if node.type in _HOLDERS:
-                waiting.extend(node.named_children)
+                waiting.extend((child, space) for child in node.named_children)
 
     # -------------------------------------------------------------------------------- preprocessor, spaces
 
@@ -106,8 +116,24 @@ class Lowering(ClassLowering):
             body.append(facts.Assign([facts.Name(self.source.text(name), span)], literal, span))
 
     def _namespace(self, node: Node, body: list[Stmt]) -> None:
-        block = node.child_by_field_name("body")
-        body.extend([] if block is None else self.block(block.named_children))
+        name, block = node.child_by_field_name("name"), node.child_by_field_name("body")
+        spaces = [] if name is None else self.source.text(name).split("::")
+        self.names.spaces += spaces
+        for child in [] if block is None else block.named_children:
+            statements = self.block([child])
+            is_space = child.type == "namespace_definition" or not spaces
+            body.extend(statements if is_space else self._in_space(spaces[-1], statements))
+        del self.names.spaces[len(self.names.spaces) - len(spaces) :]
+
+    def _in_space(self, space: str, statements: Sequence[Stmt]) -> Iterator[Stmt]:
+        """What a namespace holds has a name with it, too."""
+        for row in statements:
+            yield row
+            match row:
+                case facts.Class(name=name) | facts.Function(name=name) | facts.Assign(targets=[facts.Name(name)]):
+                    if "::" not in name:
+                        target = facts.Name(f"{space}::{name}", row.span)
+                        yield facts.Assign([target], facts.Name(name, row.span), row.span)
 
     def _linkage(self, node: Node, body: list[Stmt]) -> None:
         block = node.child_by_field_name("body")
@@ -120,6 +146,11 @@ class Lowering(ClassLowering):
         self._template_parameters = self.template_parameters(node)
         body.extend(self.block(child for child in node.named_children if child != parameters))
         self._template_parameters = outer
+
+
+def _is_member(node: Node) -> bool:
+    """Whether something is declared inside a class."""
+    return node.parent is not None and node.parent.type == "field_declaration_list"
 
 
 def _literal(written: str, span: Span) -> Expr | None:

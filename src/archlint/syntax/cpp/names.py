@@ -69,6 +69,10 @@ class Names:
         self.imports: dict[str, tuple[str, str]] = {}
         """What is imported: module and name, by what it is bound as; a name of ``""`` is the module itself."""
         self.namespaces: set[str] = set()
+        self.spaces: list[str] = []
+        """The namespaces around what is being lowered, without those that have no name."""
+        self.placed: dict[str, set[str]] = {}
+        """In which namespaces of the file each name is defined."""
         self.aliases: dict[str, list[str]] = {}
         """What a name of a namespace, or one with ``using a::b``, stands for."""
         self.opened: list[list[str]] = []
@@ -139,6 +143,7 @@ class Names:
         alias = self.aliases.get(name)
         if alias is not None and alias != [name]:
             return self.resolve([Part(part) for part in alias], span)
+        name = self.qualified(name)
         opened = self._opened_library([Part(name)]) if name[:1].isupper() else ""
         if opened:
             return self.library(f"{opened}.{name}", span)
@@ -149,6 +154,13 @@ class Names:
         if self.is_in_method and name not in self.classes:
             return facts.Implicit(name, span)
         return facts.Name(name, span)
+
+    def qualified(self, name: str) -> str:
+        """A name that several namespaces of the file have, with the innermost one around; any other as it is."""
+        spaces = self.placed.get(name, ())
+        if len(spaces) < 2:
+            return name
+        return next((f"{space}::{name}" for space in reversed(self.spaces) if space in spaces), name)
 
     # ------------------------------------------------------------------------------------ qualified names
 
@@ -230,7 +242,7 @@ class Names:
         *before, owner, last = parts
         if owner.name in self.classes or (owner.name not in self.namespaces and owner.name[:1].isupper()):
             return facts.Attribute(self.resolve([*before, owner], span), last.name, span)
-        return facts.Name(last.name, span)
+        return facts.Name(f"{owner.name}::{last.name}", span)
 
     def library(self, path: str, span: Span) -> Expr:
         """A name of a library, in the words of its Python twin where it has one."""
