@@ -161,3 +161,78 @@ def test_so_it_is_from_any_folder(tmp_path, monkeypatch, start, path):
 
 def test_a_part_of_a_workspace_does_not_show_who_serves(tmp_path, monkeypatch):
     assert found(workspace(tmp_path, {"driver/driver/server.py": SERVER}), monkeypatch, "driver/driver/node.py") == []
+
+
+MORE = '"srv/SetMotor.srv" "srv/GetMotor.srv"'
+
+
+def robot(nodes: int) -> dict[str, str]:
+    """A node that asks for two services of a package of which nothing is served, among other nodes."""
+    asking = CLIENT.replace("import SetMotor", "import GetMotor, SetMotor").replace(
+        "        self.timer", "        self.state = self.create_client(GetMotor, 'get_motor')\n        self.timer"
+    )
+    idle = "from rclpy.node import Node\n\n\nclass Idle{0}(Node):\n"
+    idle += "    def __init__(self):\n        super().__init__('idle{0}')\n"
+    return {
+        "motor_msgs/CMakeLists.txt": CMAKE.replace('"srv/SetMotor.srv"', MORE),
+        "motor_msgs/srv/GetMotor.srv": "---\nfloat64 speed\n",
+        "driver/driver/node.py": asking,
+        **{f"driver/driver/idle{number}.py": idle.format(number) for number in range(nodes)},
+    }
+
+
+@pytest.mark.parametrize(("others", "expected"), [(4, 1), (5, 0)])
+def test_a_large_workspace_leaves_a_whole_package_to_another_machine(tmp_path, monkeypatch, others, expected):
+    assert len(found(workspace(tmp_path, robot(others)), monkeypatch)) == expected
+
+
+ASKS_FIRST = CLIENT.replace(
+    "        self.motor.call_async", "        if not {}:\n            return\n        self.motor.call_async"
+)
+
+
+@pytest.mark.parametrize(
+    ("asks", "expected"),
+    [
+        ("self.motor.service_is_ready()", 0),
+        ("self.motor.wait_for_service(timeout_sec=2.0)", 0),
+        ("self.motor.wait_for_service()", 1),
+    ],
+)
+def test_code_that_goes_on_without_a_server(tmp_path, monkeypatch, asks, expected):
+    files = {"driver/driver/node.py": ASKS_FIRST.format(asks)}
+    assert len(found(workspace(tmp_path, files), monkeypatch)) == expected
+
+
+def test_the_loop_of_the_tutorial_does_not_go_on_without_a_server(tmp_path, monkeypatch):
+    files = {
+        "driver/driver/node.py": CLIENT.replace(
+            "        self.timer",
+            "        while not self.motor.wait_for_service(timeout_sec=1.0):\n            pass\n        self.timer",
+        )
+    }
+    assert len(found(workspace(tmp_path, files), monkeypatch)) == 1
+
+
+def needs(name: str) -> dict[str, str]:
+    depends = f"<depend>rclpy</depend><depend>motor_msgs</depend><exec_depend>{name}</exec_depend>"
+    return {"driver/package.xml": MANIFEST.format(name="driver", depends=depends, build="ament_python")}
+
+
+SUBMODULE = '[submodule "m"]\n\tpath = motor\n\turl = https://example.org/motor\n'
+REPOSITORY = "repositories:\n  drivers/{0}:\n    type: git\n    url: https://example.org/{0}.git\n"
+
+
+@pytest.mark.parametrize(
+    ("files", "expected"),
+    [
+        pytest.param(needs("motor"), 0, id="a package that is nowhere"),
+        pytest.param(needs("nav2_bringup"), 1, id="a package of ROS"),
+        pytest.param({".gitmodules": SUBMODULE}, 0, id="a submodule that is not checked out"),
+        pytest.param({".gitmodules": SUBMODULE, "motor/README.md": "x"}, 1, id="a submodule that is there"),
+        pytest.param({"robot.repos": REPOSITORY.format("motor")}, 0, id="a repository that is not here"),
+        pytest.param({"robot.repos": REPOSITORY.format("driver")}, 1, id="a repository that is here"),
+    ],
+)
+def test_a_part_of_the_system_that_is_elsewhere(tmp_path, monkeypatch, files, expected):
+    assert len(found(workspace(tmp_path, files), monkeypatch)) == expected

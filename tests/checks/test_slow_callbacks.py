@@ -864,6 +864,83 @@ def test_short_pauses_are_information(run: Run, pause: str, severity: Severity, 
     assert (found.help or "").startswith(advice)
 
 
+MANY_NODES = "".join(
+    f"\n\nclass Idle{n}(Node):\n    def __init__(self):\n        super().__init__('i{n}')\n" for n in range(5)
+)
+
+
+@pytest.mark.parametrize(
+    ("body", "expected"),
+    [
+        ("time.sleep(3.0)", []),
+        ("time.sleep(request.data)", []),
+        ("time.sleep(5.0)", ["SRV008"]),
+        ("while self.moves():\n        time.sleep(0.5)", ["SRV008"]),
+    ],
+)
+def test_short_pauses_are_for_lessons(run: Run, tmp_path: Path, body: str, expected: list[str]):
+    method = f"def handle(self, request, response):\n    {body}\n    return response\n"
+    text = source("self.create_service(SetBool, 'home', self.handle)\n", method) + MANY_NODES
+    assert codes(run(text)) == expected
+    (tmp_path / "archlint.toml").write_text("[rules.long-running-service]\npauses = true\n", encoding="utf-8")
+    assert codes(run(text)) == ["SRV008"]
+
+
+GRAB = """
+def grab(self, request, response):
+    try:
+        if not self.low and not self.high:
+            time.sleep(1.0)
+            self.drive()
+            self.high = True
+        elif not self.low and self.high:
+            time.sleep(0.5)
+            self.drive()
+            self.low = True
+        elif self.low and self.high:
+            response.success = False
+    except OSError as error:
+        response.message = str(error)
+    return response
+
+def drive(self):
+    {drive}
+"""
+
+
+@pytest.mark.parametrize(
+    ("drive", "said"),
+    [
+        ("time.sleep(2.5)", "sleeps for 3.5 s in all"),
+        ("if read():\n        time.sleep(2.5)\n        return\n    time.sleep(3.0)", "sleeps for 4 s in all"),
+        ("if read():\n        time.sleep(2.5)\n    time.sleep(3.0)", "sleeps for 6.5 s in all"),
+    ],
+)
+def test_the_longest_of_branches_that_exclude_each_other_counts(run: Run, drive: str, said: str):
+    create = "self.low = False\nself.high = False\nself.create_service(Trigger, 'grab', self.grab)\n"
+    [found] = run(source(create, GRAB.replace("{drive}", drive)))
+    assert found.code == "SRV008" and said in found.message
+
+
+@pytest.mark.parametrize(
+    ("seconds", "group", "expected"),
+    [
+        ("5.0", "ReentrantCallbackGroup()", []),
+        ("20.0", "ReentrantCallbackGroup()", ["SRV008"]),
+        ("5.5", "None", ["SRV008"]),
+    ],
+)
+def test_loops_with_a_limit_may_run_beside_the_others(run: Run, seconds: str, group: str, expected: list[str]):
+    create = f"self.create_service(Trigger, 'arm', self.arm, callback_group={group})\n"
+    method = (
+        "def arm(self, request, response):\n    self.wait('a')\n    end = time.time() + 8.0\n"
+        "    while read() and time.time() < end:\n        time.sleep(0.1)\n    return response\n\n"
+        f"def wait(self, mode):\n    end = time.time() + {seconds}\n"
+        "    while not read(mode) and time.time() < end:\n        time.sleep(0.1)\n"
+    )
+    assert codes(run(source(create, method, ON_SEVERAL_THREADS))) == expected
+
+
 def test_a_short_pause_that_blocks_nobody_is_no_finding(run: Run):
     apart = "self.create_service(Trigger, 'home', self.handle, callback_group=ReentrantCallbackGroup())\n"
     method = "def handle(self, request, response):\n    time.sleep({})\n    return response\n"

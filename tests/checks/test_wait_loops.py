@@ -503,3 +503,58 @@ def test_a_thread_that_waits_does_not_keep_the_node(judge: Judge, start: str, wh
     text = IN_A_THREAD.replace("{start}", start).replace("self.tick()\n\n\n", "print('waiting')\n\n\n")
     [found] = judge("TMO004", text)
     assert found.message.endswith(who)
+
+
+SEVERAL_WAITS = """
+    import rclpy
+    from rclpy.node import Node
+    from std_msgs.msg import Empty
+    from std_srvs.srv import Trigger
+
+
+    class Robot(Node):
+        def __init__(self):
+            super().__init__('robot')
+            self.near = self.create_client(Trigger, 'near')
+            self.far = self.create_client(Trigger, 'far')
+            self.create_subscription(Empty, 'go', self.on_go, 10)
+            self.create_subscription(Empty, 'back', self.on_back, 10)
+            self.create_subscription(Empty, 'stop', self.on_stop, 10)
+
+        def on_go(self, message):
+            while not self.near.wait_for_service(timeout_sec=1.0):  # here
+                pass
+            self.ask('start')
+
+        def on_back(self, message):
+            while not self.far.wait_for_service(timeout_sec=1.0):
+                pass
+            self.ask('turn')
+
+        def on_stop(self, message):
+            self.ask('stop')
+
+        def ask(self, name):
+            client = self.create_client(Trigger, name)
+            while not client.wait_for_service(timeout_sec=1.0):  # here
+                pass
+            client.call_async(Trigger.Request())
+
+
+    def main():
+        rclpy.init()
+        rclpy.spin(Robot())
+
+
+    if __name__ == '__main__':
+        main()
+"""
+
+
+def test_loops_of_a_class_with_one_cure_are_one_finding(judge: Judge):
+    """A client that a helper of several callbacks makes in front of its loop is to be made earlier."""
+    near, new = judge("TMO004", SEVERAL_WAITS)
+    assert near.message.endswith("; another loop in the class Robot does the same")
+    assert near.help == "check without waiting, and handle the case that it is missing: if not ….service_is_ready():"
+    assert [row.message for row in near.related][-1] == "another such loop is here"
+    assert new.help.startswith("create the client in the constructor")

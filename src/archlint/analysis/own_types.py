@@ -7,6 +7,9 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import kept, once
+from archlint.analysis.lessons import is_lesson
+from archlint.analysis.parts_elsewhere import has_parts_elsewhere
+from archlint.analysis.present_servers import may_find_nobody
 from archlint.analysis.reach import creations_of
 from archlint.model import EntityKind, Role
 from archlint.ros.interfaces import parts_of_type
@@ -28,7 +31,9 @@ def has_no_server_here(system: System, end: Endpoint) -> bool:
     """Whether the workspace defines a client's type, and nothing there serves it under any name: nobody else can know
     it.
 
-    False wherever something that is not followed names the type, for it may serve it.
+    False wherever something that is not followed names the type, for it may serve it; where the code is made for an
+    absent server; and where a part of the system is elsewhere, as far as the workspace says (in a lesson, it seldom
+    is).
     """
     workspace = system.workspace
     if workspace is None or workspace.is_subset or workspace.cut_short() or end.type is None:
@@ -37,7 +42,9 @@ def has_no_server_here(system: System, end: Endpoint) -> bool:
         return False
     if not is_defined(workspace, end.type) or _is_served(system, workspace, end):
         return False
-    return _all_ends_known(system, workspace, end.type)
+    if not _all_ends_known(system, workspace, end.type) or may_find_nobody(system, end.place):
+        return False
+    return not has_parts_elsewhere(workspace) and (is_lesson(system) or not may_be_served_elsewhere(system, end))
 
 
 def is_only_server(system: System, server: Endpoint) -> bool:

@@ -63,6 +63,19 @@ def was_waited_for(system: System, call: ApiCall, clients: Sequence[Creation] | 
     )
 
 
+def may_find_nobody(system: System, client: Place) -> bool:
+    """Whether some code looks for a client's server and goes on without it: it is made for a server that is absent."""
+    return client in _unsure(system)
+
+
+@once
+def _unsure(system: System) -> frozenset[Place]:
+    """Where the clients are made whose servers some code looks for only once, or for a time."""
+    code = source_code(system)
+    calls = (call for call in system.calls if call.api in _ASKS and not until_it_comes(code, call))
+    return frozenset(creation.place for call in calls for creation in creations_of(call.receiver))
+
+
 @once
 def _waits_for(system: System) -> dict[int, list[ApiCall]]:
     """The calls that wait for a server, by the client (``id``) that they are for alone."""
@@ -164,4 +177,4 @@ def _lists(value: facts.Expr, body: Sequence[facts.Stmt], asked: frozenset[str])
     return False
 
 
-__all__ = ["is_there", "until_it_comes", "was_waited_for"]
+__all__ = ["is_there", "may_find_nobody", "until_it_comes", "was_waited_for"]

@@ -13,6 +13,8 @@ from archlint.analysis.attribute_loops import attribute_loops
 from archlint.analysis.conditions import conditions
 from archlint.analysis.kept import kept
 from archlint.analysis.kept_waiting import blocks_nobody
+from archlint.analysis.lessons import is_lesson
+from archlint.analysis.longest_way import Stretch, longest_way
 from archlint.analysis.loop_stops import can_be_stopped
 from archlint.analysis.loop_times import (
     around_future,
@@ -22,6 +24,7 @@ from archlint.analysis.loop_times import (
     varies_by_iteration,
     watches_the_clock,
 )
+from archlint.analysis.order import paths_to
 from archlint.analysis.reach import endpoint_words, judged_calls, one_for_each_place
 from archlint.analysis.requested_times import lasts_as_requested
 from archlint.analysis.sleeps import Stay, stay_of
@@ -48,6 +51,8 @@ POLLING = 2.0
 """Seconds that a loop may watch the clock for something that comes soon."""
 SOON = 5.0
 """Seconds that such a loop may take as far as most callers care."""
+BESIDE = 15.0
+"""Seconds that loops with a limit may take beside all other callbacks: what they wait for comes, or they give up."""
 RETRYING = 10.0
 """Seconds of pauses between some attempts, of which the first is to work."""
 
@@ -57,10 +62,15 @@ _THAT_ACTION = "let clients send a goal to {} of this node instead"
 _Sleep = tuple["ApiCall", Stay]
 
 
-@rule("SRV008", scope=Scope.CODE, by_program=True, taste=True)
+@rule("SRV008", scope=Scope.CODE, by_program=True, taste=True, pauses=False)
 def long_running_service(system: System, options: Options) -> Iterator[Finding]:
-    """Service handlers that sleep, once for long or again and again; one finding a handler."""
-    yield from one_for_each_place(diagnostic for _, diagnostic in long_handlers(system, options.distros))
+    """Service handlers that sleep, once for long or again and again; one finding a handler.  Those that pause for a
+    known while, or for as long as the request says, count in a lesson and with ``pauses``."""
+    pauses = options.flag("pauses") or is_lesson(system)
+    diagnostics = (diagnostic for _, diagnostic in long_handlers(system, options.distros))
+    yield from one_for_each_place(
+        diagnostic for diagnostic in diagnostics if pauses or diagnostic.severity is not Severity.INFO
+    )
 
 
 def long_handlers(system: System, distros: Sequence[str]) -> Sequence[tuple[Callback, Finding]]:
@@ -101,13 +111,16 @@ def _worst_first(code: SourceCode, sleep: _Sleep) -> tuple[bool, bool, float, Pl
 def _in_all(system: System, sleeps: Sequence[_Sleep]) -> float:
     """Seconds that a handler sleeps for certain, each way through its branches by itself; what nobody knows has no
     end."""
-    by_branch: dict[BranchArms, dict[Place, float]] = {frozenset(): {}}
+    code = source_code(system)
+    by_branch: dict[BranchArms, dict[Place, Stretch]] = {frozenset(): {}}
     for call, stay in sleeps:
-        branch = conditions(system.workspace, call.branch_arms)
-        by_branch.setdefault(branch, {})[call.place] = _seconds(source_code(system), call, stay)
-    return max(
-        sum(sum(seconds.values()) for other, seconds in by_branch.items() if other <= branch) for branch in by_branch
+        branch, path = conditions(system.workspace, call.branch_arms), next(paths_to(call))
+        by_branch.setdefault(branch, {})[call.place] = path, _seconds(code, call, stay)
+    ways = (
+        [stretch for other, at in by_branch.items() if other <= branch for stretch in at.values()]
+        for branch in by_branch
     )
+    return max(longest_way(code, way) for way in ways)
 
 
 def _seconds(code: SourceCode, call: ApiCall, stay: Stay) -> float:
@@ -129,15 +142,15 @@ def _long_service(
     further = {other.place: Related(other.place, f"then it {words.words}") for other, words in others}
     further.pop(call.place, None)
     asked, total = _is_as_asked(system, sleeps), _in_all(system, sleeps)
-    soon = total < SHORT or (
-        total <= SOON and any(limit is not None for sleep_call, _ in sleeps for limit in sleep_call.limits)
-    )
+    watches = any(limit is not None for sleep_call, _ in sleeps for limit in sleep_call.limits)
+    soon = total < SHORT or (total <= SOON and watches)
     action = _action_beside(callback)
     known = all(math.isfinite(in_loops(source_code(system), *sleep)) for sleep in sleeps)
     if (soon and known) or ((soon or asked) and action is not None):
         return None
     pause = known and total < SOON and not asked
-    if pause and (blocks_nobody(callback, program) or is_told_as_nested):
+    by_itself = pause or (math.isfinite(total) and total < BESIDE and watches)
+    if (by_itself and blocks_nobody(callback, program)) or (pause and is_told_as_nested):
         return None
     advice = _WHAT_IT_IS_FOR if pause else _AN_ACTION
     diagnostic = finding_in_callback(

@@ -16,7 +16,7 @@ from archlint.analysis.reach import calls_of, creations_of, has_limit, node_name
 from archlint.analysis.source_code import source_code
 from archlint.analysis.stuck import clients_of_handlers
 from archlint.analysis.wait_loops import LoopEnd, end_of, only_the_server_ends
-from archlint.checks.folding import folds, of_one_package, package_around
+from archlint.checks.folding import class_around, folds, of_one_class, of_one_package, package_around
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.wait_words import (
@@ -35,6 +35,8 @@ from archlint.model import Role
 if TYPE_CHECKING:
     from archlint.model import ApiCall
     from archlint.systems.model import System
+
+_IN_CLASS = "class"
 
 
 @rule("TMO004", scope=Scope.CODE, by_program=True, in_use=True, start_up=False)
@@ -89,7 +91,7 @@ def _endless(system: System, calls: Sequence[ApiCall], end: LoopEnd) -> Finding:
         identity=(call.function, "" if call.creation is None else call.creation.name.text or "", "loop"),
     )
     if in_callback:
-        return diagnostic
+        return replace(diagnostic, group=(_IN_CLASS, call.file, class_around(call.function), diagnostic.help))
     return replace(diagnostic, severity=Severity.INFO, group=package_around(system.workspace, call.file))
 
 
@@ -117,6 +119,11 @@ def _help(call: ApiCall, ready: str) -> str:
 
 
 @folds("TMO004")
-def _of_one_package(findings: Sequence[Finding]) -> Finding:
-    """The finding for all such loops with which the programs of a package start, or of a file in none."""
-    return of_one_package(findings, "loop", "another such loop is here")
+def _of_one_owner(findings: Sequence[Finding]) -> Finding:
+    """The finding for all such loops with which the programs of a package start, or of a file in none; of callbacks
+    for those of a class that are to be changed in the same way."""
+    kind, *rest = findings[0].group
+    if kind != _IN_CLASS:
+        return of_one_package(findings, "loop", "another such loop is here")
+    class_findings = [replace(finding, group=tuple(rest)) for finding in findings]
+    return of_one_class(class_findings, "loop", "another such loop is here")

@@ -50,10 +50,9 @@ def made_here(call: ApiCall) -> bool:
 
 
 def _made_in_function_of(call: ApiCall, creation: Creation) -> bool:
-    """Whether the function makes the client in front of the call.  It may have been followed by itself, before what
-    leads a callback there was."""
-    context = creation.context
-    of_function = context is not None and context.role == Role.METHOD and context.name == call.function
+    """Whether the function around a call makes the client in front of it.  What led there first may have been another
+    callback."""
+    of_function = bool(call.function) and creation.function == call.function
     return of_function and creation.place.file == call.file and creation.place.span < call.place.span
 
 

@@ -1,0 +1,58 @@
+"""Whether a workspace says itself that more belongs to it than is there."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from archlint.analysis.kept import once
+from archlint.ros import packages, rosdep
+from archlint.workspace.manifest import condition_holds
+from archlint.workspace.submodules import paths_of_submodules
+
+if TYPE_CHECKING:
+    from archlint.systems.model import WorkspaceIndex
+
+_LISTS = (".repos", ".rosinstall")
+"""Files with the repositories that ``vcs import`` and ``wstool`` bring into a workspace."""
+_REPOSITORY = re.compile(
+    r"^[ \t]+(?:(?=.*:[ \t\r]*$)|local-name:[ \t]*)['\"]?([\w./-]+)['\"]?:?[ \t\r]*$", re.MULTILINE
+)
+
+
+@once
+def has_parts_elsewhere(workspace: WorkspaceIndex) -> bool:
+    """Whether something that a workspace names as its own is not there: a package in a package.xml that is neither
+    ROS's nor the system's, a submodule that is not checked out, a repository of a ``.repos`` file.  What is in it may
+    be the other end of anything."""
+    return _depends_on_absent(workspace) or any(not there for there in _listed(workspace))
+
+
+def _depends_on_absent(workspace: WorkspaceIndex) -> bool:
+    known = (packages.table().names, workspace.packages.keys(), rosdep.keys())
+    return any(
+        condition_holds(dependency.condition) and not any(dependency.name in names for names in known)
+        for package in workspace.manifests.values()
+        for dependency in package.dependencies
+        if not package.ros1
+    )
+
+
+def _listed(workspace: WorkspaceIndex) -> Iterator[bool]:
+    """Whether each repository that a workspace lists has files in it."""
+    every = workspace.tree.files_below(workspace.tree.top)
+    folders = {folder for path in every for folder in posixpath.dirname(path).split("/")}
+    submodules = workspace.tree.text(posixpath.join(workspace.tree.top, ".gitmodules")) or ""
+    yield from (_name(path) in folders for path in paths_of_submodules(submodules))
+    for path in (path for path in every if path.endswith(_LISTS)):
+        repositories = _REPOSITORY.findall(workspace.tree.text(path) or "")
+        yield from (_name(repository) in folders for repository in repositories)
+
+
+def _name(path: str) -> str:
+    return posixpath.basename(path.rstrip("/"))
+
+
+__all__ = ["has_parts_elsewhere"]
