@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.byte_fields import ByteCompared, bytes_compared
 from archlint.analysis.pinned import named_distros
 from archlint.analysis.reach import judged_notes
+from archlint.checks.field_operations import operations_on_fields
 from archlint.checks.folding import folds, with_others
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -40,6 +41,7 @@ def field_value_type(system: System, options: Options) -> Iterator[Finding]:
         if consequence:
             yield _finding(values[key], consequence)
     yield from map(_compared, bytes_compared(system))
+    yield from operations_on_fields(system)
 
 
 def _consequence(system: System, value: WrongValue, distros: Sequence[str]) -> str:

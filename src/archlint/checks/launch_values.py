@@ -12,11 +12,11 @@ from archlint.analysis.wrong_launch_descriptions import Wrong, WrongDescription
 from archlint.checks.folding import folds, with_other_places
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
-from archlint.finding import Finding, Place, Severity
+from archlint.finding import Finding, Place, Related, Severity
 from archlint.suggestions import listed, meant, nearest
 
 if TYPE_CHECKING:
-    from archlint.launch.mistakes import AbsentKey, RefusedValue, WithoutContext
+    from archlint.launch.mistakes import AbsentKey, MissingArguments, NotAChoice, RefusedValue, WithoutContext
     from archlint.systems.model import System
 
 
@@ -48,6 +48,10 @@ def launch_description(system: System, options: Options) -> Iterator[Finding]:
         yield _absent_key(absent)
     for refused in system.launched.refused if system.launched is not None else ():
         yield _refused(refused)
+    for incomplete in system.launched.incomplete if system.launched is not None else ():
+        yield _incomplete(incomplete)
+    for no_choice in system.launched.no_choices if system.launched is not None else ():
+        yield _no_choice(no_choice)
     yield from map(_foreign, foreign_launch_files(system))
     for file, wrong in wrong_descriptions(system):
         yield _of_description(file, wrong)
@@ -92,6 +96,33 @@ def _refused(value: RefusedValue) -> Finding:
         help=help,
         identity=(value.action, value.parameter, value.what),
         group=(value.place.file, value.action, "pairs" if value.pairs else "value"),
+    )
+
+
+def _incomplete(call: MissingArguments) -> Finding:
+    names = " and ".join(f"{name}=" for name in call.names)
+    return finding(
+        "LCH008",
+        call.place,
+        f"this {call.action} lacks {names}, which it cannot do without: launch stops with a TypeError",
+        help=f"add {names}",
+        identity=(call.action, *call.names),
+        group=(call.place.file, call.action, *call.names),
+    )
+
+
+def _no_choice(row: NotAChoice) -> Finding:
+    near = nearest(row.value, row.choices)
+    what = "the default" if row.default else "what this include passes"
+    related = [] if row.default else [Related(row.declared, f"the choices of '{row.argument}'")]
+    return finding(
+        "LCH008",
+        row.place,
+        f"'{row.value}' is {what} for '{row.argument}', and none of its choices: launch stops with a RuntimeError",
+        help=f"write '{near}'" if near is not None else f"write one of {listed(row.choices)}, or add it to the choices",
+        related=related,
+        identity=(row.argument, row.value),
+        meant=near or "",
     )
 
 

@@ -10,6 +10,8 @@ from archlint.launch.kinds import FileKind, FileStatus, GapKind, StartedKind
 from archlint.launch.mistakes import (
     AbsentKey,
     LeakedArgument,
+    MissingArguments,
+    NotAChoice,
     NotACondition,
     NotAPath,
     RefusedValue,
@@ -31,7 +33,7 @@ LAUNCHES: Final = Language(
         *(Launched, Started, Remap, Included, DeclaredArgument, Gap, Place, Text),
         *(ParameterSetting, ParameterFileUse, OpenParameters, FileReference, Rewriting, Replacing, Written),
         *(NotKnown, AbsentKey, LeakedArgument, NotACondition, NotAPath, RefusedValue, UndeclaredUse),
-        *(UnknownAttribute, WithoutContext),
+        *(UnknownAttribute, WithoutContext, MissingArguments, NotAChoice),
         *(branches.CodeBranch, branches.ChoiceOfCallee, branches.ChoiceOfArgument, branches.AttributeBranch),
         *(branches.ArgumentBranch, branches.UnfollowedCondition, branches.ChoiceOfValue, branches.ChoiceOfVisit),
     ),

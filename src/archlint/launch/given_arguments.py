@@ -50,7 +50,17 @@ class GivenArguments:
         self._defaults: dict[str, _Default] = {}
         self._passed: list[frozenset[str]] = []
         """The names that the includes around what is visited pass on, outermost first."""
+        self._literals: dict[str, tuple[Value, Place]] = {}
         self._result = result
+
+    def note_literal(self, name: str, value: Value, place: Place) -> None:
+        """An include writes down the value that it gives an argument, instead of a substitution."""
+        self._literals[name] = value, place
+
+    def written(self, name: str, value: Value | None) -> Place | None:
+        """Where an include writes down the value that a configuration has; None where it comes from elsewhere."""
+        literal, place = self._literals.get(name, (None, None))
+        return place if literal is not None and literal is value else None
 
     def note(self, name: str, value: Value, place: Place, file: str, include: Place, before: Value | None) -> None:
         """An include in a file gives an argument a value; ``place`` is where that is written, ``before`` the value of

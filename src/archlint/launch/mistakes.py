@@ -117,3 +117,25 @@ class RefusedValue:
     in_list: bool = False
     argument: bool = False
     pairs: bool = False
+
+
+@dataclass(frozen=True)
+class MissingArguments:
+    """A call that makes an action without the arguments ``names``, which it needs."""
+
+    action: str
+    names: tuple[str, ...]
+    place: Place
+
+
+@dataclass(frozen=True)
+class NotAChoice:
+    """A ``value`` of a launch ``argument`` that is none of the ``choices`` of its declaration: the ``default`` there,
+    or what an include passes at ``place``."""
+
+    argument: str
+    value: str
+    choices: tuple[str, ...]
+    place: Place
+    declared: Place
+    default: bool = False

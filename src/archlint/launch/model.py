@@ -10,6 +10,8 @@ from archlint.launch.kinds import FileStatus, GapKind
 from archlint.launch.mistakes import (
     AbsentKey,
     LeakedArgument,
+    MissingArguments,
+    NotAChoice,
     NotACondition,
     NotAPath,
     RefusedValue,
@@ -101,6 +103,8 @@ class Launched:
     unknown_attributes: list[UnknownAttribute] = field(default_factory=list)
     mistakes: list[NotACondition] = field(default_factory=list)
     refused: list[RefusedValue] = field(default_factory=list)
+    incomplete: list[MissingArguments] = field(default_factory=list)
+    no_choices: list[NotAChoice] = field(default_factory=list)
     without_context: list[WithoutContext] = field(default_factory=list)
     absent_keys: list[AbsentKey] = field(default_factory=list)
     joined: list[NotAPath] = field(default_factory=list)

@@ -27,6 +27,8 @@ from archlint.launch.given_arguments import GivenArguments
 from archlint.launch.kinds import FileKind, GapKind
 from archlint.launch.mistakes import (
     AbsentKey,
+    MissingArguments,
+    NotAChoice,
     NotACondition,
     NotAPath,
     RefusedValue,
@@ -230,6 +232,12 @@ class LaunchRun(Run):
 
     def note_refused_value(self, mistake: RefusedValue) -> None:
         self._note(mistake, self.result.refused)
+
+    def note_incomplete(self, mistake: MissingArguments) -> None:
+        self._note(mistake, self.result.incomplete)
+
+    def note_no_choice(self, mistake: NotAChoice) -> None:
+        self._note(mistake, self.result.no_choices)
 
     def note_without_context(self, mistake: WithoutContext) -> None:
         self._note(mistake, self.result.without_context)

@@ -91,6 +91,8 @@ def _given(run: LaunchRun, arguments: Value | None) -> tuple[tuple[str, Place], 
                 value = written_at(run.perform(pair.second), pair.place)
                 before = run.launch.configurations.get(name)
                 run.launch.configurations[name] = value
+                if isinstance(pair.second, Known):
+                    run.given.note_literal(name, value, pair.place)
                 if not _is_configuration(run, pair.second, name):
                     note_argument(run, name, value, pair.place)
                     run.given.note(name, value, pair.place, run.file, run.place_now, before)

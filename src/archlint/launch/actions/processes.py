@@ -14,6 +14,7 @@ from archlint.interpreter.values import Holed, Instance, Known, ListValue, Unkno
 from archlint.launch.actions.branches import arms_of, each_alternative, verdict_on
 from archlint.launch.actions.domains import domain_of
 from archlint.launch.actions.included import launch_in_own_process
+from archlint.launch.actions.missing_arguments import note_missing_arguments
 from archlint.launch.actions.pairs import pairs_of
 from archlint.launch.actions.scopes import remap
 from archlint.launch.context import absolute, prefix_namespace
@@ -214,6 +215,7 @@ def _components(run: LaunchRun, entity: LaunchObject, container: Started | Text 
 
 
 def _component(run: LaunchRun, entity: LaunchObject, container: Started | Text | None) -> None:
+    note_missing_arguments(run, entity)
     verdict, own = verdict_on(run, entity), arms_of(run, entity) - run.code_arms
     kept, run.place_now = run.place_now, entity.place or run.place_now
     with run.under(own, verdict, run.place_now):

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from archlint.finding import Place
 from archlint.interpreter.values import DictValue, Known, Unknown, Value, one_of, reason
 from archlint.launch.actions.branches import callable_value
+from archlint.launch.actions.choices import note_no_choice
 from archlint.launch.context import absolute, prefix_namespace
 from archlint.launch.model import DeclaredArgument
 from archlint.launch.objects import LaunchObject, known_text
@@ -152,6 +153,7 @@ def declare(run: LaunchRun, entity: LaunchObject) -> None:
         missing = Unknown(f"the launch argument '{text}' has no default")
         run.launch.configurations.setdefault(text, value if value is not None else missing)
         run.argument_behind(text)
+    note_no_choice(run, entity, text, value)
     choices = map(known_text, run.items(entity.argument("choices")))
     allowed = tuple(choice for choice in choices if choice is not None)
     shown = None if value is None else text_of_value(value, "no default")

@@ -18,6 +18,7 @@ from archlint.launch.actions.branches import (
     version,
     visit_items,
 )
+from archlint.launch.actions.missing_arguments import note_missing_arguments
 from archlint.launch.actions.refused_values import note_refused_values
 from archlint.launch.objects import MADE_BY_BASE, OWN, LaunchObject, class_name, kind_of, launch_object, place_of
 from archlint.launch.tables import LaunchClass
@@ -164,6 +165,7 @@ def _act(run: LaunchRun, entity: Instance) -> None:
         case LaunchObject(kind=kind) if kind in ACTIONS:
             if run.file.endswith(".py"):
                 note_refused_values(run, entity)
+                note_missing_arguments(run, entity)
             ACTIONS[kind](run, entity)
         case _ if kind_of(entity) not in _IGNORED:
             run.gap(f"{entity.note or class_name(entity) or 'an object'} is not an action that is followed")

@@ -1,0 +1,178 @@
+"""MSG003: fields of messages that code takes for something else, and code that takes them for what they are."""
+
+from __future__ import annotations
+
+import pytest
+
+from checks.judging import Judge
+
+NODE = """
+from geometry_msgs.msg import Pose
+from rclpy.node import Node
+from sensor_msgs.msg import Imu, LaserScan
+from std_msgs.msg import Bool, Float32, Int32, String
+from std_srvs.srv import Trigger
+
+
+class Robot(Node):
+    def __init__(self):
+        super().__init__('robot')
+        self.create_subscription(Int32, 'count', self.on_count, 10)
+        self.create_subscription(Float32, 'height', self.on_height, 10)
+        self.create_subscription(Bool, 'flag', self.on_flag, 10)
+        self.create_subscription(String, 'word', self.on_word, 10)
+        self.create_subscription(LaserScan, 'scan', self.on_scan, 10)
+        self.create_subscription(Imu, 'imu', self.on_imu, 10)
+        self.create_subscription(Pose, 'pose', self.on_pose, 10)
+
+    def on_{topic}(self, msg):
+        {line}
+"""
+
+
+def _node(topic: str, line: str) -> str:
+    others = ("count", "height", "flag", "word", "scan", "imu", "pose")
+    rest = "".join(f"\n    def on_{name}(self, msg):\n        pass\n" for name in others if name != topic)
+    return NODE.format(topic=topic, line=line.replace("; ", "\n        ")) + rest
+
+
+@pytest.mark.parametrize(
+    ("topic", "line", "says"),
+    [
+        (
+            "count",
+            "print('count: ' + msg.data)",
+            "'data' of std_msgs/msg/Int32 is an int, and '+' with a string raises",
+        ),
+        ("count", "print(f'{self}: ' + msg.data)", "and '+' with a string raises TypeError"),
+        ("count", "print('a ' + 'b ' + msg.data + ' c')", "and '+' with a string raises TypeError"),
+        ("count", "number = msg.data; print('count: ' + number)", "and '+' with a string raises TypeError"),
+        ("count", "return [each for each in msg.data]", "and a loop over it raises TypeError"),
+        ("count", "print(msg.data[0])", "and taking an item of it raises TypeError"),
+        ("count", "print(len(msg.data))", "and len() of it raises TypeError"),
+        ("height", "return range(msg.data)", "is a float, and range() of it raises TypeError"),
+        ("height", "return msg.data == 'high'", "which never equals a string: this is always False"),
+        ("flag", "return msg.data != 'true'", "is a bool, which never equals a string: this is always True"),
+        ("flag", "return msg.data in ('on', 'On')", "which never equals a string: this is always False"),
+        ("word", "return msg.data == 1", "is a string, which never equals a number: this is always False"),
+        ("word", "return msg.data > 0.5", "is a string, and '>' with a number raises TypeError"),
+        ("word", "return msg.data + 1", "is a string, and '+' with a number raises TypeError"),
+        ("scan", "return msg.ranges < 0.5", "is an array of float32, and '<' with a number raises TypeError"),
+        ("scan", "return 'ranges ' + msg.ranges", "is an array of float32, and '+' with a string raises TypeError"),
+        ("scan", "return msg.ranges == []", "which never equals a list: this is always False"),
+        ("pose", "return msg.position > 0", "is a geometry_msgs/msg/Point, and '>' with a number raises TypeError"),
+        ("pose", "return abs(msg.position)", "is a geometry_msgs/msg/Point, and abs() of it raises TypeError"),
+    ],
+)
+def test_a_field_that_is_taken_for_something_else(judge: Judge, topic: str, line: str, says: str):
+    """Python says so of each of these lines: ``TypeError``, or the one result."""
+    body = _node(topic, line).splitlines()
+    last = max(number for number, text in enumerate(body) if text.strip() == line.split("; ")[-1])
+    body[last] += "  # here"
+    (finding,) = judge("MSG003", "\n".join(body))
+    assert says in finding.message
+
+
+@pytest.mark.parametrize(
+    ("topic", "line"),
+    [
+        ("count", "print('count: ' + str(msg.data))"),
+        ("count", "print(f'count: {msg.data}')"),
+        ("count", "print('count: %d' % msg.data)"),
+        ("count", "return msg.data + 1 > 5"),
+        ("count", "msg.data = self.shown(msg.data); print('count: ' + msg.data)"),
+        ("count", "number = msg.data; number = str(number); print('count: ' + number)"),
+        ("count", "number = str(msg.data); print('count: ' + number)"),
+        ("count", "return 'yes' if isinstance(msg.data, str) and 'x' + msg.data else ''"),
+        ("count", "return range(msg.data)"),
+        ("count", "return ['a', 'b'][msg.data]"),
+        ("flag", "return msg.data == 1"),
+        ("flag", "return msg.data == True"),
+        ("flag", "return int(msg.data) + 1"),
+        ("word", "return 'word: ' + msg.data"),
+        ("word", "return msg.data == 'stop' or msg.data[0] == 's'"),
+        ("word", "return float(msg.data) > 0.5"),
+        ("word", "return [letter for letter in msg.data]"),
+        ("word", "return msg.data in ('stop', 1)"),
+        ("word", "return msg.data * 2"),
+        ("scan", "return min(msg.ranges) < 0.5"),
+        ("scan", "return len(msg.ranges) > 5 and msg.ranges[0] < 0.5"),
+        ("scan", "return list(msg.ranges) == []"),
+        ("scan", "return 'range ' + str(msg.ranges)"),
+        ("imu", "return msg.orientation_covariance < 0.5"),
+        ("pose", "return msg.position.x > 0"),
+        ("pose", "return msg.position == msg.position"),
+    ],
+)
+def test_a_field_as_what_it_is(judge: Judge, topic: str, line: str):
+    judge("MSG003", _node(topic, line))
+
+
+def test_where_python_s_objection_is_expected(judge: Judge):
+    judge("MSG003", _node("count", "try:; " + "    print('count: ' + msg.data); " + "except TypeError:; " + "    pass"))
+
+
+def test_one_callback_for_topics_of_two_types(judge: Judge):
+    judge(
+        "MSG003",
+        """
+        from rclpy.node import Node
+        from std_msgs.msg import Int32, String
+
+
+        class Robot(Node):
+            def __init__(self):
+                super().__init__('robot')
+                self.create_subscription(Int32, 'count', self.show, 10)
+                self.create_subscription(String, 'word', self.show, 10)
+
+            def show(self, msg):
+                if isinstance(msg, String):
+                    print('word: ' + msg.data)
+
+
+        class Plain(Node):
+            def __init__(self):
+                super().__init__('plain')
+                self.create_subscription(Int32, 'a', self.show, 10)
+                self.create_subscription(String, 'b', self.show, 10)
+
+            def show(self, msg):
+                print('word: ' + msg.data)
+        """,
+    )
+
+
+def test_a_response_that_a_client_reads(judge: Judge):
+    (finding,) = judge(
+        "MSG003",
+        """
+        import rclpy
+        from example_interfaces.srv import AddTwoInts
+        from rclpy.node import Node
+
+
+        class Asker(Node):
+            def __init__(self):
+                super().__init__('asker')
+                self.client = self.create_client(AddTwoInts, 'add')
+
+            def ask(self):
+                future = self.client.call_async(AddTwoInts.Request(a=1, b=2))
+                future.add_done_callback(self.done)
+
+            def done(self, future):
+                response = future.result()
+                self.get_logger().info('sum: ' + response.sum)  # here
+
+
+        def main():
+            rclpy.init()
+            node = Asker()
+            node.ask()
+            rclpy.spin(node)
+        """,
+    )
+    assert finding.message == (
+        "'sum' of example_interfaces/srv/AddTwoInts.Response is an int, and '+' with a string raises TypeError"
+    )
