@@ -18,6 +18,7 @@ from archlint.checks.name_reasons import (
     beside_relative,
     for_each_instance,
     in_namespace,
+    parted_from,
     unlike_another,
 )
 from archlint.model import EntityKind
@@ -68,34 +69,88 @@ class FixedName:
 
 
 def told(system: System, names: Sequence[FixedName], everywhere: bool) -> list[tuple[FixedName, Reason | None]]:
-    """The names that are worth a finding, each with what speaks against the form that it has: what launch files show of
-    a class, or relative names beside it.
+    """The names that are worth a finding, each with what speaks against the form that it has.
 
-    Absolute names are how the robot of a workspace is built, unless another node has one of them as a relative name, or
-    launch files start the node in a namespace: these are told, with all that have to change together with them.  A
-    small workspace, as of one who learns, also hears of names with the namespace of one robot in them, and of classes
-    that have names of both forms; who wants to be told of all, ``everywhere``.
+    Absolute names are how the robot of a workspace is built: with a bus that a fleet shares, or for a robot that is
+    alone.  Only one whose other end is relative fits no robot: a namespace parts the two.  Who learns, in a small
+    workspace that starts nothing but its own nodes, also hears of what else speaks against absolute names, and so does
+    who wants to be told of all, ``everywhere``.
     """
-    workspace = system.workspace
+    if everywhere or (is_lesson(system) and _starts_itself_only(system.workspace)):
+        return _told_of_all(system.workspace, names, everywhere)
+    parted = _parted(system.workspace, names)
+    return [(name, parted.get(_end_of(name))) for name in names if name.text[:1] != "/" or _end_of(name) in parted]
+
+
+def _starts_itself_only(workspace: WorkspaceIndex | None) -> bool:
+    """Whether launch files start nodes of the workspace alone: one with drivers, a simulator or a planner is for a robot
+    that somebody has."""
+    launched = () if workspace is None else (system for system in workspace.systems if system.launched is not None)
+    return not any(node.external for system in launched for node in system.nodes)
+
+
+def _told_of_all(
+    workspace: WorkspaceIndex | None, names: Sequence[FixedName], everywhere: bool
+) -> list[tuple[FixedName, Reason | None]]:
+    """The names that launch files or relative names around them speak against, those of classes that have names of both
+    forms, and of classes with the namespace of one robot in a name; or ``everywhere`` all of them."""
     by_home: dict[Home, list[FixedName]] = {}
     for name in names:
         by_home.setdefault(name.home, []).append(name)
     started = {home: reason for home, rows in by_home.items() if (reason := _as_started(workspace, rows)) is not None}
     others = {home: rows for home, rows in by_home.items() if home not in started}
-    evidence = {**_in_namespace(workspace, others), **_relative_elsewhere(others)}
-    small = everywhere or is_lesson(system)
-    if small:
-        evidence = {**_mixed(others), **evidence}
+    evidence = {**_mixed(others), **_in_namespace(workspace, others), **_relative_elsewhere(others)}
     chosen = _linked(others, evidence)
-    if small:
-        fixed = {home for home, rows in others.items() if everywhere or any(name.has_namespace for name in rows)}
-        chosen |= {home for home in fixed if not _is_tied(workspace, others[home])}
+    fixed = {home for home, rows in others.items() if everywhere or any(name.has_namespace for name in rows)}
+    chosen |= {home for home in fixed if not _is_tied(workspace, others[home])}
     against = {**evidence, **started}
     return [
         (name, reason if (reason := against.get(name.home)) is not None and _is_of(reason, name) else None)
         for name in names
         if _is_told(workspace, name, started.get(name.home), name.home in chosen)
     ]
+
+
+def _end_of(name: FixedName) -> tuple[str, str | None]:
+    """What a name stands for: the two ends of a topic have it in common with its type."""
+    return name.text, name.endpoint.type
+
+
+def _parted(workspace: WorkspaceIndex | None, names: Iterable[FixedName]) -> dict[tuple[str, str | None], Reason]:
+    """The absolute names whose other end has them as relative ones, if both meet as the launch files start them: in a
+    namespace they do not.  Where more classes have the name as an absolute one, that is how it is meant."""
+    ends: dict[tuple[str, str | None], list[FixedName]] = {}
+    for name in names:
+        if name.is_absolute or name.is_relative:
+            ends.setdefault((name.text.removeprefix("/"), name.endpoint.type), []).append(name)
+    parted: dict[tuple[str, str | None], Reason] = {}
+    for (text, type), rows in ends.items():
+        absolute = [name for name in rows if name.is_absolute]
+        relative = [name for name in rows if name.is_relative]
+        other = next((name for name in relative if any(_talk(workspace, end, name) for end in absolute)), None)
+        if other is not None and len({name.home for name in absolute}) <= len({name.home for name in relative}):
+            parted[f"/{text}", type] = parted_from(text, other.endpoint.place)
+    return parted
+
+
+_OTHER_END = {
+    EntityKind.PUBLISHER: EntityKind.SUBSCRIBER,
+    EntityKind.SERVICE: EntityKind.CLIENT,
+    EntityKind.ACTION_SERVER: EntityKind.ACTION_CLIENT,
+}
+_OTHER_END |= {other: kind for kind, other in _OTHER_END.items()}
+
+
+def _talk(workspace: WorkspaceIndex | None, absolute: FixedName, relative: FixedName) -> bool:
+    """Whether two names are the ends of one connection, however launch files start the nodes."""
+    kinds = _OTHER_END[absolute.endpoint.kind], relative.endpoint.kind
+    if absolute.home == relative.home or kinds[0] != kinds[1]:
+        return False
+    blueprint = relative.endpoint.node.blueprint
+    if workspace is None or blueprint is None:
+        return True
+    launched = workspace.launched_names(blueprint, relative.endpoint.kind, relative.endpoint.place)
+    return launched <= {absolute.text} and namespaces_of(workspace, absolute.endpoint.node.blueprint) == _ROOT
 
 
 def _is_of(reason: Reason, name: FixedName) -> bool:

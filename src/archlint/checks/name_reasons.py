@@ -90,6 +90,12 @@ def unlike_another(other: str, place: Place) -> Reason:
     return replace(FIXED, key="unlike", effect=effect, other=other, place=place)
 
 
+def parted_from(other: str, place: Place) -> Reason:
+    """For a name that the other end has as a relative one."""
+    effect = f", and the other end has '{_kept(other)}' as a relative name: in a namespace, the two no longer meet"
+    return replace(FIXED, key="parted", effect=effect, other=other, place=place)
+
+
 def in_namespace(namespace: str) -> Reason:
     """For a node that launch files start in one namespace."""
     return replace(FIXED, key="in namespace", effect=_unmoved(namespace))
@@ -115,6 +121,7 @@ __all__ = [
     "beside_relative",
     "for_each_instance",
     "in_namespace",
+    "parted_from",
     "repeating",
     "shared_by",
     "unlike_another",
