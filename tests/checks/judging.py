@@ -11,7 +11,11 @@ from archlint.finding import Finding
 from archlint.report import concise
 
 MARK = "# here"
-EVERYWHERE = {"NME001": "[rules.NME001]\neverywhere = true\n"}
+EVERYWHERE = {
+    "NME001": "[rules.NME001]\neverywhere = true\n",
+    "OWN001": "closed-world = true\n",
+    "OWN002": "closed-world = true\n",
+}
 """Options with which a rule tells of single names and classes what it tells by itself where more speaks for it."""
 
 

@@ -24,7 +24,7 @@ LAUNCH = """
 
 @pytest.mark.parametrize(
     ("launch_files", "judged"),
-    [([], True), (["left"], False), (["left right"], True), (["left", "right"], False)],
+    [([], False), (["left"], False), (["left right"], True), (["left", "right"], False)],
 )
 def test_nodes_that_only_different_launch_files_start_are_alternatives(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, launch_files: list[str], judged: bool

@@ -20,7 +20,6 @@ from checks.judging import Judge
 from systems.builders import (
     action_server,
     client,
-    from_parameter,
     node,
     partial,
     publisher,
@@ -72,24 +71,15 @@ class TestMultiplePublishers:
 
         assert owners(system(*nodes, name="launch/robot.launch.py")) == found
 
-    def test_where_nothing_starts_both_it_is_for_information(self):
-        judged = system(node("/joystick", publisher("cmd_vel")), node("/planner", publisher("cmd_vel")))
-
-        [finding] = multiple_publishers(judged, NOTHING_SAID)
-
-        assert finding.severity is Severity.INFO
-        assert finding.message.endswith(", if they run together: no launch file here starts both by default")
-
-    def test_what_nothing_starts_together_is_told_in_a_lesson_only(self):
-        drivers = [node("/joystick", publisher("cmd_vel")), node("/planner", publisher("cmd_vel"))]
+    def test_what_nothing_starts_together_are_alternatives(self):
+        drivers = [node("/joystick", publisher("cmd_vel", TWIST)), node("/planner", publisher("cmd_vel", TWIST))]
         arms = [node("/left", service("home")), node("/right", service("home"))]
-        others = [node(f"/part_{number}", publisher(f"part_{number}")) for number in range(4)]
 
-        assert owners(system(*drivers)) == [("/joystick", "/planner")]
-        assert owners(system(*drivers, *others)) == []
-        assert servers(system(*arms)) == [("/left", "/right")]
-        assert servers(system(*arms, *others)) == []
-        assert servers(system(*arms, *others, name="launch/robot.launch.py")) == [("/left", "/right")]
+        assert owners(system(*drivers)) == []
+        assert owners(system(*drivers, name="launch/robot.launch.py")) == [("/joystick", "/planner")]
+        assert servers(system(*arms)) == []
+        assert servers(system(*arms, name="launch/robot.launch.py")) == [("/left", "/right")]
+        assert servers(system(*arms, closed=True)) == [("/left", "/right")]
 
     def test_many_nodes_on_one_topic_have_it_for_all_of_them(self):
         nodes = [node(f"/{name}", publisher("state")) for name in "abcd"]
@@ -111,9 +101,9 @@ class TestMultiplePublishers:
         assert finding.severity is Severity.WARNING
 
     def test_three_nodes_are_one_finding(self):
-        judged = system(*(node(f"/{name}", publisher("cmd_vel")) for name in "abc"))
+        nodes = [node(f"/{name}", publisher("cmd_vel")) for name in "abc"]
 
-        assert owners(judged) == [("/a", "/b", "/c")]
+        assert owners(system(*nodes, name="launch/robot.launch.py")) == [("/a", "/b", "/c")]
 
     def test_two_publishers_of_one_node_are_its_own_business(self):
         assert owners(system(node("/joystick", publisher("cmd_vel"), publisher("cmd_vel")))) == []
@@ -139,26 +129,13 @@ class TestMultiplePublishers:
 
         assert owners(system(planner("/a"), planner("/b"), name="launch/robot.launch.py")) == []
 
-    def test_of_many_that_nothing_starts_together_one_runs(self):
-        nodes = [node(f"/{name}", publisher("cmd_vel", TWIST)) for name in "abcd"]
+    def test_who_listens_to_what_he_publishes_knows_of_the_others(self):
+        face, mood = publisher("face", "std_msgs/msg/Int32"), subscriber("face", "std_msgs/msg/Int32")
+        yields, other = node("/behavior", face, mood), node("/web", face)
+        third = node("/battery", face)
 
-        assert owners(system(*nodes[:3])) == [("/a", "/b", "/c")]
-        assert owners(system(*nodes)) == []
-
-    def test_exercises_in_folders_of_their_own_run_one_at_a_time(self):
-        one = node("/a", publisher("cmd_vel", TWIST), file="src/demo/week1/a.py")
-        other = node("/b", publisher("cmd_vel", TWIST), file="src/demo/week2/b.py")
-
-        assert owners(system(one, other)) == []
-        assert owners(system(one, other, name="launch/robot.launch.py")) == [("/a", "/b")]
-
-    def test_a_parameter_of_one_name_tells_both_where_to_publish(self):
-        nodes = [node(name, publisher(from_parameter("target_topic", "target"), TWIST)) for name in ("/a", "/b")]
-
-        assert owners(system(*nodes)) == []
-        assert owners(system(*nodes, name="launch/robot.launch.py")) == [("/a", "/b")]
-        mixed = [nodes[0], node("/c", publisher("target", TWIST))]
-        assert owners(system(*mixed)) == [("/a", "/c")]
+        assert owners(system(yields, other, name="launch/robot.launch.py")) == []
+        assert owners(system(yields, other, third, name="launch/robot.launch.py")) != []
 
     def test_topics_that_the_team_shares(self):
         judged = system(node("/a", publisher("events/door")), node("/b", publisher("events/door")))
@@ -346,7 +323,7 @@ SAYS = "self.goal_pub.publish(Float64())"
         ("pass", "pass", "goal", ("one", "two"), None),  # one of them never says anything
         ("pass", "self.say = getattr(self, 'goal_pub').publish", "goal", ("one", "two"), Severity.WARNING),
         (SAYS, "pass", "goal", ("one",), None),  # the launch file says that the other is left out
-        (SAYS, "pass", "goal", (), Severity.INFO),
+        (SAYS, "pass", "goal", (), None),
         (SAYS, "pass", "event_log", (), None),
         (SAYS, "pass", "event_log", ("one", "two"), Severity.WARNING),
     ],
@@ -757,7 +734,7 @@ def test_a_script_that_has_the_name_of_an_executable(
     [
         ("Float64", "all", None),
         ("Twist", "all", Severity.WARNING),  # a command is obeyed, whoever listens
-        ("Float64", "one", Severity.WARNING),
+        ("Float64", "one", None),
     ],
 )
 def test_publishers_that_all_listen_talk_to_each_other(
@@ -924,30 +901,6 @@ def test_a_publisher_that_a_parameter_turns_on(
     assert [one.severity for one in found] == [severity] * (severity is not None)
 
 
-@pytest.mark.parametrize("beside", [True, False], ids=["a script that nothing installs", "two executables"])
-def test_who_runs_a_loose_script_knows_what_else_runs(tmp_path, monkeypatch, beside: bool):
-    monkeypatch.chdir(tmp_path)
-    start = "\n\nif __name__ == '__main__':\n    main()\n"
-    files = {
-        "demo/package.xml": PACKAGE.strip(),
-        "demo/setup.py": SETUP,
-        "demo/demo/__init__.py": "",
-        "demo/demo/one.py": NODE.format(name="One", tick=SAYS, more="pass", topic="goal") + start,
-        f"{'demo/tools' if beside else 'demo/demo'}/two.py": NODE.format(
-            name="Two", tick=SAYS, more="pass", topic="goal"
-        )
-        + start,
-        "archlint.toml": 'select = ["OWN001"]',
-    }
-    for name, text in files.items():
-        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
-        (tmp_path / name).write_text(text)
-
-    findings = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
-
-    assert [one.severity for one in findings] == ([] if beside else [Severity.INFO])
-
-
 @pytest.mark.parametrize(
     ("title", "cure"),
     [
@@ -979,9 +932,9 @@ def test_two_drivers_that_serve_the_same_services_are_alternatives():
 
 def test_two_nodes_that_share_a_service_are_not():
     mine, yours = node("/arm", service("home"), client("vision")), node("/base", service("home"), publisher("state"))
-    assert len(list(multiple_servers(system(mine, yours), NOTHING_SAID))) == 1
+    assert len(servers(system(mine, yours, closed=True))) == 1
     more = node("/base", service("home"), service("dock"), publisher("state"), publisher("power"))
-    assert len(list(multiple_servers(system(mine, more), NOTHING_SAID))) == 1
+    assert len(servers(system(mine, more, closed=True))) == 1
 
 
 @pytest.mark.parametrize(

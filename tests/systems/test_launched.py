@@ -265,7 +265,7 @@ def test_what_a_launch_file_keeps_apart_is_no_conflict(robot):
 
 
 def test_without_a_launch_file_the_package_is_judged_as_a_whole(robot):
-    config = {"archlint.toml": 'select = ["OWN001"]', "setup.py": TWO_SETUP, "robot/other.py": TWO}
+    config = {"archlint.toml": 'select = ["OWN001"]\nclosed-world = true', "setup.py": TWO_SETUP, "robot/other.py": TWO}
     robot("", **config)
     assert findings() == [("OWN001", None)]
 

@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+from archlint.systems.nodes import key_of
+
 if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
-    from archlint.systems.nodes import Connection, Endpoint
+    from archlint.systems.nodes import Connection, Endpoint, Node
 
 COMMANDS = frozenset(
     {
@@ -32,18 +34,8 @@ _STATES = frozenset({"mode", "state"})
 _TO_LOOK_AT = frozenset({"debug"})
 _WORDS = frozenset({"std_msgs/msg/Empty", "std_msgs/msg/String"})
 """Messages that each stand for themselves, unless the topic's name says that they are a state."""
-SENDERS = (
-    "device_id",
-    "id",
-    "node",
-    "node_name",
-    "robot_id",
-    "robot_name",
-    "sender",
-    "sender_id",
-    "source",
-    "source_id",
-)
+_WHO = ("agent", "boat", "car", "device", "drone", "node", "robot", "sender", "source", "uav", "unit", "vehicle")
+SENDERS = ("id", "node", "sender", "source", *(f"{who}_{what}" for who in _WHO for what in ("id", "name")))
 """Fields that say whose a message is, or of what: such messages add up."""
 _MANY = 4
 
@@ -68,7 +60,7 @@ def is_state(topic: str) -> bool:
 def is_bus(workspace: WorkspaceIndex | None, connection: Connection, owners: Sequence[Endpoint]) -> bool:
     """Whether so many nodes publish a topic, or different ones with the help of one class, or just those that listen to
     it, too, that it is evidently there for all of them; or its messages say whose they are, or it is there for people
-    to look at.  Of commands that is never so."""
+    to look at.  Who listens to what he publishes knows of the others.  Of commands that is never so."""
     if any(end.type in COMMANDS for end in owners):
         return False
     listening = {id(user.node) for user in connection.users}
@@ -76,9 +68,25 @@ def is_bus(workspace: WorkspaceIndex | None, connection: Connection, owners: Seq
         return True
     if not _are_commands(connection, owners) and all(_says_whose(workspace, end.type) for end in owners):
         return True
+    if sum(id(end.node) not in listening for end in owners) < 2 or _is_for_instances(connection, owners):
+        return True
     classes = {end.node.blueprint.class_name for end in owners if end.node.blueprint is not None}
     helped = len({end.place for end in owners}) == 1 and len(classes) > 1
     return helped or len({end.node.name for end in owners}) >= _MANY
+
+
+def _is_for_instances(connection: Connection, owners: Sequence[Endpoint]) -> bool:
+    """Whether several nodes of one class publish a topic, and several of one class listen to it: each robot of a fleet
+    tells all the others."""
+    heard = [user.node for user in connection.users]
+    return all(
+        len({node.name for node in nodes}) > 1 and len({_class_of(node) for node in nodes}) == 1
+        for nodes in ([end.node for end in owners], heard)
+    )
+
+
+def _class_of(node: Node) -> object:
+    return None if node.blueprint is None else key_of(node.blueprint)
 
 
 def _says_whose(workspace: WorkspaceIndex | None, type_: str | None) -> bool:

@@ -83,7 +83,7 @@ def told(system: System, names: Sequence[FixedName], everywhere: bool) -> list[t
 
 
 def _starts_itself_only(workspace: WorkspaceIndex | None) -> bool:
-    """Whether launch files start nodes of the workspace alone: one with drivers, a simulator or a planner is for a robot
+    """Whether launch files start nodes of the workspace alone: one with drivers or a simulator is for a robot
     that somebody has."""
     launched = () if workspace is None else (system for system in workspace.systems if system.launched is not None)
     return not any(node.external for system in launched for node in system.nodes)

@@ -6,33 +6,26 @@ from collections.abc import Iterable
 from dataclasses import astuple, replace
 from typing import TYPE_CHECKING
 
-from archlint.analysis.owners import some_coexist
 from archlint.checks.registry import finding
-from archlint.finding import Finding, Related, Severity
+from archlint.finding import Finding, Related
 
 if TYPE_CHECKING:
-    from archlint.systems.model import System
     from archlint.systems.nodes import Endpoint
 
 
-def finding_for_owners(
-    code: str, system: System, owners: list[Endpoint], message: str, does: str, help: str
-) -> Finding:
-    """The finding at the last owner; for information only where nothing is seen to start any two of them."""
+def finding_for_owners(code: str, owners: list[Endpoint], message: str, does: str, help: str) -> Finding:
+    """The finding at the last owner."""
     last, others = owners[-1], owners[:-1]
-    proven = some_coexist(system, owners)
     diagnostic = finding(
         code,
         last.place,
-        message if proven else f"{message}, if they run together: no launch file here starts both by default",
+        message,
         help=help,
         related=[Related(other.place, f"{other.node.name} {does}") for other in others],
         node=last.node.name,
         identity=(last.kind, last.name or "", *_names(owners)),
     )
-    if code == "OWN001":
-        diagnostic = replace(diagnostic, group=_cause(last))
-    return diagnostic if proven else replace(diagnostic, severity=Severity.INFO)
+    return replace(diagnostic, group=_cause(last)) if code == "OWN001" else diagnostic
 
 
 def _cause(last: Endpoint) -> tuple[str, ...]:

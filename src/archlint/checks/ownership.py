@@ -2,19 +2,13 @@
 
 from __future__ import annotations
 
-import posixpath
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.arbitration import take_turns
-from archlint.analysis.aside import is_not_installed
-from archlint.analysis.coexistence import (
-    has_launch_files,
-)
 from archlint.analysis.echoes import is_driven, repeats
 from archlint.analysis.happenings import are_events, are_requests
-from archlint.analysis.lessons import is_lesson
 from archlint.analysis.owners import several_owners, some_coexist
 from archlint.analysis.sharing import are_words, is_bus, is_state
 from archlint.analysis.streams import sends_again_and_again, waits_for_nobody
@@ -70,38 +64,15 @@ def _is_meant(system: System, connection: Connection, owners: list[Endpoint]) ->
         return True  # as started here, one of them says something
     if not any(sends_again_and_again(system, end) for end in owners):
         return True  # each speaks on an occasion: who sent last is meant to be obeyed
-    if not some_coexist(system, owners) and (
-        has_launch_files(system)
-        or _says_what_happens(connection.name)
-        or _are_exercises(owners)
-        or not is_lesson(system)
-        or any(is_not_installed(system.workspace, end.place.file) for end in owners)  # each is run by hand
-    ):
-        return True
+    if not some_coexist(system, owners):
+        return True  # alternatives, or started by hand by somebody who knows what else runs
     return take_turns(system, owners)
-
-
-_EXERCISES = 4
-"""Of so many programs that nothing starts together, and that all say the same, one runs at a time."""
-
-
-def _are_exercises(owners: Sequence[Endpoint]) -> bool:
-    """Whether nodes that nothing starts together look like ways to do the same: many of them, in folders of their own
-    in one package, or each with a parameter of the same name that says where it publishes."""
-    folders = {(end.node.package, posixpath.dirname(end.place.file)) for end in owners}
-    parameters = {end.creation.name.parameter for end in owners}
-    return (
-        len({end.node.name for end in owners}) >= _EXERCISES
-        or len(folders) > len({package for package, _ in folders})
-        or (len(parameters) == 1 and None not in parameters)
-    )
 
 
 def _of_topic(system: System, connection: Connection, owners: list[Endpoint]) -> Finding:
     switches = {end.node.name: switch for end in owners if (switch := switch_of(system, end)) is not None}
     finding = finding_for_owners(
         "OWN001",
-        system,
         owners,
         f"{all_of(owners)} publish the topic '{connection.name}'{_if_set(switches)}",
         f"publishes '{connection.name}' here",

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from archlint.analysis.lessons import is_lesson
 from archlint.analysis.owners import several_owners, some_coexist
 from archlint.checks.owner_findings import all_of, finding_for_owners
 from archlint.checks.registry import Options, rule
@@ -18,15 +17,13 @@ if TYPE_CHECKING:
 
 @rule("OWN002", scope=Scope.SYSTEM)
 def multiple_servers(system: System, options: Options) -> Iterator[Finding]:
-    """Services and actions with servers in several nodes that run together.  What nothing starts together are variants,
-    unless one who learns has written them."""
+    """Services and actions with servers in several nodes that run together: what nothing starts so are variants."""
     for connection in (*system.services.values(), *system.actions.values()):
         for owners in several_owners(system, connection):
-            if not some_coexist(system, owners) and not is_lesson(system):
+            if not some_coexist(system, owners):
                 continue
             yield finding_for_owners(
                 "OWN002",
-                system,
                 owners,
                 f"{all_of(owners)} serve the {connection.kind} '{connection.name}': every request reaches all of them",
                 "serves it here",
