@@ -479,3 +479,69 @@ def test_several_lines_of_a_method_that_nothing_calls(judge: Judge, caller: str,
     lines = "message.number = 1  # here\n            message.amount = 1"
     (finding,) = judge("MSG001", UNCALLED.replace("{caller}", caller).replace("message.number = 1", lines))
     assert finding.severity is Severity.INFO and finding.help.startswith(said)
+
+
+OTHERS = "import rclpy\nfrom rclpy.node import Node\n" + "".join(
+    f"\n\nclass Idle{number}(Node):\n    def __init__(self):\n        super().__init__('idle{number}')\n"
+    for number in range(5)
+)
+
+
+@pytest.mark.parametrize("code", ["API002", "MSG001"])
+def test_a_method_that_nothing_calls_in_a_large_workspace(judge: Judge, code: str):
+    """Whoever learns is told of it; elsewhere it is a leftover."""
+    text = UNCALLED.replace("{caller}", "self.ready = True").replace("message = Int32(", "message = Int32(other=1, ")
+    judge(code, text, OTHERS)
+    called = text.replace("self.ready = True", "self.create_timer(1.0, self.tick)")
+    line = "message = Int32(other=1, data=self.total)"
+    assert len(judge(code, called.replace(line, f"{line}  # here"), OTHERS)) == 1
+
+
+SWITCHED = """
+    import rclpy
+    from rclpy.node import Node
+
+
+    class Swarm(Node):
+        def __init__(self):
+            super().__init__('swarm')
+            self.rotating = False
+            self.create_timer(1.0, self.tick)
+
+        def tick(self):
+            if {test}:
+                print(self.axis){here}
+                self.rotating = False
+            {more}
+
+
+    def main():
+        rclpy.init()
+        rclpy.spin(Swarm())
+
+
+    if __name__ == '__main__':
+        main()
+"""
+
+
+@pytest.mark.parametrize(
+    ("test", "more", "here"),
+    [
+        ("self.rotating", "", ""),
+        ("self.rotating == True", "", ""),
+        ("self.rotating is True and rclpy.ok()", "", ""),
+        ("self.rotating or rclpy.ok()", "", "  # here"),
+        ("not self.rotating", "", "  # here"),
+        ("self.rotating", "self.rotating = rclpy.ok()", "  # here"),
+        ("self.rotating", "self.rotating |= rclpy.ok()", "  # here"),
+    ],
+)
+def test_code_behind_a_flag_that_stays_false(judge: Judge, test: str, more: str, here: str):
+    source = SWITCHED.replace("{test}", test).replace("{more}", more).replace("{here}", here)
+    judge("API002", source, OTHERS)
+
+
+def test_another_file_may_switch_it_on(judge: Judge):
+    source = SWITCHED.replace("{test}", "self.rotating").replace("{more}", "").replace("{here}", "  # here")
+    judge("API002", source, OTHERS + "\n\ndef turn(swarm):\n    swarm.rotating = True\n")

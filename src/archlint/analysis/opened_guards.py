@@ -89,6 +89,8 @@ def _present(test: facts.Expr) -> Iterator[str]:
     match test:
         case facts.Compare(left=left, ops=["is not"] | ["!="], comparators=[other]) if is_none(other):
             yield left.dotted
+        case facts.Compare(left=left, ops=["is"] | ["=="], comparators=[facts.Literal(value=True)]):
+            yield left.dotted
         case facts.Boolean(op="and", values=values):
             for value in values:
                 yield from _present(value)

@@ -16,7 +16,7 @@ from archlint.analysis.unassigned_attributes import (
     unassigned_attributes,
 )
 from archlint.checks.registry import finding
-from archlint.checks.uncalled import mild_if_uncalled
+from archlint.checks.uncalled import unless_uncalled
 from archlint.finding import Finding, Related
 from archlint.suggestions import meant
 
@@ -44,10 +44,11 @@ def attribute_findings(system: System) -> Iterator[Finding]:
         return
     yield from map(_overwritten, overwritten_properties(system.workspace))
     yield from map(_action_overwritten, overwritten_actions(system.workspace))
-    yield from (mild_if_uncalled(system, _absent(row)) for row in absent_members(system.workspace))
+    for absent in absent_members(system.workspace):
+        yield from unless_uncalled(system, _absent(absent))
     for row in object_members(system):
         diagnostic = _called_property(row) if isinstance(row, CalledProperty) else _absent(row)
-        yield mild_if_uncalled(system, diagnostic)
+        yield from unless_uncalled(system, diagnostic)
     told = {(callback.place.file, callback.missing) for callback in system.callbacks if callback.missing}
     told |= {
         (call.place.file, name) for run in system.programs for call in run.refused_calls for name in call.parameters
@@ -55,13 +56,14 @@ def attribute_findings(system: System) -> Iterator[Finding]:
     for read in unassigned_attributes(system.workspace):
         if (read.place.file, read.name) not in told:
             diagnostic = _unassigned(read)
-            yield diagnostic if read.is_slip or read.local else _of_uncalled(system, diagnostic)
+            yield from [diagnostic] if read.is_slip or read.local else _of_uncalled(system, diagnostic)
 
 
-def _of_uncalled(system: System, diagnostic: Finding) -> Finding:
+def _of_uncalled(system: System, diagnostic: Finding) -> Iterator[Finding]:
     """What is advised for a method that nothing calls, once for all that is wrong in it."""
-    mild = mild_if_uncalled(system, diagnostic)
-    return mild if mild.help == diagnostic.help else replace(mild, group=(UNCALLED, mild.place.file, mild.help or ""))
+    for told in unless_uncalled(system, diagnostic):
+        same = told.help == diagnostic.help
+        yield told if same else replace(told, group=(UNCALLED, told.place.file, told.help or ""))
 
 
 def _overwritten(assignment: Overwritten) -> Finding:

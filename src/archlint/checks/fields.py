@@ -12,7 +12,7 @@ from archlint.analysis.pinned import is_for_older_ros
 from archlint.checks.folding import folds, with_others
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
-from archlint.checks.uncalled import mild_if_uncalled
+from archlint.checks.uncalled import unless_uncalled
 from archlint.checks.wrong_keywords import outcome_of_keyword
 from archlint.finding import Related
 from archlint.model import NAMED
@@ -55,7 +55,7 @@ def unknown_field(system: System, options: Options) -> Iterator[Finding]:
             reported.update(hop.call for _, hop in wrong)
             continue
         if len(missing) == len(uses[place]):
-            yield mild_if_uncalled(system, _unknown_field(system, missing[0], keyword))
+            yield from unless_uncalled(system, _unknown_field(system, missing[0], keyword))
             continue
         certain = [use for use in missing if use.delivered is not None and use.delivered.place not in reported]
         if certain:  # once for each that delivers: the first use ends the callback

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.own_calls import RefusedOwnCall, calls_of_bare_super, refused_own_calls
 from archlint.checks.argument_words import what_does_not_fit
 from archlint.checks.registry import finding
-from archlint.checks.uncalled import mild_if_uncalled
+from archlint.checks.uncalled import unless_uncalled
 from archlint.finding import Finding, Related
 
 if TYPE_CHECKING:
@@ -20,9 +20,9 @@ def own_call_findings(system: System) -> Iterator[Finding]:
     """The findings about such calls."""
     if system.workspace is not None:
         for call in refused_own_calls(system.workspace):
-            yield mild_if_uncalled(system, _finding(call))
+            yield from unless_uncalled(system, _finding(call))
         for place in calls_of_bare_super(system.workspace):
-            yield mild_if_uncalled(system, _of_bare_super(place))
+            yield from unless_uncalled(system, _of_bare_super(place))
 
 
 def _finding(call: RefusedOwnCall) -> Finding:

@@ -18,7 +18,7 @@ from archlint.checks.own_calls import own_call_findings
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.time_operators import OPERATOR, time_operator_findings
-from archlint.checks.uncalled import mild_if_uncalled
+from archlint.checks.uncalled import unless_uncalled
 from archlint.finding import Finding
 from archlint.libraries.api_signatures import attributes_of, signatures_of
 from archlint.model import Misuse, RefusedCall
@@ -64,7 +64,7 @@ def unknown_attribute(system: System, options: Options) -> Iterator[Finding]:
                 group=_group(call, logs),
                 meant=call.wanted,
             )
-            yield diagnostic if call.wanted else mild_if_uncalled(system, diagnostic)
+            yield from [diagnostic] if call.wanted else unless_uncalled(system, diagnostic)
 
 
 def _group(call: RefusedCall, logs: bool) -> tuple[str, ...]:

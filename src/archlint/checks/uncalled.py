@@ -5,25 +5,34 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from archlint.analysis.closed_guards import is_switched_off
 from archlint.analysis.left_over import is_named_nowhere
+from archlint.analysis.lessons import is_lesson
 from archlint.analysis.uncalled_methods import uncalled_method
 from archlint.finding import Severity
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
     from archlint.finding import Finding, Place
     from archlint.systems.model import System
 
 
-def mild_if_uncalled(system: System, diagnostic: Finding) -> Finding:
-    """The same finding; as information where the file is a program and nothing calls that method, or only such methods
-    do, with the advice to delete one that nothing calls.  What a library offers is for others to call."""
+def unless_uncalled(system: System, diagnostic: Finding) -> Iterator[Finding]:
+    """The same finding; none where the file is a program and nothing calls that method, or only such methods do, and
+    none behind a flag that stays false: it is left over, and nobody meets the mistake.  In a lesson it is information
+    then, with the advice to delete a method that nothing calls.  What a library offers is for others to call."""
     name = uncalled_in_program(system, diagnostic.place)
-    if name is None or system.workspace is None:
-        return diagnostic
-    mild = replace(diagnostic, severity=Severity.INFO)
-    if not is_named_nowhere(system.workspace, diagnostic.place.file, name):
-        return mild  # whoever deletes it breaks its callers
-    return replace(mild, help=f"delete {name}(), which nothing calls")
+    if name is None and is_switched_off(system.workspace, diagnostic.place):
+        if is_lesson(system):
+            yield replace(diagnostic, severity=Severity.INFO)
+    elif name is None or system.workspace is None:
+        yield diagnostic
+    elif is_lesson(system):
+        mild = replace(diagnostic, severity=Severity.INFO)
+        deletes = is_named_nowhere(system.workspace, diagnostic.place.file, name)
+        # Whoever deletes one that another calls breaks that one.
+        yield replace(mild, help=f"delete {name}(), which nothing calls") if deletes else mild
 
 
 def uncalled_in_program(system: System, place: Place) -> str | None:
@@ -32,4 +41,4 @@ def uncalled_in_program(system: System, place: Place) -> str | None:
     return uncalled_method(system.workspace, place) if is_program else None
 
 
-__all__ = ["mild_if_uncalled", "uncalled_in_program"]
+__all__ = ["uncalled_in_program", "unless_uncalled"]

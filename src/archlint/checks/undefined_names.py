@@ -13,7 +13,7 @@ from archlint.analysis.undefined_names import Undefined, undefined_names
 from archlint.checks.folding import folds, with_others
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
-from archlint.checks.uncalled import mild_if_uncalled
+from archlint.checks.uncalled import unless_uncalled
 from archlint.finding import Finding, Related, Severity
 from archlint.suggestions import meant, nearest
 
@@ -30,9 +30,9 @@ def undefined_name(system: System, options: Options) -> Iterator[Finding]:
     """Names that code reads and that neither the file nor Python defines."""
     if system.workspace is not None:
         for read in undefined_names(system.workspace):
-            yield mild_if_uncalled(system, _finding(system.workspace, read))
+            yield from unless_uncalled(system, _finding(system.workspace, read))
         for local in unbound_locals(system.workspace):
-            yield mild_if_uncalled(system, _too_early(local) if local.caught is None else _past_handler(local))
+            yield from unless_uncalled(system, _too_early(local) if local.caught is None else _past_handler(local))
 
 
 def _too_early(read: UnboundLocal) -> Finding:
