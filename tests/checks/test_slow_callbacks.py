@@ -1660,3 +1660,68 @@ def test_a_class_that_another_program_spins_with_several_threads(
     beside = "self.create_subscription(Empty, 'beside', print, 10)\n"
     [found] = [one for one in run(source(beside + create, timer("time.sleep(1.0)"))) if one.code == "EXE003"]
     assert found.severity is severity
+
+
+READS = """
+def read(self, request, response):
+    for protocol in {protocols}:
+        if self.ask(protocol):
+            break
+    return response
+
+def ask(self, protocol):
+    end = time.monotonic() + {limit}
+    while time.monotonic() < end:
+        if receive(protocol):
+            return True
+        time.sleep(0.005)
+    return False
+"""
+
+
+@pytest.mark.parametrize(
+    ("protocols", "limit", "expected"),
+    [("self.order()", "0.15", []), ("range(100)", "0.15", ["SRV008"]), ("self.order()", "30.0", ["SRV008"])],
+)
+def test_a_for_in_a_caller_counts_as_one_around_the_sleep(run: Run, protocols: str, limit: str, expected: list[str]):
+    methods = READS.replace("{protocols}", protocols).replace("{limit}", limit)
+    methods += "\ndef order(self):\n    return load()\n"
+    assert codes(run(source("self.create_service(Trigger, 'read', self.read)\n", methods))) == expected
+
+
+RECONNECTS = """
+def tick(self):
+    {send}
+
+def reconnect(self):
+    while not self.connect():
+        time.sleep(5.0)
+
+def connect(self):
+    return read()
+"""
+
+
+@pytest.mark.parametrize(
+    ("send", "expected"),
+    [("if not send():\n        self.reconnect()", []), ("self.reconnect()", ["EXE003"])],
+)
+def test_a_lesson_is_not_about_a_rare_reconnection(run: Run, send: str, expected: list[str]):
+    """Nothing waits but the callback's own next turn."""
+    assert codes(run(source("self.create_timer(1.0, self.tick)\n", RECONNECTS.replace("{send}", send)))) == expected
+
+
+@pytest.mark.parametrize(
+    ("beside", "seconds", "expected"),
+    [
+        ("", "0.1", []),
+        ("", "5.0", ["EXE007"]),
+        ("self.create_subscription(Empty, 'stop', print, 10)\n", "0.1", ["EXE007"]),
+    ],
+)
+def test_a_node_that_only_looks_up_waits_for_itself_alone(run: Run, beside: str, seconds: str, expected: list[str]):
+    """In a large workspace; whoever learns hears of it anyway."""
+    lookup = LOOKUP.replace("{timeout}", f"Duration(seconds={seconds})")
+    text = source(TF.replace("{more}", "") + beside, lookup)
+    assert codes(run(text + MANY_NODES)) == expected
+    assert codes(run(text)) == ["EXE007"]

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis import blocking
 from archlint.analysis.callback_roles import runs_in_executor
 from archlint.analysis.deadlock import threads_of
-from archlint.analysis.own_buffers import fills_what_is_read_before
+from archlint.analysis.own_buffers import fills_what_is_read_before, is_of_listener
 from archlint.model import EntityKind, ExecutorKind, GroupKind, Role
 
 if TYPE_CHECKING:
@@ -54,14 +54,19 @@ def blocks_nobody(callback: Callback, program: Program) -> bool:
     return not others
 
 
-def who_waits(code: SourceCode, call: ApiCall, program: Program) -> Waiting:
-    """Who waits while a callback keeps its thread in a call."""
+def who_waits(code: SourceCode, call: ApiCall, program: Program, *, but_listeners: bool = False) -> Waiting:
+    """Who waits while a callback keeps its thread in a call, transform listeners left out with ``but_listeners``."""
     callback = call.context
     node = callback.node
     if node is None:
         return Waiting.UNKNOWN
     nodes = [node, *(other for use in program.executors_of(node) for other in use.nodes if other is not node)]
-    others = [creation for spun in nodes for creation in _taken_in_besides(code, spun, call, program)]
+    others = [
+        creation
+        for spun in nodes
+        for creation in _taken_in_besides(code, spun, call, program)
+        if not but_listeners or creation is None or not is_of_listener(code, creation)
+    ]
     if others:
         return Waiting.SELDOM if all(map(_runs_seldom, others)) else Waiting.OTHERS
     # The transitions of a lifecycle node wait, too, if anybody asks for one.

@@ -48,6 +48,16 @@ def _comes_after(code: SourceCode, last: _Path, earlier: _Path) -> bool:
     return bool(before and after) and follows and all(_always_runs(code, place) for place in inside)
 
 
+def is_called_in_branches(code: SourceCode, call: ApiCall) -> bool:
+    """Whether the helper that holds a call is reached only where an ``if`` comes out in one way, whoever calls it."""
+    return all(any(_is_in_branch(code, place) for place in path[:-1]) for path in paths_to(call))
+
+
+def _is_in_branch(code: SourceCode, place: Place) -> bool:
+    graph = graph_of(code.body_at(place))
+    return any(isinstance(edge.source.statement, facts.If) for edge in graph.outcomes(graph.evaluating(place.span)))
+
+
 def path_comes_before(code: SourceCode, first: _Path, later: _Path) -> bool:
     """Whether what runs cannot go one way to its end without having gone another one."""
     shared = _shared(first, later)
@@ -105,4 +115,12 @@ def _true_calls(test: facts.Expr, holds: bool) -> Iterator[facts.Call]:
             yield test
 
 
-__all__ = ["always_comes_after", "always_comes_before", "certainly_true", "dominates", "path_comes_before", "paths_to"]
+__all__ = [
+    "always_comes_after",
+    "always_comes_before",
+    "certainly_true",
+    "dominates",
+    "is_called_in_branches",
+    "path_comes_before",
+    "paths_to",
+]

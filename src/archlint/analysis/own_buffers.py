@@ -18,6 +18,12 @@ _LOOKUPS = ("tf2_ros.buffer.Buffer.lookup_transform", "tf2_ros.buffer.Buffer.can
 _LISTENERS = frozenset({"TransformListener", "StaticTransformListener"})
 
 
+def is_of_listener(code: SourceCode, creation: Creation) -> bool:
+    """Whether a subscription is that of a transform listener."""
+    listener = code.call_at(creation.place)
+    return listener is not None and called_name(listener) in _LISTENERS
+
+
 def fills_what_is_read_before(code: SourceCode, creation: Creation, call: ApiCall, program: Program) -> bool:
     """Whether a subscription is that of a transform listener whose buffer, an attribute of the node, serves nothing
     but lookups which the callback of a wait does before it waits."""
@@ -47,4 +53,4 @@ def fills_what_is_read_before(code: SourceCode, creation: Creation, call: ApiCal
     )
 
 
-__all__ = ["fills_what_is_read_before"]
+__all__ = ["fills_what_is_read_before", "is_of_listener"]

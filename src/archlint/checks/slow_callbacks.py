@@ -15,7 +15,8 @@ from archlint.analysis.deadlock import threads_of
 from archlint.analysis.kept import once
 from archlint.analysis.kept_waiting import Waiting, blocks_nobody, is_one_chain, who_waits
 from archlint.analysis.lessons import is_lesson
-from archlint.analysis.loop_times import around_future, in_loops, retries_after_errors
+from archlint.analysis.loop_times import around_future, in_loops, is_retry, retries_after_errors
+from archlint.analysis.order import is_called_in_branches
 from archlint.analysis.own_timers import ends_its_timer_after, ends_its_timer_before
 from archlint.analysis.present_servers import is_there
 from archlint.analysis.processes import ends_the_machine, ends_with_the_node, is_signalled_to_end, is_soon_over
@@ -57,7 +58,8 @@ _Row = tuple["Program", "ApiCall", Stay]
 def slow_callback(system: System, options: Options) -> Iterator[Finding]:
     """Sleeps and waits for the world outside that callbacks reach: one finding for the function that holds them.  In a
     lesson, and with ``alone``, also where that delays nothing but the callback's own next turn and slow timers."""
-    code, alone = source_code(system), options.flag("alone") or is_lesson(system)
+    code, lesson = source_code(system), is_lesson(system) and not options.flag("alone")
+    alone = lesson or options.flag("alone")
     asked = clients_of_handlers(system, options.distros)
     reported = functions_that_ask(system, options.distros)
     endless = {loop.loop for loop in attribute_loops(system)}
@@ -95,7 +97,8 @@ def slow_callback(system: System, options: Options) -> Iterator[Finding]:
         sorted(rows.values(), key=_longest_first)
         for rows in functions.values()
         if not all(_is_left_alone(system, program, call, stay) for program, call, stay in rows.values())
-        if alone or not all(_delays_nothing(code, row) for row in rows.values())
+        if not all(_delays_nothing(code, row) for row in rows.values())
+        or (alone and not (lesson and all(_is_occasional(code, row) for row in rows.values())))
     ]
     worst: dict[tuple[str, ...], _Row] = {}
     for [row, *_] in slow_functions:
@@ -154,6 +157,12 @@ def _delays_nothing(code: SourceCode, row: _Row) -> bool:
     return not made_here(call) and who_waits(code, call, program) in (Waiting.NOBODY, Waiting.SELDOM)
 
 
+def _is_occasional(code: SourceCode, row: _Row) -> bool:
+    """Whether what a callback calls sleeps only under a condition, as where a connection is lost."""
+    _, call, stay = row
+    return stay.kind == "sleep" and is_called_in_branches(code, call)
+
+
 def _is_pause_of_retry(code: SourceCode, call: ApiCall, stay: Stay) -> bool:
     """Whether a short sleep comes before the next of a few attempts, each of which is to work."""
     return stay.kind == "sleep" and (stay.seconds or math.inf) <= PAUSE and retries_after_errors(code, call)
@@ -180,7 +189,7 @@ def _stays(system: System) -> Iterator[_Row]:
             or (stay.kind == "discovery" and is_there(system, call))
             or ends_with_the_node(code, call, stay)
             or ends_the_machine(code, call)
-            or (stay.kind == "process" and not call.looped and is_soon_over(code, call))
+            or (stay.kind == "process" and (not call.looped or is_retry(code, call)) and is_soon_over(code, call))
             or _is_no_program(system, call.context)
         ):
             continue

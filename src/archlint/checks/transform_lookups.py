@@ -8,8 +8,11 @@ from typing import TYPE_CHECKING
 from archlint.analysis import blocking
 from archlint.analysis.callback_roles import callback_words, runs_in_executor
 from archlint.analysis.deadlock import threads_of
+from archlint.analysis.kept_waiting import Waiting, who_waits
+from archlint.analysis.lessons import is_lesson
 from archlint.analysis.reach import argument, calls_of, one_for_each_place
 from archlint.analysis.sleeps import longest
+from archlint.analysis.source_code import SourceCode, source_code
 from archlint.analysis.spins import spun_node
 from archlint.checks.callback_findings import finding_in_callback
 from archlint.checks.folding import class_around, folds, with_places
@@ -27,7 +30,8 @@ _LISTENER = "tf2_ros.transform_listener.TransformListener"
 
 @rule("EXE007", scope=Scope.CODE)
 def blocking_tf_lookup(system: System, options: Options) -> Iterator[Finding]:
-    """Transform lookups with a timeout on the only thread that could bring the transform."""
+    """Transform lookups with a timeout on the only thread that could bring the transform; in a lesson also where that
+    delays nothing."""
     threaded = [
         (program, spun_node(call, program)) for program, call in calls_of(system, (_LISTENER,)) if _spins_itself(call)
     ]
@@ -49,6 +53,7 @@ def blocking_tf_lookup(system: System, options: Options) -> Iterator[Finding]:
         for program, call in calls_of(system, _LOOKUPS)
         if runs_in_executor(call.context)
         and _waits(call)
+        and (is_lesson(system) or not _delays_nothing(source_code(system), program, call))
         and threads_of(call.context.node, program) == blocking.ONE
         # A thread of its own helps a listener that has a node of its own: this node's executor takes the node from it.
         and all(node is call.context.node for other, node in threaded if other is program)
@@ -69,13 +74,25 @@ def _of_one_class(findings: Sequence[Finding]) -> Finding:
     return with_places(findings, "it looks up a transform here, too")
 
 
+def _delays_nothing(code: SourceCode, program: Program, call: ApiCall) -> bool:
+    """Whether a timer's callback waits for less than its period, in a node that has nothing else to do: it looks again
+    in its next turn, which comes in time."""
+    period, seconds = None if call.context.creation is None else call.context.creation.period, _seconds(call)
+    short = period is not None and seconds is not None and seconds < period and not call.looped
+    return short and who_waits(code, call, program, but_listeners=True) == Waiting.NOBODY
+
+
+def _seconds(call: ApiCall) -> float | None:
+    return longest(argument(call, "timeout"))
+
+
 def _waits(call: ApiCall) -> bool:
-    seconds = longest(argument(call, "timeout"))
+    seconds = _seconds(call)
     return seconds is not None and seconds > 0
 
 
 def _limit_words(call: ApiCall) -> str:
-    seconds = longest(argument(call, "timeout"))
+    seconds = _seconds(call)
     return "" if seconds is None else f" {seconds:g} s"
 
 
