@@ -59,6 +59,20 @@ def test_an_argument_whose_default_says_nothing_waits_for_a_value(findings, defa
     assert len([one for one in findings("NME002", launch) if "namespace" in one.message]) == told
 
 
+def test_a_default_of_a_launch_configuration_that_says_nothing_waits_too(findings):
+    launch = """\
+from launch import LaunchDescription
+from launch.substitutions import LaunchConfiguration
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    robot = LaunchConfiguration('robot', default={default!r})
+    return LaunchDescription([Node(package='robot', executable='talker', namespace=robot)])
+"""
+    assert findings("NME002", **{"launch/two.launch.py": launch.format(default="-")}) == []
+    assert len(findings("NME002", **{"launch/two.launch.py": launch.format(default="robot-1")})) == 1
+
+
 def test_bad_names_in_yaml_and_python(findings):
     found = findings("NME002", **{"launch/two.launch.yaml": YAML})
     assert told(found) == [

@@ -472,3 +472,11 @@ def test_a_parameter_file_with_placeholders_gives_one_information(findings, writ
 def test_a_text_that_is_no_placeholder(findings, written: str):
     (one,) = _of_file(findings, f"rate: {written}")
     assert one.severity is Severity.ERROR and "of type string" in one.message
+
+
+@pytest.mark.parametrize(("namespace", "told"), [("second", 1), ("2nd", 0)])
+def test_nothing_is_set_on_a_node_that_ros_refuses_to_start(findings, namespace: str, told: int):
+    assert len(findings("PRM004", node('<param name="volume" value="2.0"/>', namespace=namespace))) == told
+    publisher = node('<param name="volume" value="2.0"/>', pkg="robot_state_publisher", exec="robot_state_publisher")
+    launch = publisher.replace("<node ", f"<node namespace='{namespace}' ")
+    assert len(findings("PRM004", launch)) == told

@@ -78,7 +78,7 @@ INCLUDES = "".join(f'<include file="$(find-pkg-share robot)/launch/{name}.launch
     [
         ({}, {}, "remove one of the two: they start the same program in the same way"),
         ({}, {"args": "--quiet"}, "start the program once, or give each its own name or namespace"),
-        ({}, {"exec": "other", "name": "talker"}, "give each its own name or namespace"),
+        ({}, {"exec": "other", "name": "talker"}, "give each its own name"),  # in a namespace, its topics move, too
     ],
 )
 def test_a_program_that_two_files_start(findings, one, other, help):
@@ -87,6 +87,11 @@ def test_a_program_that_two_files_start(findings, one, other, help):
     }
     (found,) = findings("NME004", INCLUDES, **launch)
     assert found.help == help
+
+
+def test_nodes_that_ros_refuses_to_start_do_not_meet(findings):
+    assert findings("NME004", node(namespace="2nd") * 2) == []
+    assert len(findings("NME004", node(namespace="second") * 2)) == 1
 
 
 def test_a_node_that_one_branch_makes_beside_the_other_is_information(findings):
@@ -408,8 +413,12 @@ def test_two_launch_actions_are_one_finding_with_all_names(findings):
     files = {"robot/talker.py": before + main}
     (found,) = findings("NME004", f"{node()}\n{node()}", **files)
     assert found.message == "two launch actions start nodes with the same names: /params, /talker"
-    assert found.help == "give each action its own namespace: name= would rename all its nodes"
-    assert findings("NME004", f"{node()}\n{node(namespace='b')}", **files) == []  # the advice works
+    assert found.help == (
+        "give each its own name in the code, or in one action ros_arguments=['-r', 'params:__node:=…']: name= would "
+        "rename all its nodes"
+    )
+    other = node(ros_args="-r params:__node:=others -r talker:__node:=other")
+    assert findings("NME004", f"{node()}\n{other}", **files) == []  # the advice works
     (sole,) = findings("NME004", f"{node()}\n{node()}")
     assert (sole.message, "its own name or namespace" in sole.help) == (
         "two nodes of this system have the name '/talker'",

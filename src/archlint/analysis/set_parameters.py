@@ -22,12 +22,13 @@ def called(node: Node) -> str:
 
 
 def set_nodes(system: System) -> Iterator[tuple[Node, list[Setting]]]:
-    """The nodes of a launched system whose source is here, with what is set on each."""
+    """The nodes of a launched system whose source is here, with what is set on each.  One whose name ROS rejects never
+    starts, and nothing is set on it."""
     workspace = system.workspace
     if system.launched is None or workspace is None:
         return
     for node in system.nodes:
-        if node.started is not None and node.blueprint is not None:
+        if node.started is not None and node.blueprint is not None and node.error is None:
             full = node.name if node.resolution in ("exact", "parameter") else None
             yield node, applied(node.started, full, workspace.parameters_of)
 

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from archlint.analysis.declared_parameters import always_declared
+from archlint.checks.launched_names import is_given_by_launch
 from archlint.checks.misspelt_parameters import is_misspelt
 from archlint.checks.registry import finding
 from archlint.finding import Finding
@@ -41,6 +42,8 @@ def unknown_to_externals(system: System) -> Iterator[Finding]:
         known = node.known
         if known is None or known.takes_any_parameter or not known.complete or processes[id(node.started)] > 1:
             continue
+        if is_given_by_launch(node):
+            continue  # ROS rejects its name: it never starts
         declared = {row.name.text for row in node.declared if row.name.text is not None}
         for setting in node.settings:
             name = setting.name

@@ -34,7 +34,7 @@ def names_given_by_launch(system: System) -> Iterator[Finding]:
         if started.dormant or started.kind == StartedKind.PROCESS:
             continue
         for bad in _bad_names(started):
-            if empty and _has_empty_part(bad.finding):
+            if _is_placeholder(bad.finding) or (empty and _has_empty_part(bad.finding)):
                 continue
             key = (bad.finding.identity[0], bad.cause)  # the rounds of a loop give several names at one place
             if bad.rejected[0] == "namespace":
@@ -70,6 +70,13 @@ def _has_empty_part(diagnostic: Finding) -> bool:
     """Whether the bad name is empty, or has nothing between two slashes or behind the last, or a mere ``-``."""
     _, *given = diagnostic.identity
     return any(_says_nothing(part) for name in given if name != "/" for part in name.removeprefix("/").split("/"))
+
+
+def _is_placeholder(diagnostic: Finding) -> bool:
+    """Whether the bad name has a part such as ``-``, which is there until somebody says how it is called."""
+    _, *given = diagnostic.identity
+    parts = (part for name in given for part in name.split("/"))
+    return any(part not in ("", "~") and _says_nothing(part) for part in parts)
 
 
 def _says_nothing(text: str) -> bool:

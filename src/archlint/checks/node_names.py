@@ -12,6 +12,7 @@ from archlint.analysis.brief_programs import is_brief
 from archlint.branches import exclusive, runs_along
 from archlint.checks.doubled_includes import Again, Twins, included_twice, of_includes
 from archlint.checks.folding import folds, with_other_places, with_others
+from archlint.checks.launched_names import is_given_by_launch
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related, Severity
@@ -49,6 +50,7 @@ def duplicate_node_name(system: System, options: Options) -> Iterator[Finding]:
 def _twins(system: System) -> Iterator[Twins]:
     """Of each name two nodes that have it for certain, in the order in which they are started."""
     named = [n for n in system.nodes if n.name is not None and n.resolution == "exact" and n.launch_place]
+    named = [node for node in named if node.error is None and not is_given_by_launch(node)]  # the others never start
     for _, group in groupby(sorted(named, key=lambda n: n.name or ""), key=lambda node: node.name):
         pairs = combinations(list(group), 2)
         twins = next((pair for pair in pairs if _coexist(system, *pair)), None)
@@ -128,15 +130,17 @@ def _of_two_actions(system: System, several: list[Twins]) -> Iterator[Finding]:
     if late:
         shared = f"{shared}: the namespace of the group around it is gone when its timer or event handler starts it"
     sole = all(sum(node.started is twin.started for node in system.nodes) == 1 for twin in (first, other))
-    help = "give each its own name or namespace"
+    help = "give each its own name"
     if late:
         help = "put the timer or event handler around the group, or give each node its namespace="
     elif not sole:
-        help = "give each action its own namespace: name= would rename all its nodes"
+        help = _each_renamed(first)
     elif first.launch_place != here and _is_one_too_many(first.started, other.started):
         help = "remove one of the two: they start the same program in the same way"
     elif _start_one_program(first.started, other.started):
-        help = "start the program once, or give each its own name or namespace"
+        help = "give each its own name or namespace"  # with other topics, a namespace would part them from the rest
+        if first.launch_place.file != here.file:
+            help = f"start the program once, or {help}"
     diagnostic = finding(
         "NME004",
         here,
@@ -218,9 +222,20 @@ def _is_one_too_many(first: Started | None, other: Started | None) -> bool:
     return way is not None and way == _way_of(other)
 
 
+def _each_renamed(node: Node) -> str:
+    """How a process that makes several nodes is told to call one of them another name."""
+    bare = _own_name(node)
+    if bare is None:
+        return "give each its own name in the code: name= would rename all nodes of an action"
+    return (
+        f"give each its own name in the code, or in one action ros_arguments=['-r', '{bare}:__node:=…']: name= would "
+        "rename all its nodes"
+    )
+
+
 def _start_one_program(first: Started | None, other: Started | None) -> bool:
-    """Whether two files start one executable: perhaps neither knows of the other."""
-    if first is None or other is None or first.file == other.file:
+    """Whether two actions start one executable: of two files, perhaps neither knows of the other."""
+    if first is None or other is None:
         return False
     texts = (first.package, other.package), (first.executable, other.executable)
     return all(mine.resolution == "exact" and mine.text == yours.text for mine, yours in texts)
