@@ -64,6 +64,8 @@ def get_attribute(machine: Machine, value: Value, name: str, expression: facts.A
             return _of_super(machine, value, name)
         case BoundMethod() | FunctionValue():
             return _of_function(value, name)
+        case ApiMethod() if machine.activation.module.file.kind == "cpp":  # a field of a base from elsewhere
+            return _of_unknown(machine, Unknown(f"'{value.path}' is not followed"), name)
     return _of_builtin_type(machine, value, name)
 
 

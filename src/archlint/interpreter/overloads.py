@@ -60,6 +60,8 @@ def meant(overloads: Overloads, function: FunctionValue, site: CallSite) -> Func
 
 
 def _accepted(function: FunctionValue) -> int:
+    if any(param.kind == "star" for param in function.ir.params):
+        return MOST
     return sum(param.kind == "normal" for param in function.ir.params)
 
 

@@ -47,11 +47,12 @@ def with_arguments_written(machine: Machine, ir: Function, site: CallSite, follo
     machine.by_reference.pop(id(ir), None)
     result = follow()
     written = machine.by_reference.pop(id(ir), None)
-    before = len(site.args) - len(expression.args)  # the object that a method is called on
+    written_down = [argument.value for argument in expression.args if argument.keyword is None]
+    before = len(site.args) - len(written_down)  # the object that a method is called on
     for number, name in rows:
-        if not 0 <= number - before < len(expression.args):
+        if not 0 <= number - before < len(written_down):
             continue
-        target, given = expression.args[number - before].value, site.args[number]
+        target, given = written_down[number - before], site.args[number]
         value = Unknown("the function that it is given to changes it") if written is None else written.get(name, given)
         if value is not given and isinstance(target, (facts.Name, facts.Implicit, facts.Attribute)):
             assign(machine, target, value)

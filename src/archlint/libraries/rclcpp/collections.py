@@ -20,7 +20,7 @@ from archlint.interpreter.values import (
     Unknown,
     Value,
 )
-from archlint.syntax.cpp.known_names import DECLARED, FIELDS, ITSELF
+from archlint.syntax.cpp.known_names import DECLARED, FIELDS, ITSELF, PARTS
 
 if TYPE_CHECKING:
     from archlint.interpreter.call_site import CallSite
@@ -39,6 +39,11 @@ def _pairs(run: Run, site: CallSite) -> Value:
         return container
     entries = container.entries(run)
     return new_list(run, [new_list(run, pair, "tuple") for pair in entries.entries.values()], open_=entries.open)
+
+
+def _parts(run: Run, site: CallSite) -> Value:
+    """What ``auto [name, depth]`` takes of a value."""
+    return _row(run, site.args[0]) if site.args else Unknown("no value")
 
 
 def _row(run: Run, item: Value) -> Value:
@@ -126,6 +131,7 @@ def _itself(run: Run, site: CallSite) -> Value:
 PLAIN: dict[str, Plain] = {
     DECLARED: _declared,
     ITSELF: _itself,
+    PARTS: _parts,
     "std.pairs": _pairs,
     "std.template_argument": _template_argument,
     "std.__field__": _field,

@@ -72,6 +72,22 @@ def method(node: Expr, name: str, types: Sequence[Expr], arguments: Sequence[Exp
     return facts.Call(facts.Attribute(node, renamed, span), given, span)
 
 
+MOST_UNPACKED = 4
+"""As many arguments of a call whose parameters are known by their numbers are taken from a pack."""
+
+
+def unpacked(values: Sequence[Expr]) -> list[Expr]:
+    """The arguments of a call whose parameters are known by their numbers, with those of a pack one by one."""
+    listed: list[Expr] = []
+    for value in values:
+        match value:
+            case facts.Starred(facts.Name(span=span) as pack):
+                listed += [facts.Subscript(pack, facts.Literal(at, span), span) for at in range(MOST_UNPACKED)]
+            case _:
+                listed.append(value)
+    return listed
+
+
 def template_arguments(types: Sequence[Expr]) -> list[Argument]:
     """Explicit template arguments, for the parameters that :func:`template_parameter` names."""
     return [Argument(value, template_parameter(number)) for number, value in enumerate(types)]
@@ -209,5 +225,6 @@ __all__ = [
     "parameter",
     "template_arguments",
     "template_parameter",
+    "unpacked",
     "without_interfaces",
 ]

@@ -148,6 +148,13 @@ DECLARED = "std.__declared__"
 """The function that gives what is declared in one place and defined in another."""
 ITSELF = "std.__itself__"
 """The function that gives the object, or the class, whose method is called by the name of its class."""
+CALLER = "std.__caller__"
+"""The function that gives the object of the method that a macro is used in."""
+PARTS = "std.__parts__"
+"""The function that gives what ``auto [a, b]`` takes of a value."""
+PUT, SUBSTRING, TYPE_OF, VALUE_OR = "std.__put__", "std.__substring__", "std.__type_of__", "std.__value_or__"
+"""The functions that put something into a container, and give a part of a text, the type of a value, and what an
+optional value holds."""
 GIVEN = "std.__given__"
 """The function that gives what a field holds after an object was made of values."""
 TEMPLATE_ARGUMENT = "std.template_argument"
@@ -157,6 +164,7 @@ MAPS = frozenset({"map", "unordered_map", "multimap"})
 STREAMS = frozenset({"stringstream", "ostringstream"})
 
 __all__ = [
+    "CALLER",
     "CHANGING",
     "DECLARED",
     "DURATIONS",
@@ -174,12 +182,17 @@ __all__ = [
     "OPENED",
     "PAIRS",
     "PAIRS_MADE_BY",
+    "PARTS",
     "POINTERS",
+    "PUT",
     "RATIOS",
     "RMW_PROFILES",
     "SAME",
     "SEQUENCES",
     "STREAMS",
+    "SUBSTRING",
     "TEMPLATE_ARGUMENT",
+    "TYPE_OF",
     "UNLIKE_METHODS",
+    "VALUE_OR",
 ]

@@ -7,10 +7,19 @@ from typing import TYPE_CHECKING
 
 from archlint.syntax import facts
 from archlint.syntax.cpp import calls
-from archlint.syntax.cpp.known_names import CHANGING, DURATIONS, ITSELF, MAKERS, PAIRS, PAIRS_MADE_BY, SAME, SEQUENCES
-from archlint.syntax.cpp.lower_expressions import given, is_target
-from archlint.syntax.cpp.lower_objects import ObjectLowering
+from archlint.syntax.cpp.known_names import (
+    DURATIONS,
+    ITSELF,
+    MAKERS,
+    PAIRS,
+    PAIRS_MADE_BY,
+    SAME,
+    SEQUENCES,
+)
+from archlint.syntax.cpp.lower_expressions import given
+from archlint.syntax.cpp.lower_methods import MethodLowering
 from archlint.syntax.cpp.names import FunctionScope, Names, Part
+from archlint.syntax.facts import Argument
 
 if TYPE_CHECKING:
     from tree_sitter import Node
@@ -22,6 +31,7 @@ _ITSELF = frozenset({"c_str", "str", "get", "data", "value", "lock", "get_rmw_qo
 """Methods without arguments that give what they are called on, as far as names are concerned."""
 _ENDS = {"front": 0, "back": -1}
 """Methods that give the first and the last item of a container."""
+_TEXTS = frozenset({"std.string", "std.to_string"})
 _LIST_METHODS = {"push_back": "append", "emplace_back": "append"}
 _POLICIES = frozenset({"history", "reliability", "durability", "liveliness", "deadline", "lifespan"})
 """Setters of ``rclcpp::QoS`` that have the names of what they set."""
@@ -34,7 +44,7 @@ _PARAMETER_VALUES = frozenset(
 """Methods of ``rclcpp::Parameter`` that give its value."""
 
 
-class CallLowering(ObjectLowering):
+class CallLowering(MethodLowering):
     """Lowers calls, too."""
 
     def __init__(self, source: SourceText, names: Names) -> None:
@@ -51,6 +61,9 @@ class CallLowering(ObjectLowering):
         function, arguments = node.child_by_field_name("function"), node.child_by_field_name("arguments")
         if function is None or arguments is None:
             return facts.Opaque("a call", span)
+        meant = self.macro_value(node, span)
+        if meant is not None:
+            return meant
         if function.type == "field_expression":
             return self._method_call(function, arguments, span)
         if function.type == "primitive_type":  # int(x)
@@ -74,24 +87,35 @@ class CallLowering(ObjectLowering):
             return facts.Opaque("a call", span)
         value = self.lower(owner)
         part = self.names.parts(field)[-1]
-        return self._on(value, part, arguments, span, self.source.span(function))
+        if part.name == "append" and arguments.named_child_count == 1 and self._is_text(owner):
+            return facts.Binary("+", value, self.lower(arguments.named_children[0]), span)
+        return self._on(value, part, arguments, span, self.source.span(function), owner)
 
-    def _on(self, value: Expr, part: Part, arguments: Node, span: Span, function_span: Span) -> Expr:
+    def _is_text(self, node: Node) -> bool:
+        """Whether something is a ``std::string`` for certain."""
+        called = node.child_by_field_name("function") if node.type == "call_expression" else None
+        if called is None:
+            return self.names.is_text(self.source.text(node))
+        return called.type == "qualified_identifier" and self.names.path(self.names.parts(called)) in _TEXTS
+
+    def _on(
+        self, value: Expr, part: Part, arguments: Node, span: Span, function_span: Span, owner: Node | None = None
+    ) -> Expr:
         """A method of a value."""
-        values, name = self.lower_all(arguments.named_children), part.name
+        values, name = self.items_given(owner, part, arguments.named_children), part.name
         if name in calls.NODE_INTERFACES:
             return value
         types = [self.lower_type(argument) for argument in part.arguments]
-        created = self._created(value, name, types, values, span)
+        created = self._created(value, name, types, calls.unpacked(values), span)
         if created is not None:
             return created
         if not values:
             plain = self._without_arguments(value, name, span)
             if plain is not None:
                 return plain
-        of_parameter = self._parameter_call(value, name, part, values, span)
-        if of_parameter is not None:
-            return of_parameter
+        other = self._parameter_call(value, name, part, values, span) or self.standard_method(value, name, values, span)
+        if other is not None:
+            return other
         if name == "add_parameter_callback":
             words = ("parameter_name", "callback", "node_name")
             listed = [facts.Argument(given_as, word) for word, given_as in zip(words, values, strict=False)]
@@ -143,17 +167,17 @@ class CallLowering(ObjectLowering):
             read = facts.Call(facts.Attribute(value, name, span), given([values[0], other]), span)
             return facts.Attribute(read, "value", span)
         if name == "getInput" and len(values) == 2:  # of BehaviorTree.CPP
-            self._write(values[1], facts.Opaque("a port of a behaviour tree", span), span)
+            self.write(values[1], facts.Opaque("a port of a behaviour tree", span), span)
             return facts.Opaque("whether the port has a value", span)
         if name == "get_parameter" and len(values) == 2:
             read = facts.Call(facts.Attribute(value, name, span), given(values[:1]), span)
             is_parameter = isinstance(values[1], facts.Name) and self.names.is_parameter(values[1].id)
-            self._write(values[1], read if is_parameter else facts.Attribute(read, "value", span), span)
+            self.write(values[1], read if is_parameter else facts.Attribute(read, "value", span), span)
             return facts.Opaque("whether there is such a parameter", span)
         if name in ("get_parameter_or", "param") and len(values) == 3:
             other = facts.Call(self.names.library("rclcpp.Parameter", span), calls.parameter(values), span)
             read = facts.Call(facts.Attribute(value, "get_parameter_or", span), given([values[0], other]), span)
-            self._write(values[1], facts.Attribute(read, "value", span), span)
+            self.write(values[1], facts.Attribute(read, "value", span), span)
             return facts.Opaque("whether there is such a parameter", span)
         return None
 
@@ -183,11 +207,6 @@ class CallLowering(ObjectLowering):
                 return [facts.Sequence("list", [], span)]  # std::vector<std::string>()
         return [values[0]]
 
-    def _write(self, target: Expr, value: Expr, span: Span) -> None:
-        """A call writes into its argument."""
-        self.note_assigned(target)
-        self.before.append(facts.Assign([target], value, span))
-
     def _function_call(self, parts: list[Part], function: Node, arguments: Node, span: Span) -> Expr:
         parts = self.names.written(parts)
         path, last = self.names.path(parts), parts[-1]
@@ -200,6 +219,8 @@ class CallLowering(ObjectLowering):
                 return self._on(facts.Name("self", span), last, arguments, span, self.source.span(function))
             if last.name in calls.NODE_INTERFACES:
                 return facts.Name("self", span)
+        if last.name in ("FMT_STRING", "FMT_COMPILE") and arguments.named_child_count == 1:
+            return self.lower(arguments.named_children[0])
         if last.name == "RCLCPP_COMPONENTS_REGISTER_NODE" and arguments.named_child_count:
             plugin = facts.Literal("".join(self.source.text(arguments.named_children[0]).split()), span)
             return facts.Call(facts.Name(last.name, span), given([plugin]), span)
@@ -210,7 +231,8 @@ class CallLowering(ObjectLowering):
             if _is_of_node(last.name):
                 return self._on(facts.Name("self", span), last, arguments, span, self.source.span(function))
             values = [self._itself(called.value, span), *values]
-        return facts.Call(called, [*given(values), *calls.template_arguments(types)], span)
+        texts = self.texts_given(last.name, arguments) if len(parts) == 1 else []
+        return facts.Call(called, [*given(values), *calls.template_arguments(types), *texts], span)
 
     def _itself(self, cls: Expr, span: Span) -> Expr:
         """What ``Class::method(…)`` is called on."""
@@ -225,7 +247,7 @@ class CallLowering(ObjectLowering):
             return self.constructed(path.rpartition(".")[0], last, arguments, span)
         if path == "std.bind":
             return self._bound(arguments, span)
-        loop = self._algorithm(path, arguments, span)
+        loop = self.algorithm(path, arguments, span)
         if loop is not None:
             return loop
         owner = path.rpartition(".")[0]
@@ -244,6 +266,10 @@ class CallLowering(ObjectLowering):
             and (at := self.lower(last.arguments[0]).number) is not None
         ):
             return facts.Subscript(values[0], facts.Literal(int(at), span), span)
+        if path == "std.apply" and len(values) == 2:
+            return facts.Call(values[0], [Argument(values[1], None, "*")], span)
+        if path == "std.invoke" and values:
+            return facts.Call(values[0], given(values[1:]), span)
         if path in PAIRS_MADE_BY and values:
             return facts.Sequence("tuple", values, span)
         if path in calls.FREE and values:
@@ -257,36 +283,19 @@ class CallLowering(ObjectLowering):
         if path in ("rclcpp_action.create_server", "rclcpp_action.create_client"):
             return calls.action(self.names.library(path, span), path.endswith("server"), types, values, span)
         if path in ("fmt.format", "std.format") and values:
-            return facts.Call(facts.Attribute(values[0], "format", span), given(values[1:]), span)
+            return facts.Call(facts.Attribute(values[0], "format", span), self._formatted(values[1:]), span)
         return self.constructed(path, last, arguments, span, values)
 
-    def _algorithm(self, path: str, arguments: Node, span: Span) -> Expr | None:
-        """``std::for_each(names.begin(), names.end(), open)`` calls a function with each item; ``std::replace`` and the
-        like change what they are given.  None for any other function."""
-        nodes = [argument for argument in arguments.named_children if argument.type != "comment"]
-        changed = CHANGING.get(path)
-        if changed is not None and len(nodes) > changed:
-            target = self.lower(self._begun(nodes[changed]) or nodes[changed])
-            if is_target(target):
-                self._write(target, facts.Opaque("a text that is changed in place", span), span)
-        container = self._begun(nodes[0]) if nodes else None
-        if path.startswith("std.ranges.") and nodes:
-            container = nodes[0]
-        if path.removeprefix("std.ranges.").removeprefix("std.") not in ("for_each", "transform") or container is None:
-            return None
-        items, function = self.lower(container), self.lower(nodes[-1])
-        item = facts.Name(f"item_{span[0]}_{span[1]}", span)
-        self.names.declare(item.id)
-        call = facts.Expression(facts.Call(function, given([item]), span), span)
-        self.before.append(facts.For(item, items, [call], [], False, span))
-        return facts.Opaque(path, span)
-
-    def _begun(self, node: Node) -> Node | None:
-        """The container of ``names.begin()``."""
-        called = node.child_by_field_name("function") if node.type == "call_expression" else None
-        field = None if called is None else called.child_by_field_name("field")
-        is_begin = field is not None and self.source.text(field) in ("begin", "cbegin")
-        return called.child_by_field_name("argument") if called is not None and is_begin else None
+    def _formatted(self, values: Sequence[Expr]) -> list[Argument]:
+        """What ``fmt::format`` fills in: ``fmt::arg("name", value)`` by its name."""
+        listed: list[Argument] = []
+        for value in values:
+            match value:
+                case facts.Call(func=facts.Attribute(facts.Name("fmt"), "arg"), args=[name, only]) if name.value.text:
+                    listed.append(Argument(only.value, name.value.text))
+                case _:
+                    listed.append(Argument(value))
+        return listed
 
     # ------------------------------------------------------------------------------- functions as values
 

@@ -13,11 +13,13 @@ from archlint.syntax.cpp.known_names import (
     MAPS,
     OBJECT,
     PAIRS_MADE_BY,
+    PARTS,
     RMW_PROFILES,
     SEQUENCES,
     STREAMS,
 )
 from archlint.syntax.cpp.lower_calls import CallLowering
+from archlint.syntax.cpp.lower_expressions import is_target
 from archlint.syntax.cpp.names import Part
 
 if TYPE_CHECKING:
@@ -45,6 +47,7 @@ class DeclarationLowering(CallLowering):
             if variable.bound:
                 for name in variable.bound:
                     self.names.declare(name)
+                value = facts.Call(self.names.library(PARTS, variable.span), [facts.Argument(value)], variable.span)
                 target: Expr = facts.Sequence(
                     "tuple", [facts.Name(n, variable.span) for n in variable.bound], variable.span
                 )
@@ -76,6 +79,18 @@ class DeclarationLowering(CallLowering):
         values = [facts.Argument(value) for value in (*given, *self.lower_all(defaults))]
         return facts.Call(self.names.library(DECLARED, variable.span), values, variable.span)
 
+    def tied(self, node: Node | None, span: Span) -> facts.Sequence | None:
+        """The targets of ``std::tie(name, depth) = …``."""
+        called = None if node is None or node.type != "call_expression" else node.child_by_field_name("function")
+        listed = None if node is None else node.child_by_field_name("arguments")
+        if called is None or listed is None or self.names.path(self.names.parts(called)) != "std.tie":
+            return None
+        values = self.lower_all(listed.named_children)
+        targets = [value if _is_variable(value) else facts.Name("std::ignore", span) for value in values]
+        for target in targets:
+            self.note_assigned(target)
+        return facts.Sequence("tuple", targets, span)
+
     def _are_values(self, variable: Declared) -> bool:
         """Whether what reads like the parameters of a function are arguments: ``rclcpp::Rate rate(hz);``, and
         ``ImageTransport transport(shared_from_this());``, which reads like a function that takes a function."""
@@ -96,6 +111,7 @@ class DeclarationLowering(CallLowering):
         if last.name == "string" and self.names.scopes:
             self.names.scopes[-1].texts.add(variable.name)
         self.note_options(variable.name, parts)
+        self.note_items(variable.name, parts)
         if self.names.scopes and self.names.path(parts) == "rclcpp.Parameter":
             self.names.scopes[-1].parameters.add(variable.name)
         if value is None:
@@ -114,6 +130,8 @@ class DeclarationLowering(CallLowering):
         """``T name(…)`` and ``T name{…}``."""
         last = parts[-1] if parts else Part("")
         inner = [child for child in value.named_children if child.type != "comment"]
+        if variable.is_array and last.name == "char" and len(inner) == 1 and inner[0].type.endswith("string_literal"):
+            return self.lower(inner[0])
         if last.name in MAPS:
             return self.mapping(value, last, span)
         if last.name == "rmw_qos_profile_t":
@@ -226,6 +244,11 @@ class DeclarationLowering(CallLowering):
         if rest[-1].name in INTERFACE_KINDS and len(rest) == 2:
             module = ".".join(part.name for part in rest)
             body.append(facts.Import(module, f"{name.name}::", self.source.span(node)))
+
+
+def _is_variable(value: Expr) -> bool:
+    """Whether something is a variable or field that a tuple may be taken apart into; ``std::ignore`` is none."""
+    return is_target(value) and not (isinstance(value, facts.Attribute) and value.attr == "ignore")
 
 
 def _reads_like_a_value(node: Node) -> bool:

@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.syntax import facts
+from archlint.syntax.cpp.known_names import TYPE_OF
 from archlint.syntax.cpp.literals import SECONDS, character_of, number_of, text_of
 from archlint.syntax.cpp.names import Names
 from archlint.syntax.expressions import BooleanOperator
@@ -24,6 +25,8 @@ _BINARY: dict[str, facts.BinaryOperator] = {
     **{"+": "+", "-": "-", "*": "*", "/": "/", "%": "%"},
     **{"<<": "<<", ">>": ">>", "&": "&", "|": "|", "^": "^"},
 }
+_WRAPPERS = frozenset({"decay_t", "remove_reference_t", "remove_cv_t", "remove_cvref_t", "remove_const_t"})
+"""Templates of the standard library that give a type without ``const`` and ``&``."""
 _OF_PAIR = {"first": 0, "second": 1}
 _COMPARE: dict[str, facts.CompareOperator] = {"==": "==", "!=": "!=", "<": "<", "<=": "<=", ">": ">", ">=": ">="}
 
@@ -91,7 +94,21 @@ class ExpressionLowering:
         parts = self.names.parts(node) if node.type in ("type_descriptor", "qualified_identifier") else []
         if len(parts) == 2 and self.names.may_be_elsewhere(parts[0].name):
             return facts.Name(f"{parts[0].name}::{parts[1].name}", self.source.span(node))
-        return self.lower(node)
+        inner = self._inner_type(node)
+        if inner.type == "decltype" and inner.named_child_count == 1:
+            span = self.source.span(inner)
+            value = self.lower(inner.named_children[0])
+            return facts.Call(self.names.library(TYPE_OF, span), [Argument(value)], span)
+        return self.lower(inner)
+
+    def _inner_type(self, node: Node) -> Node:
+        """The type in ``std::decay_t<T>`` and the like; any other is itself."""
+        inner = node.child_by_field_name("type") if node.type == "type_descriptor" else node
+        if inner is None:
+            return node
+        parts = self.names.parts(inner) if inner.type in ("qualified_identifier", "template_type") else []
+        is_wrapped = bool(parts) and parts[-1].name in _WRAPPERS and len(parts[-1].arguments) == 1
+        return self._inner_type(parts[-1].arguments[0]) if is_wrapped else inner if inner.type == "decltype" else node
 
     def lower_all(self, nodes: Sequence[Node]) -> list[Expr]:
         return [self.lower(node) for node in nodes if node.type != "comment"]
@@ -257,8 +274,10 @@ def is_target(value: Expr) -> bool:
 
 
 def given(values: Sequence[Expr]) -> list[Argument]:
-    """Arguments without keywords."""
-    return [Argument(value) for value in values]
+    """Arguments without keywords, those of a parameter pack among them."""
+    return [
+        Argument(value.value, None, "*") if isinstance(value, facts.Starred) else Argument(value) for value in values
+    ]
 
 
 __all__ = ["ExpressionLowering", "given", "is_target"]

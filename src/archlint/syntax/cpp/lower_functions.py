@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 BASES = "__bases__"
 """The method that makes the bases of a class where its constructor says nothing of them."""
 
+_NAME = re.compile(r"[A-Za-z_]\w*")
 _SET = re.compile(r"\b(\w+)\s*\.\s*(?:reliable|best_effort|transient_local|durability_volatile|keep_all)\s*\(\s*\)")
 """A variable that a setter of ``rclcpp::QoS`` without arguments is called on."""
 
@@ -180,6 +181,8 @@ class FunctionLowering(StatementLowering):
         named = declarator.child_by_field_name("declarator")
         is_main = named is not None and self.source.text(named) == "main"
         for node in [] if listed is None else listed.named_children:
+            if node.type == "variadic_parameter_declaration":
+                params += self._pack(node)
             if node.type not in ("parameter_declaration", "optional_parameter_declaration"):
                 continue
             variables = declared(node, self.names, self.source)
@@ -197,6 +200,14 @@ class FunctionLowering(StatementLowering):
             kind_of_type = annotation if _is_type(annotation) else None
             params.append(facts.Param(name, "normal", default, kind_of_type, _is_reference(node)))
         return params
+
+    def _pack(self, node: Node) -> list[Param]:
+        """``Names... names`` takes all arguments that are left."""
+        words = _NAME.findall(self.source.text(node).rpartition("...")[2])
+        for name in words:
+            self.names.declare(name)
+            self.names.scopes[-1].packs.add(name)
+        return [facts.Param(name, "star") for name in words]
 
     def _initialised(self, node: Node, owner: str | None, span: Span) -> list[Stmt]:
         """What a constructor does before its body: the fields, the bases, the members of its list."""

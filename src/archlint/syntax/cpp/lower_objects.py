@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 from archlint.syntax import facts
 from archlint.syntax.cpp import calls
 from archlint.syntax.cpp.known_names import DURATIONS, IN_PYTHON, INTERFACE_KINDS, MAPS, RATIOS, SEQUENCES
-from archlint.syntax.cpp.lower_expressions import ExpressionLowering, given
+from archlint.syntax.cpp.lower_expressions import given
+from archlint.syntax.cpp.lower_macros import MacroLowering
 from archlint.syntax.cpp.names import Names, Part
 from archlint.syntax.facts import Argument
 
@@ -19,7 +20,7 @@ if TYPE_CHECKING:
     from archlint.syntax.facts import Expr, Span
 
 
-class ObjectLowering(ExpressionLowering):
+class ObjectLowering(MacroLowering):
     """Lowers what makes objects, too."""
 
     def __init__(self, source: SourceText, names: Names) -> None:
@@ -64,7 +65,8 @@ class ObjectLowering(ExpressionLowering):
         for node in [child for child in arguments.named_children if child.type != "comment"]:
             designator = node.child_by_field_name("designator") if node.type == "initializer_pair" else None
             name = None if designator is None else self.source.text(designator).lstrip(".")
-            listed.append(Argument(self.lower(node), name))
+            [argument] = given([self.lower(node)])
+            listed.append(argument if name is None else Argument(argument.value, name))
         return listed
 
     def items(self, node: Node, kind: list[Part], span: Span) -> Expr:
@@ -94,6 +96,8 @@ class ObjectLowering(ExpressionLowering):
             values = [] if arguments is None else self.lower_all(arguments.named_children)
         if path.startswith("std.") and (collection := self._collection(last, arguments, values, span)) is not None:
             return collection
+        if path == "std.optional" and len(values) < 2:
+            return values[0] if values else facts.Literal(None, span)
         if path in DURATIONS or path == "std.chrono.duration":
             return self.seconds(path, last, values, span)
         mapped = IN_PYTHON.get(path, "")

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from archlint.syntax import facts
 from archlint.syntax.cpp.declared import declared
+from archlint.syntax.cpp.known_names import PARTS
 from archlint.syntax.cpp.lower_expressions import is_target
 from archlint.syntax.cpp.lower_texts import TextLowering
 from archlint.syntax.facts import Param
@@ -88,6 +89,9 @@ class StatementLowering(TextLowering):
     def body(self, node: Node) -> list[Stmt]:
         return self.block(node.named_children)
 
+    def statements_of(self, nodes: list[Node]) -> list[Stmt]:
+        return self.block(nodes)
+
     def _block_of(self, node: Node | None) -> list[Stmt]:
         return [] if node is None else self.block([node])
 
@@ -116,6 +120,8 @@ class StatementLowering(TextLowering):
                     body.append(facts.Augmented(target, op, facts.Literal(1, span), span))
             case "delete_expression":
                 return
+            case "call_expression" if (rows := self.macro_statements(value, span)) is not None:
+                body.extend(rows)
             case _ if (written := self.written_text(value, span)) is not None:
                 body.append(written)
             case "binary_expression" if self.operator(value) == ">>":
@@ -148,11 +154,15 @@ class StatementLowering(TextLowering):
         )
 
     def _assign(self, node: Node, span: Span, body: list[Stmt]) -> None:
-        target, value = self.lower_field(node, "left"), self.lower_field(node, "right")
+        tied = self.tied(node.child_by_field_name("left"), span)
+        target, value = tied or self.lower_field(node, "left"), self.lower_field(node, "right")
         operator = node.child_by_field_name("operator")
         word = "=" if operator is None else self.source.text(operator)
         self.note_assigned(target)
-        if not is_target(target):
+        if tied is not None:
+            value = facts.Call(self.names.library(PARTS, span), [facts.Argument(value)], span)
+            body.append(facts.Assign([tied], value, span))
+        elif not is_target(target):
             body.append(facts.Expression(value, span))
         elif word == "=":
             targets = [target]

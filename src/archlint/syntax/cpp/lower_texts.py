@@ -18,6 +18,8 @@ _CHANGES_TEXT = frozenset(
     {"append", "assign", "clear", "erase", "insert", "pop_back", "push_back", "replace", "resize", "str", "swap"}
 )
 """Methods that change a ``std::string`` in place, and what a stream is given a new text with."""
+_CHANGES_NUMBERS = frozenset({"hex", "oct", "showbase", "showpos", "showpoint", "uppercase", "fixed", "scientific"})
+"""What a stream is told to write numbers in another way; ``setw`` and the like stand for themselves."""
 _PRINTS = {"sprintf": 1, "std::sprintf": 1, "snprintf": 2, "std::snprintf": 2}
 """Functions that write a text, and where its pattern stands among their arguments."""
 
@@ -76,6 +78,10 @@ class TextLowering(DeclarationLowering):
         name = self.source.text(node)
         if not parts or not self.names.is_stream(name):
             return False
+        if any(self.source.text(part).removeprefix("std::") in _CHANGES_NUMBERS for part in parts):
+            unknown = facts.Opaque("a number that a stream writes in another way", span)
+            body.append(facts.Augmented(facts.Name(name, span), "+", unknown, span))
+            return True
         fields: list[str | facts.Field] = [facts.Field(self.lower(part)) for part in reversed(parts)]
         value = facts.FormatString(
             [field.value.text or field for field in fields if isinstance(field, facts.Field)], span

@@ -62,6 +62,7 @@ class Lowering(ClassLowering):
         self._statements |= {
             "preproc_include": self._include,
             "preproc_def": self._define,
+            "preproc_function_def": self.define_macro,
             "namespace_definition": self._namespace,
             "linkage_specification": self._linkage,
             "template_declaration": self._template,
@@ -90,6 +91,8 @@ class Lowering(ClassLowering):
                 spaces = self.source.text(name).split("::")
                 self.names.namespaces.update(spaces)
                 space = spaces[-1]
+            elif node.type in ("preproc_function_def", "preproc_def"):
+                self.note_macro(node)
             elif space and node.type in ("function_definition", "declaration") and not _is_member(node):
                 for variable in declared(node, self.names, self.source):
                     self.names.placed.setdefault(variable.name, set()).add(space)

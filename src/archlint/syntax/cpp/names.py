@@ -58,6 +58,8 @@ class FunctionScope:
     """Variables of the type ``rclcpp::NodeOptions``."""
     pairs: set[str] = field(default_factory=set)
     """Variables of loops that hold pairs, such as the items of a map."""
+    packs: set[str] = field(default_factory=set)
+    """Its parameters that take any number of arguments, ``Names... names``."""
     is_lambda: bool = False
 
 
@@ -82,8 +84,14 @@ class Names:
         """The attributes of an object that hold the template arguments of its class, by what the class calls them."""
         self.templates: dict[str, list[Part]] = {}
         """Names for a class with template arguments: ``using ImuRelay = Relay<Imu>``."""
+        self.item_kinds: dict[str, list[Part]] = {}
+        """What containers hold, by the names of the variables and fields that they are."""
         self.scopes: list[FunctionScope] = []
         self._followed = 0
+
+    def read_from(self, source: SourceText) -> None:
+        """The nodes that come next are of this text."""
+        self._source = source
 
     # ------------------------------------------------------------------------------------------ functions
 
@@ -129,6 +137,10 @@ class Names:
     def is_stream(self, name: str) -> bool:
         """Whether a variable is one that texts are written into with ``<<``."""
         return any(name in scope.streams for scope in self.scopes)
+
+    def is_pack(self, name: str) -> bool:
+        """Whether a parameter takes any number of arguments."""
+        return any(name in scope.packs for scope in self.scopes)
 
     @property
     def is_in_method(self) -> bool:
@@ -237,6 +249,8 @@ class Names:
         if len(parts) == 1:
             return self.plain(parts[0].name, span)
         path = self.path(parts)
+        if path == "std.nullopt":
+            return facts.Literal(None, span)
         if path:
             return self.library(path, span)
         *before, owner, last = parts

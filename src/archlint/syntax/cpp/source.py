@@ -91,6 +91,20 @@ class SourceText:
         return column - bisect_left(continued, column)
 
 
+class FixedText(SourceText):
+    """Code that a macro stands for: all of it is where the macro is used."""
+
+    def __init__(self, span: Span) -> None:
+        super().__init__(b"")
+        self._span = span
+
+    def text(self, node: Node) -> str:
+        return (node.text or b"").decode("utf-8", "replace")
+
+    def between(self, first: Node, last: Node) -> Span:
+        return self._span
+
+
 def _continuing(line: bytes) -> list[int]:
     """The columns of the bytes that continue a character; none for a line that is not UTF-8, where a byte is one."""
     try:
@@ -100,4 +114,4 @@ def _continuing(line: bytes) -> list[int]:
     return [column for column, byte in enumerate(line) if 0x80 <= byte < 0xC0]
 
 
-__all__ = ["SourceText", "parse"]
+__all__ = ["FixedText", "SourceText", "parse"]

@@ -1,0 +1,151 @@
+"""Containers, texts, optional values, packs and types of C++'s standard library."""
+
+from __future__ import annotations
+
+import pytest
+from tests.cpp_nodes import graph, graph_of
+
+STRING = "std_msgs::msg::String"
+
+
+def names(statements: str) -> list[str | None]:
+    """What a node publishes whose constructor does this."""
+    [node] = graph_of(statements)
+    return sorted(end["name"] or "?" for end in node["publishers"])
+
+
+def publish(name: str, depth: str = "1") -> str:
+    return f"create_publisher<{STRING}>({name}, {depth});"
+
+
+@pytest.mark.parametrize(
+    "filled",
+    [
+        'std::map<std::string, int> all; all.emplace("a", 1); all.insert({"b", 2});',
+        'std::map<std::string, int> all; all.insert_or_assign("a", 1); all.insert(std::make_pair("b", 2));',
+        'std::vector<std::pair<std::string, int>> all; all.emplace_back("a", 1); all.push_back({"b", 2});',
+    ],
+)
+def test_pairs_that_are_put_into_a_container(filled: str) -> None:
+    [node] = graph_of(f"{filled} for (const auto & [name, depth] : all) {{ {publish('name', 'depth')} }}")
+    assert {(end["name"], end["qos"]["depth"]) for end in node["publishers"]} == {("/a", 1), ("/b", 2)}
+
+
+@pytest.mark.parametrize(
+    "filled",
+    [
+        'std::set<std::string> all; all.insert("a"); all.emplace("b");',
+        'std::vector<std::string> all{"a"}; all.insert(all.end(), "b");',
+        'std::vector<std::string> all{"a"}, more{"b"}; std::copy(more.begin(), more.end(), std::back_inserter(all));',
+    ],
+)
+def test_texts_that_are_put_into_a_container(filled: str) -> None:
+    assert names(f"{filled} for (const auto & name : all) {{ {publish('name')} }}") == ["/a", "/b"]
+
+
+def test_what_an_algorithm_puts_into_a_container() -> None:
+    filled = """
+    std::vector<std::string> parts{"a", "b"}, all;
+    std::transform(parts.begin(), parts.end(), std::back_inserter(all), [](const auto & part) { return "in/" + part; });
+    """
+    assert names(f"{filled} for (const auto & name : all) {{ {publish('name')} }}") == ["/in/a", "/in/b"]
+    open_ = "std::set<std::string> all; std::ranges::sort_copy(other, std::inserter(all, all.end()));"
+    assert names(f"{open_} for (const auto & name : all) {{ {publish('name')} }}") == ["?"]
+
+
+def test_objects_that_are_put_into_a_container_without_their_class() -> None:
+    filled = 'struct Row { std::string name; int depth; }; std::vector<Row> rows; rows.push_back({"a", 2});'
+    [node] = graph_of(f"{filled} for (const auto & row : rows) {{ {publish('row.name', 'row.depth')} }}")
+    assert [(end["name"], end["qos"]["depth"]) for end in node["publishers"]] == [("/a", 2)]
+
+
+@pytest.mark.parametrize(
+    ("written", "name"),
+    [
+        ('std::optional<std::string>("a").value_or("b")', "/a"),
+        ('std::optional<std::string>().value_or("b")', "/b"),
+        ('std::string("/ns/a").substr(1)', "/ns/a"),
+        ('std::string("/ns/a").substr(1, 2)', "/ns"),
+        ('std::string("a").append("/b")', "/a/b"),
+        ('fmt::format("{}/{:02d}/{name}", "a", 3, fmt::arg("name", "b"))', "/a/03/b"),
+        ('fmt::format(FMT_STRING("{}/a"), "b")', "/b/a"),
+        ('[]() { char name[]{"a"}; return std::string(name); }()', "/a"),
+    ],
+)
+def test_texts(written: str, name: str) -> None:
+    assert names(publish(written)) == [name]
+
+
+def test_what_an_optional_value_holds_decides() -> None:
+    declared = 'std::optional<std::string> some = "a", none = std::nullopt;'
+    used = f"if (some.has_value()) {{ {publish('*some')} }} if (none.has_value()) {{ {publish('none.value()')} }}"
+    assert names(declared + used) == ["/a"]
+
+
+def test_a_number_that_a_stream_writes_in_another_way() -> None:
+    assert names(f'std::ostringstream text; text << "a" << std::hex << 180; {publish("text.str()")}') == ["?"]
+
+
+def test_values_that_are_taken_apart() -> None:
+    declared = """
+    struct Row { std::string name; int depth; };
+    auto [first, depth] = Row{"a", 3};
+    std::string second; int other;
+    std::tie(second, other) = std::make_pair("b", 4);
+    std::string third; std::tie(third, std::ignore) = std::make_pair("c", 5);
+    """
+    [node] = graph_of(declared + publish("first", "depth") + publish("second", "other") + publish("third"))
+    assert {(end["name"], end["qos"]["depth"]) for end in node["publishers"]} == {("/a", 3), ("/b", 4), ("/c", 1)}
+
+
+def test_the_type_of_a_message() -> None:
+    declared = f"{STRING} message; "
+    made = 'create_publisher<decltype(message)>("a", 1); create_publisher<std::decay_t<decltype(message)>>("b", 1);'
+    [node] = graph_of(declared + made)
+    assert {(end["name"], end["type"]) for end in node["publishers"]} == {
+        ("/a", "std_msgs/msg/String"),
+        ("/b", "std_msgs/msg/String"),
+    }
+
+
+PACKS = """
+#include "rclcpp/rclcpp.hpp"
+class Robot : public rclcpp::Node {
+public:
+  Robot() : Node("robot") {
+    open("a", "b");
+    make<std_msgs::msg::Int32>("c", 7);
+    std::apply([this](auto... names) { open(names...); }, std::make_tuple("d", "e"));
+  }
+  template <typename... Names> void open(Names... names) { (add(names), ...); }
+  void add(const std::string & name) { create_publisher<std_msgs::msg::String>(name, 1); }
+  template <typename T, typename... Arguments> auto make(Arguments &&... arguments) {
+    return create_publisher<T>(std::forward<Arguments>(arguments)...);
+  }
+};
+int main(int argc, char ** argv) { rclcpp::init(argc, argv); rclcpp::spin(std::make_shared<Robot>()); }
+"""
+
+
+def test_parameter_packs() -> None:
+    [node] = graph({"src/robot.cpp": PACKS})["nodes"]
+    ends = {end["name"]: (end["type"], end["qos"]["depth"]) for end in node["publishers"]}
+    assert ends == {
+        **{f"/{name}": ("std_msgs/msg/String", 1) for name in "abde"},
+        "/c": ("std_msgs/msg/Int32", 7),
+    }
+
+
+def test_a_field_of_a_base_from_elsewhere_may_be_the_node() -> None:
+    source = """
+    #include "rclcpp/rclcpp.hpp"
+    #include "rqt_gui_cpp/plugin.h"
+    class Panel : public rqt_gui_cpp::Plugin {
+      void initPlugin(qt_gui_cpp::PluginContext & context) override;
+    };
+    void Panel::initPlugin(qt_gui_cpp::PluginContext & context) {
+      node_->create_publisher<std_msgs::msg::String>("panel", 10);
+    }
+    """
+    [node] = graph({"src/panel.cpp": source})["nodes"]
+    assert [end["name"] for end in node["publishers"]] == ["/panel"]
