@@ -89,6 +89,21 @@ def test_a_name_that_nothing_defines_stops_the_launch(findings, above, line, arg
 
 
 @pytest.mark.parametrize(
+    ("written", "hint", "help"),
+    [
+        ("LaunchCOnfiguration", "; did you mean 'LaunchConfiguration'?", "write 'LaunchConfiguration'"),
+        ("Executable", "", "define or import 'Executable', or put it in quotes if it is meant as a string"),
+    ],
+)
+def test_a_slip_in_a_name_that_is_imported(findings, written: str, hint: str, help: str):
+    above = "from launch.substitutions import LaunchConfiguration"
+    text = NAMED.format(above=above, line="pass", argument=f"output={written}('output')")
+    (told,) = findings("LCH008", **{"launch/it.launch.py": text})
+    assert told.message.endswith(f"before it starts anything{hint}")
+    assert told.help == help
+
+
+@pytest.mark.parametrize(
     ("above", "line", "argument"),
     [
         ("output = 'log'", "pass", "output=output"),

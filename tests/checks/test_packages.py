@@ -70,6 +70,22 @@ def test_a_module_beside_the_python_package_is_not_in_it(tmp_path, monkeypatch):
     assert "module 'robot.scripts.talker' does not exist" in found.message
 
 
+@pytest.mark.parametrize(
+    ("beside", "hint"),
+    [
+        ({"robot/planer.py": TALKER}, "; did you mean 'robot.planer'?"),
+        ({"robot/planer.py": "from robot.planner import main\n"}, ""),  # it needs the missing one, too
+        ({"scripts/planner.py": "from robot.planner import main\n"}, ""),
+        ({"scripts/planner.py": TALKER}, ""),  # nothing installs it
+    ],
+)
+def test_a_module_that_may_have_been_meant(findings, beside: dict[str, str], hint: str):
+    entries = "'talker = robot.talker:main', 'planner = robot.planner:main'"
+    setup = SETUP.replace("'talker = robot.talker:main'", entries)
+    (found,) = findings("PKG002", **{"setup.py": setup}, **beside)
+    assert found.message == f"the executable 'planner' cannot start: module 'robot.planner' does not exist{hint}"
+
+
 def test_a_module_that_gitignore_hides_is_there(findings):
     files = {"setup.py": SETUP.replace("robot.talker", "robot.bags"), ".gitignore": "bags*\n", "robot/bags.py": TALKER}
     assert findings("PKG002", **files) == []

@@ -112,3 +112,10 @@ def test_tests_and_loose_files_are_not_installed(judge: Judge):
 
 def test_a_module_of_the_workspace_is_no_package_of_the_system(judge: Judge):
     assert judge("import serial", **{"serial/__init__.py": "", "serial/package.xml": ""}) == []
+
+
+def test_what_comes_with_a_package_that_another_rule_asks_for(judge: Judge):
+    """Who declares cv_bridge, as PKG001 asks, has OpenCV along with it."""
+    assert judge("import cv2\nfrom cv_bridge import CvBridge") == []
+    (serial,) = judge("import cv2\nimport serial\nfrom cv_bridge import CvBridge")
+    assert "'serial'" in serial.message

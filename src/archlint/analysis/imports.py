@@ -34,3 +34,10 @@ def imports_at_start(workspace: WorkspaceIndex) -> Iterator[ModuleImport]:
                     yield ModuleImport(file, module, (), Place(file.relative, *span))
                 case facts.ImportFrom(module=module, level=0, names=names, span=span):
                     yield ModuleImport(file, module, tuple(name for name, _ in names), Place(file.relative, *span))
+
+
+def imports(workspace: WorkspaceIndex, path: str, module: str) -> bool:
+    """Whether a file imports a module, or names of it, as it starts."""
+    file_facts = workspace.facts_at(path)
+    statements = () if file_facts is None else file_facts.body
+    return any(isinstance(each, (facts.Import, facts.ImportFrom)) and each.module == module for each in statements)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import posixpath
 import re
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -37,9 +37,10 @@ class ModuleUse:
 
 
 def modules_to_declare(
-    workspace: WorkspaceIndex, brought_by: Callable[[str], set[str]]
+    workspace: WorkspaceIndex, brought_by: Callable[[str], set[str]], asked_for: Mapping[str, Iterable[str]]
 ) -> dict[str, tuple[Package, list[ModuleUse]]]:
-    """Those of each package, by its folder; ``brought_by`` says what a package brings along."""
+    """Those of each package, by its folder; ``brought_by`` says what a package brings along, ``asked_for`` by folder
+    what another rule wants a package to declare."""
     rows: dict[str, tuple[Package, list[ModuleUse]]] = {}
     declared: dict[str, _Declared | None] = {}
     for statement in imports_at_start(workspace):
@@ -52,7 +53,8 @@ def modules_to_declare(
         if package is None or _is_of_ros(workspace, path, statement.module, statement.names):
             continue
         if package.relative not in declared:
-            declared[package.relative] = _declared(workspace, package, brought_by)
+            more = asked_for.get(package.relative, ())
+            declared[package.relative] = _declared(workspace, package, brought_by, more)
         known = declared[package.relative]
         if known is not None and not known.has(module, key):
             rows.setdefault(package.relative, (package, []))[1].append(ModuleUse(statement.place, module, key))
@@ -95,13 +97,15 @@ def _plain(name: str) -> str:
     return _LETTERS.sub("", name.lower())
 
 
-def _declared(workspace: WorkspaceIndex, package: Package, brought_by: Callable[[str], set[str]]) -> _Declared | None:
+def _declared(
+    workspace: WorkspaceIndex, package: Package, brought_by: Callable[[str], set[str]], more: Iterable[str]
+) -> _Declared | None:
     """What a package asks for; None where nobody knows what something that it declares brings along."""
     if package.ros1 or package.build_type not in ("ament_python", "ament_cmake"):
         return None
     direct = [d.name for d in package.dependencies if d.kind not in ("test", "doc") and condition_holds(d.condition)]
-    there = closure([package.name, *direct], brought_by)
     known = packages.table().names | workspace.packages.keys() | rosdep.keys()
+    there = closure([package.name, *direct, *(name for name in more if name in known)], brought_by)
     if any(name not in known and not name.endswith(("_msgs", "_interfaces")) for name in there):
         return None
     texts = [workspace.tree.text(posixpath.join(package.relative, name)) or "" for name in _BUILT_BY]

@@ -83,6 +83,13 @@ def undefined_names(workspace: WorkspaceIndex) -> Iterator[Undefined]:
                 yield Undefined(place, read.name.id, known, read.of_self, read.added, read.without_self)
 
 
+def names_bound_in(workspace: WorkspaceIndex, file: str) -> frozenset[str]:
+    """The names that any line of a file binds."""
+    code = workspace.facts_at(file)
+    parts = [] if code is None else everything_in(code.body)
+    return frozenset(name for part in parts for name in bound_by(part))
+
+
 def _told_of_launch_files(workspace: WorkspaceIndex) -> frozenset[tuple[str, str]]:
     """The names, each with its file, that keep a launch file from being read at all, of which LCH008 speaks."""
     lost = (each for launched in workspace.launched for each in launched.undefined.items())

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.foreign_launch_files import ForeignLaunchFile, foreign_launch_files
 from archlint.analysis.launch_descriptions import misnamed_functions, wrong_descriptions
+from archlint.analysis.undefined_names import names_bound_in
 from archlint.analysis.wrong_launch_descriptions import Wrong, WrongDescription
 from archlint.checks.folding import folds, with_other_places
 from archlint.checks.registry import Options, finding, rule
@@ -25,13 +26,7 @@ def launch_description(system: System, options: Options) -> Iterator[Finding]:
     """Names that nothing defines, a ``condition=`` that has no ``evaluate`` for launch to call, and substitutions that
     are performed where no launch context is."""
     for place, name in sorted(system.launched.undefined.items() if system.launched is not None else ()):
-        yield finding(
-            "LCH008",
-            place,
-            f"'{name}' is not defined: this launch file stops with a NameError before it starts anything",
-            help=f"define or import '{name}', or put it in quotes if it is meant as a string",
-            identity=(place.file, name),
-        )
+        yield _undefined(system, place, name)
     for mistake in system.launched.mistakes if system.launched is not None else ():
         wrap = "launch.Condition(predicate=…)" if mistake.callable else "IfCondition(…)"
         yield finding(
@@ -58,6 +53,27 @@ def launch_description(system: System, options: Options) -> Iterator[Finding]:
     if system.launched is None and system.workspace is not None:
         for file, wrong in misnamed_functions(system.workspace):
             yield _of_description(file, wrong)
+
+
+def _undefined(system: System, place: Place, name: str) -> Finding:
+    known = frozenset[str]() if system.workspace is None else names_bound_in(system.workspace, place.file)
+    alike = [other for other in known if other.isupper() == name.isupper()]  # 'RATE' is no slip for 'rate'
+    near = nearest(name, alike) if len(name) >= _SHORT else None
+    return finding(
+        "LCH008",
+        place,
+        f"'{name}' is not defined: this launch file stops with a NameError before it starts anything"
+        + meant(f"'{near}'" if near is not None else ""),
+        help=f"write '{near}'"
+        if near is not None
+        else f"define or import '{name}', or put it in quotes if it is meant as a string",
+        identity=(place.file, name),
+        meant=near or "",
+    )
+
+
+_SHORT = 4
+"""Names of fewer letters resemble too many others."""
 
 
 def _absent_key(absent: AbsentKey) -> Finding:

@@ -8,6 +8,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.entry_points import NoFunction, NoFunctionNamed, NoModule, broken_target
+from archlint.analysis.imports import imports
 from archlint.checks.folding import folds
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -68,7 +69,7 @@ def _broken(workspace: WorkspaceIndex, executable: Executable) -> Iterator[Findi
     match broken_target(workspace, executable):
         case NoModule(module, function, known):
             parent, _, last = module.rpartition(".")
-            near = _near_module(module, sorted({*known} - _in_other_entries(workspace, executable)))
+            near = _near_module(module, _that_start(workspace, executable, module, known))
             target = f"{near}:{function or 'main'}"
             if function is None and parent in known:
                 near = target = f"{parent}:{last}"
@@ -117,6 +118,17 @@ def _fails_at_the_end(diagnostic: Finding, executable: Executable, module: str, 
         severity=Severity.WARNING,
         group=(),
     )
+
+
+def _that_start(workspace: WorkspaceIndex, executable: Executable, module: str, known: Collection[str]) -> list[str]:
+    """The modules that may have been meant: they lie in a Python package, as the missing one does; no entry starts
+    them; and they do not go on to the missing one, as a script of its name in ``scripts/`` may."""
+    modules, others = workspace.code.modules_of(executable.package), _in_other_entries(workspace, executable)
+    return [
+        name
+        for name in sorted({*known} - others)
+        if ("." in name or "." not in module) and not imports(workspace, modules[name], module)
+    ]
 
 
 def _in_other_entries(workspace: WorkspaceIndex, executable: Executable) -> set[str]:

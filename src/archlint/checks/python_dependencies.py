@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from archlint.analysis.python_dependencies import ModuleUse, modules_to_declare
-from archlint.checks.dependency_uses import brought_by
+from archlint.checks.dependency_uses import brought_by, uses_by_package
 from archlint.checks.packages import workspace_of
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -27,7 +27,8 @@ def undeclared_python_module(system: System, options: Options) -> Iterator[Findi
     workspace = workspace_of(system)
     if workspace is None:
         return
-    rows = modules_to_declare(workspace, lambda name: brought_by(name, workspace))
+    asked_for = {folder: {use.needed for use in uses} for folder, uses in uses_by_package(workspace, options).items()}
+    rows = modules_to_declare(workspace, lambda name: brought_by(name, workspace), asked_for)  # PKG001 tells of these
     for folder in sorted(rows):
         package, uses = rows[folder]
         kept = [use for use in sorted(uses) if not {use.module, use.key} & {*options.external}]
