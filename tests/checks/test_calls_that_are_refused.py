@@ -335,3 +335,17 @@ def test_a_call_in_a_callback_that_ends_there(judge: Judge, base: str, method: s
     """
     [finding] = judge("API001", source)
     assert finding.message == "create_publisher() fails: 'qos_profile' is missing"
+
+
+def test_a_timer_that_is_to_run_once(judge: Judge):
+    [finding] = judge(
+        "API001",
+        """
+        import rclpy
+
+        rclpy.init()
+        node = rclpy.create_node('robot')
+        node.create_timer(1.0, print, one_shot=True)  # here
+        """,
+    )
+    assert (finding.help or "").endswith("and end the callback with the timer's cancel()")

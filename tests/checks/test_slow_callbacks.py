@@ -1683,7 +1683,7 @@ def ask(self, protocol):
     ("protocols", "limit", "expected"),
     [("self.order()", "0.15", []), ("range(100)", "0.15", ["SRV008"]), ("self.order()", "30.0", ["SRV008"])],
 )
-def test_a_for_in_a_caller_counts_as_one_around_the_sleep(run: Run, protocols: str, limit: str, expected: list[str]):
+def test_a_for_of_a_caller_around_a_loop_with_a_limit(run: Run, protocols: str, limit: str, expected: list[str]):
     methods = READS.replace("{protocols}", protocols).replace("{limit}", limit)
     methods += "\ndef order(self):\n    return load()\n"
     assert codes(run(source("self.create_service(Trigger, 'read', self.read)\n", methods))) == expected
@@ -1725,3 +1725,12 @@ def test_a_node_that_only_looks_up_waits_for_itself_alone(run: Run, beside: str,
     text = source(TF.replace("{more}", "") + beside, lookup)
     assert codes(run(text + MANY_NODES)) == expected
     assert codes(run(text)) == ["EXE007"]
+
+
+def test_steps_that_a_caller_goes_through_have_no_known_end(run: Run):
+    methods = (
+        "def home(self, request, response):\n    for step in load():\n        self.move(step)\n    return response\n\n"
+        "def move(self, step):\n    time.sleep(0.2)\n"
+    )
+    [found] = run(source("self.create_service(Trigger, 'home', self.home)\n", methods) + MANY_NODES)
+    assert found.code == "SRV008" and found.severity is Severity.WARNING

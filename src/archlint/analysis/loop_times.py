@@ -33,8 +33,7 @@ def in_loops(
     """How many seconds a sleep takes with the loops around it; what nobody knows has no end.
 
     The loops of callers have no known end, unless they are looked at, too (``with_callers``).  ``unknown`` is how
-    often a ``for`` over what is not known is taken to iterate, also one of a caller: it has an end, other than a
-    ``while``.
+    often a ``for`` over what is not known is taken to iterate: it has an end, other than a ``while``.
     """
     if stay.seconds is None:
         return math.inf
@@ -43,7 +42,7 @@ def in_loops(
     for loop, limit in reversed(tuple(zip(loops, call.limits, strict=True))):
         seconds = seconds * _times(code, call.file, loop, unknown) if limit is None else max(seconds, limit)
     for place in call.enclosing_loops[: max(0, len(call.enclosing_loops) - len(call.loops))]:
-        seconds *= _iterations_at(code, place, unknown) if with_callers or math.isfinite(unknown) else math.inf
+        seconds *= _iterations_at(code, place, unknown) if with_callers else math.inf
     seconds = seconds if stay.seconds > 0 else 0.0
     if math.isinf(seconds) and stay.seconds <= TINY and not any(loop.tests for loop in loops if loop is not None):
         return stay.seconds  # a pause between the bytes or lines of something: it takes many to make it long

@@ -68,6 +68,17 @@ def may_find_nobody(system: System, client: Place) -> bool:
     return client in _unsure(system)
 
 
+def is_looked_for(system: System, client: Creation) -> bool:
+    """Whether any code looks for a client's server, for a time or until it comes."""
+    return client.place in _looked_for(system)
+
+
+@once
+def _looked_for(system: System) -> frozenset[Place]:
+    calls = (call for call in system.calls if call.api in _ASKS)
+    return frozenset(creation.place for call in calls for creation in creations_of(call.receiver))
+
+
 @once
 def _unsure(system: System) -> frozenset[Place]:
     """Where the clients are made whose servers some code looks for only once, or for a time."""
@@ -177,4 +188,4 @@ def _lists(value: facts.Expr, body: Sequence[facts.Stmt], asked: frozenset[str])
     return False
 
 
-__all__ = ["is_there", "may_find_nobody", "until_it_comes", "was_waited_for"]
+__all__ = ["is_looked_for", "is_there", "may_find_nobody", "until_it_comes", "was_waited_for"]

@@ -84,10 +84,10 @@ def of_one_function(findings: Sequence[Finding], noun: str, beside: str) -> Find
 
 
 def of_one_class(findings: Sequence[Finding], noun: str, beside: str) -> Finding:
-    """The first finding of a class, or of a function outside of any, for all that do the same in it.  ``group`` begins
-    with the file and that class or function, ``identity`` with the function."""
+    """The first finding of a class, or of a file outside of any, for all that do the same in it.  ``group`` begins with
+    the file and that class, ``identity`` with the function."""
     owner, functions = findings[0].group[1], {finding.identity[0] for finding in findings}
-    inside = f"in {functions.pop()}()" if len(functions) == 1 else f"in the class {owner}"
+    inside = f"in {functions.pop()}()" if len(functions) == 1 else f"in the class {owner}" if owner else "in this file"
     return with_others(findings, f"another {noun} {inside} does", f"more {noun}s {inside} do", "the same", beside)
 
 
@@ -109,5 +109,5 @@ def package_around(workspace: WorkspaceIndex | None, file: str) -> tuple[str, st
 
 
 def class_around(function: str) -> str:
-    """The class of a method, by its qualified name; the function itself where it is none."""
-    return function.rpartition(".")[0] or function
+    """The class of a method, by its qualified name; empty for a function outside of any."""
+    return function.rpartition(".")[0]

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from itertools import takewhile
 from typing import TYPE_CHECKING
 
 from archlint.analysis.left_over import is_never_made
 from archlint.analysis.other_clients import MistakenWait, mistaken_waits, words_for_client
+from archlint.analysis.own_servers import is_served_by_its_node
 from archlint.analysis.reach import (
     calls_of,
     creations_of,
@@ -31,10 +31,9 @@ from archlint.checks.wait_words import (
     server_words,
 )
 from archlint.finding import Finding, Place, Related
-from archlint.model import EntityKind
 
 if TYPE_CHECKING:
-    from archlint.model import ApiCall, Creation
+    from archlint.model import ApiCall
     from archlint.systems.model import System
 
 
@@ -60,25 +59,7 @@ def ignored_wait_result(system: System, options: Options) -> Iterator[Finding]:
 def _is_served_by_itself(call: ApiCall) -> bool:
     """Whether the node of each client that is waited for has made the server itself, and before the client."""
     clients = creations_of(call.receiver)
-    return bool(clients) and all(any(_serves(server, client) for server in _made_before(client)) for client in clients)
-
-
-def _made_before(client: Creation) -> Iterator[Creation]:
-    return takewhile(lambda creation: creation is not client, client.node.creations)
-
-
-def _serves(server: Creation, client: Creation) -> bool:
-    name = client.name
-    return (
-        server.kind is _SERVERS.get(client.kind)
-        and name.text is not None
-        and name.resolution == server.name.resolution == "exact"
-        and name.text == server.name.text
-        and not (server.conditional or server.branch_arms or server.destroyed)
-    )
-
-
-_SERVERS = {EntityKind.CLIENT: EntityKind.SERVICE, EntityKind.ACTION_CLIENT: EntityKind.ACTION_SERVER}
+    return bool(clients) and all(map(is_served_by_its_node, clients))
 
 
 def _clients_asked_for(system: System) -> set[Place]:

@@ -125,8 +125,8 @@ def _in_all(system: System, sleeps: Sequence[_Sleep]) -> float:
 
 def _seconds(code: SourceCode, call: ApiCall, stay: Stay) -> float:
     """How long a sleep takes in its loops, each ``for`` over what is not known taken for one round."""
-    seconds = in_loops(code, call, stay, unknown=1.0)
     limited = any(limit is not None for limit in call.limits)
+    seconds = in_loops(code, call, stay, unknown=1.0, with_callers=limited)
     if limited and (seconds <= POLLING or (seconds < RETRYING and reads_until_it_has(code, call))):
         return 0.0
     return 0.0 if is_retry(code, call) and seconds < RETRYING else seconds

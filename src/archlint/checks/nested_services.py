@@ -10,7 +10,9 @@ from typing import TYPE_CHECKING
 from archlint.analysis.blocking import ONE
 from archlint.analysis.callback_roles import runs_in_executor
 from archlint.analysis.deadlock import AWAIT, CALL, SPIN, Verdict, related_executor, threads_of
+from archlint.analysis.lessons import is_lesson
 from archlint.analysis.pinned import distros_to_judge
+from archlint.analysis.present_servers import is_looked_for
 from archlint.analysis.reach import (
     endpoint_words,
     node_name,
@@ -68,10 +70,11 @@ _Row = tuple[Wait, Verdict, "list[Wait]"]
 """A wait, what becomes of it, and the waits of other handlers at the same place."""
 
 
-@rule("SRV003", scope=Scope.CODE)
+@rule("SRV003", scope=Scope.CODE, lost_answers=False)
 def nested_service_call(system: System, options: Options) -> Iterator[Finding]:
     """Waits that the handler of a service reaches: one finding a handler, and a place for the handler that is worst
-    off."""
+    off.  That a wait which works has no limit is for a lesson and ``lost-answers``, where its server has been found."""
+    seldom = options.flag("lost-answers") or is_lesson(system)
     judged: dict[Place, list[tuple[Wait, Verdict]]] = {}
     for wait, verdict in nested_waits(system, distros_to_judge(system.workspace, options.distros)):
         judged.setdefault(wait.call.place, []).append((wait, verdict))
@@ -82,7 +85,9 @@ def nested_service_call(system: System, options: Options) -> Iterator[Finding]:
         row = (wait, verdict, [other for other, _ in others])
         handlers.setdefault((handler.place, handler.name), []).append(row)
     yield from one_for_each_place(
-        _nested(system, rows) for rows in handlers.values() if not all(_is_done_right(system, row) for row in rows)
+        _nested(system, rows)
+        for rows in handlers.values()
+        if not all(_is_done_right(system, row) or (not seldom and _comes_as_a_rule(system, row)) for row in rows)
     )
 
 
@@ -91,6 +96,14 @@ def _is_done_right(system: System, row: _Row) -> bool:
     wait, verdict, _ = row
     careful = verdict.safe and wait.kind != AWAIT and _careful(system, wait)
     return careful and not _held_up(system, wait) and not waits_behind(system, wait)
+
+
+def _comes_as_a_rule(system: System, row: _Row) -> bool:
+    """Whether all that is wrong with a wait is that it has no limit, and the code has looked for the server."""
+    wait, verdict, _ = row
+    if not verdict.safe or wait.kind == SPIN or _thrown_away(system, wait) or not is_looked_for(system, wait.client):
+        return False
+    return not _held_up(system, wait) and not waits_behind(system, wait)
 
 
 def _held_up(system: System, wait: Wait) -> list[Callback]:

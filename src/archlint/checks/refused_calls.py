@@ -234,6 +234,8 @@ def _what_is_wrong(call: RefusedCall) -> str:
 
 
 _THREAD = "threading.Thread"
+_ONCE = frozenset({"once", "one_shot", "oneshot"})
+"""What a timer of ROS 1 takes so that it runs once."""
 
 
 def _cure(name: str, call: RefusedCall) -> str:
@@ -245,6 +247,8 @@ def _cure(name: str, call: RefusedCall) -> str:
         return f"call its {call.wanted}"
     if call.api.endswith(".Future.result"):
         return "result() never waits: continue in a done callback, where the future has its result"
+    if call.api.endswith(".create_timer") and not _ONCE.isdisjoint(call.parameters):
+        return f"write {name}({', '.join(call.signature)}), and end the callback with the timer's cancel()"
     if _is_inherited_constructor(call) and call.wanted:
         return f"rename {call.wanted}() to __init__()"
     if _is_inherited_constructor(call):

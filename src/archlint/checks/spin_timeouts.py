@@ -7,10 +7,14 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.asking_scripts import has_only_clients, is_step_of_asking_script
+from archlint.analysis.expected_failures import expects_no_answer
 from archlint.analysis.left_over import is_dead, is_never_made
+from archlint.analysis.lessons import is_lesson
 from archlint.analysis.limit_sites import sites_of_spin, spins_for_a_result
 from archlint.analysis.loop_times import is_retried
+from archlint.analysis.order import always_comes_before
 from archlint.analysis.own_futures import spins_for_a_message, spins_for_own_future, spins_for_own_task
+from archlint.analysis.own_servers import is_served_by_its_node
 from archlint.analysis.present_servers import was_waited_for
 from archlint.analysis.reach import (
     argument,
@@ -51,11 +55,12 @@ _SPIN = "rclpy.spin_until_future_complete"
 _EXECUTOR_SPIN = "rclpy.executors.Executor.spin_until_future_complete"
 
 
-@rule("TMO003", scope=Scope.CODE, by_program=True, taste=True)
+@rule("TMO003", scope=Scope.CODE, by_program=True, taste=True, lost_answers=False)
 def spin_without_timeout(system: System, options: Options) -> Iterator[Finding]:
     """Spins until a future is complete that nothing limits.  Of a method that nothing calls, and of a client that
-    nothing is seen to make, nobody knows whether it is ever there; a trial is ended by whoever runs it."""
-    reported = spoken_of(system, options.distros)
+    nothing is seen to make, nobody knows whether it is ever there; a trial is ended by whoever runs it.  The answer of
+    a server that has been found seldom gets lost: that is for a lesson and ``lost-answers``."""
+    reported, seldom = spoken_of(system, options.distros), options.flag("lost-answers") or is_lesson(system)
     yield from one_for_each_place(
         _limitless_spin(system, program, call, options)
         for program, call in calls_of(system, (_SPIN, _EXECUTOR_SPIN))
@@ -67,6 +72,7 @@ def spin_without_timeout(system: System, options: Options) -> Iterator[Finding]:
         if not _is_refused(program, call) and not _may_be_meant_as_a_limit(source_code(system), call)
         if not _is_uncalled(system, call) and not _is_all_there_is_to_do(system, program, call)
         if not _is_part_of_start(system, call)
+        if seldom or not _comes_as_a_rule(system, program, call, options)
     )
 
 
@@ -96,6 +102,24 @@ def _is_part_of_start(system: System, call: ApiCall) -> bool:
     functions = (call.function, *(hop.caller for hop in call.chain))
     in_constructor = any(name.rpartition(".")[2] == "__init__" for name in functions)
     return in_constructor and was_waited_for(system, call, creations_of(argument(call, "future")))
+
+
+def _comes_as_a_rule(system: System, program: Program, call: ApiCall, options: Options) -> bool:
+    """Whether the server has been looked for on every way to a spin, and no code is made for an answer that does not
+    come, or the node that spins is the server itself."""
+    code, clients = source_code(system), creations_of(argument(call, "future"))
+    if not clients or spun_beside(code, call, program, options.distros) is not None:
+        return False
+    if all(map(is_served_by_its_node, clients)):
+        return True
+    places = {client.place for client in clients}
+    looks = (
+        other
+        for other in program.calls
+        if other.api in _LOOKS_FOR_SERVER
+        and not places.isdisjoint(client.place for client in creations_of(other.receiver))
+    )
+    return not expects_no_answer(code, call) and any(always_comes_before(code, other, call) for other in looks)
 
 
 def _is_refused(program: Program, call: ApiCall) -> bool:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from archlint.analysis.aside import is_not_installed
 from archlint.analysis.closed_guards import is_switched_off
 from archlint.analysis.left_over import is_named_nowhere
 from archlint.analysis.lessons import is_lesson
@@ -36,8 +37,10 @@ def unless_uncalled(system: System, diagnostic: Finding) -> Iterator[Finding]:
 
 
 def uncalled_in_program(system: System, place: Place) -> str | None:
-    """The name of the method of a program that holds a place, where nothing calls it but methods of that kind."""
+    """The name of the method of a program, or of a file that no installed program uses, that holds a place, where
+    nothing calls it but methods of that kind."""
     is_program = any(program.executable and program.file == place.file for program in system.programs)
+    is_program = is_program or is_not_installed(system.workspace, place.file)
     return uncalled_method(system.workspace, place) if is_program else None
 
 

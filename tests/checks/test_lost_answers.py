@@ -1,0 +1,158 @@
+"""TMO003 and SRV003: waits without a limit for a server that has been found are for lessons."""
+
+from __future__ import annotations
+
+import pytest
+
+from checks.judging import Judge
+
+OTHERS = "import rclpy\nfrom rclpy.node import Node\n" + "".join(
+    f"\n\nclass Idle{number}(Node):\n    def __init__(self):\n        super().__init__('idle{number}')\n"
+    for number in range(5)
+)
+"""What makes a workspace too large for a lesson."""
+
+ASKER = """
+    import rclpy
+    from rclpy.node import Node
+    from std_srvs.srv import Trigger
+
+
+    class Asker(Node):
+        def __init__(self):
+            super().__init__('asker')
+            self.server = {server}
+            self.client = self.create_client(Trigger, 'map')
+            self.create_subscription(Trigger.Request, 'go', print, 10)
+
+        def serve(self, request, response):
+            return response
+
+        def ask(self):
+            {looks}
+            future = self.client.call_async(Trigger.Request())
+            rclpy.spin_until_future_complete(self, future){here}
+            {after}
+
+
+    def main():
+        rclpy.init()
+        asker = Asker()
+        asker.ask()
+        rclpy.spin(asker)
+
+
+    if __name__ == '__main__':
+        main()
+"""
+FOUND = "if not self.client.wait_for_service(timeout_sec=2.0):\n                return None"
+READS = "return future.result().success"
+ASKS = "if future.result() is None:\n                return False"
+
+
+def asker(looks: str, after: str, here: str = "", server: str = "None") -> str:
+    values = {"looks": looks, "after": after, "here": here, "server": server}
+    return ASKER.replace("Trigger.Request, 'go'", "Trigger.Request.Event, 'go'").format(**values)
+
+
+@pytest.mark.parametrize(
+    ("looks", "after", "here"),
+    [
+        (FOUND, READS, ""),
+        ("pass", READS, "  # here"),
+        (FOUND, ASKS, "  # here"),
+        (FOUND, "answer = future.result()\n            if not answer:\n                return False", "  # here"),
+        (FOUND, "if not future.done():\n                return False", "  # here"),
+        (FOUND, "answer = future.result()\n            if not answer.success:\n                return False", ""),
+        ("if self.ready:\n                self.client.wait_for_service(timeout_sec=2.0)", READS, "  # here"),
+    ],
+    ids=["found", "not looked for", "None", "nothing", "not done", "no success", "looked for now and then"],
+)
+def test_the_answer_of_a_server_that_has_been_found(judge: Judge, looks: str, after: str, here: str):
+    """It seldom gets lost; whoever has a branch for that branch wants a limit."""
+    judge("TMO003", asker(looks, after, "  # here"))
+    judge("TMO003", asker(looks, after, here), OTHERS)
+    judge("TMO003", asker(looks, after, "  # here"), OTHERS, config="[rules.spin-without-timeout]\nlost-answers = true")
+
+
+def test_a_node_that_serves_itself(judge: Judge):
+    judge("TMO003", asker("pass", READS, server="self.create_service(Trigger, 'map', self.serve)"), OTHERS)
+    judge("TMO003", asker("pass", READS, "  # here", "self.create_service(Trigger, 'other', self.serve)"), OTHERS)
+
+
+def test_functions_of_a_file_are_one_finding(judge: Judge):
+    """As the methods of a class are."""
+    function = """
+
+    def {name}(node):
+        future = client.call_async(Trigger.Request())
+        rclpy.spin_until_future_complete(node, future){here}
+        return future.result()
+"""
+    text = (
+        "    import rclpy\n    from std_srvs.srv import Trigger\n\n    rclpy.init()\n"
+        "    node = rclpy.create_node('web')\n    node.create_timer(1.0, print)\n"
+        "    client = node.create_client(Trigger, 'map')\n"
+        + function.format(name="load", here="  # here")
+        + function.format(name="save", here="")
+        + "\n\n    load(node)\n    save(node)\n"
+    )
+    [spin] = judge("TMO003", text)
+    assert spin.message.endswith("; another line in this file does the same")
+
+
+HANDLER = """
+    import rclpy
+    from rclpy.callback_groups import ReentrantCallbackGroup
+    from rclpy.executors import MultiThreadedExecutor
+    from rclpy.node import Node
+    from std_srvs.srv import Trigger
+
+
+    class Relay(Node):
+        def __init__(self):
+            super().__init__('relay')
+            group = ReentrantCallbackGroup()
+            self.client = self.create_client(Trigger, 'fire', callback_group=group)
+            self.create_service(Trigger, 'relay', self.relay, callback_group=group)
+            {more}
+
+        {handler}
+
+
+    def main():
+        rclpy.init()
+        executor = MultiThreadedExecutor()
+        executor.add_node(Relay())
+        executor.spin()
+
+
+    if __name__ == '__main__':
+        main()
+"""
+CALLS = """def relay(self, request, response):
+            {looks}
+            return self.client.call(Trigger.Request()){here}"""
+AWAITS = """async def relay(self, request, response):
+            {looks}
+            return await self.client.call_async(Trigger.Request()){here}"""
+
+
+def relay(handler: str, looks: str, here: str, more: str = "pass") -> str:
+    handler = handler.replace("{looks}", looks).replace("{here}", here)
+    return HANDLER.replace("{handler}", handler).replace("{more}", more)
+
+
+@pytest.mark.parametrize("handler", [CALLS, AWAITS], ids=["a call", "an await"])
+def test_a_handler_that_has_looked_for_the_server(judge: Judge, handler: str):
+    looks = "self.client.wait_for_service(timeout_sec=2.0)"
+    judge("SRV003", relay(handler, looks, "  # here"))
+    judge("SRV003", relay(handler, looks, ""), OTHERS)
+    judge("SRV003", relay(handler, "pass", "  # here"), OTHERS)
+    judge("SRV003", relay(handler, looks, "  # here"), OTHERS, config="[rules.SRV003]\nlost-answers = true")
+
+
+def test_a_handler_that_keeps_others_waiting(judge: Judge):
+    text = relay(CALLS, "self.client.wait_for_service(timeout_sec=2.0)", "  # here", "self.create_timer(1.0, print)")
+    alone = text.replace("'relay', self.relay, callback_group=group", "'relay', self.relay")
+    judge("SRV003", alone, OTHERS)
