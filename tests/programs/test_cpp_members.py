@@ -146,3 +146,48 @@ def test_a_constructor_is_not_followed_beside_its_class() -> None:
     """
     nodes = graph({"src/port.hpp": PORT, "src/port.cpp": source})["nodes"]
     assert [client["type"] for node in nodes for client in node["clients"]] == ["std_srvs/srv/Trigger"]
+
+
+OUTER = """
+#pragma once
+#include "rclcpp/rclcpp.hpp"
+class Robot : public rclcpp::Node {
+public:
+  Robot();
+private:
+  struct Topics { std::string first = "first"; std::string second = "second"; };
+  struct Row { std::string name; int depth; };
+  struct Channel {
+    Channel(Robot * robot, const std::string & name);
+    rclcpp::Publisher<std_msgs::msg::String>::SharedPtr publisher;
+  };
+  enum class Mode { idle, busy };
+  Topics topics_;
+  std::vector<Row> rows_;
+  std::unique_ptr<Channel> channel_;
+  Mode mode_{Mode::idle};
+};
+"""
+INNER = """
+#include "robot.hpp"
+Robot::Channel::Channel(Robot * robot, const std::string & name) {
+  publisher = robot->create_publisher<std_msgs::msg::String>(name, 1);
+}
+Robot::Robot() : Node("robot") {
+  topics_.second = "changed";
+  create_publisher<std_msgs::msg::String>(topics_.first, 1);
+  create_publisher<std_msgs::msg::String>(topics_.second, 1);
+  rows_.push_back({"row", 3});
+  rows_.push_back({.name = "other", .depth = 4});
+  for (const auto & row : rows_) { create_publisher<std_msgs::msg::String>(row.name, row.depth); }
+  channel_ = std::make_unique<Channel>(this, "channel");
+  if (mode_ == Mode::busy) { create_publisher<std_msgs::msg::String>("busy", 1); }
+}
+int main(int argc, char ** argv) { rclcpp::init(argc, argv); rclcpp::spin(std::make_shared<Robot>()); }
+"""
+
+
+def test_classes_in_a_class() -> None:
+    [node] = graph({"src/robot.hpp": OUTER, "src/robot.cpp": INNER})["nodes"]
+    depths = {end["name"]: end["qos"]["depth"] for end in node["publishers"]}
+    assert depths == {"/first": 1, "/changed": 1, "/row": 3, "/other": 4, "/channel": 1}

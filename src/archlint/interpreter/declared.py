@@ -63,6 +63,12 @@ def definition_of(index: ModuleIndex, declared: Declared) -> Value:
     return Unknown(f"'{declared.name}' is declared here and defined {where}", name=declared.name)
 
 
+def nested_class(store: Store, scope: Scope, name: str) -> Value | None:
+    """A class in a class of C++, which the methods of both know, and those beside it; None for anything else."""
+    value = store.get(scope.key, name) if scope.module.file.kind == "cpp" else None
+    return value if isinstance(value, ClassValue) else None
+
+
 def defaults_of(index: ModuleIndex, store: Store, scope: Scope, function: facts.Function) -> list[tuple[str, Value]]:
     """The default arguments that a function has by its declaration alone, with the names of its parameters."""
     if not index.defaults:
@@ -82,4 +88,4 @@ def defaults_of(index: ModuleIndex, store: Store, scope: Scope, function: facts.
     return list(zip(names[len(names) - len(values) :], values, strict=True))
 
 
-__all__ = ["Defaults", "declare", "defaults_of", "definition_of", "note_definition"]
+__all__ = ["Defaults", "declare", "defaults_of", "definition_of", "nested_class", "note_definition"]

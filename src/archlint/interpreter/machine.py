@@ -19,7 +19,7 @@ from archlint.finding import Place
 from archlint.interpreter.activation import Activation, Repeated
 from archlint.interpreter.call_site import NOTHING_GIVEN, CallSite
 from archlint.interpreter.caught import Raised
-from archlint.interpreter.declared import definition_of, note_definition
+from archlint.interpreter.declared import definition_of, nested_class, note_definition
 from archlint.interpreter.heap import Layer, Store
 from archlint.interpreter.implementations import sources_to_run
 from archlint.interpreter.library import Library
@@ -87,10 +87,8 @@ class Machine(ABC):
         """How many calls, items and tests have been met that are not known."""
         self.steps = 0
         self.allowed_steps = PROGRAM_STEPS
-        self.left = PROGRAM_STEPS
-        """What is left of the program's statements."""
-        self.granted = PROGRAM_STEPS
-        """What it had of them at first."""
+        self.left = PROGRAM_STEPS  # what is left of the program's statements
+        self.granted = PROGRAM_STEPS  # what it had of them at first
         self.late = False
         """Whether the other programs of the workspace have spent what all may run together."""
         self.items_left = COMPREHENDED
@@ -184,6 +182,8 @@ class Machine(ABC):
                     return definition_of(self.index, value) if value.__class__ is Declared else value
                 if scope.bound is not None and name not in scope.outer and scope.kind == "function":
                     return Unknown(f"'{name}' is not assigned on this path")
+            elif (nested := nested_class(self.store, scope, name)) is not None:
+                return nested
             first = False
             scope = scope.parent
         return None

@@ -21,7 +21,7 @@ from archlint.interpreter.values import (
     alternatives,
     one_of,
 )
-from archlint.syntax.cpp.known_names import PUT, SUBSTRING, TYPE_OF, VALUE_OR
+from archlint.syntax.cpp.known_names import ITEM, PUT, SUBSTRING, TYPE_OF, VALUE_OR
 
 if TYPE_CHECKING:
     from archlint.libraries.api_use import Plain
@@ -64,6 +64,13 @@ def _put_item(run: Run, container: ListValue, method: str, values: list[Value]) 
     run.call(get_attribute(run, container, "append"), CallSite([item]))
 
 
+def _item(run: Run, site: CallSite) -> Value:
+    """``item(object, attribute, …)``: what ``rows_.push_back({"left", 1})`` puts into a field."""
+    owner, attribute, *values = site.args
+    cls = run.store.get(owner.heap_key, attribute.text) if owner.heap_key and attribute.text else None
+    return new_list(run, values) if cls is None else run.call(cls, replace(site, args=values))
+
+
 def _value_or(run: Run, site: CallSite) -> Value:
     """``optional.value_or(other)``."""
     value, other = site.args
@@ -91,6 +98,7 @@ def _type_of(run: Run, site: CallSite) -> Value:
 
 
 PLAIN: dict[str, Plain] = {
+    ITEM: _item,
     PUT: _put,
     SUBSTRING: _substring,
     TYPE_OF: _type_of,

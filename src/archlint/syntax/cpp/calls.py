@@ -103,6 +103,11 @@ def of_class(owner: str, number: int) -> str:
     return f"<{owner} {number}>"
 
 
+def of_items(container: str) -> str:
+    """The attribute of an object that holds the class of what one of its containers holds."""
+    return f"{container}[]"
+
+
 def action(function: Expr, is_server: bool, types: Sequence[Expr], arguments: Sequence[Expr], span: Span) -> Expr:
     """``rclcpp_action::create_server<T>(node, "name", …)``, also with the interfaces of the node one by one."""
     names = [at for at, value in enumerate(arguments) if not _is_of_node(value)]
@@ -222,6 +227,7 @@ __all__ = [
     "method",
     "node_arguments",
     "of_class",
+    "of_items",
     "parameter",
     "template_arguments",
     "template_parameter",

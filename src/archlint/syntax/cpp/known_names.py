@@ -148,6 +148,8 @@ DECLARED = "std.__declared__"
 """The function that gives what is declared in one place and defined in another."""
 ITSELF = "std.__itself__"
 """The function that gives the object, or the class, whose method is called by the name of its class."""
+ITEM = "std.__item__"
+"""The function that makes what is put into a container that is a field, of what stands in braces."""
 CALLER = "std.__caller__"
 """The function that gives the object of the method that a macro is used in."""
 PARTS = "std.__parts__"
@@ -173,6 +175,7 @@ __all__ = [
     "GIVEN",
     "INTERFACE_KINDS",
     "IN_PYTHON",
+    "ITEM",
     "ITSELF",
     "LIBRARIES",
     "MAKERS",

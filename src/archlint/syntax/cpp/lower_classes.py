@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from archlint.syntax import facts
 from archlint.syntax.cpp import calls
 from archlint.syntax.cpp.declared import Declared, declared
-from archlint.syntax.cpp.known_names import FIELD, FIELDS, GIVEN
+from archlint.syntax.cpp.known_names import FIELD, FIELDS, GIVEN, SEQUENCES
 from archlint.syntax.cpp.lower_expressions import given
 from archlint.syntax.cpp.lower_functions import BASES, FunctionLowering, function_declarator
 from archlint.syntax.cpp.names import FunctionScope, Names, Part
@@ -105,7 +105,17 @@ class ClassLowering(FunctionLowering):
                 else:
                     of_self = facts.Attribute(facts.Name("self", span), variable.name, variable.span)
                     fields.extend((*self.before, facts.Assign([of_self], value, span)))
+                    fields.extend(self._class_of_items(variable, parts))
                 self.before = outer
+
+    def _class_of_items(self, variable: Declared, parts: Sequence[Part]) -> list[Stmt]:
+        """What the objects in a container are, which other files fill."""
+        kind = self.kind_of_items(parts[-1]) if parts and parts[-1].name in SEQUENCES else []
+        if not kind or not self.is_class(kind):
+            return []
+        span = variable.span
+        target = facts.Attribute(facts.Name("self", span), calls.of_items(variable.name), span)
+        return [facts.Assign([target], self.names.resolve(kind, span), span)]
 
     def _note_defaults(self, variable: Declared, own: str, inner: list[Stmt]) -> None:
         """The default arguments of a method that is defined elsewhere."""

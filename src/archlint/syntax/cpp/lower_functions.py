@@ -44,6 +44,8 @@ class FunctionLowering(StatementLowering):
         """Those of the function, or of the class, that comes next."""
         self._class_parameters: list[TemplateParameter] = []
         """Those of the class around."""
+        self._class_of_method: Expr | None = None
+        """The class whose method is defined outside of it."""
 
     def template_parameters(self, node: Node) -> list[TemplateParameter]:
         """What a template is declared with."""
@@ -73,15 +75,16 @@ class FunctionLowering(StatementLowering):
             self._template_parameters = [row for row in self._template_parameters if not self._is_of_class(row)]
             spaces = [part.name for part in parts[:-2]]
             self.names.spaces += spaces
+            span = self.source.span(node)
+            self._class_of_method = cls = self._owner(parts, span)
             function = self._defined(node, owner, parts[-1], f"{owner}::{parts[-1].name}")
-            cls = self.names.qualified(owner)
+            self._class_of_method = None
             del self.names.spaces[len(self.names.spaces) - len(spaces) :]
             self.names.class_parameters, self._class_parameters = outer, []
             if function is None:
                 return
             attribute = "__init__" if parts[-1].name == owner else parts[-1].name
-            span = function.span
-            target = facts.Attribute(facts.Name(cls, span), attribute, span)
+            target = facts.Attribute(cls, attribute, span)
             body.extend((function, facts.Assign([target], facts.Name(function.name, span), span)))
         else:
             function = self._defined(node, None, parts[-1], parts[-1].name)
@@ -91,6 +94,14 @@ class FunctionLowering(StatementLowering):
             if owner:
                 name_in_space = facts.Name(f"{owner}::{function.name}", function.span)
                 body.append(facts.Assign([name_in_space], facts.Name(function.name, function.span), function.span))
+
+    def _owner(self, parts: list[Part], span: Span) -> Expr:
+        """The class of ``Outer::Inner::method``, which another class of a header may hold."""
+        owner, outer = parts[-2].name, parts[-3].name if len(parts) > 2 else ""
+        is_of_file = owner in self.names.classes and owner not in self.names.nested
+        if is_of_file or not outer or outer in self.names.namespaces or not self.is_class_called(outer):
+            return facts.Name(self.names.qualified(owner), span)
+        return facts.Attribute(facts.Name(self.names.qualified(outer), span), owner, span)
 
     def is_class_called(self, name: str) -> bool:
         """Whether ``name::`` in front of a definition is a class.  A namespace may be opened in a header alone; classes
@@ -298,7 +309,7 @@ class FunctionLowering(StatementLowering):
 
     def _calls(self, own: str, method: str, span: Span) -> Stmt:
         """A call of what a class does for each of its objects."""
-        cls = facts.Name(self.names.qualified(own), span)
+        cls = self._class_of_method or facts.Name(self.names.qualified(own), span)
         call = facts.Call(facts.Attribute(cls, method, span), given([facts.Name("self", span)]), span)
         return facts.Expression(call, span)
 

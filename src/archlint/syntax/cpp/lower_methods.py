@@ -6,7 +6,8 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from archlint.syntax import facts
-from archlint.syntax.cpp.known_names import CHANGING, PUT, SUBSTRING, VALUE_OR
+from archlint.syntax.cpp import calls
+from archlint.syntax.cpp.known_names import CHANGING, ITEM, PUT, SUBSTRING, VALUE_OR
 from archlint.syntax.cpp.lower_expressions import given, is_target
 from archlint.syntax.cpp.lower_objects import ObjectLowering
 
@@ -95,13 +96,18 @@ class MethodLowering(ObjectLowering):
 
     def items_given(self, owner: Node | None, part: Part, nodes: Sequence[Node]) -> list[Expr]:
         """What a method is given: ``rows.push_back({"left", 1})`` makes an object of what ``rows`` holds."""
-        kind = [] if owner is None else self.names.item_kinds.get(self.source.text(owner), [])
-        if not kind or part.name not in ("push_back", "emplace_back"):
-            return self.lower_all(nodes)
+        name = "" if owner is None else self.source.text(owner)
         nodes = [node for node in nodes if node.type != "comment"]
-        if len(nodes) == 1 and nodes[0].type == "initializer_list":
-            return [self._item(kind, nodes[0], self.source.span(nodes[0]))]
-        return self.lower_all(nodes)
+        if not name or part.name != "push_back" or len(nodes) != 1 or nodes[0].type != "initializer_list":
+            return self.lower_all(nodes)
+        kind, span = self.names.item_kinds.get(name, []), self.source.span(nodes[0])
+        if kind:
+            return [self._item(kind, nodes[0], span)]
+        if not self.names.is_in_method or self.names.is_variable(name):
+            return self.lower_all(nodes)
+        which = (facts.Name("self", span), facts.Literal(calls.of_items(name.removeprefix("this->")), span))
+        listed = [*given(which), *self._given_to_class(nodes[0])]
+        return [facts.Call(self.names.library(ITEM, span), listed, span)]
 
     def note_items(self, name: str, parts: Sequence[Part]) -> None:
         """Take note of what a container holds, where that are objects of a class."""

@@ -52,6 +52,8 @@ class ObjectLowering(MacroLowering):
         path = self.names.path(parts)
         if path:
             return self.constructed(path, parts[-1], arguments, span)
+        if parts and parts[-1].name in self.names.enums and arguments is not None and arguments.named_child_count == 1:
+            return self.lower(arguments.named_children[0])
         cls = self.names.resolve(parts, span)
         values = [] if arguments is None else self._given_to_class(arguments)
         if isinstance(cls, facts.Name) and "::msg::" in cls.id:

@@ -85,6 +85,10 @@ class Lowering(ClassLowering):
             if name is not None and node.type in ("class_specifier", "struct_specifier", "enum_specifier"):
                 own = self.source.text(name).partition("<")[0]
                 self.names.classes.add(own)
+                if node.type == "enum_specifier":
+                    self.names.enums.add(own)
+                if _is_member(node.parent or node):
+                    self.names.nested.add(own)
                 if node.child_by_field_name("body") is not None:
                     self.names.placed.setdefault(own, set()).add(space)
             elif name is not None and node.type == "namespace_definition":

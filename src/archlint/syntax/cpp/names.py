@@ -80,6 +80,9 @@ class Names:
         self.opened: list[list[str]] = []
         """The namespaces of ``using namespace``."""
         self.classes: set[str] = set()
+        self.nested: set[str] = set()
+        """Those of them that stand in another one."""
+        self.enums: set[str] = set()
         self.class_parameters: dict[str, str] = {}
         """The attributes of an object that hold the template arguments of its class, by what the class calls them."""
         self.templates: dict[str, list[Part]] = {}
@@ -163,7 +166,7 @@ class Names:
             return self._imported(f"rclcpp.{name}", name, span)
         if name in RMW_PROFILES:
             return self._imported(RMW_PROFILES[name], name, span)
-        if self.is_in_method and name not in self.classes:
+        if self.is_in_method and (name not in self.classes or name in self.nested):
             return facts.Implicit(name, span)
         return facts.Name(name, span)
 
