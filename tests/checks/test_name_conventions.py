@@ -253,13 +253,14 @@ def test_a_bus_of_a_fleet_is_meant_to_be_absolute(folder: Path):
     assert check(request(folder, starts, drone=drone, **many(*ALL_ABSOLUTE))).findings == []
 
 
-def test_a_small_workspace_that_starts_a_driver_is_no_lesson(folder: Path):
+def test_a_small_workspace_that_starts_a_driver_or_two_robots_is_no_lesson(folder: Path):
     """Somebody has this robot, and knows how its topics are called."""
     [told] = check(request(folder, '<node pkg="robot" exec="arm"/>', arm=ARM)).findings
     assert told.message.startswith("2 names of Arm are absolute")
 
-    driver = '<node pkg="v4l2_camera" exec="v4l2_camera_node"/>'
-    assert check(request(folder, f'<node pkg="robot" exec="arm"/>{driver}', arm=ARM)).findings == []
+    for other in ('pkg="v4l2_camera" exec="v4l2_camera_node"', 'pkg="robot" exec="arm" name="second"'):
+        assert check(request(folder, f'<node pkg="robot" exec="arm"/><node {other}/>', arm=ARM)).findings == []
+    assert check(request(folder, '<node pkg="robot" exec="arm" namespace="left"/>', arm=ARM)).findings == []
 
 
 def test_a_large_workspace_may_mix_names_that_nobody_else_has(folder: Path):

@@ -1050,3 +1050,65 @@ def test_two_that_each_speak_on_an_occasion_share_a_topic(judge: Judge, left: st
     # The last publisher in the source is where the finding is.
     last = source.rindex("'/cmd_vel', 10)") + len("'/cmd_vel', 10)")
     judge("OWN001", source[:last] + ("  # here" if told else "") + source[last:])
+
+
+FLEET = """
+    import rclpy
+    from rclpy.node import Node
+    from std_msgs.msg import {type}
+
+
+    class Robot(Node):
+        def __init__(self):
+            super().__init__('robot')
+            self.out = self.create_publisher({type}, '{topic}', 10)
+            self.create_timer(1.0, self.tick)
+
+        def tick(self):
+            self.out.publish({type}())
+
+
+    class Ear(Node):
+        def __init__(self):
+            super().__init__('ear')
+            self.create_subscription({type}, '{topic}', print, 10)
+
+
+    def main():
+        rclpy.init()
+        rclpy.spin(Robot())
+
+
+    def listen():
+        rclpy.init()
+        rclpy.spin(Ear())
+"""
+
+
+@pytest.mark.parametrize(
+    ("type_", "topic", "ears", "told"),
+    [
+        ("Float64", "/level", 1, 1),
+        ("Float64", "/level", 2, 0),  # each robot tells all the others
+        ("String", "/report", 1, 0),  # a text of one takes back no text of another
+        ("String", "/state", 1, 1),
+    ],
+)
+def test_what_instances_of_one_node_tell(tmp_path, monkeypatch, type_: str, topic: str, ears: int, told: int):
+    monkeypatch.chdir(tmp_path)
+    starts = "".join(f'<node pkg="demo" exec="robot" name="robot_{number}"/>' for number in range(2))
+    starts += "".join(f'<node pkg="demo" exec="ear" name="ear_{number}"/>' for number in range(ears))
+    entries = "'console_scripts': ['robot = demo.robot:main', 'ear = demo.robot:listen']"
+    files = {
+        "package.xml": PACKAGE.strip(),
+        "setup.py": f"from setuptools import setup\nsetup(name='demo', entry_points={{{entries}}})\n",
+        "demo/__init__.py": "",
+        "demo/robot.py": dedent(FLEET).format(type=type_, topic=topic),
+        "launch/all.launch.xml": LAUNCH.format(starts),
+        "archlint.toml": 'select = ["OWN001"]',
+    }
+    for name, text in files.items():
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(text)
+
+    assert len(check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings) == told

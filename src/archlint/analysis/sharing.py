@@ -78,15 +78,18 @@ def is_bus(workspace: WorkspaceIndex | None, connection: Connection, owners: Seq
 def _is_for_instances(connection: Connection, owners: Sequence[Endpoint]) -> bool:
     """Whether several nodes of one class publish a topic, and several of one class listen to it: each robot of a fleet
     tells all the others."""
-    heard = [user.node for user in connection.users]
     return all(
-        len({node.name for node in nodes}) > 1 and len({_class_of(node) for node in nodes}) == 1
-        for nodes in ([end.node for end in owners], heard)
+        are_of_one_class(ends) and len({end.node.name for end in ends}) > 1 for ends in (owners, connection.users)
     )
 
 
+def are_of_one_class(ends: Sequence[Endpoint]) -> bool:
+    """Whether these are ends of several instances of one node."""
+    return len({_class_of(end.node) for end in ends}) == 1
+
+
 def _class_of(node: Node) -> object:
-    return None if node.blueprint is None else key_of(node.blueprint)
+    return node if node.blueprint is None else key_of(node.blueprint)
 
 
 def _says_whose(workspace: WorkspaceIndex | None, type_: str | None) -> bool:
@@ -99,4 +102,4 @@ def _last_words(topic: str) -> list[str]:
     return topic.rpartition("/")[2].lower().split("_")
 
 
-__all__ = ["COMMANDS", "SENDERS", "are_words", "is_bus", "is_state"]
+__all__ = ["COMMANDS", "SENDERS", "are_of_one_class", "are_words", "is_bus", "is_state"]

@@ -76,17 +76,21 @@ def told(system: System, names: Sequence[FixedName], everywhere: bool) -> list[t
     workspace that starts nothing but its own nodes, also hears of what else speaks against absolute names, and so does
     who wants to be told of all, ``everywhere``.
     """
-    if everywhere or (is_lesson(system) and _starts_itself_only(system.workspace)):
+    if everywhere or (is_lesson(system) and _starts_each_once(system.workspace)):
         return _told_of_all(system.workspace, names, everywhere)
     parted = _parted(system.workspace, names)
     return [(name, parted.get(_end_of(name))) for name in names if name.text[:1] != "/" or _end_of(name) in parted]
 
 
-def _starts_itself_only(workspace: WorkspaceIndex | None) -> bool:
-    """Whether launch files start nodes of the workspace alone: one with drivers or a simulator is for a robot
-    that somebody has."""
-    launched = () if workspace is None else (system for system in workspace.systems if system.launched is not None)
-    return not any(node.external for system in launched for node in system.nodes)
+def _starts_each_once(workspace: WorkspaceIndex | None) -> bool:
+    """Whether launch files start nodes of the workspace alone, each once and in no namespace.  One with drivers or a
+    simulator is for a robot that somebody has, and one with instances for several."""
+    for system in () if workspace is None else workspace.systems:
+        if system.launched is not None:
+            keys = [None if node.blueprint is None else key_of(node.blueprint) for node in system.nodes]
+            if None in keys or len(set(keys)) < len(keys) or any(_namespace_of(node) for node in system.nodes):
+                return False
+    return True
 
 
 def _told_of_all(

@@ -160,7 +160,7 @@ def _of_two_actions(system: System, several: list[Twins]) -> Iterator[Finding]:
     elif first.launch_place.file != here.file:
         yield replace(diagnostic, group=(_TOGETHER, system.name or "", first.launch_place.file, here.file))
     else:
-        yield replace(diagnostic, group=(_TOGETHER, system.name or "", here.file, help))
+        yield replace(diagnostic, group=(_TOGETHER, system.name or "", here.file, help if sole else "code"))
 
 
 _TOGETHER, _OF_PROCESS = "together", "of one process"

@@ -10,7 +10,7 @@ from archlint.analysis.arbitration import take_turns
 from archlint.analysis.echoes import is_driven, repeats
 from archlint.analysis.happenings import are_events, are_requests
 from archlint.analysis.owners import several_owners, some_coexist
-from archlint.analysis.sharing import are_words, is_bus, is_state
+from archlint.analysis.sharing import are_of_one_class, are_words, is_bus, is_state
 from archlint.analysis.streams import sends_again_and_again, waits_for_nobody
 from archlint.analysis.switched_off import switch_of
 from archlint.analysis.taken_in import ask_with_true, say_whose
@@ -55,8 +55,9 @@ def _is_meant(system: System, connection: Connection, owners: list[Endpoint]) ->
         return True  # it only says that something is to be done: no message takes back another
     if are_events(system, owners) or are_requests(connection) or ask_with_true(system, connection):
         return True
-    if are_words(owners) and _says_what_happens(connection.name) and not is_state(connection.name):
-        return True
+    add_up = are_words(owners) and not is_state(connection.name)
+    if add_up and (_says_what_happens(connection.name) or are_of_one_class(owners)):
+        return True  # each text stands for itself
     speaking = [end for end in owners if not is_driven(system, end, owners) and not repeats(system, end)]
     if len({id(end.node) for end in speaking}) < 2:
         return True
