@@ -6,12 +6,14 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from archlint.analysis.blocking import SEVERAL
-from archlint.analysis.callback_roles import callback_words
+from archlint.analysis.callback_roles import callback_words, runs_in_executor
 from archlint.analysis.deadlock import threads_of
+from archlint.analysis.kept_waiting import blocks_nobody
 from archlint.analysis.known_work import Work, work_of
 from archlint.analysis.paces import pace_of
 from archlint.analysis.reach import node_name, one_for_each_place
 from archlint.analysis.source_code import source_code
+from archlint.analysis.timed_loops import TimedLoop, timed_loops
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related
@@ -38,6 +40,14 @@ def busy_callback(system: System, options: Options) -> Iterator[Finding]:
         if callback.role in _ROLES and not system.roles.is_test(callback.file)
         for work, period in _too_long(system, program, callback)
     )
+    yield from one_for_each_place(
+        _timed(system, callback, loop)
+        for program in system.programs
+        if not system.roles.is_test(program.file)
+        for callback in program.callbacks
+        if callback.role in _ROLES and not system.roles.is_test(callback.file)
+        for loop in _loops_for_a_time(system, program, callback)
+    )
 
 
 def _too_long(system: System, program: Program, callback: Callback) -> Iterator[tuple[Work, float | None]]:
@@ -55,6 +65,32 @@ def _too_long(system: System, program: Program, callback: Callback) -> Iterator[
                 yield work, period
         elif (period is not None and work.seconds > period) or (work.seconds > _LONG and not alone):
             yield work, period
+
+
+def _loops_for_a_time(system: System, program: Program, callback: Callback) -> Iterator[TimedLoop]:
+    """The loops that keep others of its node waiting until a time has passed."""
+    code = source_code(system)
+    function, file = code.definition(callback), code.facts_at(callback.file)
+    if function is None or file is None or blocks_nobody(callback, program) or callback.node is None:
+        return
+    several = threads_of(callback.node, program) == SEVERAL
+    others = [other for other in callback.node.callbacks if not several or other.group == callback.group]
+    if any(other.place != callback.place and runs_in_executor(other) for other in others):
+        yield from (loop for loop in timed_loops(function, file) if loop.seconds > _LONG)
+
+
+def _timed(system: System, callback: Callback, loop: TimedLoop) -> Finding:
+    inside = "" if callback.name.rpartition(".")[2] == loop.function else f" in {loop.function}()"
+    return finding(
+        "EXE012",
+        Place.of(callback.file, loop.span),
+        f"{callback_words(callback)} loops{inside} until {loop.seconds:g} s have passed: everything else on its "
+        "thread has to wait",
+        help="remember when it began, return, and let a timer go on until the time has passed",
+        related=[Related(callback.place, f"{callback.name} is the callback")],
+        node=node_name(system, callback.node),
+        identity=(callback.name, loop.function),
+    )
 
 
 def _busy(system: System, callback: Callback, work: Work, period: float | None) -> Finding:
