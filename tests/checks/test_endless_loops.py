@@ -519,3 +519,63 @@ def test_a_queue_that_nobody_fills_meanwhile(judge: Judge, source: str, says: st
 )
 def test_a_queue_that_may_be_filled(judge: Judge, source: str):
     judge("EXE009", source)
+
+
+def _with_condition(*lines: str, made: str = "threading.Condition()", spin: str = ONE_THREAD, group: str = "") -> str:
+    """A callback that notifies, and one that waits for that."""
+    source = with_queue(*lines, constructor=f"self.news = {made}", spin=spin, group=group)
+    gives = "self.news.release()" if "Semaphore" in made else "with self.news:\n            self.news.notify_all()"
+    return source.replace("self.data.put(message)", gives)
+
+
+@pytest.mark.parametrize(
+    ("source", "says"),
+    [
+        (
+            _with_condition("with self.news:", "    self.news.wait()  # here"),
+            "wait() never returns: only Robot.on_data notifies self.news",
+        ),
+        (
+            _with_condition("with self.news:", "    while not self.names:", "        self.news.wait()  # here"),
+            "wait() never returns: only Robot.on_data notifies self.news",
+        ),
+        (
+            _with_condition("with self.news:", "    self.news.wait_for(lambda: self.names)  # here"),
+            "wait_for() never returns: only Robot.on_data notifies self.news",
+        ),
+        (
+            _with_condition("self.news.acquire()  # here", made="threading.Semaphore(0)"),
+            "acquire() never returns where self.news is 0: only Robot.on_data releases it",
+        ),
+    ],
+    ids=["a condition", "in a loop", "with a predicate", "a semaphore"],
+)
+def test_a_notice_that_cannot_come_meanwhile(judge: Judge, source: str, says: str):
+    [finding] = judge("EXE009", source)
+    assert says in finding.message
+
+
+@pytest.mark.parametrize(
+    "source",
+    [
+        _with_condition("with self.news:", "    self.news.wait(1.0)"),
+        _with_condition("with self.news:", "    self.news.wait_for(lambda: self.names, 1.0)"),
+        _with_condition("with self.news:", "    self.news.notify()", "    self.news.wait()"),
+        _with_condition("with self.news:", "    pass"),
+        _with_condition("self.news.acquire()", made="threading.Semaphore(1)"),
+        _with_condition("self.news.acquire(blocking=False)", made="threading.Semaphore(0)"),
+        _with_condition("self.news.acquire(timeout=1.0)", made="threading.Semaphore(0)"),
+        _with_condition(
+            "with self.news:",
+            "    self.news.wait()",
+            spin=THREADS,
+            group=", callback_group=ReentrantCallbackGroup()",
+        ),
+    ],
+    ids=[
+        *("a timeout", "a predicate and a timeout", "it notifies itself", "no wait", "one is free", "no blocking"),
+        *("a timeout of a semaphore", "another group"),
+    ],
+)
+def test_a_notice_that_may_come(judge: Judge, source: str):
+    judge("EXE009", source)

@@ -9,7 +9,7 @@ from checks.judging import Judge
 WORKER = """
     import threading
     import time
-    from concurrent.futures import ThreadPoolExecutor
+    from concurrent.futures import ThreadPoolExecutor, as_completed, wait
 
     import rclpy
     from rclpy.callback_groups import ReentrantCallbackGroup
@@ -29,6 +29,9 @@ WORKER = """
 
         def ask(self):
             return self.client.call(Trigger.Request())
+
+        def ask_for(self, name):
+            return self.ask()
 
         def ask_for_a_second(self):
             return self.client.call(Trigger.Request(), timeout_sec=1.0)
@@ -99,8 +102,41 @@ class TestACallbackThatWaitsForAThread:
                 ("with ThreadPoolExecutor() as pool:", "    print(pool.submit(self.ask).result())  # here"),
                 "result()",
             ),
+            (("print(list(self.pool.map(self.ask_for, 'ab')))  # here",), "what goes through the results of map()"),
+            (
+                ("for answer in self.pool.map(self.ask_for, ['a', 'b']):  # here", "    print(answer)"),
+                "what goes through the results of map()",
+            ),
+            (
+                ("answers = self.pool.map(self.ask_for, ['a', 'b'])  # here", "print([str(each) for each in answers])"),
+                "what goes through the results of map()",
+            ),
+            (("self.pool.submit(self.ask)", "self.pool.shutdown()  # here"), "shutdown()"),
+            (("self.pool.submit(self.ask)", "self.pool.shutdown(wait=True)  # here"), "shutdown()"),
+            (("futures = [self.pool.submit(self.ask) for _ in 'ab']", "wait(futures)  # here"), "wait()"),
+            (("wait([self.pool.submit(self.ask)])  # here",), "wait()"),
+            (
+                (
+                    "futures = [self.pool.submit(self.ask), self.pool.submit(self.ask)]",
+                    "for done in as_completed(futures):  # here",
+                    "    print(done)",
+                ),
+                "as_completed()",
+            ),
         ],
-        ids=["join", "lambda", "loop", "several", "submit", "later", "with", "with and result"],
+        ids=[
+            *("join", "lambda", "loop", "several", "submit", "later", "with", "with and result"),
+            *(
+                "map",
+                "map in a loop",
+                "map by name",
+                "shutdown",
+                "shutdown by name",
+                "wait",
+                "wait at once",
+                "completed",
+            ),
+        ],
     )
     def test_nobody_takes_the_response_meanwhile(self, judge: Judge, tick: tuple[str, ...], what: str):
         [finding] = judge("EXE009", worker(*tick))
@@ -131,10 +167,17 @@ class TestACallbackThatWaitsForAThread:
             worker("with ThreadPoolExecutor() as pool:", "    pool.submit(self.send)"),
             worker("self.thread.join()", made="self.thread.start()"),  # it may be over by then
             worker(*started("self.ask", "self.thread.join()")),
+            worker("self.pool.map(self.ask_for, 'ab')"),
+            worker("self.pool.submit(self.ask)", "self.pool.shutdown(wait=False)"),
+            worker("ThreadPoolExecutor().submit(self.ask)", "self.pool.shutdown()"),
+            worker("futures = [self.pool.submit(self.send)]", "wait(futures)"),
+            worker("print(list(map(self.ask_for, [])))", "print(list(self.pool.map(str, 'ab')))"),
+            worker("self.pool.submit(self.ask)", "self.pool.shutdown()", main=SEVERAL, group=APART),
         ],
         ids=[
             *("another group", "not waited for", "only sent", "on a condition", "not a call", "submitted"),
             *("goes on later", "a pause", "a pool that sends", "made before", "another one"),
+            *("map is not waited for", "no wait", "another pool", "futures that send", "map of a text", "apart"),
         ],
     )
     def test_code_that_looks_like_it(self, judge: Judge, source: str):

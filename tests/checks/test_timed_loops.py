@@ -89,8 +89,8 @@ def _judge(
 def test_a_loop_for_a_time(judge: Judge, body: str, seconds: float):
     (message,) = _judge(judge, body.replace("; \n", "\n"))
     assert message == (
-        f"the callback of a subscription, Driver.on_command, loops until {seconds:g} s have passed: everything else on its "
-        "thread has to wait"
+        f"the callback of a subscription, Driver.on_command, loops until {seconds:g} s have passed: everything else on "
+        "its thread has to wait"
     )
 
 

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 _CHANGES = frozenset(
     {"append", "appendleft", "add", "clear", "extend", "insert", "pop", "popleft", "put", "put_nowait", "remove", "set"}
-    | {"update", "setdefault"}
+    | {"update", "setdefault", "notify", "notify_all", "release"}
 )
 """Methods that change what an attribute holds."""
 _BY_TEXT = frozenset({"setattr", "__setattr__", "__dict__", "vars"})
@@ -103,6 +103,8 @@ def _uses_otherwise(
                     known.add(id(held))
             case facts.Assign():
                 known.update(id(target) for target in part.targets)
+            case facts.WithItem(value=value, target=None):
+                known.add(id(value))
     mentions = everything_in(code.body, facts.Attribute)
     return any(id(part) not in known for part in mentions if part.attr == attribute)
 

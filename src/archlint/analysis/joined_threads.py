@@ -11,13 +11,13 @@ from archlint.analysis.callback_roles import runs_in_executor
 from archlint.analysis.deadlock import Verdict, judge_wait
 from archlint.analysis.kept import once
 from archlint.analysis.order import dominates
-from archlint.analysis.reach import has_limit, judged_calls
+from archlint.analysis.reach import argument, has_limit, judged_calls
 from archlint.analysis.source_code import SourceCode, source_code
 from archlint.analysis.spins import is_spin_call, is_spun_in_sight
 from archlint.analysis.waits import Wait, waits
 from archlint.finding import Place
 from archlint.model import Role
-from archlint.model.given import Object
+from archlint.model.given import Constant, Object
 from archlint.syntax import facts
 from archlint.syntax.flow_facts import covers
 from archlint.syntax.parts import everything_in
@@ -27,7 +27,12 @@ if TYPE_CHECKING:
     from archlint.systems.model import System
 
 _JOINS = frozenset({"threading.Thread.join", "threading.Timer.join", "concurrent.futures.Future.result"})
-_SUBMIT = "concurrent.futures.ThreadPoolExecutor.submit"
+_POOL = "concurrent.futures.ThreadPoolExecutor"
+_SUBMIT, _MAP, _SHUTDOWN = f"{_POOL}.submit", f"{_POOL}.map", f"{_POOL}.shutdown"
+_GIVES = frozenset({_SUBMIT, _MAP})
+"""The calls that give a pool something to do; they wait only where the code around them does."""
+_OF_SEVERAL = frozenset({"concurrent.futures.wait", "concurrent.futures.as_completed"})
+_COLLECTS = frozenset({"list", "tuple", "set", "sorted", "sum", "dict", "any", "all", "max", "min", "enumerate", "zip"})
 _AT_START = (Role.INIT, Role.MAIN, Role.MODULE)
 
 
@@ -70,13 +75,13 @@ def joined_waits(system: System) -> list[JoinedWait]:
         if wait.kind == CALL and wait.call.context.role == Role.THREAD and not wait.call.conditional:
             by_thread.setdefault(id(wait.call.context), []).append(wait)
     rows = [row for program, call in judged_calls(system) for row in _of_join(system, program, call, by_thread)]
-    joined = {id(row.thread) for row in rows if row.join.api != _SUBMIT}
-    rows = [row for row in rows if row.join.api != _SUBMIT or id(row.thread) not in joined]
+    joined = {id(row.thread) for row in rows if row.join.api not in _GIVES}
+    rows = [row for row in rows if row.join.api not in _GIVES or id(row.thread) not in joined]
     return sorted(rows, key=lambda row: (row.join.place, row.wait.call.place))
 
 
 def _of_join(system: System, program: Program, join: ApiCall, by_thread: dict[int, list[Wait]]) -> Iterator[JoinedWait]:
-    if join.context.is_async or not (made_at := _made_at(system, join)):
+    if join.context.is_async or not (made_at := _made_at(system, program, join)):
         return
     threads = [thread for thread in program.callbacks if thread.role == Role.THREAD and thread.registered in made_at]
     if not threads or not all(_is_made_here(system, program, join, thread.registered) for thread in threads):
@@ -87,14 +92,68 @@ def _of_join(system: System, program: Program, join: ApiCall, by_thread: dict[in
         yield JoinedWait(join, threads[0], waiting[0][0], program, limited)
 
 
-def _made_at(system: System, join: ApiCall) -> Sequence[Place]:
+def _made_at(system: System, program: Program, join: ApiCall) -> Sequence[Place]:
     """Where the threads are made that a call waits for; nothing where one is not known, or it waits for none."""
-    if join.api == _SUBMIT:
-        return (join.place,) if _ends_its_pool(source_code(system), join) else ()
+    code = source_code(system)
+    if join.api in _GIVES:
+        waits = _ends_its_pool(code, join) or (join.api == _MAP and _is_gone_through(code, join))
+        return (join.place,) if waits else ()
+    if join.api == _SHUTDOWN:
+        return _given_to_its_pool(program, join) if argument(join, "wait") in (None, Constant(True)) else ()
+    if join.api in _OF_SEVERAL:
+        return _futures_of(code, program, join)
     if join.api not in _JOINS or join.receiver is None:
         return ()
     places = [option.place if isinstance(option, Object) else None for option in join.receiver.alternatives]
     return [place for place in places if place is not None] if None not in places else ()
+
+
+def _given_to_its_pool(program: Program, shutdown: ApiCall) -> Sequence[Place]:
+    """What the same callback or program has given a pool that it shuts down."""
+    pool = shutdown.receiver
+    if not isinstance(pool, Object) or pool.place is None:
+        return ()
+    calls = (call for call in program.calls if call.api in _GIVES and call.context is shutdown.context)
+    return [call.place for call in calls if isinstance(call.receiver, Object) and call.receiver.place == pool.place]
+
+
+def _futures_of(code: SourceCode, program: Program, join: ApiCall) -> Sequence[Place]:
+    """Where the futures come from that ``wait()`` is given: a list that is written there or assigned to a variable."""
+    given = code.arguments(join)
+    if not given or given[0].star or given[0].keyword not in (None, "fs"):
+        return ()
+    held: list[facts.Base] = [given[0].value]
+    if name := given[0].value.variable:
+        held = [part.value for part in _assigning(code.body(join), name)]
+    spans = {call.span for part in held for call in everything_in(part, facts.Call)}
+    return [
+        call.place
+        for call in program.calls
+        if call.api == _SUBMIT and call.file == join.file and call.place.span in spans and call.context is join.context
+    ]
+
+
+def _assigning(body: Sequence[facts.Stmt], name: str) -> Iterator[facts.Assign]:
+    for part in everything_in(body, facts.Assign):
+        if any(target.variable == name for target in part.targets):
+            yield part
+
+
+def _is_gone_through(code: SourceCode, given: ApiCall) -> bool:
+    """Whether the results of ``pool.map()`` are taken where it stands, or by way of a variable."""
+    body = code.body(given)
+    taken: list[facts.Base] = []
+    for part in everything_in(body):
+        match part:
+            case facts.For(iterable=iterable) | facts.Generator(iterable=iterable):
+                taken.append(iterable)
+            case facts.Call(func=facts.Name(id=name), args=args) if name in _COLLECTS:
+                taken += [argument.value for argument in args]
+            case facts.Starred(value=value):
+                taken.append(value)
+    names = {part.variable for part in taken if isinstance(part, facts.Name)}
+    results = [part.value for name in names for part in _assigning(body, name)]
+    return any(isinstance(part, facts.Call) and part.span == given.place.span for part in (*taken, *results))
 
 
 def _ends_its_pool(code: SourceCode, submit: ApiCall) -> bool:

@@ -24,9 +24,13 @@ if TYPE_CHECKING:
 
 _QUEUES = frozenset({"queue.Queue", "queue.LifoQueue", "queue.PriorityQueue", "queue.SimpleQueue"})
 _EVENTS = frozenset({"threading.Event"})
-_FILLS = frozenset({"put", "put_nowait", "set"})
-_ASKS = frozenset({"empty", "qsize", "full", "is_set"})
-_METHODS = _FILLS | _ASKS | {"get", "get_nowait", "task_done", "wait", "clear"}
+_CONDITIONS = frozenset({"threading.Condition"})
+_SEMAPHORES = frozenset({"threading.Semaphore", "threading.BoundedSemaphore"})
+_CLASSES = {"get": _QUEUES, "wait": _EVENTS | _CONDITIONS, "wait_for": _CONDITIONS, "acquire": _SEMAPHORES}
+"""The classes whose methods wait."""
+_FILLS = frozenset({"put", "put_nowait", "set", "notify", "notify_all", "release"})
+_ASKS = frozenset({"empty", "qsize", "full", "is_set", "locked"})
+_METHODS = _FILLS | _ASKS | {"get", "get_nowait", "task_done", "wait", "wait_for", "acquire", "clear"}
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -34,12 +38,15 @@ class QueueWait(EndlessWait):
     """A wait that nothing ends, as long as there is nothing in the queue, or the event is not set."""
 
     method: str
-    """``get`` or ``wait``."""
+    """``get``, ``wait``, ``wait_for`` or ``acquire``."""
+    made_by: str
+    """The class that makes what is waited for: ``threading.Event``."""
 
 
 @once
 def queue_waits(system: System) -> list[QueueWait]:
-    """The waits for queues, and those for events at the start of a program, that nothing ends."""
+    """The waits for queues, conditions and semaphores, and those for events at the start of a program, that nothing
+    ends."""
     rows = [wait for program, waiting in waiting_functions(system) for wait in _waits_of(system, program, waiting)]
     first = {wait.place: wait for wait in reversed(rows)}
     return [first[place] for place in sorted(first)]
@@ -51,10 +58,11 @@ def _waits_of(system: System, program: Program, waiting: Waiting) -> Iterator[Qu
         return
     for call in _calls_that_wait(waiting.function):
         match call.func:
-            case facts.Attribute(attr="get" | "wait" as method, value=facts.Attribute(attr=attribute, value=owner)):
+            case facts.Attribute(attr=method, value=facts.Attribute(attr=attribute, value=owner)):
                 if owner.variable != waiting.variable or not _is_endless(call):
                     continue
-                if _is_asked_before(waiting, call, attribute) or not _is_made(code, waiting, attribute, method):
+                made_by = _maker(code, waiting, attribute, method)
+                if made_by is None or _is_asked_before(waiting, call, attribute, made_by):
                     continue
                 setter, why = _only_setter(system, program, waiting, attribute)
                 if setter is not None:
@@ -64,6 +72,7 @@ def _waits_of(system: System, program: Program, waiting: Waiting) -> Iterator[Qu
                         node=waiting.node,
                         attribute=f"{waiting.variable}.{attribute}",
                         method=method,
+                        made_by=made_by,
                         setter=setter,
                         why=why,
                     )
@@ -73,41 +82,54 @@ def _waits_of(system: System, program: Program, waiting: Waiting) -> Iterator[Qu
 def _calls_that_wait(function: facts.Function) -> list[facts.Call]:
     """The calls of a function that look like waits for an attribute of something."""
     calls = parts_of(function.body, facts.Call)
-    return [call for call in calls if call.func.attribute in ("get", "wait") and _is_endless(call)]
+    return [call for call in calls if call.func.attribute in _CLASSES and _is_endless(call)]
 
 
 def _is_endless(call: facts.Call) -> bool:
-    """``get()``, ``get(True)`` and ``wait()``."""
+    """``get()``, ``get(True)``, ``wait()``, ``acquire()`` and ``wait_for(…)``."""
     match call.args:
         case []:
-            return True
-        case [facts.Argument(value=facts.Literal(value=True), keyword=None | "block")]:
-            return call.func.attribute == "get"
+            return call.func.attribute != "wait_for"
+        case [facts.Argument(value=facts.Literal(value=True), keyword=None | "block" | "blocking")]:
+            return call.func.attribute in ("get", "acquire")
+        case [facts.Argument(keyword=None | "predicate", star="")]:
+            return call.func.attribute == "wait_for"
     return False
 
 
-def _is_asked_before(waiting: Waiting, call: facts.Call, attribute: str) -> bool:
-    """Whether the function asks the queue what is in it, or waits only where an attribute says that something is."""
+def _is_asked_before(waiting: Waiting, call: facts.Call, attribute: str, made_by: str) -> bool:
+    """Whether the function asks the queue what is in it, or waits only where an attribute says that something is.  Who
+    waits for a condition always wants the next notice, whatever has been before."""
     for other in calls_in(waiting.function.body):
         match other.func:
             case facts.Attribute(attr=method, value=facts.Attribute(attr=name)):
                 if name == attribute and method in _ASKS | _FILLS:
                     return True
+    if made_by in _CONDITIONS:
+        return False
     graph = graph_of(waiting.function.body)
     tests = [edge.test for edge in graph.outcomes(graph.evaluating(call.span)) if edge.test is not None]
     return any(part.value.variable == waiting.variable for part in everything_in(tests, facts.Attribute))
 
 
-def _is_made(code: facts.Facts, waiting: Waiting, attribute: str, method: str) -> bool:
-    """Whether all that a file assigns to an attribute is queues, or events at the start of a program: for callbacks
-    it is EXE002 that judges those."""
-    if method == "wait" and waiting.callback is not None:
-        return False
+def _maker(code: facts.Facts, waiting: Waiting, attribute: str, method: str) -> str | None:
+    """The class of all that a file assigns to an attribute, where a method of it waits; None of an event that a
+    callback waits for, which EXE002 judges, and of a semaphore that is not 0 at first."""
     values = assigned_values(code, attribute)
-    classes = _QUEUES if method == "get" else _EVENTS
-    return bool(values) and all(
-        isinstance(value, facts.Call) and imported_as(code, value.func.dotted) in classes for value in values
-    )
+    makers = {imported_as(code, value.func.dotted) if isinstance(value, facts.Call) else "" for value in values}
+    made_by = makers.pop() if len(makers) == 1 else None
+    if made_by is None or made_by not in _CLASSES[method]:
+        return None
+    if made_by in _SEMAPHORES and not all(map(_is_zero, values)):
+        return None
+    return None if made_by in _EVENTS and waiting.callback is not None else made_by
+
+
+def _is_zero(made: facts.Expr) -> bool:
+    match made:
+        case facts.Call(args=[facts.Argument(value=facts.Literal(value=0))]):
+            return True
+    return False
 
 
 def _only_setter(system: System, program: Program, waiting: Waiting, attribute: str) -> tuple[Callback | None, str]:

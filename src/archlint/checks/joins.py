@@ -42,6 +42,8 @@ def vain_joins(system: System, options: Options) -> Iterator[Finding]:
 def _what(row: JoinedWait) -> str:
     """What waits for the thread: ``join()``."""
     method = row.join.api.rpartition(".")[2]
+    if method == "map":
+        return "what goes through the results of map()"
     return "the `with` of this pool waits for its threads and" if method == "submit" else f"{method}()"
 
 

@@ -50,17 +50,27 @@ def _endless(system: System, loop: AttributeLoop) -> Finding:
 
 def _empty(system: System, wait: QueueWait) -> Finding:
     setter, waiting, name = wait.setter, wait.waiting, wait.attribute
-    fills, state = ("puts something into", "is empty") if wait.method == "get" else ("sets", "is not set")
+    fills, state = _FILLED.get(wait.made_by, ("puts something into", " where {} is empty"))
+    it = "it" if state else name
     return finding(
         "EXE009",
         wait.place,
-        f"{wait.method}() never returns where {name} {state}: only {setter.name} {fills} it, and it cannot run "
+        f"{wait.method}() never returns{state.format(name)}: only {setter.name} {fills} {it}, and it cannot run "
         f"meanwhile, since {wait.why}",
         help=f"go on in {setter.name}" if waiting is not None else "spin until it is there, instead of waiting",
         related=[Related(setter.place, f"{setter.name} {fills} {name}")],
         node=node_name(system, wait.node),
         identity=("" if waiting is None else waiting.name, name.partition(".")[2], wait.method),
     )
+
+
+_FILLED = {
+    "threading.Event": ("sets", " where {} is not set"),
+    "threading.Condition": ("notifies", ""),
+    "threading.Semaphore": ("releases", " where {} is 0"),
+    "threading.BoundedSemaphore": ("releases", " where {} is 0"),
+}
+"""What is done to that which is waited for, and when the wait has no end."""
 
 
 def _instead(loop: AttributeLoop) -> str:

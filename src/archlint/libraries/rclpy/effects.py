@@ -154,6 +154,7 @@ EFFECTS: dict[str, Effect] = {
     "callbacks": _callbacks,
     "thread": threads.thread,
     "submit": threads.submit,
+    "submit_each": threads.submit_each,
     "wait_answer": _wait_answer,
     "call_async": _call_async,
     "future_result": _future_result,

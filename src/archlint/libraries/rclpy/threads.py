@@ -18,6 +18,7 @@ from archlint.interpreter.values import (
     Unknown,
     Value,
     alternatives,
+    one_of,
 )
 from archlint.libraries import tables
 from archlint.libraries.rclpy.callbacks import register
@@ -52,6 +53,17 @@ def submit(run: Run, call: ApiUse) -> Value:
     _run_later(run, call, call.rest, named)
     place = run.place(call.expression.span) if call.expression is not None else None
     return Instance(External("concurrent.futures.Future"), run.store.new_key(), place)
+
+
+def submit_each(run: Run, call: ApiUse) -> Value:
+    """``pool.map(self.download, addresses)``: threads of the pool call ``self.download(address)`` for each."""
+    arguments = []
+    for iterable in call.rest:
+        items = iterable.items(run)
+        values = () if items is None else items.values
+        arguments.append(one_of(values) if values else Unknown("an item of what is given to map()"))
+    _run_later(run, call, arguments, {})
+    return Unknown("the results of map()")
 
 
 def _run_later(run: Run, call: ApiUse, arguments: list[Value], named: dict[str, Value], idle: bool = False) -> None:

@@ -27,6 +27,7 @@ EffectName = Literal[
     "callbacks",
     "thread",
     "submit",
+    "submit_each",
     "wait_answer",
     "call_async",
     "future_result",

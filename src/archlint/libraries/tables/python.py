@@ -21,6 +21,16 @@ ROWS = (
         callbacks=(("fn", Role.THREAD),),
         watched=True,
     ),
+    Api(
+        "concurrent.futures.ThreadPoolExecutor.map",
+        "fn",
+        effect="submit_each",
+        callbacks=(("fn", Role.THREAD),),
+        watched=True,
+    ),
+    Api("concurrent.futures.ThreadPoolExecutor.shutdown", "wait * cancel_futures", watched=True),
+    Api("concurrent.futures.wait", "fs timeout return_when", watched=True),
+    Api("concurrent.futures.as_completed", "fs timeout", watched=True),
     Api("concurrent.futures.Future.add_done_callback", "fn", effect="submit", callbacks=(("fn", Role.THREAD),)),
     # ---- waiting
     Api("time.sleep", "seconds", watched=True),
