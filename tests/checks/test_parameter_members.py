@@ -65,3 +65,79 @@ def test_a_parameter_that_is_read_twice_is_one_finding(judge: Judge):
     first, second = judge("PRM010", NODE.format(declare=declare, read=f"{reads}\n        {other}"))
     assert [row.message for row in first.related] == ["it is declared here", "it is read here, too"]
     assert [row.message for row in second.related] == ["it is declared here"]
+
+
+CPP = """
+#include <rclcpp/rclcpp.hpp>
+
+class Robot : public rclcpp::Node
+{{
+public:
+  Robot() : Node("robot")
+  {{
+    declare_parameter("name", "left");
+    this->declare_parameter<double>("rate", 10.0);
+    declare_parameter("count", 5);
+    {read}
+  }}
+}};
+
+int main(int argc, char ** argv)
+{{
+  rclcpp::init(argc, argv);
+  rclcpp::spin(std::make_shared<Robot>());
+}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("read", "column", "message", "help"),
+    [
+        (
+            'get_parameter("name").as_int();',
+            27,
+            "'as_int()' throws an exception here: the parameter 'name' is a string",
+            "as_string()",
+        ),
+        (
+            'this->get_parameter("rate").as_int();',
+            33,
+            "'as_int()' throws an exception here: the parameter 'rate' is a double",
+            "as_double()",
+        ),
+        (
+            'get_parameter("count").get_value<double>();',
+            28,
+            "'get_value<double>()' throws an exception here: the parameter 'count' is an integer",
+            "as_int()",
+        ),
+        (
+            'auto rate = get_parameter("rate"); int r = rate.as_int();',
+            53,
+            "'as_int()' throws an exception here: the parameter 'rate' is a double",
+            "as_double()",
+        ),
+    ],
+)
+def test_a_method_of_rclcpp_for_another_type(findings, read: str, column: int, message: str, help: str):
+    (told,) = findings("PRM010", **{"src/robot.cpp": CPP.format(read=read)})
+    assert (told.place.line, told.place.column) == (12, column)
+    assert told.message == message
+    assert told.help == f"write {help}"
+
+
+@pytest.mark.parametrize(
+    "read",
+    [
+        'get_parameter("name").as_string();',
+        'get_parameter("rate").get_value<float>();',
+        'get_parameter("count").get_value<int64_t>();',
+        'get_parameter("count").get_value<Count>();',
+        'get_parameter("other").as_int();',
+        'rclcpp::Parameter p = get_parameter("rate"); p.as_double();',
+        'auto p = get_parameter("rate"); { auto p = get_parameter("count"); p.as_int(); }',
+        'int count; get_parameter("count", count);',
+    ],
+)
+def test_a_method_of_rclcpp_for_the_type(findings, read: str):
+    assert findings("PRM010", **{"src/robot.cpp": CPP.format(read=read)}) == []

@@ -4,14 +4,18 @@ from __future__ import annotations
 
 import pytest
 
+from archlint.finding import Severity
+
 LAUNCH = """\
 from launch import LaunchDescription
 from launch.actions import (
     DeclareLaunchArgument, ExecuteProcess, GroupAction, IncludeLaunchDescription, LogInfo, SetEnvironmentVariable,
-    TimerAction,
+    SetLaunchConfiguration, TimerAction,
 )
 from launch.substitutions import LaunchConfiguration
-from launch_ros.actions import ComposableNodeContainer, LifecycleNode, LoadComposableNodes, Node, SetParameter
+from launch_ros.actions import (
+    ComposableNodeContainer, LifecycleNode, LoadComposableNodes, Node, PushRosNamespace, SetParameter, SetRemap,
+)
 from launch_ros.descriptions import ComposableNode
 from elsewhere import unknown
 
@@ -60,7 +64,7 @@ def test_an_action_without_what_it_needs(findings, action: str, lacks: str):
     (told,) = _told(findings, action)
     assert told.message == f"{lacks}, which it cannot do without: launch stops with a TypeError"
     assert told.help == f"add {lacks.partition('lacks ')[2]}"
-    assert told.place.line == 15
+    assert told.place.line == 17
 
 
 @pytest.mark.parametrize(
@@ -89,7 +93,7 @@ def test_a_default_that_is_no_choice(findings):
         "'simulaton' is the default for 'mode', and none of its choices: launch stops with a RuntimeError"
     )
     assert told.help == "write 'simulation'"
-    assert told.place.line == 15
+    assert told.place.line == 17
 
 
 @pytest.mark.parametrize(
@@ -147,3 +151,50 @@ def test_in_xml(findings):
     (told,) = findings("LCH008", **{"launch/it.launch.xml": XML.format(default="robt")})
     assert told.message.startswith("'robt' is the default for 'mode', and none of its choices")
     assert told.help == "write 'robot'"
+
+
+@pytest.mark.parametrize(
+    ("action", "shown"),
+    [
+        ("GroupAction([PushRosNamespace('left')])", "PushRosNamespace"),
+        ("GroupAction([SetEnvironmentVariable('A', '1')])", "SetEnvironmentVariable"),
+        ("GroupAction([SetRemap('a', 'b'), SetParameter('c', 1)])", "SetRemap, SetParameter"),
+        ("GroupAction(scoped=True, actions=[SetLaunchConfiguration('a', 'b')])", "SetLaunchConfiguration"),
+    ],
+)
+def test_a_group_of_settings_for_nobody(findings, action: str, shown: str):
+    (told,) = _told(findings, action)
+    assert told.message == f"nothing is in this group that {shown} could be for: what it sets ends with the group"
+    assert told.severity is Severity.WARNING
+
+
+@pytest.mark.parametrize(
+    "action",
+    [
+        "GroupAction([PushRosNamespace('left'), Node(package='robot', executable='talker')])",
+        "GroupAction([PushRosNamespace('left'), unknown()])",
+        "GroupAction([SetEnvironmentVariable('A', '1')], scoped=False)",
+        "SetRemap('a', 'b'), GroupAction([SetRemap('c', 'd')])",
+        "GroupAction([])",
+        "GroupAction([LogInfo(msg='hello')])",
+    ],
+)
+def test_a_group_that_sets_something_for_somebody(findings, action: str):
+    assert _told(findings, action) == []
+
+
+def test_a_group_of_settings_in_xml(findings):
+    (told,) = findings(
+        "LCH008",
+        **{
+            "launch/it.launch.xml": """\
+<launch>
+  <group>
+    <let name="mode" value="fast"/>
+  </group>
+  <node pkg="robot" exec="talker"/>
+</launch>
+"""
+        },
+    )
+    assert (told.place.line, told.message[:40]) == (2, "nothing is in this group that SetLaunchC")

@@ -10,12 +10,14 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
+from archlint.analysis.cpp_parameter_reads import wrong_accessors
 from archlint.analysis.declared_parameters import declared_by
 from archlint.analysis.kept import once_for_each_file
 from archlint.model.given import Constant
 from archlint.place import Place
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in
+from archlint.workspace.kinds import is_cpp
 
 if TYPE_CHECKING:
     from archlint.ros.parameter_types import ParameterType
@@ -47,6 +49,8 @@ class WrongMember:
     member: str
     type: ParameterType
     declared_at: Place
+    right: str = ""
+    """In C++, where the wrong method throws: the one for the type."""
 
 
 def wrong_members(system: System) -> Iterator[WrongMember]:
@@ -63,6 +67,11 @@ def wrong_members(system: System) -> Iterator[WrongMember]:
             rows = declared.get(name, []) if isinstance(name, str) else []
             types = {None if row.dynamic else row.type for row in rows}
             if len(types) == 1 and (kind := types.pop()) is not None:
+                if is_cpp(place.file):
+                    for wrong in wrong_accessors(system, place, kind):
+                        declared_at = rows[0].place
+                        yield WrongMember(wrong.place, node, str(name), wrong.called, kind, declared_at, wrong.right)
+                    continue
                 for read in _member_reads(system, place):
                     if read.attr in EMPTY and read.attr != f"{kind}_value":
                         whole = Place(place.file, *read.span)

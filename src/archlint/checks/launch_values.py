@@ -17,7 +17,14 @@ from archlint.finding import Finding, Place, Related, Severity
 from archlint.suggestions import listed, meant, nearest
 
 if TYPE_CHECKING:
-    from archlint.launch.mistakes import AbsentKey, MissingArguments, NotAChoice, RefusedValue, WithoutContext
+    from archlint.launch.mistakes import (
+        AbsentKey,
+        IdleGroup,
+        MissingArguments,
+        NotAChoice,
+        RefusedValue,
+        WithoutContext,
+    )
     from archlint.systems.model import System
 
 
@@ -45,6 +52,8 @@ def launch_description(system: System, options: Options) -> Iterator[Finding]:
         yield _refused(refused)
     for incomplete in system.launched.incomplete if system.launched is not None else ():
         yield _incomplete(incomplete)
+    for group in system.launched.idle_groups if system.launched is not None else ():
+        yield _idle(group)
     for no_choice in system.launched.no_choices if system.launched is not None else ():
         yield _no_choice(no_choice)
     yield from map(_foreign, foreign_launch_files(system))
@@ -125,6 +134,19 @@ def _incomplete(call: MissingArguments) -> Finding:
         identity=(call.action, *call.names),
         group=(call.place.file, call.action, *call.names),
     )
+
+
+def _idle(group: IdleGroup) -> Finding:
+    shown = listed(group.settings)
+    diagnostic = finding(
+        "LCH008",
+        group.place,
+        f"nothing is in this group that {shown} could be for: what it sets ends with the group",
+        help="put the actions that it is for into the group, or write scoped=False",
+        identity=group.settings,
+        group=(group.place.file, "idle group"),
+    )
+    return replace(diagnostic, severity=Severity.WARNING)
 
 
 def _no_choice(row: NotAChoice) -> Finding:

@@ -21,11 +21,13 @@ def wrong_parameter_member(system: System, options: Options) -> Iterator[Finding
     for read in wrong_members(system):
         kind = read.type.replace("_", " ")
         article = "an" if kind[0] in "aeiou" else "a"
+        effect = f"is always {EMPTY.get(read.member)} here" if not read.right else "throws an exception here"
+        help = f"read {read.type}_value, or get_parameter('{read.name}').value, which has the right type"
         yield finding(
             "PRM010",
             read.place,
-            f"'{read.member}' is always {EMPTY[read.member]} here: the parameter '{read.name}' is {article} {kind}",
-            help=f"read {read.type}_value, or get_parameter('{read.name}').value, which has the right type",
+            f"'{read.member}' {effect}: the parameter '{read.name}' is {article} {kind}",
+            help=f"write {read.right}" if read.right else help,
             related=[Related(read.declared_at, "it is declared here")],
             node=read.node.name,
             identity=(read.name, read.member),

@@ -14,6 +14,7 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related, Severity
 from archlint.ros.parameter_types import ParameterType, type_of
+from archlint.workspace.kinds import is_cpp
 
 if TYPE_CHECKING:
     from archlint.model import ParameterDeclaration
@@ -55,7 +56,7 @@ def _of_another_type(node: Node, setting: Setting, declared: ParameterDeclaratio
         place,
         f"parameter '{setting.name}' of {called(node)} is declared as {declared.type} and set to "
         f"{_shown(setting.value)}, of type {given}{_for_want_of_quotes(setting.unquoted)}",
-        help=_write(setting.value, declared.type) if setting.unquoted is None else _IN_A_FILE,
+        help=_write(setting.value, declared) if setting.unquoted is None else _IN_A_FILE,
         related=[Related(declared.place, "it is declared here")],
         node=node.name,
         identity=(node.name or "", setting.name),
@@ -120,11 +121,13 @@ def _shown(value: object) -> str:
     return text if len(text) <= 40 else text[:37] + "…"
 
 
-def _write(value: object, wanted: ParameterType | None) -> str:
+def _write(value: object, declared: ParameterDeclaration) -> str:
+    wanted = declared.type
+    library = "rclcpp" if is_cpp(declared.place.file) else "rclpy"
     if wanted == "double" and isinstance(value, int):
-        return f"write {float(value)}: rclpy does not convert an integer to a double"
+        return f"write {float(value)}: {library} does not convert an integer to a double"
     if wanted == "double_array" and isinstance(value, list):
-        return "write each number with a decimal point: rclpy does not convert integers to doubles"
+        return f"write each number with a decimal point: {library} does not convert integers to doubles"
     if wanted == "string":
         return "put it in quotes, or in a launch file wrap it: ParameterValue(…, value_type=str)"
     return f"set a value of type {wanted}: the node raises an exception when it declares the parameter"

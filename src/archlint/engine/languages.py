@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
-from archlint.workspace.kinds import CPP_SUFFIXES
+from archlint.workspace.kinds import is_cpp
 
 if TYPE_CHECKING:
     from archlint.finding import Finding
@@ -23,11 +23,6 @@ def for_their_languages(findings: Iterable[Finding]) -> Iterator[Finding]:
     for finding in findings:
         if not is_cpp(finding.place.file) or finding.code.startswith(_FAMILIES) or finding.code in _CODES:
             yield finding
-
-
-def is_cpp(path: str) -> bool:
-    """Whether a file is C++, by its name."""
-    return path.rpartition(".")[2] in CPP_SUFFIXES
 
 
 __all__ = ["for_their_languages", "is_cpp"]

@@ -9,6 +9,7 @@ from archlint.finding import Place
 from archlint.launch.kinds import FileKind, FileStatus, GapKind, StartedKind
 from archlint.launch.mistakes import (
     AbsentKey,
+    IdleGroup,
     LeakedArgument,
     MissingArguments,
     NotAChoice,
@@ -33,7 +34,7 @@ LAUNCHES: Final = Language(
         *(Launched, Started, Remap, Included, DeclaredArgument, Gap, Place, Text),
         *(ParameterSetting, ParameterFileUse, OpenParameters, FileReference, Rewriting, Replacing, Written),
         *(NotKnown, AbsentKey, LeakedArgument, NotACondition, NotAPath, RefusedValue, UndeclaredUse),
-        *(UnknownAttribute, WithoutContext, MissingArguments, NotAChoice),
+        *(UnknownAttribute, WithoutContext, MissingArguments, NotAChoice, IdleGroup),
         *(branches.CodeBranch, branches.ChoiceOfCallee, branches.ChoiceOfArgument, branches.AttributeBranch),
         *(branches.ArgumentBranch, branches.UnfollowedCondition, branches.ChoiceOfValue, branches.ChoiceOfVisit),
     ),

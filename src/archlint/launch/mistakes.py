@@ -139,3 +139,11 @@ class NotAChoice:
     place: Place
     declared: Place
     default: bool = False
+
+
+@dataclass(frozen=True)
+class IdleGroup:
+    """A scoped group that makes ``settings`` and has nothing in it that they are for; ``place`` is the group's."""
+
+    settings: tuple[str, ...]
+    place: Place

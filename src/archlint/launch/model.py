@@ -9,6 +9,7 @@ from archlint.finding import Place
 from archlint.launch.kinds import FileStatus, GapKind
 from archlint.launch.mistakes import (
     AbsentKey,
+    IdleGroup,
     LeakedArgument,
     MissingArguments,
     NotAChoice,
@@ -104,6 +105,7 @@ class Launched:
     mistakes: list[NotACondition] = field(default_factory=list)
     refused: list[RefusedValue] = field(default_factory=list)
     incomplete: list[MissingArguments] = field(default_factory=list)
+    idle_groups: list[IdleGroup] = field(default_factory=list)
     no_choices: list[NotAChoice] = field(default_factory=list)
     without_context: list[WithoutContext] = field(default_factory=list)
     absent_keys: list[AbsentKey] = field(default_factory=list)

@@ -27,6 +27,7 @@ from archlint.launch.given_arguments import GivenArguments
 from archlint.launch.kinds import FileKind, GapKind
 from archlint.launch.mistakes import (
     AbsentKey,
+    IdleGroup,
     MissingArguments,
     NotAChoice,
     NotACondition,
@@ -235,6 +236,9 @@ class LaunchRun(Run):
 
     def note_incomplete(self, mistake: MissingArguments) -> None:
         self._note(mistake, self.result.incomplete)
+
+    def note_idle_group(self, mistake: IdleGroup) -> None:
+        self._note(mistake, self.result.idle_groups)
 
     def note_no_choice(self, mistake: NotAChoice) -> None:
         self._note(mistake, self.result.no_choices)

@@ -21,6 +21,12 @@ CPP_SOURCES = frozenset({"cpp", "cc", "cxx"})
 """Of files that are compiled on their own."""
 CPP_SUFFIXES = CPP_SOURCES | {"hpp", "hh", "hxx", "h"}
 
+
+def is_cpp(path: str) -> bool:
+    """Whether a file is C++, by its name."""
+    return path.rpartition(".")[2] in CPP_SUFFIXES
+
+
 _SCRIPT_FOLDERS = frozenset({"scripts", "script", "bin", "nodes"})
 """Where scripts lie that lost their permission to run, say on a file system that knows none."""
 

@@ -11,6 +11,7 @@ from archlint.finding import Place
 from archlint.interpreter.values import DictValue, Known, Unknown, Value, one_of, reason
 from archlint.launch.actions.branches import callable_value
 from archlint.launch.actions.choices import note_no_choice
+from archlint.launch.actions.idle_groups import note_idle_group
 from archlint.launch.context import absolute, prefix_namespace
 from archlint.launch.model import DeclaredArgument
 from archlint.launch.objects import LaunchObject, known_text
@@ -38,6 +39,7 @@ def group(run: LaunchRun, entity: LaunchObject) -> None:
         visit_actions(run, entity)
         return
     kept = run.launch.copy()
+    note_idle_group(run, entity, kept)
     outermost = run.around_groups is None
     if outermost:
         run.around_groups = kept
