@@ -149,3 +149,26 @@ def test_a_file_that_no_console_script_imports(findings: Callable[..., list[Find
         "robot/talker.py": TALKER.format(line=""),
     }
     assert findings("API006", **files, **{"robot/tool.py": "import rclpy\nfrom camera import open_camera\n"}) == []
+
+
+def test_a_package_that_has_another_name_now(said):
+    (told,) = said("from robot_v2.camera import open_camera")
+    assert told.message == "there is no package robot_v2: the import fails; the module is robot.camera"
+    assert told.help == "write `from robot.camera import …`"
+
+
+@pytest.mark.parametrize(
+    ("line", "files"),
+    [
+        ("from robot_v2.camera import close_camera", {}),
+        ("from robot_v2.motors import open_camera", {}),
+        ("import robot_v2.camera", {}),
+        ("from robot_v2 import camera", {}),
+        ("from robot_v2.camera import open_camera", {"requirements.txt": "robot-v2==1.0\n"}),
+        ("from robot_v2.camera import open_camera", {"robot_v2/__init__.py": "", "robot_v2/camera.py": CAMERA}),
+        ("from numpy.camera import open_camera", {}),
+        ("try:\n    from robot_v2.camera import open_camera\nexcept ImportError:\n    open_camera = None", {}),
+    ],
+)
+def test_a_package_that_may_be_elsewhere(said, line: str, files: dict[str, str]):
+    assert [told for told in said(line, **files) if "there is no package" in told.message] == []

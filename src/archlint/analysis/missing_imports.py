@@ -18,6 +18,7 @@ from archlint.analysis.absent_imports import forgiving, is_tolerant
 from archlint.analysis.entry_points import is_on_disk
 from archlint.analysis.kept import kept_for_each_file, once
 from archlint.analysis.offered_names import offers
+from archlint.analysis.renamed_packages import present_name
 from archlint.place import Place
 from archlint.ros.python_modules import key_of
 from archlint.suggestions import nearest
@@ -48,6 +49,8 @@ class MissingImport:
     beside: str = ""
     without_init: str = ""
     """The folder of that module, where it is no package that ``find_packages()`` would install."""
+    present: str = ""
+    """What the module is called now that its package has another name."""
 
 
 def missing_imports(workspace: WorkspaceIndex) -> Iterator[MissingImport]:
@@ -58,6 +61,9 @@ def missing_imports(workspace: WorkspaceIndex) -> Iterator[MissingImport]:
         for module, names, span in _imports(workspace, file.relative) or ():
             place = Place(file.relative, *span)
             missing = _beside(workspace, file, module, place) or _absent(workspace, file, module, place)
+            present = None if missing else present_name(workspace, file, module, names)
+            if present is not None:
+                missing = MissingImport(place, module, present=present)
             yield from [missing] if missing else _absent_names(workspace, file, module, names, place)
 
 

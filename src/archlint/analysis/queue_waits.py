@@ -125,8 +125,8 @@ def _maker(code: facts.Facts, waiting: Waiting, attribute: str, method: str) -> 
     return None if made_by in _EVENTS and waiting.callback is not None else made_by
 
 
-def _is_zero(made: facts.Expr) -> bool:
-    match made:
+def _is_zero(call: facts.Expr) -> bool:
+    match call:
         case facts.Call(args=[facts.Argument(value=facts.Literal(value=0))]):
             return True
     return False

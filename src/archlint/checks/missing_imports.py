@@ -29,19 +29,23 @@ def _finding(missing: MissingImport) -> Finding:
         message = f"'{module}' is not found once a console script imports this file: its folder is not on Python's path"
         help = f"write `from {missing.beside} import …`"
         help += f", and give {missing.without_init} an __init__.py" if missing.without_init else ""
+    elif missing.present:
+        message = f"there is no package {module.partition('.')[0]}: the import fails; the module is {missing.present}"
+        help = f"write `from {missing.present} import …`"
     elif name:
         message = f"{module} has no '{name}': the import fails with an ImportError"
         help = f"define {name} there, or import what there is"
     else:
         message = f"there is no module {module}: the import fails{meant(missing.near)}"
         help = f"import {missing.near}" if missing.near else "correct the name, or add the file"
+    kind = "beside" if missing.beside else "present" if missing.present else ""
     return finding(
         "API006",
         missing.place,
         message,
         help=help,
         identity=(module, name),
-        group=(missing.place.file, "beside") if missing.beside else (missing.place.file, module, name),
+        group=(missing.place.file, kind) if kind else (missing.place.file, module, name),
         meant=missing.near,
     )
 

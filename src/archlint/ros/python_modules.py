@@ -52,9 +52,14 @@ def key_of(module: str) -> str | None:
     return next((key for key in spellings if key in known), None)
 
 
+def is_known(module: str) -> bool:
+    """Whether a top-level module comes with ROS, or rosdep knows its package."""
+    return module in _WITH_ROS or key_of(module) is not None
+
+
 def brought_along_by(module: str) -> frozenset[str]:
     """The ROS packages that bring a module along."""
     return _BRINGS.get(module, frozenset())
 
 
-__all__ = ["brought_along_by", "key_of"]
+__all__ = ["brought_along_by", "is_known", "key_of"]
