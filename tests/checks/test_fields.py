@@ -1,10 +1,14 @@
 from __future__ import annotations
 
+from pathlib import Path
+from textwrap import dedent
+
 import pytest
 
 from archlint.config.settings import load
 from archlint.engine.pipeline import Request, check
 from checks.judging import Judge
+from robot_package import write_robot
 
 NODE = """
     import rclpy
@@ -354,6 +358,17 @@ def test_an_interface_of_another_version_is_one_finding(judge: Judge):
         "the feedback of nav2_msgs/action/Spin has no field 'state'",
         "the feedback of nav2_msgs/action/Spin has no field 'mode'",
     ]
+
+
+def test_an_interface_of_another_version_is_one_finding_of_a_package(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    """A server and its client were written for it."""
+    monkeypatch.chdir(tmp_path)
+    sent = dedent(node(on_scan="self.spin.send_goal_async(Spin.Goal(tempo=1), feedback_callback=self.on_feedback)"))
+    talker = f"from robot import other\n{sent}"
+    write_robot(tmp_path, **{"robot/talker.py": talker, "robot/other.py": sent.replace("tempo", "pace")})
+    (tmp_path / "archlint.toml").write_text('select = ["MSG001"]', encoding="utf-8")
+    [finding] = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+    assert finding.message.endswith("; another use of it in the package 'robot' is wrong, too")
 
 
 MONITOR = """

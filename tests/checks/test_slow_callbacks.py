@@ -67,6 +67,8 @@ def test_what_counts_as_slow(run: Run, body: str, expected: list[str]):
         ("subprocess.run('ip -4 addr show', shell=True)", []),
         ("subprocess.run(['pkill', '-9', '-f', 'driver'], timeout=5)", []),
         ("subprocess.run(['nmcli', '-t', 'device', 'show'])", []),
+        ("for command in (['iwgetid'], ['iw', 'dev']):\n        if subprocess.run(command): break", []),
+        ("for command in (['iwgetid'], ['make']):\n        if subprocess.run(command): break", ["warning"]),
         ("subprocess.run(['ip', 'monitor'])", ["warning"]),
         ("subprocess.run(['nmcli', 'device', 'wifi', 'rescan'])", ["warning"]),
         ("subprocess.run(['systemctl', 'restart', 'pactl'])", ["warning"]),

@@ -104,7 +104,11 @@ def ends_the_machine(code: SourceCode, call: ApiCall) -> bool:
 
 def is_soon_over(code: SourceCode, call: ApiCall) -> bool:
     """Whether a command only sets something, or asks the state of something, on this machine: milliseconds."""
-    words = [word.rpartition("/")[2] for word in _words(code, call) if not word.startswith("-")]
+    return all(map(_asks_for_a_moment, _commands(code, call)))
+
+
+def _asks_for_a_moment(command_line: Sequence[str]) -> bool:
+    words = [word.rpartition("/")[2] for word in command_line if not word.startswith("-")]
     match words:
         case ["systemctl", "is-active" | "is-enabled" | "is-failed", *_]:
             return True
@@ -145,7 +149,21 @@ _LASTING = frozenset({"event", "exec", "monitor", "rescan", "scan"})
 
 def _words(code: SourceCode, call: ApiCall) -> list[str]:
     """The words of a command that are written out."""
-    literals = everything_in([argument.value for argument in code.arguments(call)[:1]], facts.Literal)
+    return _words_in([argument.value for argument in code.arguments(call)[:1]])
+
+
+def _commands(code: SourceCode, call: ApiCall) -> list[list[str]]:
+    """The words of each command that a call may start: of several that a ``for`` goes through, all of them."""
+    variable = next((argument.value.variable for argument in code.arguments(call)[:1]), "")
+    for loop in code.loops(call):
+        if variable and isinstance(loop, facts.For) and loop.target.variable == variable:
+            rows = loop.iterable.elements if isinstance(loop.iterable, facts.Sequence) else []
+            return [_words_in([row]) for row in rows] or [[]]
+    return [_words(code, call)]
+
+
+def _words_in(values: Sequence[facts.Base]) -> list[str]:
+    literals = everything_in(values, facts.Literal)
     return [word for literal in literals if isinstance(literal.value, str) for word in literal.value.split()]
 
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from archlint import suggestions
 from archlint.analysis.completeness import enclosing_class
 from archlint.analysis.pinned import is_for_older_ros
-from archlint.checks.folding import folds, with_others
+from archlint.checks.folding import folds, package_around, with_others
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.uncalled import unless_uncalled
@@ -138,7 +138,9 @@ def _unknown_field(system: System, use: FieldUse, keyword: str) -> Finding:
     hint = _did_you_mean({use.name: near}, inside)
     owner = enclosing_class(system.workspace, use.place) or ""
     fields = listed(use.fields, shown=_SHOWN)
-    cause = (use.type,) if use.section_name and not inside and not near else (of, what, inside, fields, keyword)
+    of_other_version = use.section_name and not inside and not near
+    owners = (*package_around(system.workspace, use.place.file), use.type)
+    cause = owners if of_other_version else (use.place.file, owner, of, what, inside, fields, keyword)
     return finding(
         "MSG001",
         use.place,
@@ -146,7 +148,7 @@ def _unknown_field(system: System, use: FieldUse, keyword: str) -> Finding:
         help=_help_for_line(use.access, keyword, what, fields),
         node=None if use.node is None else use.node.name.text,
         identity=(use.type, use.section_name, use.name, use.access),
-        group=(use.place.file, owner, *cause),
+        group=cause,
         meant=near,
     )
 
@@ -189,8 +191,10 @@ def _did_you_mean(meant: Mapping[str, str], inside: str) -> str:
 def of_one_cause(findings: Sequence[Finding]) -> Finding:
     """The finding for all fields that one class takes for those of a message: at the first, the others related."""
     first = findings[0]
-    if len(first.group) == len(("file", "owner", "interface")):
-        return with_others(findings, "another use of it here is", "more uses of it here are", "wrong, too")
+    if len(first.group) == len(("kind", "package", "interface")):
+        kind, name, _ = first.group
+        where = f"in the package '{name}'" if kind == "package" else "here"
+        return with_others(findings, f"another use of it {where} is", f"more uses of it {where} are", "wrong, too")
     _, owner, of, what, inside, listed, keyword = first.group
     meant = {diagnostic.identity[2]: diagnostic.meant for diagnostic in findings}
     names = list(meant)
