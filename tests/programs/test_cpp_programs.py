@@ -302,3 +302,20 @@ def test_a_source_that_is_not_read_is_reported(tmp_path: Path, more: str, messag
     (tmp_path / "src/generated.cpp").write_text("int x[] = {1, 2};\n" + "// " + "x" * 1_000_000)  # no word of rclcpp
     findings = check(Request((str(tmp_path),), Settings(), cached=False, jobs=1)).findings
     assert [(finding.code, finding.message) for finding in findings] == [("LNT002", message)]
+
+
+@pytest.mark.parametrize("collected", ["aux_source_directory(src SOURCES)", "file(GLOB SOURCES src/*.cpp)"])
+def test_the_sources_of_a_folder(collected: str) -> None:
+    main = (
+        'int main(int argc, char ** argv) { rclcpp::init(argc, argv); rclcpp::spin(rclcpp::Node::make_shared("a")); }'
+    )
+    cmake = f"""
+    cmake_minimum_required(VERSION 3.8)
+    project(robot)
+    find_package(rclcpp REQUIRED)
+    {collected}
+    add_executable(started ${{SOURCES}})
+    install(TARGETS started DESTINATION lib/${{PROJECT_NAME}})
+    """
+    [node] = graph({"src/main.cpp": f'#include "rclcpp/rclcpp.hpp"\n{main}\n', "CMakeLists.txt": cmake})["nodes"]
+    assert (node["name"], node["executables"]) == ("/a", ["started"])

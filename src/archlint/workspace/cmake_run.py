@@ -38,11 +38,13 @@ _BLOCKS = {"foreach": "endforeach", "while": "endwhile", "macro": "endmacro", "f
 _BRANCHES = frozenset({"if", "else", "elseif", "endif"})
 _NO_EFFECT = frozenset({*_BRANCHES, "return", "break", "continue", *_BLOCKS.values()})
 _OUTPUT = frozenset(
-    {"string", "math", "execute_process", "file", "list", "cmake_path", "separate_arguments"}
+    {"string", "math", "execute_process", "file", "list", "cmake_path", "separate_arguments", "aux_source_directory"}
     | {"get_filename_component", "get_property", "get_target_property", "get_directory_property"}
     | {"find_file", "find_library", "find_path", "find_program", "cmake_parse_arguments", "unset", "option"}
 )
 """Commands that set a variable of which they are given the name."""
+_SOURCES = ("c", "cc", "cpp", "cxx")
+"""What ``aux_source_directory`` finds.  Source: ``CMAKE_C_SOURCE_FILE_EXTENSIONS`` and those of C++."""
 
 
 @dataclass(frozen=True)
@@ -242,17 +244,23 @@ class CMakeRun:
         elif name == "list" and len(texts) > 1 and (mode := list_mode(texts[0])) is not None:
             _set(scope, texts[1], changed_list(mode, scope.variables.get(texts[1], []), texts[2:]))
         elif name in _OUTPUT:
-            result = self._result(step, texts)
+            result = self._result(step, texts, scope)
             if result is None:
                 scope.variables.update({text: None for text in texts if text in scope.variables or text.isidentifier()})
             else:
                 _set(scope, *result)
 
-    def _result(self, step: Step, texts: list[str]) -> tuple[str, list[str] | None] | None:
+    def _result(self, step: Step, texts: list[str], scope: _Scope) -> tuple[str, list[str] | None] | None:
         """The variable that a command sets, and its new value where it is known; None where neither is."""
         name, mode = step.command.name, texts[0].upper() if texts else ""
         if name == "file" and mode in ("GLOB", "GLOB_RECURSE") and len(texts) > 2:
             return texts[1], self._glob(step, texts[2:], recursive=mode == "GLOB_RECURSE")
+        if name == "aux_source_directory" and len(texts) == 2:  # adds to what the variable holds
+            sources = self._glob(
+                step, [posixpath.join(texts[0], f"*.{suffix}") for suffix in _SOURCES], recursive=False
+            )
+            before = scope.variables.get(texts[1], [])
+            return texts[1], None if sources is None or before is None else [*before, *sources]
         if name == "get_filename_component" and len(texts) > 2:
             return texts[0], path_component(texts[1], texts[2])
         if name == "string" and mode == "REPLACE" and len(texts) > 4:
