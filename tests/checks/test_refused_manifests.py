@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
+from archlint.config.settings import load
+from archlint.engine.pipeline import Request, check
 from robot_package import CMAKE, SETUP
 
 MAIL = 'email="a@example.org"'
@@ -42,3 +46,17 @@ def test_manifests_that_are_taken(findings, files):
 def test_a_package_of_ros_1(findings, full):
     text = full.replace(MAIL, "").format("<buildtool_depend>catkin</buildtool_depend>")
     assert findings("PKG011", **{"package.xml": text}) == []
+
+
+def test_manifests_with_one_mistake_are_one_finding(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.chdir(tmp_path)
+    texts = {name: f"<package><n>{name}</n></package>" for name in ("arm", "base", "camera")}
+    for name, text in {**texts, "door": "<package><name>door</nam"}.items():
+        (tmp_path / name).mkdir()
+        (tmp_path / name / "package.xml").write_text(text)
+    copied, other = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+    assert copied.message == (
+        "malformed package.xml: the package has no <name>; 2 more package.xml files are unreadable for the same reason"
+    )
+    assert [related.place.file for related in copied.related] == ["base/package.xml", "camera/package.xml"]
+    assert other.place.file == "door/package.xml"

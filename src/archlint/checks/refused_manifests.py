@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.refused_manifests import RefusedManifest, refused_manifests
-from archlint.checks.folding import folds
+from archlint.checks.folding import folds, with_others
 from archlint.checks.packages import workspace_of
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -45,6 +45,14 @@ def _of_one_manifest(findings: Sequence[Finding]) -> Finding:
     first, *others = findings
     rows = [Related(other.place, other.identity[1]) for other in others]
     return replace(first, related=(*first.related, *rows))
+
+
+@folds("LNT002")
+def _of_one_mistake(findings: Sequence[Finding]) -> Finding:
+    """One finding for the manifests that cannot be read for the same reason: one was copied for the others."""
+    return with_others(
+        findings, "another package.xml is", "more package.xml files are", "unreadable for the same reason"
+    )
 
 
 __all__ = ["refused_manifest"]

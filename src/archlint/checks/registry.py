@@ -227,7 +227,8 @@ def unreadable(
     information where ``help`` says what to do."""
     place = Place(file, line, column, line, column)
     if not internal:
-        diagnostic = finding("LNT002", place, message, help=help or _UNREAD, identity=(message,))
+        group = (message,) if file.rpartition("/")[2] == "package.xml" else ()  # copied from package to package
+        diagnostic = finding("LNT002", place, message, help=help or _UNREAD, identity=(message,), group=group)
         return diagnostic if help is None else replace(diagnostic, severity=Severity.INFO)
     what = f"reading this file failed with {message}; everything else was checked"
     return finding("LNT003", place, what, help=_REPORT, identity=(f"internal error: {message}",))
