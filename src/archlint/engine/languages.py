@@ -25,4 +25,4 @@ def for_their_languages(findings: Iterable[Finding]) -> Iterator[Finding]:
             yield finding
 
 
-__all__ = ["for_their_languages", "is_cpp"]
+__all__ = ["for_their_languages"]

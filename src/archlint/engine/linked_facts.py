@@ -13,11 +13,11 @@ from msgspec import structs
 
 from archlint.engine.facts_file import CodeRow, FileRow, ProblemRow, Shard
 from archlint.engine.facts_folder import FactsError, read
-from archlint.engine.languages import is_cpp
 from archlint.syntax.cache import NullStore, Stamp, digest_of
 from archlint.syntax.files import source_digest
 from archlint.syntax.python.gate import Refusal
 from archlint.workspace.discovery import Excluder
+from archlint.workspace.kinds import is_cpp
 from archlint.workspace.membership import place
 from archlint.workspace.model import Link, Problem, SourceFile, Workspace
 from archlint.workspace.snapshot import Entry, Snapshot

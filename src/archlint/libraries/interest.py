@@ -30,6 +30,13 @@ WORDS = (
 ) - {"__init__", "join", "get", "path", "set", "exists", "isfile"}
 """Names of the API tables, as they are written in source."""
 
+_MAKING = frozenset(
+    {"callbacks", "create_node", "declare_parameter", "declare_parameters", "endpoint", "parameter_client"}
+    | {"static_transform_listener", "timer", "transform_buffer", "transform_listener"}
+)
+MAKERS = frozenset(row.path.rpartition(".")[2] for row in tables.ROWS if row.effect in _MAKING) | _OF_CPP
+"""Names of what adds something to a node."""
+
 
 def interesting(ir: Source) -> bool:
     """Whether a function or class uses a name of the API tables."""

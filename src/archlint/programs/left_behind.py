@@ -12,11 +12,13 @@ from typing import TYPE_CHECKING
 
 from archlint.interpreter.heap import Layer
 from archlint.interpreter.values import ClassValue, Instance, Known, OneOf, Unknown, Value, alternatives, one_of
+from archlint.libraries.interest import MAKERS
 from archlint.libraries.rclpy.callables import function_of
 from archlint.libraries.rclpy.callback_arguments import GOAL_HANDLE
 from archlint.libraries.values import EntityValue, ExecutorValue, NodeValue
 from archlint.syntax import facts
 from archlint.syntax.parts import Source, names_in
+from archlint.workspace.kinds import is_cpp
 
 if TYPE_CHECKING:
     from archlint.libraries.run import Run
@@ -70,11 +72,17 @@ def _alike(run: Run, first: Value, second: Value) -> bool:
 
 
 def readers(run: Run, pending: Iterable[Pending], names: Iterable[str]) -> list[Pending]:
-    """The callbacks that read one of these attributes, themselves or in a function of the workspace that they name."""
+    """The callbacks that read one of these attributes, themselves or in a function of the workspace that they name.
+
+    Of those in C++, only the ones that may add something to a node: what else they do there, no rule asks for.
+    """
     wanted = set(names)
     called = _functions(run)
+    rows = [(each, _all_names(_code_of(run, each.value), called)) for each in pending]
     return [
-        callback for callback in pending if not wanted.isdisjoint(_all_names(_code_of(run, callback.value), called))
+        each
+        for each, used in rows
+        if not wanted.isdisjoint(used) and not (is_cpp(each.callback.file) and MAKERS.isdisjoint(used))
     ]
 
 
