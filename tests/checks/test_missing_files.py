@@ -637,3 +637,18 @@ def test_a_path_in_a_value_that_a_launch_file_sets(findings):
         assert told.message == "package 'robot' has no file 'config/gird.yaml'; did you mean 'grid.yaml'?"
         assert findings("LCH004", node(f'<param name="grid" value="{scheme}/config/grid.yaml"/>'), **files) == []
         assert findings("LCH004", node(f'<param name="output_file" value="{scheme}/config/gird.yaml"/>'), **files) == []
+
+
+@pytest.mark.parametrize(
+    ("there", "said"),
+    [
+        (["andino.rviz"], ", and its folder has 'andino.rviz'"),
+        (["andino.rviz", "notes.txt", "slam.rviz"], ", and its folder has 'andino.rviz', 'slam.rviz'"),
+        ([f"view{number}.rviz" for number in range(4)], ""),
+        (["robots.rviz"], ""),  # the message asks whether it was meant
+    ],
+)
+def test_what_the_folder_of_a_missing_file_has(findings, there: list[str], said: str):
+    launch = '<node pkg="rviz2" exec="rviz2" args="-d $(find-pkg-share robot)/rviz/robot.rviz"/>'
+    (told,) = findings("LCH004", launch, **{f"rviz/{name}": "x" for name in there})
+    assert told.help == f"check the path; it is relative to the package's installed share folder{said}"

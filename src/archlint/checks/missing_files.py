@@ -63,10 +63,13 @@ def missing_launch_file(system: System, options: Options) -> Iterator[Finding]:
             continue
         if reference.status == FileStatus.MISSING:
             message = f"package '{reference.package}' has no {what} '{_in_package(system, reference, shown)}'"
-            message += _did_you_mean_file(system.workspace, reference.package or "", shown)
+            near = _did_you_mean_file(system.workspace, reference.package or "", shown)
+            message += near
             beside = (written or "").startswith("$(workspace)")
             start = "installed folder of this launch file" if beside else "package's installed share folder"
             help = f"check the path; it is relative to the {start}"
+            there = [] if near else _of_one_kind(system.workspace, reference.package or "", shown)
+            help += f", and its folder has {listed(there)}" if there else ""
         else:
             message = f"package '{reference.package}' does not install the {what} '{shown}'"
             aside = _package_beside(system, written or "")
@@ -242,6 +245,17 @@ def _did_you_mean_file(workspace: WorkspaceIndex | None, package: str, shown: st
     near = did_you_mean(name, [other for other in beside if _is_like(name, other)])
     other = None if near or workspace is None else namesake(workspace, package, shown)
     return meant(f"'{other}'") if other is not None else near
+
+
+_FEW = 3
+
+
+def _of_one_kind(workspace: WorkspaceIndex | None, package: str, shown: str) -> list[str]:
+    """The files in the folder of a missing one that have its ending, where they are few enough to choose from."""
+    ending = posixpath.splitext(shown)[1]
+    beside = [] if workspace is None or not ending else names_beside(workspace, package, shown)
+    same = [f"'{name}'" for name in sorted(beside) if name.endswith(ending)]
+    return same if len(same) <= _FEW else []
 
 
 def _is_like(name: str, other: str) -> bool:
