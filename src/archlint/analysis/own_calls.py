@@ -76,8 +76,8 @@ def refused_own_calls(workspace: WorkspaceIndex) -> Iterator[RefusedOwnCall]:
     for file, _ in workspace.code.asked_for():
         if file.kind not in ("python", "launch_python") or workspace.roles.is_test(file.relative):
             continue
-        for call in _calls(workspace, file.relative) or ():
-            meant = _meant(workspace, file.relative, call)
+        for call in own_calls_of(workspace, file.relative) or ():
+            meant = function_meant(workspace, file.relative, call)
             wrong = None if meant is None else _misfit(meant.code.params[meant.bound :], call)
             if meant is not None and wrong is not None:
                 place = Place(file.relative, *call.span)
@@ -88,7 +88,7 @@ def refused_own_calls(workspace: WorkspaceIndex) -> Iterator[RefusedOwnCall]:
                 yield RefusedOwnCall(place, call.name, wrong, defined, signature, lacks_self)
 
 
-def _misfit(params: Sequence[facts.Param], call: _Call) -> Misfit | None:
+def _misfit(params: Sequence[facts.Param], call: OwnCall) -> Misfit | None:
     """What is wrong with the arguments of a call for such parameters; None where nothing is."""
     by_position = [param.name for param in params if param.kind in ("positional_only", "normal")]
     by_name = {param.name for param in params if param.kind in ("normal", "keyword_only")}
@@ -124,7 +124,7 @@ def calls_of_bare_super(workspace: WorkspaceIndex) -> Iterator[Place]:
 
 
 @dataclass(frozen=True)
-class _Call:
+class OwnCall:
     """A call of which all arguments are written out."""
 
     name: str
@@ -138,21 +138,21 @@ class _Call:
 
 
 @kept_for_each_file
-def _calls(code: facts.Facts) -> list[_Call]:
+def own_calls_of(code: facts.Facts) -> list[OwnCall]:
     """The calls of functions and classes that the file defines or imports, and those of methods of ``self``."""
     if not MAKES_NAMES.isdisjoint(code.names):
         return []
     forgiven = tried_for(code.body, {"TypeError"})
     around = {Itself(call): number for number, cls in enumerate(classes_of(code)) for call in _on_self(cls)}
     defined = _defined_once(code)
-    rows: list[_Call] = []
+    rows: list[OwnCall] = []
     for call in everything_in(code.body, facts.Call):
         cls = around.get(Itself(call))
         if any(argument.star for argument in call.args) or Itself[facts.Base](call) in forgiven:
             continue
         if cls is not None or call.func.variable in defined:
             keywords = tuple(argument.keyword for argument in call.args if argument.keyword is not None)
-            rows.append(_Call(call.func.dotted, call.span, cls, len(call.args) - len(keywords), keywords))
+            rows.append(OwnCall(call.func.dotted, call.span, cls, len(call.args) - len(keywords), keywords))
     return rows
 
 
@@ -198,7 +198,7 @@ def _on_self(cls: facts.Class) -> Iterator[facts.Call]:
 # ---------------------------------------------------------------------------------------------------- what they mean
 
 
-def _meant(workspace: WorkspaceIndex, file: str, call: _Call) -> FunctionInFile | None:
+def function_meant(workspace: WorkspaceIndex, file: str, call: OwnCall) -> FunctionInFile | None:
     if call.cls is None:
         return _function(workspace, file, call.name)
     code = workspace.facts_at(file)
@@ -315,11 +315,15 @@ def assigned_attributes(code: facts.Facts) -> dict[str, int]:
 
 
 __all__ = [
+    "FunctionInFile",
     "Misfit",
+    "OwnCall",
     "RefusedOwnCall",
     "assigned_attributes",
     "bindings_of",
     "calls_of_bare_super",
     "class_meant_by",
+    "function_meant",
+    "own_calls_of",
     "refused_own_calls",
 ]

@@ -3,17 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.own_calls import RefusedOwnCall, calls_of_bare_super, refused_own_calls
+from archlint.analysis.own_results import WrongLength, wrong_lengths
+from archlint.analysis.uncalled_names import uncalled_names
 from archlint.checks.argument_words import what_does_not_fit
 from archlint.checks.registry import finding
 from archlint.checks.uncalled import unless_uncalled
-from archlint.finding import Finding, Related
+from archlint.finding import Finding, Related, Severity
 
 if TYPE_CHECKING:
     from archlint.finding import Place
     from archlint.systems.model import System
+
+NOT_CALLED = "not called"
+"""The group of findings about functions that a line names and does not call."""
 
 
 def own_call_findings(system: System) -> Iterator[Finding]:
@@ -21,6 +27,10 @@ def own_call_findings(system: System) -> Iterator[Finding]:
     if system.workspace is not None:
         for call in refused_own_calls(system.workspace):
             yield from unless_uncalled(system, _finding(call))
+        for row in wrong_lengths(system.workspace):
+            yield from unless_uncalled(system, _wrong_length(row))
+        for name, place in uncalled_names(system.workspace):
+            yield from unless_uncalled(system, _not_called(name, place))
         for place in calls_of_bare_super(system.workspace):
             yield from unless_uncalled(system, _of_bare_super(place))
 
@@ -41,6 +51,36 @@ def _finding(call: RefusedOwnCall) -> Finding:
     )
 
 
+def _not_called(name: str, place: Place) -> Finding:
+    diagnostic = finding(
+        "API001",
+        place,
+        f"this line does not call {name}(): without parentheses it does nothing",
+        help=f"write {name}()",
+        identity=(NOT_CALLED, name),
+        group=(place.file, NOT_CALLED),
+    )
+    return replace(diagnostic, severity=Severity.WARNING)
+
+
+def _wrong_length(row: WrongLength) -> Finding:
+    name = row.name.rpartition(".")[2]
+    given, wanted = _values(row.given), "one variable" if row.wanted == 1 else f"{row.wanted} variables"
+    return finding(
+        "API001",
+        row.place,
+        f"{name}() returns {given}, and there are {wanted} for them: this line raises ValueError",
+        help=f"write as many variables as there are values, or take the values of {name}() by their index",
+        related=[Related(row.returned, f"{name}() returns them here")],
+        identity=("length", row.name),
+        group=(row.place.file, "length", row.name),
+    )
+
+
+def _values(count: int) -> str:
+    return "one value" if count == 1 else f"{count} values"
+
+
 def _of_bare_super(place: Place) -> Finding:
     return finding(
         "API001",
@@ -52,4 +92,4 @@ def _of_bare_super(place: Place) -> Finding:
     )
 
 
-__all__ = ["own_call_findings"]
+__all__ = ["NOT_CALLED", "own_call_findings"]

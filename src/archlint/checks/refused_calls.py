@@ -14,7 +14,7 @@ from archlint.checks.argument_words import quoted, what_does_not_fit
 from archlint.checks.attributes import LEVELS, LOG_WITH, LOGS, OF_CLASS, UNASSIGNED, UNCALLED, attribute_findings
 from archlint.checks.early_reads import TOO_EARLY, early_read_findings
 from archlint.checks.folding import folds, with_others
-from archlint.checks.own_calls import own_call_findings
+from archlint.checks.own_calls import NOT_CALLED, own_call_findings
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.time_operators import OPERATOR, time_operator_findings
@@ -192,6 +192,8 @@ def _finding(call: RefusedCall) -> Finding:
 @folds("API001")
 def of_one_file(findings: Sequence[Finding]) -> Finding:
     """The first call of a file for all that are wrong in the same way."""
+    if findings[0].group[1] == NOT_CALLED:
+        return with_others(findings, "another line in this file does", "more lines in this file do", "the same")
     if findings[0].group[1] == OPERATOR:
         return with_others(findings, "another operator in this file does", "more operators in this file do", "the same")
     return with_others(findings, "another call in this file fails", "more calls in this file fail", "in the same way")

@@ -1,0 +1,117 @@
+"""API001: lines that name a function and do not call it, and results in another number of variables."""
+
+from __future__ import annotations
+
+import pytest
+
+from archlint.finding import Severity
+from checks.judging import Judge
+
+NODE = """
+import rclpy
+from rclpy.node import Node
+
+
+def split(text):
+    return text[:1], text[1:]
+
+
+class Driver(Node):
+    def __init__(self):
+        super().__init__('driver')
+        self.timer = self.create_timer(1.0, self.drive)
+        self.callback = None
+
+    def pose(self):
+        if self.callback:
+            return 0.0, 0.0, 0.0
+        return 1.0, 2.0, 0.5
+
+    def some(self):
+        return (1, 2) if self.callback else (1, 2, 3)
+
+    def several(self):
+        if self.callback:
+            return 1, 2
+        return 1, 2, 3
+
+    def each(self):
+        yield 1
+        return 1, 2, 3
+
+    @property
+    def place(self):
+        return 1, 2, 3
+
+    def drive(self):
+        {line}
+
+
+def main():
+    rclpy.init()
+    node = Driver()
+    rclpy.spin(node)
+    {end}
+
+
+if __name__ == '__main__':
+    {guard}
+"""
+
+
+def _node(line: str = "pass", end: str = "pass", guard: str = "main()") -> str:
+    return NODE.format(line=line, end=end, guard=guard)
+
+
+@pytest.mark.parametrize(
+    ("line", "says"),
+    [
+        ("x, y = self.pose()  # here", "pose() returns 3 values, and there are 2 variables for them"),
+        ("(x, y, z, w) = self.pose()  # here", "pose() returns 3 values, and there are 4 variables for them"),
+        ("a, b, c = split('ab')  # here", "split() returns 2 values, and there are 3 variables for them"),
+    ],
+)
+def test_another_number_of_variables(judge: Judge, line: str, says: str):
+    (finding,) = judge("API001", _node(line))
+    assert finding.message == f"{says}: this line raises ValueError"
+    assert finding.related[0].message.endswith("returns them here")
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "x, y, z = self.pose()",
+        "x, *others = self.pose()",
+        "pose = self.pose()",
+        "x, y = self.some()",
+        "x, y = self.several()",
+        "x, y = self.each()",
+        "x, y = self.pose()[:2]",
+        "a, b = split('ab')",
+        "try:\n            x, y = self.pose()\n        except ValueError:\n            pass",
+    ],
+)
+def test_as_many_variables_or_perhaps_as_many(judge: Judge, line: str):
+    judge("API001", _node(line))
+
+
+@pytest.mark.parametrize(
+    ("source", "name"),
+    [
+        (_node("self.timer.cancel  # here"), "self.timer.cancel"),
+        (_node("self.pose  # here"), "self.pose"),
+        (_node(end="node.destroy_node  # here"), "node.destroy_node"),
+        (_node(end="rclpy.shutdown  # here"), "rclpy.shutdown"),
+        (_node(guard="main  # here"), "main"),
+    ],
+)
+def test_a_line_that_calls_nothing(judge: Judge, source: str, name: str):
+    (finding,) = judge("API001", source)
+    assert finding.message == f"this line does not call {name}(): without parentheses it does nothing"
+    assert finding.severity is Severity.WARNING
+
+
+@pytest.mark.parametrize("line", ["self.place", "self.callback", "self.timer.cancel()", "self.timer.clock", "Driver"])
+def test_a_line_that_may_do_something(judge: Judge, line: str):
+    """A property runs code; a class or a value is looked at by whoever tries things out."""
+    judge("API001", _node(line))
