@@ -216,3 +216,25 @@ def test_a_list_of_one_type(findings, gains):
 
 def test_a_list_in_a_file_that_no_node_gets(findings):
     assert findings("PRM009", node("", name="talker"), **{"config/p.yaml": SECTION.format("[1.0, 2]")}) == []
+
+
+def test_a_parameter_that_stands_twice(findings):
+    """rcl overwrites the first value: ``rcl_yaml_param_parser/src/parse.c``."""
+    held = "talker:\n  ros__parameters:\n    rate: 1.0\n    limits:\n      speed: 2.0\n    names: [a]\n    rate: 5.0\n"
+    (told,) = findings("PRM009", LOAD_IT, **{"config/p.yaml": held})
+    assert (told.place.file, told.place.line) == ("config/p.yaml", 3)
+    assert told.message == "'rate' stands twice in this section: 'talker' gets 5.0, and never 1.0"
+    assert told.related[0].place.line == 7
+
+
+@pytest.mark.parametrize(
+    "held",
+    [
+        "talker:\n  ros__parameters:\n    rate: 1.0\n    rate: 1.0\n",
+        "talker:\n  ros__parameters:\n    rate: 1.0\n    limits:\n      rate: 2.0\n",
+        "talker:\n  ros__parameters:\n    names: [a]\n    names: [b]\n",
+        "/**:\n  ros__parameters:\n    rate: 1.0\ntalker:\n  ros__parameters:\n    rate: 2.0\n",
+    ],
+)
+def test_parameters_that_do_not_contradict_each_other(findings, held: str):
+    assert findings("PRM009", LOAD_IT, **{"config/p.yaml": held}) == []

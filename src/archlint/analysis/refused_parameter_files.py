@@ -18,7 +18,7 @@ from archlint.syntax.refused_parameters import Refusal, RefusedParameter
 
 if TYPE_CHECKING:
     from archlint.launch.started import Started
-    from archlint.syntax.parameter_files import ParameterFacts
+    from archlint.syntax.parameter_files import ParameterEntry, ParameterFacts, ParameterSection
     from archlint.systems.model import System
 
 
@@ -87,6 +87,43 @@ def mixed_lists(system: System) -> Iterator[MixedList]:
                 break
 
 
+@dataclass(frozen=True)
+class SetTwice:
+    """A parameter that stands twice in a section of a file, with two values: the ``last`` one counts."""
+
+    file: str
+    name: str
+    value: object
+    last: object
+    place: Place
+    last_place: Place
+    user: str | None
+    given: Place
+
+
+def set_twice(system: System) -> Iterator[SetTwice]:
+    """The first such parameter of each file that is given to a process."""
+    for file, started, use, facts in _given_files(system):
+        for section in facts.sections:
+            first = _first_doubled(section)
+            if first is not None:
+                entry, last = first
+                user, given = (started.name or started.executable).text, _given_at(started, use.place)
+                place, last_place = Place(file, *entry.span), Place(file, *last.span)
+                yield SetTwice(file, entry.name, entry.value, last.value, place, last_place, user, given)
+                break
+
+
+def _first_doubled(section: ParameterSection) -> tuple[ParameterEntry, ParameterEntry] | None:
+    """A parameter's first entry and its last: rcl overwrites a value with one of the same type."""
+    last = {entry.name: entry for entry in section.entries}
+    for entry in section.entries:
+        other = last[entry.name]
+        if type(other.value) is type(entry.value) in _TYPES and other.value != entry.value:
+            return entry, other
+    return None
+
+
 def refused_values(system: System) -> Iterator[NoValue]:
     """The first such value of each file that is given to a process as it is."""
     for file, started, use, facts in _given_files(system):
@@ -142,7 +179,9 @@ __all__ = [
     "MixedList",
     "NoValue",
     "Refusal",
+    "SetTwice",
     "misplaced_in_files",
     "mixed_lists",
     "refused_values",
+    "set_twice",
 ]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.refused_parameter_files import (
@@ -13,13 +14,15 @@ from archlint.analysis.refused_parameter_files import (
     MixedList,
     NoValue,
     Refusal,
+    SetTwice,
     misplaced_in_files,
     mixed_lists,
     refused_values,
+    set_twice,
 )
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
-from archlint.finding import Finding, Place, Related
+from archlint.finding import Finding, Place, Related, Severity
 from archlint.suggestions import listed
 
 if TYPE_CHECKING:
@@ -40,6 +43,23 @@ def parameter_file_structure(system: System, options: Options) -> Iterator[Findi
         )
     yield from map(_mixed, mixed_lists(system))
     yield from map(_no_value, refused_values(system))
+    yield from map(_twice, set_twice(system))
+
+
+def _twice(row: SetTwice) -> Finding:
+    whom = f"'{row.user}'" if row.user else "a node"
+    diagnostic = finding(
+        "PRM009",
+        row.place,
+        f"'{row.name}' stands twice in this section: {whom} gets {row.last!r}, and never {row.value!r}",
+        help="remove the line that is not meant",
+        related=(
+            Related(row.last_place, "this one counts"),
+            Related(row.given, "this file is given to it here"),
+        ),
+        identity=(row.file, "twice", row.name),
+    )
+    return replace(diagnostic, severity=Severity.WARNING)
 
 
 def _no_value(row: NoValue) -> Finding:
