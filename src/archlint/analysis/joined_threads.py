@@ -15,6 +15,7 @@ from archlint.analysis.reach import argument, has_limit, judged_calls
 from archlint.analysis.source_code import SourceCode, source_code
 from archlint.analysis.spins import is_spin_call, is_spun_in_sight
 from archlint.analysis.waits import Wait, waits
+from archlint.branches import ChoiceOfCallee
 from archlint.finding import Place
 from archlint.model import Role
 from archlint.model.given import Constant, Object
@@ -72,12 +73,17 @@ def joined_waits(system: System) -> list[JoinedWait]:
     """The waits for threads that are made just before, and wait for a response for certain."""
     by_thread: dict[int, list[Wait]] = {}
     for wait in waits(system):
-        if wait.kind == CALL and wait.call.context.role == Role.THREAD and not wait.call.conditional:
+        if wait.kind == CALL and wait.call.context.role == Role.THREAD and _is_certain(wait.call):
             by_thread.setdefault(id(wait.call.context), []).append(wait)
     rows = [row for program, call in judged_calls(system) for row in _of_join(system, program, call, by_thread)]
     joined = {id(row.thread) for row in rows if row.join.api not in _GIVES}
     rows = [row for row in rows if row.join.api not in _GIVES or id(row.thread) not in joined]
     return sorted(rows, key=lambda row: (row.join.place, row.wait.call.place))
+
+
+def _is_certain(call: ApiCall) -> bool:
+    """Whether a thread makes a call whatever holds: with one of several clients that it is given, or always."""
+    return all(isinstance(branch, ChoiceOfCallee) for branch, _ in call.branch_arms)
 
 
 def _of_join(system: System, program: Program, join: ApiCall, by_thread: dict[int, list[Wait]]) -> Iterator[JoinedWait]:
