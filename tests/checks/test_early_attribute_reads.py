@@ -163,3 +163,38 @@ class Loud(Talker):
     early = _node("print(self.period)", "self.period = 1.0")
     judge("API002", early + derived)
     judge("API002", early.replace("from rclpy.node", "from somewhere") + "\n\nimport rclpy\nrclpy.init()\n")
+
+
+SINGLETON = """
+import rclpy
+
+
+class Manager:
+    _instance = None
+
+    {new}
+
+    def __init__(self):
+        if self.ready:{here}
+            return
+        self.ready = True
+
+
+Manager()
+"""
+
+
+@pytest.mark.parametrize(
+    ("new", "here"),
+    [
+        (
+            "def __new__(cls):\n        if cls._instance is None:\n            cls._instance = super().__new__(cls)\n"
+            "            cls._instance.ready = False\n        return cls._instance",
+            "",
+        ),
+        ("pass", "  # here"),
+    ],
+)
+def test_one_object_for_all_calls(judge: Judge, new: str, here: str):
+    """``__new__()`` has given it what its constructor reads."""
+    judge("API002", SINGLETON.replace("{new}", new).replace("{here}", here))

@@ -437,3 +437,17 @@ def test_a_limit_does_not_end_a_function_that_the_spin_itself_calls(judge: Judge
     """The executor asks for the time only after its task has returned, or has begun to wait."""
     text = OWN_TASK.replace("{kind}", kind).replace("{work}", work)
     judge("TMO003", text.replace("complete(task)", "complete(task)  # here") if told else text)
+
+
+def test_a_file_that_no_program_uses_waits_for_whoever_starts_it(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    """In a lesson it is information, elsewhere nothing."""
+    monkeypatch.chdir(tmp_path)
+    asks = dedent(client(SUBSCRIBES))
+    others = "".join(
+        f"class Idle{n}(Node):\n    def __init__(self):\n        super().__init__('i{n}')\n\n\n" for n in range(5)
+    )
+    for talker, told in (("def main():\n    pass\n", 1), ("from rclpy.node import Node\n\n\n" + others, 0)):
+        write_robot(tmp_path, **{"robot/talker.py": talker, "robot/asks.py": asks})
+        (tmp_path / "archlint.toml").write_text('select = ["TMO001"]', encoding="utf-8")
+        report = check(Request((".",), load(tmp_path), cached=False, jobs=1))
+        assert [finding.severity for finding in report.findings] == [Severity.INFO] * told

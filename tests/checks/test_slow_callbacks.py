@@ -1736,3 +1736,13 @@ def test_steps_that_a_caller_goes_through_have_no_known_end(run: Run):
     )
     [found] = run(source("self.create_service(Trigger, 'home', self.home)\n", methods) + MANY_NODES)
     assert found.code == "SRV008" and found.severity is Severity.WARNING
+
+
+@pytest.mark.parametrize(
+    ("then", "expected"),
+    [("sys.exit(0)", []), ("return", ["EXE003"]), ("if read():\n        sys.exit(0)", ["EXE003"])],
+)
+def test_the_next_program_takes_over(run: Run, then: str, expected: list[str]):
+    """Nothing of this one goes on."""
+    body = f"import os, sys\n    os.system('ros2 run robot next')\n    {then}"
+    assert codes(run(source(TIMER, timer(body)))) == expected

@@ -230,3 +230,9 @@ def test_names_that_a_launch_file_has(findings: Callable[..., list[Finding]]) ->
 def test_a_launch_file_that_python_refuses_to_compile(findings: Callable[..., list[Finding]]) -> None:
     told = findings("API005", **{"launch/robot.launch.py": f"{LAUNCH}\nreturn side\n"})
     assert [finding.code for finding in told] == ["LNT002"]
+
+
+@pytest.mark.parametrize(("name", "near"), [("node", ""), ("Noed", "Node")])
+def test_an_object_is_no_slip_for_its_class(judge: Judge, name: str, near: str) -> None:
+    (finding,) = judge("API005", _node(f"{name}.destroy_node()  # here"))
+    assert finding.message.endswith(f"; did you mean '{near}'?" if near else "a NameError")

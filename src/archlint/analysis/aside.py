@@ -107,7 +107,7 @@ def is_not_installed(workspace: WorkspaceIndex | None, file: str) -> bool:
 
 
 def import_that_fails(workspace: WorkspaceIndex | None, file: str) -> str | None:
-    """The first module that a file imports as it starts and that is not there: one of its own package, or of ROS 1."""
+    """The first module that a file imports as it starts and that is not there: one of a package here, or of ROS 1."""
     package = None if workspace is None else workspace.package_of(file)
     file_facts = None if workspace is None else workspace.facts_at(file)
     of_ros1 = None if file_facts is None else ros1_module(file_facts)
@@ -120,7 +120,7 @@ def import_that_fails(workspace: WorkspaceIndex | None, file: str) -> str | None
     )
     for statement in imports:
         top, _, rest = statement.module.partition(".")
-        if top == package and rest and rest.partition(".")[0] not in _GENERATED:
+        if top in workspace.code.top_modules and rest and rest.partition(".")[0] not in _GENERATED:
             names = [statement.module, *(f"{statement.module}.{name}" for name, _ in statement.names)]
             if all(workspace.code.imported(file, name) is None for name in names):
                 return statement.module

@@ -87,8 +87,8 @@ def early_attribute_reads(workspace: WorkspaceIndex) -> Iterator[EarlyRead]:
 def _is_certain(workspace: WorkspaceIndex, cls: ClassInFile, row: _Early) -> bool:
     """Whether nothing that runs before a read can have assigned the attribute: no base, no derived class, no method."""
     chain = chain_of(workspace, cls)
-    if members_of(workspace, chain) is None:
-        return False
+    if members_of(workspace, chain) is None or any("__new__" in set(names_of_body(base.code)) for base in chain.own):
+        return False  # what makes the object, once for all perhaps, may have given it anything
     bases = [base for base in chain.own if base.code is not cls.code]
     if any(row.name in _gives(base.code) for base in bases) or _is_of_class(workspace, chain, row.name):
         return False

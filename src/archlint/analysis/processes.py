@@ -22,6 +22,7 @@ _OF_PROCESS = ("subprocess.Popen.wait", "subprocess.Popen.communicate")
 _ENDS = frozenset({"terminate", "kill", "send_signal"})
 _KILLS = frozenset({"kill"})
 _SHUTDOWNS = frozenset({"rclpy.shutdown", "rclpy.try_shutdown", "self.destroy_node"})
+_ENDS_OF_PROGRAM = frozenset({"sys.exit", "os._exit", "exit", "quit"})
 _KILLING: frozenset[object] = frozenset({"SIGKILL", 9})
 _ENDING = _KILLING | {"SIGINT", 2, "SIGTERM", 15, "SIGHUP", 1, "SIGQUIT", 3}
 """Signals that end a process: always, or unless it does otherwise."""
@@ -92,6 +93,18 @@ def ends_with_the_node(code: SourceCode, call: ApiCall, stay: Stay) -> bool:
 
 _SWITCHES_OFF = frozenset({"shutdown", "poweroff", "reboot", "halt"})
 _IN_FRONT = frozenset({"sudo", "systemctl"})
+
+
+def hands_over(code: SourceCode, call: ApiCall) -> bool:
+    """Whether every way on from a process ends the program: it was started in its place, or as the last step."""
+    graph = graph_of(code.body(call))
+    waits = graph.evaluating(call.place.span)
+    ends = [
+        block
+        for block in graph.blocks
+        if any(inner_call.func.dotted in _ENDS_OF_PROGRAM for inner_call in calls_in(block.fact))
+    ]
+    return bool(waits) and all(graph.post_dominates(ends, block, without_exceptions) for block in waits)
 
 
 def ends_the_machine(code: SourceCode, call: ApiCall) -> bool:
@@ -172,4 +185,4 @@ def _owner(call: facts.Call) -> str:
     return dotted(call.func.value) if isinstance(call.func, facts.Attribute) else ""
 
 
-__all__ = ["ends_the_machine", "ends_with_the_node", "is_signalled_to_end", "is_soon_over"]
+__all__ = ["ends_the_machine", "ends_with_the_node", "hands_over", "is_signalled_to_end", "is_soon_over"]

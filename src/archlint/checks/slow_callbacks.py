@@ -19,7 +19,13 @@ from archlint.analysis.loop_times import around_future, in_loops, is_retry, retr
 from archlint.analysis.order import is_called_in_branches
 from archlint.analysis.own_timers import ends_its_timer_after, ends_its_timer_before
 from archlint.analysis.present_servers import is_there
-from archlint.analysis.processes import ends_the_machine, ends_with_the_node, is_signalled_to_end, is_soon_over
+from archlint.analysis.processes import (
+    ends_the_machine,
+    ends_with_the_node,
+    hands_over,
+    is_signalled_to_end,
+    is_soon_over,
+)
 from archlint.analysis.reach import argument, creations_of, judged_calls, one_for_each_place
 from archlint.analysis.sleeps import Stay, stay_of
 from archlint.analysis.source_code import SourceCode, source_code
@@ -189,6 +195,7 @@ def _stays(system: System) -> Iterator[_Row]:
             or (stay.kind == "discovery" and is_there(system, call))
             or ends_with_the_node(code, call, stay)
             or ends_the_machine(code, call)
+            or (stay.kind == "process" and hands_over(code, call))
             or (stay.kind == "process" and (not call.looped or is_retry(code, call)) and is_soon_over(code, call))
             or _is_no_program(system, call.context)
         ):

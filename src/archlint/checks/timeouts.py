@@ -7,6 +7,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.announced_waits import is_announced_start
+from archlint.analysis.aside import is_not_installed
 from archlint.analysis.asking_scripts import is_launched, is_step_of_asking_script
 from archlint.analysis.callback_roles import runs_in_executor
 from archlint.analysis.called_by_hand import is_driven_by_hand
@@ -154,6 +155,9 @@ def of_one_owner(findings: Sequence[Finding]) -> Finding:
 
 def _is_minor(system: System, program: Program, call: ApiCall) -> bool:
     """Whether whoever runs the program sees that it waits, and nothing else of it does."""
+    workspace = system.workspace
+    if workspace is not None and workspace.package_of(call.file) and is_not_installed(workspace, call.file):
+        return True
     if is_uncalled(call) or _is_step_of_script(call) or is_step_of_asking_script(system, program, call):
         return True
     node = call.node or call.context.node

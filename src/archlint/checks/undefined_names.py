@@ -115,7 +115,8 @@ def _undefined(workspace: WorkspaceIndex, read: Undefined) -> Finding:
     else:
         statement = import_of(workspace, read.name)
     if not near and not statement and len(read.name) >= _SHORT:
-        near = nearest(read.name, (name for name in read.known if name not in _BUILT_IN)) or ""
+        known = (name for name in read.known if name not in _BUILT_IN and not _is_class_of(name, read.name))
+        near = nearest(read.name, known) or ""
     cure = f"write `{statement}`" if statement else f"write {near}" if near else "define it, or remove the line"
     hint = meant(f"'{near}'" if near else "")
     return finding(
@@ -127,6 +128,11 @@ def _undefined(workspace: WorkspaceIndex, read: Undefined) -> Finding:
         group=(read.place.file, read.name),
         meant=near,
     )
+
+
+def _is_class_of(known: str, name: str) -> bool:
+    """Whether a name is that of a class of which the other may be an object: ``Node`` and ``node``."""
+    return known != name and known.lower() == name.lower() and known[:1].isupper() is not name[:1].isupper()
 
 
 @folds("API005")
