@@ -83,7 +83,9 @@ def verdicts(cells: Sequence[Cell], distros: Sequence[str]) -> dict[str, dict[Ce
             (package / "asker.py").write_text(program(cell))
             if partner(cell):
                 (package / "other.py").write_text(partner(cell))
-        return {distro: _verdicts(cells, Settings(distro=distro, cache_dir="cache", rules=_ALL_FORMS)) for distro in distros}
+        return {
+            distro: _verdicts(cells, Settings(distro=distro, cache_dir="cache", rules=_ALL_FORMS)) for distro in distros
+        }
 
 
 def _verdicts(cells: Sequence[Cell], settings: Settings) -> dict[Cell, str]:

@@ -46,11 +46,11 @@ def judge(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Judge:
 @pytest.mark.parametrize(
     ("imports", "key"),
     [
-        ("import serial", "python3-serial"),
-        ("from scipy.spatial import KDTree", "python3-scipy"),
-        ("import cv2", "python3-opencv"),
-        ("import paho.mqtt.client as mqtt", "python3-paho-mqtt"),
-        ("import ultralytics", "python3-ultralytics-pip"),
+        ("import serial\nserial.Serial()", "python3-serial"),
+        ("from scipy.spatial import KDTree\nKDTree([])", "python3-scipy"),
+        ("import cv2\ncv2.imread('')", "python3-opencv"),
+        ("import paho.mqtt.client as mqtt\nmqtt.Client()", "python3-paho-mqtt"),
+        ("import ultralytics\nultralytics.YOLO()", "python3-ultralytics-pip"),
     ],
 )
 def test_a_module_that_nothing_asks_for(judge: Judge, imports: str, key: str):
@@ -103,7 +103,9 @@ def test_a_test_dependency_is_not_installed_with_the_node(judge: Judge):
 def test_what_pip_is_asked_for(judge: Judge):
     assert judge("import serial", pip="'setuptools', 'pyserial'") == []
     assert judge("import serial", **{"requirements.txt": "pyserial==3.5\n"}) == []
-    assert judge("import serial", **{"docker/Dockerfile": "FROM ros:jazzy\nRUN pip install pyserial\n"}) == []
+    for file in ("docker/Dockerfile", "dockerfile_drivers"):
+        assert judge("import serial", **{file: "FROM ros:jazzy\nRUN pip install pyserial\n"}) == []
+    assert judge("import serial", **{"pixi.toml": '[dependencies]\npyserial = ">=3"\n'}) == []
 
 
 def test_tests_and_loose_files_are_not_installed(judge: Judge):
@@ -119,3 +121,10 @@ def test_what_comes_with_a_package_that_another_rule_asks_for(judge: Judge):
     assert judge("import cv2\nfrom cv_bridge import CvBridge") == []
     (serial,) = judge("import cv2\nimport serial\nfrom cv_bridge import CvBridge")
     assert "'serial'" in serial.message
+
+
+def test_an_import_that_an_editor_has_added(judge: Judge):
+    (told,) = judge("from matplotlib.transforms import Transform\nimport serial\nserial.Serial()")
+    assert told.help == (
+        "add <exec_depend>python3-serial</exec_depend>, and remove the import of 'matplotlib', which nothing uses"
+    )

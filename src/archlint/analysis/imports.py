@@ -16,24 +16,31 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class ModuleImport:
-    """``import module``, or ``from module import names``."""
+    """``import module``, or ``from module import names``; ``unused`` where no line has a word for what that binds."""
 
     file: SourceFile
     module: str
     names: tuple[str, ...]
     place: Place
+    unused: bool = False
 
 
 def imports_at_start(workspace: WorkspaceIndex) -> Iterator[ModuleImport]:
     """The imports of each file that always run, relative ones left out: not inside functions, nor where a failure is
     caught."""
     for file, file_facts in workspace.code.asked_for():
+        used = {*file_facts.names, "*"}
+        passes_on = file.relative.endswith("__init__.py")  # what it imports, others take from there
         for statement in file_facts.body:
             match statement:
-                case facts.Import(module=module, span=span):
-                    yield ModuleImport(file, module, (), Place(file.relative, *span))
+                case facts.Import(module=module, alias=alias, span=span):
+                    unused = not passes_on and (alias or module.partition(".")[0]) not in used
+                    yield ModuleImport(file, module, (), Place(file.relative, *span), unused)
                 case facts.ImportFrom(module=module, level=0, names=names, span=span):
-                    yield ModuleImport(file, module, tuple(name for name, _ in names), Place(file.relative, *span))
+                    bound = {name for _, name in names}
+                    unused = not passes_on and bound.isdisjoint(used)
+                    named = tuple(name for name, _ in names)
+                    yield ModuleImport(file, module, named, Place(file.relative, *span), unused)
 
 
 def imports(workspace: WorkspaceIndex, path: str, module: str) -> bool:

@@ -29,11 +29,12 @@ _BUILT_BY = ("setup.py", "setup.cfg", "pyproject.toml", "requirements.txt", "CMa
 
 @dataclass(frozen=True, order=True)
 class ModuleUse:
-    """A file imports a ``module``, which rosdep knows as ``key``."""
+    """A file imports a ``module``, which rosdep knows as ``key``, and may not use it."""
 
     place: Place
     module: str
     key: str
+    unused: bool = False
 
 
 def modules_to_declare(
@@ -57,7 +58,9 @@ def modules_to_declare(
             declared[package.relative] = _declared(workspace, package, brought_by, more)
         known = declared[package.relative]
         if known is not None and not known.has(module, key):
-            rows.setdefault(package.relative, (package, []))[1].append(ModuleUse(statement.place, module, key))
+            rows.setdefault(package.relative, (package, []))[1].append(
+                ModuleUse(statement.place, module, key, statement.unused)
+            )
     return rows
 
 
@@ -117,8 +120,8 @@ def _requirements(workspace: WorkspaceIndex) -> list[str]:
     """The files of the whole workspace that ask pip for modules, or may do so."""
     tree = workspace.tree
     named = re.compile(
-        r"(?:\w+[-_])*requirements(?:[-_]\w+)*\.txt|environment\.ya?ml|Pipfile|pyproject\.toml"
-        r"|(?:[\w-]+\.)?Dockerfile(?:[.-]\w+)*|(?:install|setup)[\w-]*\.sh"
+        r"(?:\w+[-_])*requirements(?:[-_]\w+)*\.txt|environment\.ya?ml|Pipfile|pyproject\.toml|pixi\.toml"
+        r"|(?:[\w-]+\.)?[Dd]ockerfile(?:[._-]\w+)*|(?:install|setup)[\w-]*\.sh"
     )
     return [tree.text(path) or "" for path in tree.files_below(tree.top) if named.fullmatch(posixpath.basename(path))]
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.analysis.python_dependencies import ModuleUse, modules_to_declare
@@ -39,7 +39,6 @@ def undeclared_python_module(system: System, options: Options) -> Iterator[Findi
 def _undeclared(package: Package, uses: list[ModuleUse]) -> Finding:
     first = {use.module: use for use in reversed(uses)}
     modules = sorted(first)
-    keys = sorted({use.key for use in uses})
     what = f"'{modules[0]}'" if len(modules) == 1 else f"{len(modules)} modules: {listed(modules)}"
     file = package.manifest.relative
     return finding(
@@ -47,10 +46,20 @@ def _undeclared(package: Package, uses: list[ModuleUse]) -> Finding:
         Place(file, 1, 1, 1, 1),
         f"package '{package.name}' imports {what}, which its package.xml does not declare: rosdep does not install "
         f"{'it' if len(modules) == 1 else 'them'}",
-        help=f"add {''.join(f'<exec_depend>{key}</exec_depend>' for key in keys)}",
+        help=_help(uses),
         related=[Related(first[module].place, f"'{module}' is imported here") for module in modules[:_SHOWN]],
         identity=(package.name, *modules),
     )
+
+
+def _help(uses: Sequence[ModuleUse]) -> str:
+    """What to declare, and what not to import at all."""
+    used = {use.module for use in uses if not use.unused}
+    keys = sorted({use.key for use in uses if use.module in used})
+    idle = sorted({f"'{use.module}'" for use in uses} - {f"'{module}'" for module in used})
+    cures = [f"add {''.join(f'<exec_depend>{key}</exec_depend>' for key in keys)}"] if keys else []
+    cures += [f"remove the import of {listed(idle)}, which nothing uses"] if idle else []
+    return ", and ".join(cures)
 
 
 __all__ = ["undeclared_python_module"]
