@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once, once_for_each_file
 from archlint.analysis.launch_code import may_read_argument
+from archlint.analysis.misread_arguments import misread_arguments
 from archlint.launch.parameter_sources import ParameterFileUse
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in
@@ -44,9 +45,12 @@ def unread_arguments(system: System) -> Iterator[DeclaredArgument]:
     if launched.undeclared or not launched.started:
         return  # one of these may be the argument, misspelt; or the file declares arguments for those that include it
     others = _read_where_included(workspace).get(launched.file, frozenset())
+    misread = {row.declared for row in misread_arguments(workspace, launched.file)}
     for argument in launched.declared:
         if argument.file != launched.file or argument.name in launched.read or argument.name in others:
             continue
+        if argument.name in misread:
+            continue  # LCH003 says by which name it is read
         if _is_of_library(launched, argument):
             continue
         if not any(_may_read(workspace, file, argument.name) for file in launched.sources):

@@ -9,6 +9,7 @@ from itertools import groupby
 from typing import TYPE_CHECKING
 
 from archlint.analysis.launch_code import listed_as, may_read_argument
+from archlint.analysis.misread_arguments import MisreadArgument, misread_arguments
 from archlint.analysis.unread_arguments import all_readers_are_known
 from archlint.checks.folding import folds, with_places
 from archlint.checks.registry import Options, finding, rule
@@ -29,8 +30,12 @@ def undeclared_launch_argument(system: System, options: Options) -> Iterator[Fin
     launched = system.launched
     if launched is None or system.workspace is None:
         return
+    told: list[Finding] = []
     if not launched.gaps and not _meant_to_be_included(launched):
-        yield from _of_one_call(_undeclared_uses(system, launched))
+        told = [*_of_one_call(_undeclared_uses(system, launched))]
+    yield from told
+    if not told:
+        yield from map(_misread, misread_arguments(system.workspace, launched.file))
     # One include may be of one of several files, or of all of them: an argument is for the one that takes it.
     reported: dict[tuple[object, ...], Finding] = {}
     for place, includes in groupby(launched.included, key=lambda include: include.place):
@@ -41,6 +46,18 @@ def undeclared_launch_argument(system: System, options: Options) -> Iterator[Fin
                     first, related=(*first.related, Related(unknown_argument.place, "and here"))
                 )
     yield from reported.values()
+
+
+def _misread(row: MisreadArgument) -> Finding:
+    return finding(
+        "LCH003",
+        row.place,
+        f"no launch argument '{row.name}' is declared, and nothing reads '{row.declared}', which is",
+        help=f"read '{row.declared}', or declare '{row.name}'",
+        related=[Related(row.declared_at, f"'{row.declared}' is declared here")],
+        identity=(row.place.file, row.name),
+        meant=row.declared,
+    )
 
 
 def places_of_unknown_arguments(workspace: WorkspaceIndex, launched: Launched) -> set[Place]:
