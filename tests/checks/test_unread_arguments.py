@@ -52,6 +52,17 @@ def test_all_of_a_file_are_one_finding(findings):
     assert "'speed' and 'colour'" in told.message and len(told.related) == 1
 
 
+def test_a_variable_that_holds_it_and_that_nothing_uses(findings):
+    (told,) = findings("LCH011", **_file("slow = LaunchConfiguration('speed')"))
+    assert told.help == "use slow where it is meant, or remove it and the declaration"
+    assert [(row.place.line, row.message) for row in told.related] == [
+        (8, "'speed' is kept here, and nothing uses that")
+    ]
+
+    (told,) = findings("LCH011", **_file())
+    assert told.help == "read it where it is meant, LaunchConfiguration('speed'), or remove the declaration"
+
+
 @pytest.mark.parametrize(
     "files",
     [

@@ -11,6 +11,7 @@ from archlint.analysis.kept import once, once_for_each_file
 from archlint.analysis.launch_code import may_read_argument
 from archlint.analysis.misread_arguments import misread_arguments
 from archlint.launch.parameter_sources import ParameterFileUse
+from archlint.place import Place
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in
 from archlint.syntax.walk import called_name
@@ -98,17 +99,32 @@ def _said(file_facts: facts.Facts) -> Counter[str]:
 @once_for_each_file
 def _without_effect(file_facts: facts.Facts) -> Counter[str]:
     """How often each text names an argument where it is declared, or in a configuration that nothing uses."""
-    names = Counter(part.id for part in everything_in(file_facts.body, facts.Name))
     spare: Counter[str] = Counter()
     for call in everything_in(file_facts.body, facts.Call):
         if called_name(call) == "DeclareLaunchArgument":
             spare.update(_first_text(call))
+    for _, call in _kept_for_nothing(file_facts):
+        spare.update(_first_text(call))
+    return spare
+
+
+def _kept_for_nothing(file_facts: facts.Facts) -> Iterator[tuple[facts.Name, facts.Call]]:
+    """The variables that hold a configuration and that nothing uses."""
+    names = Counter(part.id for part in everything_in(file_facts.body, facts.Name))
     for assign in everything_in(file_facts.body, facts.Assign):
         match assign:
-            case facts.Assign(targets=[facts.Name(id=name)], value=facts.Call() as call):
+            case facts.Assign(targets=[facts.Name(id=name) as variable], value=facts.Call() as call):
                 if called_name(call) == "LaunchConfiguration" and names[name] == 1:
-                    spare.update(_first_text(call))
-    return spare
+                    yield variable, call
+
+
+def kept_for_nothing(workspace: WorkspaceIndex, argument: DeclaredArgument) -> tuple[str, Place] | None:
+    """The variable of a launch file that holds an argument and that nothing uses, and where it is."""
+    file_facts = workspace.facts_at(argument.file) if argument.file.endswith(".py") else None
+    for variable, call in () if file_facts is None else _kept_for_nothing(file_facts):
+        if argument.name in _first_text(call):
+            return variable.id, Place(argument.file, *variable.span)
+    return None
 
 
 def _first_text(call: facts.Call) -> list[str]:
@@ -118,4 +134,4 @@ def _first_text(call: facts.Call) -> list[str]:
     return [value.text for value in values if value.text is not None]
 
 
-__all__ = ["all_readers_are_known", "unread_arguments"]
+__all__ = ["all_readers_are_known", "kept_for_nothing", "unread_arguments"]

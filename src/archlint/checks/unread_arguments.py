@@ -4,12 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
-from archlint.analysis.unread_arguments import unread_arguments
+from archlint.analysis.unread_arguments import kept_for_nothing, unread_arguments
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related, Severity
-from archlint.systems.model import System
+
+if TYPE_CHECKING:
+    from archlint.finding import Place
+    from archlint.launch.model import DeclaredArgument
+    from archlint.systems.model import System
 
 _OF_HABIT = frozenset({"use_sim_time"})
 """Arguments that launch files declare as a matter of course."""
@@ -23,19 +28,35 @@ def unread_launch_argument(system: System, options: Options) -> Iterator[Finding
         return
     first, *others = unread
     names = [argument.name for argument in unread]
+    workspace = system.workspace
+    kept = {
+        argument.name: variable
+        for argument in unread
+        if workspace is not None and (variable := kept_for_nothing(workspace, argument)) is not None
+    }
     message = f"nothing reads the launch argument '{first.name}': setting it has no effect"
     if others:
-        shown = " and ".join(f"'{name}'" for name in names)
+        *most, last = [f"'{name}'" for name in names]
+        shown = f"{', '.join(most)} and {last}"
         message = f"nothing reads the launch arguments {shown}: setting them has no effect"
     diagnostic = finding(
         "LCH011",
         first.place,
         message,
-        help=f"read it where it is meant, {_reading(first.file, first.name)}, or remove the declaration",
-        related=[Related(argument.place, f"'{argument.name}' is declared here") for argument in others],
+        help=_help(first, kept.get(first.name)),
+        related=[
+            *(Related(argument.place, f"'{argument.name}' is declared here") for argument in others),
+            *(Related(place, f"'{name}' is kept here, and nothing uses that") for name, (_, place) in kept.items()),
+        ],
         identity=(first.file, *names),
     )
     yield replace(diagnostic, severity=Severity.INFO) if _OF_HABIT.issuperset(names) else diagnostic
+
+
+def _help(argument: DeclaredArgument, kept: tuple[str, Place] | None) -> str:
+    if kept is not None:
+        return f"use {kept[0]} where it is meant, or remove it and the declaration"
+    return f"read it where it is meant, {_reading(argument.file, argument.name)}, or remove the declaration"
 
 
 def _reading(file: str, name: str) -> str:
