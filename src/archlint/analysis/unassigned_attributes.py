@@ -129,8 +129,8 @@ def _set_on_self(code: facts.Class) -> list[tuple[str, facts.Span]]:
     """The properties of a node that methods of a class assign to ``self``."""
     rows = []
     for function in methods_of(code):
-        written = {Itself(target) for target in targets_of(function.body)} if _has_self(function) else set()
-        of_self = _of_self(function.body) if written else ()
+        written = {Itself(target) for target in targets_of(function.body)} if has_self(function) else set()
+        of_self = attributes_of_self(function.body) if written else ()
         parts = (part for part in of_self if part.attr in READ_ONLY and Itself[facts.Base](part) in written)
         rows += [(part.attr, part.span) for part in parts]
     return rows
@@ -257,13 +257,13 @@ def _reads(code: facts.Class) -> list[_Read]:
     seen: set[str] = set()
     reads = []
     for function in methods_of(code):
-        if not _has_self(function):
+        if not has_self(function):
             continue
         written = {Itself(target) for target in targets_of(function.body)}
         owners = {Itself(owner) for owner in _owners(function.body)}
         called = {Itself(call.func) for call in everything_in(function.body, facts.Call)}
         variables = {target.variable for target in targets_of(function.body)} | {p.name for p in function.params}
-        for part in _of_self(function.body):
+        for part in attributes_of_self(function.body):
             key = Itself[facts.Base](part)
             if key not in written and part.attr not in seen and not part.attr.startswith("__"):
                 seen.add(part.attr)
@@ -279,7 +279,7 @@ def _owners(body: Sequence[facts.Stmt]) -> Iterator[facts.Base]:
                 yield owner
 
 
-def _has_self(function: facts.Function) -> bool:
+def has_self(function: facts.Function) -> bool:
     """Whether the first parameter of a method is the object, of no type that is said."""
     if any(decorator.last_name in ("staticmethod", "classmethod") for decorator in function.decorators):
         return False
@@ -289,7 +289,7 @@ def _has_self(function: facts.Function) -> bool:
     return False
 
 
-def _of_self(body: Sequence[facts.Base]) -> Iterator[facts.Attribute]:
+def attributes_of_self(body: Sequence[facts.Base]) -> Iterator[facts.Attribute]:
     """The attributes of ``self`` in a method.  What has a ``self`` of its own is left out, and what is tried in case
     that an attribute is missing."""
     stack = list(reversed(body))
@@ -374,6 +374,8 @@ __all__ = [
     "READ_ONLY",
     "Overwritten",
     "Unassigned",
+    "attributes_of_self",
+    "has_self",
     "may_get",
     "members_of",
     "names_of_body",

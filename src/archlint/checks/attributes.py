@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.absent_members import AbsentMember, absent_members
 from archlint.analysis.launch_properties import ActionOverwritten, overwritten_actions
+from archlint.analysis.methods_looked_into import LookedInto, methods_looked_into
 from archlint.analysis.object_members import CalledProperty, object_members
 from archlint.analysis.unassigned_attributes import (
     Overwritten,
@@ -49,6 +50,8 @@ def attribute_findings(system: System) -> Iterator[Finding]:
     for row in object_members(system):
         diagnostic = _called_property(row) if isinstance(row, CalledProperty) else _absent(row)
         yield from unless_uncalled(system, diagnostic)
+    for looked in methods_looked_into(system.workspace):
+        yield from unless_uncalled(system, _looked_into(looked))
     told = {(callback.place.file, callback.missing) for callback in system.callbacks if callback.missing}
     told |= {
         (call.place.file, name) for run in system.programs for call in run.refused_calls for name in call.parameters
@@ -112,6 +115,19 @@ def _called_property(row: CalledProperty) -> Finding:
         help=f"write {row.name} without parentheses",
         identity=(row.owner, row.name),
         group=(OF_OBJECT, row.place.file, row.owner, row.name),
+    )
+
+
+def _looked_into(row: LookedInto) -> Finding:
+    call = f"{row.method}(…)" if row.needs else f"{row.method}()"
+    return finding(
+        "API002",
+        row.place,
+        f"'{row.method}' is a method of a node that is not called, and has no '{row.name}': this line fails with an "
+        "AttributeError",
+        help=f"write self.{call}.{row.name}",
+        identity=(row.method, row.name),
+        group=(OF_OBJECT, row.place.file, row.method),
     )
 
 
