@@ -1746,3 +1746,24 @@ def test_the_next_program_takes_over(run: Run, then: str, expected: list[str]):
     """Nothing of this one goes on."""
     body = f"import os, sys\n    os.system('ros2 run robot next')\n    {then}"
     assert codes(run(source(TIMER, timer(body)))) == expected
+
+
+GOAL = """
+def go(self):
+    self.client.send_goal_async(Fibonacci.Goal()).add_done_callback(self.on_answer)
+
+def on_answer(self, future):
+    subprocess.run(['make'])
+    self.go()
+"""
+
+
+@pytest.mark.parametrize(("beside", "expected"), [("", []), ("self.create_timer(0.1, print)\n", ["EXE003"])])
+def test_an_answer_in_a_node_that_only_asks(run: Run, beside: str, expected: list[str]):
+    """In a large workspace; whoever learns hears of it as information."""
+    create = f"self.client = ActionClient(self, Fibonacci, 'count')\n{beside}self.go()\n"
+    text = source(create, GOAL)
+    assert codes(run(text + MANY_NODES)) == expected
+    [found] = run(text)
+    assert found.severity is (Severity.WARNING if expected else Severity.INFO)
+    assert expected or "but its next answer has to wait" in found.message

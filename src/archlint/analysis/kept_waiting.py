@@ -31,8 +31,8 @@ class Waiting(Enum):
 
 
 _FOR_SERVER = "rclpy.action.client.ActionClient.wait_for_server"
-_RUNS_AGAIN = frozenset({Role.SUBSCRIPTION, Role.TIMER, Role.SERVICE, Role.EXECUTE})
-"""What is called again and again, so that its next turn waits."""
+_RUNS_AGAIN = frozenset({Role.SUBSCRIPTION, Role.TIMER, Role.SERVICE, Role.EXECUTE, Role.DONE})
+"""What is called again and again, so that its next turn waits; with an answer, once for each request."""
 _TAKE_IN = frozenset(
     {EntityKind.SUBSCRIBER, EntityKind.SERVICE, EntityKind.ACTION_SERVER, EntityKind.TIMER, EntityKind.GUARD_CONDITION}
 )

@@ -263,7 +263,13 @@ def _at_start(system: System) -> frozenset[Place]:
     )
 
 
-_ITS_NEXT = {Role.SUBSCRIPTION: "message", Role.TIMER: "turn", Role.SERVICE: "request", Role.EXECUTE: "goal"}
+_ITS_NEXT = {
+    Role.SUBSCRIPTION: "message",
+    Role.TIMER: "turn",
+    Role.SERVICE: "request",
+    Role.EXECUTE: "goal",
+    Role.DONE: "answer",
+}
 
 
 def _slow(system: System, rows: Sequence[_Row], worst: str) -> Finding:
