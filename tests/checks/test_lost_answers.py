@@ -75,6 +75,35 @@ def test_the_answer_of_a_server_that_has_been_found(judge: Judge, looks: str, af
     judge("TMO003", asker(looks, after, "  # here"), OTHERS, config="[rules.spin-without-timeout]\nlost-answers = true")
 
 
+SPAWNER = """
+    import rclpy
+    from std_srvs.srv import Trigger
+
+
+    def main():
+        rclpy.init()
+        node = rclpy.create_node('spawner')
+        {more}
+        client = node.create_client(Trigger, 'spawn')
+        while not client.wait_for_service(timeout_sec=1.0):
+            print('waiting')
+        future = client.call_async(Trigger.Request())
+        rclpy.spin_until_future_complete(node, future){here}
+        if future.result() is None:
+            print('failed')
+
+
+    if __name__ == '__main__':
+        main()
+"""
+
+
+@pytest.mark.parametrize(("more", "here"), [("pass", ""), ("node.create_timer(1.0, print)", "  # here")])
+def test_a_program_that_asks_once(judge: Judge, more: str, here: str):
+    """Its branch for no answer is the tutorial's, and whoever starts it has nothing else of it."""
+    judge("TMO003", SPAWNER.replace("{more}", more).replace("{here}", here), OTHERS)
+
+
 def test_a_node_that_serves_itself(judge: Judge):
     judge("TMO003", asker("pass", READS, server="self.create_service(Trigger, 'map', self.serve)"), OTHERS)
     judge("TMO003", asker("pass", READS, "  # here", "self.create_service(Trigger, 'other', self.serve)"), OTHERS)
@@ -156,3 +185,40 @@ def test_a_handler_that_keeps_others_waiting(judge: Judge):
     text = relay(CALLS, "self.client.wait_for_service(timeout_sec=2.0)", "  # here", "self.create_timer(1.0, print)")
     alone = text.replace("'relay', self.relay, callback_group=group", "'relay', self.relay")
     judge("SRV003", alone, OTHERS)
+
+
+SPINS_IN_TURN = """
+    import rclpy
+    from rclpy.node import Node
+    from std_srvs.srv import Trigger
+
+
+    class Robot(Node):
+        def __init__(self):
+            super().__init__('robot')
+            self.all = [self.create_client(Trigger, name) for name in ('a', 'b', 'c')]
+            self.create_timer(1.0, self.tick)
+
+        def tick(self):
+            first = self.all[0].call_async(Trigger.Request())
+            rclpy.spin_until_future_complete(self, first){spin}
+            second = self.all[1].call_async(Trigger.Request())
+            rclpy.spin_until_future_complete(self, second)
+            third = self.all[2].call_async(Trigger.Request())
+            rclpy.spin_until_future_complete(self, third)
+
+
+    def main():
+        rclpy.init()
+        rclpy.spin(Robot())
+
+
+    if __name__ == '__main__':
+        main()
+"""
+
+
+def test_spins_that_cannot_be_there_are_not_too_many(judge: Judge):
+    """EXE001 says what to do, and then they add up no longer."""
+    judge("EXE001", SPINS_IN_TURN.replace("{spin}", "  # here"))
+    judge("SRV005", SPINS_IN_TURN.replace("{spin}", ""))

@@ -1767,3 +1767,24 @@ def test_an_answer_in_a_node_that_only_asks(run: Run, beside: str, expected: lis
     [found] = run(text)
     assert found.severity is (Severity.WARNING if expected else Severity.INFO)
     assert expected or "but its next answer has to wait" in found.message
+
+
+TURNS = """
+def execute(self, goal_handle):
+    time.sleep(1.0)
+    {spin}
+    goal_handle.succeed()
+    return Fibonacci.Result()
+"""
+
+
+@pytest.mark.parametrize(
+    ("spin", "expected"),
+    [("while read():\n        rclpy.spin_once(self)", ["EXE001"]), ("print()", ["EXE003"])],
+    ids=["a spin", "none"],
+)
+def test_a_goal_that_spins_needs_threads_anyway(run: Run, spin: str, expected: list[str]):
+    beside = SERVER + "self.create_subscription(Empty, 'odom', print, 10)\n"
+    found = run(source(beside, TURNS.replace("{spin}", spin), ON_ONE_THREAD))
+    assert codes(found) == expected
+    assert "MultiThreadedExecutor" in (found[0].help or "")

@@ -132,3 +132,28 @@ def test_a_try_after_which_the_variable_has_a_value_or_may_not_be_read(judge: Ju
 )
 def test_what_has_a_value_or_may_have_one(judge: Judge, lines: tuple[str, ...]):
     judge("API005", _node(*lines))
+
+
+@pytest.mark.parametrize(("caught", "mark"), [("", ""), (" BaseException", ""), (" Exception", "  # here")])
+def test_an_except_for_everything_is_for_the_end_of_the_program(judge: Judge, caught: str, mark: str) -> None:
+    """By then the variable has its value, as a rule."""
+    judge(
+        "API005",
+        f"""
+        import rclpy
+
+
+        def main():
+            rclpy.init()
+            try:
+                node = rclpy.create_node('robot')
+                rclpy.spin(node)
+            except{caught}:
+                print('stopped')
+                node.destroy_node(){mark}
+                rclpy.shutdown()
+
+
+        main()
+        """,
+    )

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from archlint.syntax.flow_graph import Graph
     from archlint.systems.model import WorkspaceIndex
 
-_ENDS = frozenset({"KeyboardInterrupt", "SystemExit", "ExternalShutdownException", "GeneratorExit"})
+_ENDS = frozenset({"BaseException", "KeyboardInterrupt", "SystemExit", "ExternalShutdownException", "GeneratorExit"})
 """What ends a program, at any place: whoever catches it cares for nothing else."""
 _OPTIONAL = frozenset({"ImportError", "ModuleNotFoundError", "NameError", "UnboundLocalError"})
 
@@ -139,8 +139,8 @@ def _past_handler(
     reading = {block: name for block, name, surely in rows if surely and block not in tried}
     final = {block for statement in attempt.final for block in graph.at(statement)}
     for handler in attempt.handlers:
-        if not handler.body or handler.caught & (_ENDS | _OPTIONAL):
-            continue
+        if not handler.body or not handler.caught or handler.caught & (_ENDS | _OPTIONAL):
+            continue  # a bare one is for Ctrl-C, too
         for start in graph.of(handler.body[0]):
             read = _surely_read(graph, start, bound, reading)
             if read is not None and read not in final:

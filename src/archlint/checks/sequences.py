@@ -13,6 +13,7 @@ from archlint.analysis.dependent_waits import build_on_answers, runs_beside_othe
 from archlint.analysis.loop_times import is_retried
 from archlint.analysis.reach import endpoint_words, node_name, one_for_each_place
 from archlint.analysis.source_code import SourceCode, source_code
+from archlint.analysis.stuck import stuck_waits
 from archlint.analysis.waits import Wait, waits
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -45,7 +46,7 @@ def sequential_sync_calls(system: System, options: Options) -> Iterator[Finding]
     limit, code = max(2, int(options.number("limit"))), source_code(system)
     yield from one_for_each_place(
         _in_turn(system, steps)
-        for steps in _runs(system)
+        for steps in _runs(system, options.distros)
         if _servers(steps) >= limit and not _build_on_answers(code, steps)
     )
     yield from one_for_each_place(
@@ -89,13 +90,17 @@ def _build_on_answers(code: SourceCode, steps: Sequence[_Step]) -> bool:
     return build_on_answers(code.body_at(steps[0].line), {step.line.line for step in steps})
 
 
-def _runs(system: System) -> Iterator[list[_Step]]:
+def _runs(system: System, distros: Sequence[str]) -> Iterator[list[_Step]]:
     """The waits of each callback, or of each loop of a program, that follow each other for certain."""
     code = source_code(system)
+    # These never get an answer, or raise: other rules say so, and to wait elsewhere is the cure for both.
+    stuck = {id(wait) for wait, _ in stuck_waits(system, distros)}
     by_run: dict[tuple[object, ...], list[_Step]] = {}
     for wait in waits(system):
         call = wait.call
         if not (runs_in_executor(call.context) or (call.looped and call.context.role in (Role.MAIN, Role.THREAD))):
+            continue
+        if id(wait) in stuck:
             continue
         if call.context.role == Role.SERVICE:
             continue  # SRV003 says of a handler that it waits, and for how many answers

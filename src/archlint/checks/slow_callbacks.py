@@ -70,6 +70,7 @@ def slow_callback(system: System, options: Options) -> Iterator[Finding]:
     reported = functions_that_ask(system, options.distros)
     endless = {loop.loop for loop in attribute_loops(system)}
     spinning = {id(call.context) for _, call in judged_calls(system) if is_spin_call(call)}
+    turning = {id(call.context) for _, call in judged_calls(system) if is_spin_call(call) and call.looped}
     functions: dict[tuple[str, str], dict[Place, _Row]] = {}
     for program, call, stay in _stays(system):
         if call.context.role == Role.SERVICE and stay.kind == "sleep":
@@ -80,6 +81,8 @@ def slow_callback(system: System, options: Options) -> Iterator[Finding]:
             continue  # EXE009 says that the loop never ends
         if stay.kind == "discovery" and id(call.context) in spinning:
             continue  # EXE001 says what is wrong: with more threads such a spin takes the node away from its executor
+        if call.context.role == Role.EXECUTE and id(call.context) in turning:
+            continue  # EXE001 asks for more threads, too
         if call.cleaning:
             continue  # something has failed, and this is the way out of it
         if _is_pause_of_retry(code, call, stay):

@@ -106,7 +106,8 @@ def _is_part_of_start(system: System, call: ApiCall) -> bool:
 
 def _comes_as_a_rule(system: System, program: Program, call: ApiCall, options: Options) -> bool:
     """Whether the server has been looked for on every way to a spin, and no code is made for an answer that does not
-    come, or the node that spins is the server itself."""
+    come (a program that is there to ask once has the tutorial's, and nothing else to do), or the node that spins is the
+    server itself."""
     code, clients = source_code(system), creations_of(argument(call, "future"))
     if not clients or spun_beside(code, call, program, options.distros) is not None:
         return False
@@ -119,7 +120,10 @@ def _comes_as_a_rule(system: System, program: Program, call: ApiCall, options: O
         if other.api in _LOOKS_FOR_SERVER
         and not places.isdisjoint(client.place for client in creations_of(other.receiver))
     )
-    return not expects_no_answer(code, call) and any(always_comes_before(code, other, call) for other in looks)
+    asks_once = has_only_clients(program) and call.context.role in (Role.MAIN, Role.MODULE) and not call.looped
+    if not asks_once and expects_no_answer(code, call):
+        return False
+    return any(always_comes_before(code, other, call) for other in looks)
 
 
 def _is_refused(program: Program, call: ApiCall) -> bool:
