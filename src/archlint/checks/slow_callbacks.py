@@ -52,10 +52,7 @@ PAUSE = 1.0
 """Seconds of sleep that the next message may be late, where a node only takes in these messages."""
 DISCOVERY = 1.0
 """Seconds that a callback may look for a server."""
-
-
 _TRIFLES = frozenset({"clear", "cls", "reset", ""})
-
 
 _Row = tuple["Program", "ApiCall", Stay]
 
@@ -70,7 +67,7 @@ def slow_callback(system: System, options: Options) -> Iterator[Finding]:
     reported = functions_that_ask(system, options.distros)
     endless = {loop.loop for loop in attribute_loops(system)}
     spinning = {id(call.context) for _, call in judged_calls(system) if is_spin_call(call)}
-    turning = {id(call.context) for _, call in judged_calls(system) if is_spin_call(call) and call.looped}
+    turning = {id(call.context) for _, call in judged_calls(system) if _turns(call)}
     functions: dict[tuple[str, str], dict[Place, _Row]] = {}
     for program, call, stay in _stays(system):
         if call.context.role == Role.SERVICE and stay.kind == "sleep":
@@ -79,10 +76,8 @@ def slow_callback(system: System, options: Options) -> Iterator[Finding]:
             continue  # a transition may take its time, and the node does nothing until it is over
         if not endless.isdisjoint(call.loops):
             continue  # EXE009 says that the loop never ends
-        if stay.kind == "discovery" and id(call.context) in spinning:
-            continue  # EXE001 says what is wrong: with more threads such a spin takes the node away from its executor
-        if call.context.role == Role.EXECUTE and id(call.context) in turning:
-            continue  # EXE001 asks for more threads, too
+        if id(call.context) in (spinning if stay.kind == "discovery" else turning):
+            continue  # EXE001 says what is wrong, and its cure is this one's
         if call.cleaning:
             continue  # something has failed, and this is the way out of it
         if _is_pause_of_retry(code, call, stay):
@@ -164,6 +159,11 @@ def _delays_nothing(code: SourceCode, row: _Row) -> bool:
     if stay.kind == "keyboard":
         return True
     return not made_here(call) and who_waits(code, call, program) in (Waiting.NOBODY, Waiting.SELDOM)
+
+
+def _turns(call: ApiCall) -> bool:
+    """Whether an execute callback spins again and again: more threads are the cure for that, too."""
+    return call.context.role == Role.EXECUTE and call.looped and is_spin_call(call)
 
 
 def _is_occasional(code: SourceCode, row: _Row) -> bool:
