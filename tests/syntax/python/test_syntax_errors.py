@@ -55,3 +55,23 @@ def test_print_in_a_docstring_is_not_python_2():
 def test_the_parsers_words_where_python_has_nothing_to_say(message, expected):
     problem = explain_syntax_error("x = 1\n", message)
     assert (problem.line, problem.column, problem.message) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "line", "column", "head"),
+    [
+        (
+            "class A:\n    def stop(self):\n        # to be written\n\n    def go(self):\n        pass\n",
+            2,
+            5,
+            "def stop(self):",
+        ),
+        ("for a in b:\n    # later\nc()\n", 1, 1, "for a in b:"),
+    ],
+)
+def test_a_block_that_is_still_to_be_written(text: str, line: int, column: int, head: str):
+    problem = explain_syntax_error(text, LIBCST + "INDENT")
+    assert (problem.line, problem.column) == (line, column)
+    assert problem.message == (
+        f"syntax error: '{head}' has a comment only: Python needs a statement there, such as pass"
+    )

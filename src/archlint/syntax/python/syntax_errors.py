@@ -33,10 +33,32 @@ def python_refusal(text: str) -> FileProblem | None:
         line, column = max(error.lineno or 1, 1), max(error.offset or 1, 1)
         if looks_like_python_2(_line(text, line)):
             return FileProblem(line, column, "this is Python 2, which no ROS 2 release runs")
-        return FileProblem(line, column, f"syntax error: {error.msg}")
+        return _only_a_comment(text, line, error.msg) or FileProblem(line, column, f"syntax error: {error.msg}")
     except (ValueError, RecursionError, MemoryError):
         return None
     return None
+
+
+_WITHOUT_BLOCK = re.compile(r"expected an indented block after .* on line (\d+)")
+
+
+def _only_a_comment(text: str, line: int, message: str) -> FileProblem | None:
+    """The problem for a function or another block of which a comment is all there is, as of one that is still to be
+    written; None for another mistake."""
+    refused = _WITHOUT_BLOCK.match(message)
+    if refused is None:
+        return None
+    start = int(refused[1])
+    between = [shown for number in range(start + 1, line) if (shown := _line(text, number).strip())]
+    head = _line(text, start)
+    if not between or not all(shown.startswith("#") for shown in between) or not head.rstrip().endswith(":"):
+        return None
+    column = len(head) - len(head.lstrip()) + 1
+    return FileProblem(
+        start,
+        column,
+        f"syntax error: '{head.strip()}' has a comment only: Python needs a statement there, such as pass",
+    )
 
 
 def _parser_refusal(text: str, message: str) -> FileProblem:
