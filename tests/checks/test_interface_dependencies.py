@@ -102,6 +102,52 @@ def test_what_is_given_or_not_known(found, cmake, text):
     assert found("PKG001", cmake, manifest, text) == []
 
 
+# --------------------------------------------------------------------------------------------- types that are not there
+
+
+@pytest.mark.parametrize(
+    ("field", "type", "meant", "help"),
+    [
+        ("Header header", "Header", "std_msgs/Header", "write std_msgs/Header"),
+        ("Int16 timeout", "Int16", "int16", "write int16"),
+        ("Int16[] timeouts", "Int16", "int16", "write int16"),
+        ("robot_msgs/Wheel wheel", "Wheel", "", "add Wheel.msg to robot_msgs, or correct the type"),
+    ],
+)
+def test_a_type_that_the_package_does_not_define(found, field: str, type: str, meant: str, help: str):
+    (finding,) = found("PKG007", generate("msg/Goal.msg"), package(), f"float64 x\n{field}\n")
+    hint = f"; did you mean '{meant}'?" if meant else ""
+    assert finding.message == f"robot_msgs defines no message '{type}': the build of 'robot_msgs' fails{hint}"
+    assert finding.help == help
+    assert (finding.place.file, finding.place.line) == ("msg/Goal.msg", 2)
+
+
+def test_a_type_that_another_package_does_not_define(found):
+    cmake = generate("msg/Goal.msg", "DEPENDENCIES std_msgs")
+    (finding,) = found("PKG007", cmake, package("std_msgs"), "std_msgs/Velocity speed\n")
+    assert finding.message == "std_msgs defines no message 'Velocity': the build of 'robot_msgs' fails"
+
+
+def test_all_fields_of_such_a_type_are_one_finding(found):
+    (finding,) = found("PKG007", generate("msg/Goal.msg"), package(), "Int16 first\nfloat64 x\nInt16 second\n")
+    assert [(row.place.file, row.place.line) for row in finding.related] == [("msg/Goal.msg", 3)]
+
+
+@pytest.mark.parametrize(
+    ("words", "text", "more"),
+    [
+        (["msg/Goal.msg", "msg/Wheel.msg"], "Wheel wheel\n", {"msg/Wheel.msg": "float64 speed\n"}),
+        (["msg/Goal.msg", "msg/Wheel.idl"], "Wheel wheel\n", {}),
+        (["msg/Goal.msg", "${made}"], "Wheel wheel\n", {}),
+        (["msg/Goal.msg"], "somewhere/Wheel wheel\n", {}),
+        (["msg/Goal.msg"], "time stamp\nstring<=5 word\n", {}),
+    ],
+)
+def test_types_that_are_there_or_may_be(found, words: list[str], text: str, more: dict[str, str]):
+    told = found("PKG007", generate(*words), package(), text, **more)
+    assert not any("defines no message" in finding.message for finding in told)
+
+
 # ------------------------------------------------------------------------------- PKG004: what the command is not given
 
 LISTS = """project(robot_msgs)

@@ -12,8 +12,10 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.place import Place
-from archlint.ros import packages
+from archlint.ros import packages, standard_interfaces
 from archlint.ros.interfaces import parts_of_type
+from archlint.syntax.interface_values import PRIMITIVE_TYPES
+from archlint.syntax.interfaces import FieldType
 from archlint.workspace.closure import closure
 
 if TYPE_CHECKING:
@@ -46,8 +48,54 @@ class NotHanded:
     uses: tuple[TypeUse, ...]
 
 
+@dataclass(frozen=True)
+class UndefinedType:
+    """A type of message that its package does not define, with the fields that have it."""
+
+    package: str
+    """The one whose interfaces use it."""
+    owner: str
+    """The one that would have to define it."""
+    name: str
+    meant: str
+    """The type that was probably meant, as a field has it; empty where that is not known."""
+    places: tuple[Place, ...]
+
+
 def types_of_others(workspace: WorkspaceIndex) -> Iterator[TypeUse]:
     """Every field of the interfaces that are generated, if its type is of another package."""
+    for package, type, place in _types(workspace):
+        needed = "" if type.is_primitive else type.name.rpartition("/msg/")[0]
+        if needed and needed not in (package.name, *_ALWAYS):
+            yield TypeUse(package, needed, type.name, place)
+
+
+def undefined_types(workspace: WorkspaceIndex) -> Iterator[UndefinedType]:
+    """Every type of a field that the package which it is of certainly does not define."""
+    table = workspace.interfaces
+    rows: dict[tuple[str, str], list[Place]] = {}
+    for package, type, place in _types(workspace):
+        if not type.is_primitive:
+            rows.setdefault((package.name, type.qualified(package.name)), []).append(place)
+    for (user, full), places in rows.items():
+        owner, kind, name = parts_of_type(full)
+        if table is not None and table.defines(owner, kind, name) is False:
+            yield UndefinedType(user, owner, name, _meant(name) if owner == user else "", tuple(places))
+
+
+def _meant(name: str) -> str:
+    """What is there for a bare name that its own package does not define: ``int16`` for ``Int16``, and for ``Header``
+    the one standard message of that name."""
+    if name.lower() in PRIMITIVE_TYPES:
+        return name.lower()
+    owners = [
+        full.partition("/")[0] for full in standard_interfaces.table().interfaces if full.endswith(f"/msg/{name}")
+    ]
+    return f"{owners[0]}/{name}" if len(owners) == 1 else ""
+
+
+def _types(workspace: WorkspaceIndex) -> Iterator[tuple[Package, FieldType, Place]]:
+    """The type of every field of the interfaces that are generated, and where it is."""
     table = workspace.interfaces
     if table is None:
         return
@@ -62,9 +110,7 @@ def types_of_others(workspace: WorkspaceIndex) -> Iterator[TypeUse]:
         if not any(f"{kind}/{file.relative.rpartition('/')[2]}" in word for word in installs.generated):
             continue
         for field in (field for section in interface.sections for field in section.fields):
-            needed = "" if field.type.is_primitive else field.type.name.rpartition("/msg/")[0]
-            if needed and needed not in (own, *_ALWAYS):
-                yield TypeUse(package, needed, field.type.name, Place(file.relative, field.line, 1, field.line, 1))
+            yield package, field.type, Place(file.relative, field.line, 1, field.line, 1)
 
 
 def not_handed(workspace: WorkspaceIndex, brought_by: Callable[[str], set[str]]) -> Iterator[NotHanded]:
@@ -121,4 +167,14 @@ def not_generated(workspace: WorkspaceIndex) -> Iterator[NotGenerated]:
 _SKIPS = frozenset({"SKIP_INSTALL", "SKIP_GROUP_MEMBERSHIP_CHECK"})
 """Words with which the command does not ask for the group."""
 
-__all__ = ["NotGenerated", "NotHanded", "TypeUse", "not_generated", "not_handed", "types_of_others", "without_group"]
+__all__ = [
+    "NotGenerated",
+    "NotHanded",
+    "TypeUse",
+    "UndefinedType",
+    "not_generated",
+    "not_handed",
+    "types_of_others",
+    "undefined_types",
+    "without_group",
+]

@@ -6,13 +6,20 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.analysis.interface_dependencies import NotHanded, not_handed, without_group
+from archlint.analysis.interface_dependencies import (
+    NotHanded,
+    UndefinedType,
+    not_handed,
+    undefined_types,
+    without_group,
+)
 from archlint.checks.dependency_uses import brought_by
 from archlint.checks.folding import folds
 from archlint.checks.packages import workspace_of
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related
+from archlint.suggestions import meant
 
 if TYPE_CHECKING:
     from archlint.systems.model import System, WorkspaceIndex
@@ -24,13 +31,15 @@ _SHOWN = 5
 
 @rule("PKG007", scope=Scope.WORKSPACE, in_use=True)
 def interface_dependency(system: System, options: Options) -> Iterator[Finding]:
-    """Packages whose types interface files use and that the build is not given, and interface packages that do not say
-    that they are one."""
+    """Packages whose types interface files use and that the build is not given, types that there are not, and interface
+    packages that do not say that they are one."""
     workspace = workspace_of(system)
     if workspace is None:
         return
     for row in not_handed(workspace, lambda name: brought_by(name, workspace)):
         yield _not_handed(workspace, row)
+    for undefined in undefined_types(workspace):
+        yield _undefined(undefined)
     for package, place in without_group(workspace):
         yield _without_group(package, place)
 
@@ -52,6 +61,19 @@ def _not_handed(workspace: WorkspaceIndex, row: NotHanded) -> Finding:
         related=[Related(use.place, f"{use.type} is used here") for use in row.uses[:_SHOWN]],
         identity=(name, needed),
         group=(name, str(row.command)),
+    )
+
+
+def _undefined(row: UndefinedType) -> Finding:
+    [first, *others] = row.places
+    hint = f"'{row.meant}'" if row.meant else ""
+    return finding(
+        "PKG007",
+        first,
+        f"{row.owner} defines no message '{row.name}': the build of '{row.package}' fails{meant(hint)}",
+        help=f"write {row.meant}" if row.meant else f"add {row.name}.msg to {row.owner}, or correct the type",
+        related=[Related(place, f"'{row.name}' is the type of this field, too") for place in others[:_SHOWN]],
+        identity=(row.package, row.owner, row.name),
     )
 
 
