@@ -149,3 +149,30 @@ def test_a_field_of_a_base_from_elsewhere_may_be_the_node() -> None:
     """
     [node] = graph({"src/panel.cpp": source})["nodes"]
     assert [end["name"] for end in node["publishers"]] == ["/panel"]
+
+
+CLEANED = """
+#include "rclcpp/rclcpp.hpp"
+std::string clean(const std::string & name) {
+  std::string text = name;
+  size_t at = text.find("//");
+  while (at != std::string::npos) {
+    text.erase(at, 1);
+    at = text.find("//", at);
+  }
+  return text;
+}
+class Robot : public rclcpp::Node {
+public:
+  Robot() : Node("robot") {
+    create_publisher<std_msgs::msg::String>(clean("a/b"), 1);
+    create_publisher<std_msgs::msg::String>(clean("a//c"), 1);
+  }
+};
+int main(int argc, char ** argv) { rclcpp::init(argc, argv); rclcpp::spin(std::make_shared<Robot>()); }
+"""
+
+
+def test_a_text_that_is_searched_until_nothing_is_there() -> None:
+    [node] = graph({"src/robot.cpp": CLEANED})["nodes"]
+    assert [end["name"] for end in node["publishers"]] == ["/a/b", None]

@@ -21,7 +21,7 @@ from archlint.interpreter.values import (
     alternatives,
     one_of,
 )
-from archlint.syntax.cpp.known_names import ITEM, PUT, SUBSTRING, TYPE_OF, VALUE_OR
+from archlint.syntax.cpp.known_names import ITEM, PUT, SETTLED, SUBSTRING, TYPE_OF, VALUE_OR
 
 if TYPE_CHECKING:
     from archlint.libraries.api_use import Plain
@@ -77,6 +77,12 @@ def _value_or(run: Run, site: CallSite) -> Value:
     return one_of(other if option.is_none else option for option in alternatives(value))
 
 
+def _settled(run: Run, site: CallSite) -> Value:
+    """A text after a loop that changes it."""
+    value = site.args[0]
+    return next((option for option in alternatives(value) if isinstance(option, Unknown)), value)
+
+
 def _substring(run: Run, site: CallSite) -> Value:
     """``text.substr(start, count)``."""
     text, *bounds = site.args
@@ -100,6 +106,7 @@ def _type_of(run: Run, site: CallSite) -> Value:
 PLAIN: dict[str, Plain] = {
     ITEM: _item,
     PUT: _put,
+    SETTLED: _settled,
     SUBSTRING: _substring,
     TYPE_OF: _type_of,
     VALUE_OR: _value_or,

@@ -148,6 +148,8 @@ DECLARED = "std.__declared__"
 """The function that gives what is declared in one place and defined in another."""
 ITSELF = "std.__itself__"
 """The function that gives the object, or the class, whose method is called by the name of its class."""
+SETTLED = "std.__settled__"
+"""The function that gives a text that a loop changes: not known where it may not be."""
 ITEM = "std.__item__"
 """The function that makes what is put into a container that is a field, of what stands in braces."""
 CALLER = "std.__caller__"
@@ -192,6 +194,7 @@ __all__ = [
     "RMW_PROFILES",
     "SAME",
     "SEQUENCES",
+    "SETTLED",
     "STREAMS",
     "SUBSTRING",
     "TEMPLATE_ARGUMENT",

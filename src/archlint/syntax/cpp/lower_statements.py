@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from archlint.syntax import facts
 from archlint.syntax.cpp.declared import declared
-from archlint.syntax.cpp.known_names import PARTS
+from archlint.syntax.cpp.known_names import PARTS, SETTLED
 from archlint.syntax.cpp.lower_expressions import is_target
 from archlint.syntax.cpp.lower_texts import TextLowering
 from archlint.syntax.facts import Param
@@ -36,6 +36,8 @@ class StatementLowering(TextLowering):
     def __init__(self, source: SourceText, names: Names) -> None:
         super().__init__(source, names)
         self._nesting = 0
+        self._changed: set[str] = set()
+        """The texts that are changed in place, in the loop around."""
         self._statements: dict[str, StatementKind] = {
             "compound_statement": self._inner_statements,
             "ERROR": self._inner_statements,
@@ -128,6 +130,7 @@ class StatementLowering(TextLowering):
                 self._read_into(value, body)
             case _ if (changed := self.changed_text(value)) is not None:
                 unknown = facts.Opaque("a text that is changed in place", span)
+                self._changed.add(changed)
                 body.append(facts.Assign([facts.Name(changed, span)], unknown, span))
             case _ if not self._is_logging(value) and not self.streamed(value, span, body):
                 lowered = self.lower(value)
@@ -213,7 +216,14 @@ class StatementLowering(TextLowering):
         condition = node.child_by_field_name("condition")
         span = self.source.span(node)
         test = facts.Opaque("a condition", span) if condition is None else self._tested(condition, body)
+        outer, self._changed = self._changed, set()
         body.append(facts.While(test, self._block_of(node.child_by_field_name("body")), [], span))
+        # How often the loop changes a text follows from the text: where that is not followed, it is not known after it.
+        for name in sorted(self._changed):
+            text = facts.Name(name, span)
+            settled = facts.Call(self.names.library(SETTLED, span), [facts.Argument(text)], span)
+            body.append(facts.Assign([text], settled, span))
+        self._changed = outer
 
     def _do(self, node: Node, body: list[Stmt]) -> None:
         span = self.source.span(node)

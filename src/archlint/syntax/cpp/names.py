@@ -30,6 +30,10 @@ MAX_FOLLOWED = 20
 circle."""
 
 
+_CONSTANTS = {"std.nullopt": None, "std.string.npos": -1, "std.string_view.npos": -1}
+"""Constants of the standard library; what finds nothing in a text gives the last two, and in Python -1."""
+
+
 class Part(NamedTuple):
     """One part of a qualified name: ``create_client<T>`` of ``rclcpp_action::create_client<T>``."""
 
@@ -252,8 +256,8 @@ class Names:
         if len(parts) == 1:
             return self.plain(parts[0].name, span)
         path = self.path(parts)
-        if path == "std.nullopt":
-            return facts.Literal(None, span)
+        if path in _CONSTANTS:
+            return facts.Literal(_CONSTANTS[path], span)
         if path:
             return self.library(path, span)
         *before, owner, last = parts
