@@ -1788,3 +1788,27 @@ def test_a_goal_that_spins_needs_threads_anyway(run: Run, spin: str, expected: l
     found = run(source(beside, TURNS.replace("{spin}", spin), ON_ONE_THREAD))
     assert codes(found) == expected
     assert "MultiThreadedExecutor" in (found[0].help or "")
+
+
+LOOKS = """
+def load(self, request, response):
+    for slot in read():
+        if self.look(slot) is None:
+            break
+    return response
+
+def look(self, slot):
+    for _ in range({times}):
+        seen = ask(slot)
+        if seen:
+            return seen
+        time.sleep(0.5)
+    return None
+"""
+
+
+@pytest.mark.parametrize(("times", "expected"), [(3, []), (60, ["SRV008"])])
+def test_a_few_attempts_for_each_of_something(run: Run, times: int, expected: list[str]):
+    """The first is to work."""
+    methods = LOOKS.replace("{times}", str(times))
+    assert codes(run(source("self.create_service(Trigger, 'load', self.load)\n", methods))) == expected

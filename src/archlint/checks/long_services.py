@@ -125,11 +125,11 @@ def _in_all(system: System, sleeps: Sequence[_Sleep]) -> float:
 
 def _seconds(code: SourceCode, call: ApiCall, stay: Stay) -> float:
     """How long a sleep takes in its loops, each ``for`` over what is not known taken for one round."""
-    limited = any(limit is not None for limit in call.limits)
-    seconds = in_loops(code, call, stay, unknown=1.0, with_callers=limited)
+    limited, retries = any(limit is not None for limit in call.limits), is_retry(code, call)
+    seconds = in_loops(code, call, stay, unknown=1.0, with_callers=limited or retries)
     if limited and (seconds <= POLLING or (seconds < RETRYING and reads_until_it_has(code, call))):
         return 0.0
-    return 0.0 if is_retry(code, call) and seconds < RETRYING else seconds
+    return 0.0 if retries and seconds < RETRYING else seconds
 
 
 def _long_service(
