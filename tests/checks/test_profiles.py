@@ -151,3 +151,37 @@ def test_one_habit_of_a_workspace_is_one_finding(judge: Judge, depth: str, more:
         f"the profile has history keep_last with depth 0: what that means depends on the middleware{more}"
     )
     assert [row.place.line for row in found.related] == ([8, 13] if more else [])
+
+
+BRIDGES = """
+    import rclpy
+    from std_msgs.msg import Int8
+
+
+    def bridge(name, topic, depth=10):
+        node = rclpy.create_node(name)
+        node.create_publisher(Int8, topic, depth){helper}
+        return node
+
+
+    def main():
+        rclpy.init()
+        first = bridge('one', 'a', depth={first})
+        second = bridge('two', 'b', depth=0){caller}
+        rclpy.spin(first)
+        rclpy.spin(second)
+
+
+    if __name__ == '__main__':
+        main()
+"""
+
+
+@pytest.mark.parametrize(
+    ("first", "helper", "caller"),
+    [("5", "", "  # here"), ("0", "  # here", "")],
+    ids=["another caller gives a sound depth", "all give the same"],
+)
+def test_the_depth_that_a_caller_of_a_helper_gives(judge: Judge, first: str, helper: str, caller: str):
+    text = BRIDGES.replace("{first}", first).replace("{helper}", helper).replace("{caller}", caller)
+    judge("QOS004", text)

@@ -22,16 +22,19 @@ if TYPE_CHECKING:
 def qos_contradiction(system: System, options: Options) -> Iterator[Finding]:
     """Profiles whose parts do not go together, one finding a profile, at the first create call that uses it."""
     profiles: dict[tuple[Place, str], dict[Place, Endpoint]] = {}
-    creations = _Creations()
+    creations, helpers = _Creations(), _sound_somewhere(system)
     for end in sorted(system.endpoints, key=lambda end: end.place):
         given = creations.profiles(end)
         for qos in given:
             contradiction = _contradiction(qos)
             if contradiction is not None and not _may_be_sound(given, qos):
-                profiles.setdefault((qos.place or end.place, contradiction), {}).setdefault(end.place, end)
+                place = _caller(end) if qos.place is None and end.place in helpers else end.place
+                profiles.setdefault((qos.place or place, contradiction), {}).setdefault(place, end)
     for (written, contradiction), uses in profiles.items():
         (place, end), *others = uses.items()
         related = [Related(written, "the profile is defined here")] if written != place else []
+        if place != end.place and place == _caller(end):
+            related.append(Related(end.place, "this call creates the endpoint with it"))
         yield finding(
             "QOS004",
             place,
@@ -42,6 +45,20 @@ def qos_contradiction(system: System, options: Options) -> Iterator[Finding]:
             identity=(end.kind, end.name or "", contradiction),
             group=(contradiction,),
         )
+
+
+def _sound_somewhere(system: System) -> frozenset[Place]:
+    """The create calls to which somebody passes a profile that is right: those of helpers, where it is the caller's."""
+    return frozenset(
+        end.place
+        for end in system.endpoints
+        if end.qos is not None and end.qos.depth and _contradiction(end.qos) is None
+    )
+
+
+def _caller(end: Endpoint) -> Place:
+    """Where the helper is called that creates an endpoint."""
+    return end.creation.chain[-1].place if end.creation.chain else end.place
 
 
 @folds("QOS004", across_systems=True)
