@@ -89,6 +89,17 @@ def test_a_program_that_two_files_start(findings, one, other, help):
     assert found.help == help
 
 
+def test_nodes_that_the_code_calls_alike_are_not_renamed_by_the_launch_file(findings):
+    """A class that makes another node of its own name: without ``name=`` they would clash as well."""
+    talker = TALKER.replace(
+        "super().__init__('talker')", "super().__init__('talker')\n        self.helper = rclpy.create_node('talker')"
+    )
+    assert talker != TALKER
+    (found,) = findings("NME004", node(name="it"), **{"robot/talker.py": talker})
+    assert found.message == "this executable creates several nodes with the name '/it'"
+    assert found.help == "give each its own name in the code, and remove name= here"
+
+
 def test_nodes_that_ros_refuses_to_start_do_not_meet(findings):
     assert findings("NME004", node(namespace="2nd") * 2) == []
     assert len(findings("NME004", node(namespace="second") * 2)) == 1

@@ -187,7 +187,7 @@ def many(*names: str) -> dict[str, str]:
 ALL_ABSOLUTE = [f"/part{number}/state" for number in range(7)]
 
 
-@pytest.mark.parametrize(("count", "told"), [(5, [("robot/node0.py", 9)]), (6, [])])
+@pytest.mark.parametrize(("count", "told"), [(3, [("robot/node0.py", 9)]), (4, [])])
 def test_a_large_workspace_with_nothing_else_is_built_so(folder: Path, count: int, told: list[tuple[str, int]]):
     assert places(check(request(folder, **many(*ALL_ABSOLUTE[:count]))).findings) == told
 
@@ -437,7 +437,7 @@ def test_a_name_that_another_node_has_as_a_relative_one(folder: Path):
     assert [related.message for related in told.related] == ["'base/state' is relative here", "the topic '/base/goal'"]
 
     camera = node("Camera", "arm/state")
-    [told] = check(request(folder, base=BASE, arm=ARM, drive=node("Drive", "/wheels/drive"), camera=camera)).findings
+    [told] = check(everywhere(folder, base=BASE, arm=ARM, drive=node("Drive", "/wheels/drive"), camera=camera)).findings
 
     assert places([told]) == [("robot/arm.py", 9)]
     assert told.message.startswith(
@@ -500,7 +500,7 @@ def test_a_class_whose_namespace_its_names_repeat_is_told_alone(folder: Path):
 
 def test_a_suppression_takes_its_class_out(folder: Path):
     quiet = node("Arm", "/arm/state", comment="  # archlint: ignore[NME001] one arm is all there is")
-    report = check(request(folder, arm=quiet, base=BASE, camera=CAMERA, drive=node("Drive", "/wheels/drive")))
+    report = check(everywhere(folder, arm=quiet, base=BASE, camera=CAMERA, drive=node("Drive", "/wheels/drive")))
 
     [finding] = report.findings
     assert "3 nodes of package 'robot' fix 4 absolute names" in finding.message
@@ -509,21 +509,21 @@ def test_a_suppression_takes_its_class_out(folder: Path):
 
 
 def test_a_baseline_holds_what_was_there_and_a_new_class_is_told(folder: Path):
-    before = request(folder, arm=ARM, base=BASE, camera=CAMERA)
+    before = everywhere(folder, arm=ARM, base=BASE, camera=CAMERA)
     keys = [occurrence.key for occurrence in check(replace(before, occurrences=True)).occurrences]
     known = Baseline("known.txt", tuple(Entry(number, key) for number, key in enumerate(keys, 1)))
     assert len(keys) == 5
     assert check(replace(before, baseline=known)).findings == []
 
-    after = request(folder, arm=ARM, base=BASE, camera=CAMERA, drive=node("Drive", "/wheels/drive"))
+    after = everywhere(folder, arm=ARM, base=BASE, camera=CAMERA, drive=node("Drive", "/wheels/drive"))
     [finding] = check(replace(after, baseline=known)).findings
     assert finding.message.startswith("the topic '/wheels/drive' is absolute and fixed in the code")
 
 
 def test_what_was_there_before_a_change_is_not_told_again(folder: Path):
-    occurrences = check(replace(request(folder, arm=ARM, base=BASE, camera=CAMERA), occurrences=True)).occurrences
+    occurrences = check(replace(everywhere(folder, arm=ARM, base=BASE, camera=CAMERA), occurrences=True)).occurrences
     older = tuple(Older(occurrence.key, occurrence.severity) for occurrence in occurrences)
-    after = request(folder, arm=ARM, base=BASE, camera=CAMERA, drive=node("Drive", "/wheels/drive"))
+    after = everywhere(folder, arm=ARM, base=BASE, camera=CAMERA, drive=node("Drive", "/wheels/drive"))
 
     [finding] = check(replace(after, before=older)).findings
     assert places([finding]) == [("robot/drive.py", 9)]

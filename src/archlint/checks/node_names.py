@@ -256,7 +256,7 @@ def _of_one_process(system: System, first: Node, other: Node) -> Iterator[Findin
     renamed = first.started is not None and first.started.name is not None
     differ = _own_name(first) != _own_name(other)
     message = f"this executable creates several nodes with the name '{first.name}'"
-    if renamed:
+    if renamed and differ:
         message = f"name= renames every node of this executable, so several have the name '{first.name}'"
     arms = [frozenset() if node.blueprint is None else node.blueprint.branch_arms for node in (first, other)]
     sure = arms[0] == arms[1]
