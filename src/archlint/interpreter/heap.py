@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
-from itertools import chain, islice
+from itertools import chain, islice, repeat
 from typing import Any, TypeVar, overload
 
 from archlint.interpreter.fields import Field, Fields, key_in
@@ -62,6 +62,15 @@ class Store:
             if at in layer:
                 return layer[at]
         return None
+
+    def values_at(self, slots: Sequence[tuple[int, str]]) -> list[Value | None]:
+        """What each of many variables holds; None where nobody has written it."""
+        if self._reads is not None:
+            return [self.get(*at) for at in slots]
+        values: Iterable[Any] = repeat(None)
+        for layer in filter(None, self.layers):  # from the bottom up, each falling back on those below it
+            values = map(layer.get, slots, values)
+        return [*islice(values, len(slots))]
 
     def holds(self, key: int) -> dict[str, None]:
         """The attributes of an object that may lead to others, whatever they hold now."""

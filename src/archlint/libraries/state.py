@@ -92,18 +92,30 @@ class Calls:
     """The attributes that code gives to futures."""
 
 
-@dataclass(slots=True, eq=False)
-class ChangedAttribute:
-    """An attribute of an object that methods of its class change."""
+@dataclass(eq=False)
+class ChangedAttributes:
+    """The attributes of a program's objects that methods of their classes change: a row in each of several lists, since
+    there are thousands and all of them are looked at for each method."""
 
-    at: tuple[int, str]
+    slots: list[tuple[int, str]] = field(default_factory=list)
     """The key of the object, and the attribute."""
-    others: tuple[Value, ...]
+    others: list[tuple[Value, ...]] = field(default_factory=list)
     """What the methods put there."""
-    value: Value | None = None
+    values: list[Value | None] = field(default_factory=list)
     """What it held when a method was last run."""
-    options: tuple[Value, ...] | None = None
+    options: list[tuple[Value, ...] | None] = field(default_factory=list)
     """What it may hold at any time for that, as :mod:`archlint.programs.any_time` has it."""
+    changing: list[tuple[tuple[int, str], tuple[Value, ...]]] = field(default_factory=list)
+    """Those that may hold something else then, with what."""
+    seen_instances: int = 0
+    """How many of the program's objects these are of."""
+
+    def add(self, slot: tuple[int, str], others: tuple[Value, ...]) -> None:
+        """One more attribute, of which nothing is known yet."""
+        self.slots.append(slot)
+        self.others.append(others)
+        self.values.append(None)
+        self.options.append(None)
 
 
 @dataclass
@@ -126,9 +138,8 @@ class Callbacks:
     """The attributes, and of which objects (by key), in which callbacks left what another may act on."""
     coroutines: dict[int, model.Role] = field(default_factory=dict)
     """The calls, by the id of their facts, whose coroutines another call starts, and as what."""
-    changed_attributes: list[ChangedAttribute] = field(default_factory=list)
-    """Those of the program's first objects, as many as ``seen_instances`` says."""
-    seen_instances: int = 0
+    changed_attributes: ChangedAttributes = field(default_factory=ChangedAttributes)
+    """What methods change of the program's objects."""
 
 
 @dataclass

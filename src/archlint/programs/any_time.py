@@ -8,13 +8,14 @@ be anything after it that a method puts there.
 
 from __future__ import annotations
 
-from itertools import islice
+from itertools import compress, count, islice
+from operator import is_not
 
 from archlint.interpreter.changing import changed_attributes
 from archlint.interpreter.heap import Layer
 from archlint.interpreter.values import TOO_MANY, OneOf, Unknown, Value, one_of
 from archlint.libraries.run import Run
-from archlint.libraries.state import ChangedAttribute
+from archlint.libraries.state import ChangedAttributes
 from archlint.programs.left_behind import is_plain
 
 
@@ -24,18 +25,17 @@ def attributes_at_any_time(run: Run) -> Layer:
     This is asked for each method, and most attributes hold from one to the next what they held: the last answer is
     kept for as long as they do.
     """
-    layer: Layer = {}
-    get = run.store.get
-    for attribute in _attributes(run):
-        value = get(*attribute.at)
-        if value is not attribute.value:
-            attribute.value, attribute.options = value, _options(value, attribute.others)
-        if attribute.options:
-            # Each method has an object of its own: the same one would count as unchanged where branches are joined.
-            layer[attribute.at] = OneOf(attribute.options)
-        elif attribute.options is not None:
-            layer[attribute.at] = Unknown(TOO_MANY)
-    return layer
+    attributes = _attributes(run)
+    values = run.store.values_at(attributes.slots)
+    changed = [*compress(count(), map(is_not, values, attributes.values))]
+    attributes.values = values
+    for number in changed:
+        attributes.options[number] = _options(values[number], attributes.others[number])
+    if changed:
+        rows = zip(attributes.slots, attributes.options, strict=True)
+        attributes.changing = [(at, options) for at, options in rows if options is not None]
+    # Each method has an object of its own: the same one would count as unchanged where branches are joined.
+    return {at: OneOf(options) if options else Unknown(TOO_MANY) for at, options in attributes.changing}
 
 
 def let_attributes_change(run: Run) -> None:
@@ -45,16 +45,15 @@ def let_attributes_change(run: Run) -> None:
             run.store.set(key, slot, value)
 
 
-def _attributes(run: Run) -> list[ChangedAttribute]:
+def _attributes(run: Run) -> ChangedAttributes:
     """The attributes of the program's objects that methods change, in the order in which the objects were made."""
     known, instances = run.callbacks.changed_attributes, run.instances
-    for instance in islice(instances.values(), run.callbacks.seen_instances, None):
+    for instance in islice(instances.values(), known.seen_instances, None):
         cls = instance.own_class
         if cls is not None:
-            known += [
-                ChangedAttribute((instance.key, name), others) for name, others in changed_attributes(run, cls).items()
-            ]
-    run.callbacks.seen_instances = len(instances)
+            for name, others in changed_attributes(run, cls).items():
+                known.add((instance.key, name), others)
+    known.seen_instances = len(instances)
     return known
 
 
