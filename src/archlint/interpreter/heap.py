@@ -42,6 +42,8 @@ class Store:
         self._older: set[int] = set()
         self.work = 0
         """Slots and items that joins have looked at, until somebody counts and takes them."""
+        self.seen: set[Slot] | None = None
+        """What is read, while somebody wants to know."""
         self._reads: list[tuple[Slot, object, int]] | None = None
         """What was read, and from which layer (-1: from none), while somebody watches."""
 
@@ -56,6 +58,8 @@ class Store:
     def get(self, key: int, slot: str | Field[Any]) -> Any:
         """What a slot holds; None where nobody has written it."""
         at = (key, slot)
+        if self.seen is not None:
+            self.seen.add(at)
         if self._reads is not None:
             return self._noted(at, None)
         for layer in reversed(self.layers):
@@ -87,6 +91,8 @@ class Store:
 
     def value_at(self, at: Slot) -> object:
         """What a slot holds, whatever it is; MISSING where nobody has written it."""
+        if self.seen is not None:
+            self.seen.add(at)
         if self._reads is not None:
             return self._noted(at, MISSING)
         return next((layer[at] for layer in reversed(self.layers) if at in layer), MISSING)

@@ -58,7 +58,7 @@ def follow(machine: Machine, function: FunctionValue, key: Key, enter: Callable[
     with machine.store.watched() as around:
         value = enter()
     known.value = value
-    known.around = around if _is_old(value, before) else None
+    known.around = around if is_older(value, before) else None
     return value
 
 
@@ -73,10 +73,10 @@ def _same(now: object, then: object) -> bool:
     return isinstance(now, Value) and isinstance(then, Value) and argument_key(now) == argument_key(then)
 
 
-def _is_old(value: Value, before: int) -> bool:
+def is_older(value: Value, before: int) -> bool:
     """Whether a value holds no object that was made after the key ``before`` was."""
     if isinstance(value, PythonValue):
         return False
     if isinstance(value, FunctionValue):
-        return value.scope.key <= before and all(_is_old(default, before) for _, default in value.defaults)
-    return (value.heap_key or 0) <= before and all(_is_old(part, before) for part in value.inner)
+        return value.scope.key <= before and all(is_older(default, before) for _, default in value.defaults)
+    return (value.heap_key or 0) <= before and all(is_older(part, before) for part in value.inner)

@@ -9,6 +9,7 @@ from archlint import model
 from archlint.finding import Place
 
 if TYPE_CHECKING:
+    from archlint.branches import BranchArm
     from archlint.interpreter.activation import Activation
     from archlint.interpreter.identity import Key
     from archlint.interpreter.modules import Module
@@ -19,6 +20,11 @@ Lineage = tuple[model.FunctionRef | None, ...]
 """The functions of the callbacks that led to another, the first one first."""
 
 
+Within = tuple["int | BranchArm", ...]
+"""Where a callback runs while another one, or the main program, goes on: the roots around it, and the arms of branches
+that each of them is in."""
+
+
 @dataclass(eq=False)
 class Pending:
     """A callback that is still to be run, with what it is called with."""
@@ -27,6 +33,33 @@ class Pending:
     value: Value
     arguments: tuple[Value, ...]
     lineage: Lineage = ()
+    began: int = 0
+    """Which of the program's roots it was when it last ran, counted from 1."""
+    read: frozenset[tuple[int, str]] = frozenset()
+    """What it read then of attributes of objects and of variables of modules."""
+    within: Within | None = None
+    """Where that was; None at the end of the program, when all ways through it are joined."""
+
+
+@dataclass(frozen=True, slots=True)
+class Left:
+    """What a callback has left in an attribute of an object that others may act on."""
+
+    after: int
+    """How many roots had begun by then: those that begin later meet it, unless they run on another way."""
+    within: Within = ()
+    by: int = 0
+    """Which root left it, where that one has made the object itself and nothing that was there before leads to it."""
+    leaks: bool = False
+    """Whether the callback has made the object, and something that was there before may lead to it now: who finds it
+    there has not asked this object before."""
+
+    def is_new_to(self, pending: Pending) -> bool:
+        """Whether a callback has not met it yet."""
+        if pending.began == self.by:
+            return False
+        joined = pending.within is None or pending.within[: len(self.within)] == self.within
+        return pending.began <= self.after or not joined
 
 
 @dataclass(frozen=True)
@@ -130,11 +163,15 @@ class Callbacks:
     """The methods that nothing calls, as they were run."""
     count: int = 0
     """How many callbacks and methods have run."""
+    within: Within = ()
+    """Where those run that begin now, but for the branches that are open."""
+    ended: bool = False
+    """Whether the main program has ended."""
     lineage: Lineage = ()
     """The functions of the callback that runs now and of those that led to it."""
     registered: dict[tuple[Any, ...], set[Key]] = field(default_factory=dict)
     """Which callbacks were registered where, and with what each time."""
-    news: dict[str, set[int]] = field(default_factory=dict)
+    news: dict[str, dict[int, set[Left]]] = field(default_factory=dict)
     """The attributes, and of which objects (by key), in which callbacks left what another may act on."""
     coroutines: dict[int, model.Role] = field(default_factory=dict)
     """The calls, by the id of their facts, whose coroutines another call starts, and as what."""

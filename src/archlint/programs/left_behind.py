@@ -1,16 +1,19 @@
 """What callbacks leave in attributes, and which callbacks have to run again for it.
 
 The first time, each callback meets what the constructors left and what the callbacks before it did: ``self.state`` may
-be a constant then that decides a test.  Where another callback leaves something else there, those that read it run
-again on the joined state, so that no live branch counts as dead.
+be a constant then that decides a test.  Where another callback leaves something else there, those that have read it
+run again on the joined state, so that no live branch counts as dead.  Who has not read it would do the same again, and
+who has begun later has met it.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from itertools import chain
 from typing import TYPE_CHECKING
 
 from archlint.interpreter.heap import Layer
+from archlint.interpreter.repeats import is_older
 from archlint.interpreter.values import ClassValue, Instance, Known, OneOf, Unknown, Value, alternatives, one_of
 from archlint.libraries.interest import MAKERS
 from archlint.libraries.rclpy.callables import function_of
@@ -22,10 +25,12 @@ from archlint.workspace.kinds import is_cpp
 
 if TYPE_CHECKING:
     from archlint.libraries.run import Run
-from archlint.libraries.state import Pending
+from archlint.libraries.state import Left, Pending
 
 Written = list[tuple[int, str, object, Value]]
 """Object, attribute, what it held before and what was left in it."""
+News = dict[str, dict[int, set[Left]]]
+"""By attribute, and by the key of the object."""
 
 
 def written(run: Run, layer: Layer) -> Written:
@@ -39,11 +44,35 @@ def written(run: Run, layer: Layer) -> Written:
     ]
 
 
-def note(run: Run, layer: Written) -> None:
-    """Take note of the attributes that now hold what another callback may act on."""
+def is_kept_to_itself(layer: Layer, oldest: int) -> bool:
+    """Whether nothing that was there before a callback ran leads to what it has made, with keys from ``oldest`` on."""
+    return all(
+        isinstance(slot, str) and isinstance(value, Value) and is_older(value, oldest)
+        for (key, slot), value in layer.items()
+        if key < oldest
+    )
+
+
+def read(run: Run) -> frozenset[tuple[int, str]]:
+    """What a callback has read of attributes of the program's objects and of variables of modules."""
+    modules = run.index.scopes
+    return frozenset(
+        (key, slot)
+        for key, slot in run.store.seen or ()
+        if isinstance(slot, str) and (key in run.instances or key in modules)
+    )
+
+
+def note(run: Run, layer: Written, pending: Pending, oldest: int, *, leaks: bool) -> None:
+    """Take note of the attributes that now hold what another callback may act on than the one that has just run.
+
+    ``oldest`` is the first key of the objects that this one has made; ``leaks``: one of them may be found elsewhere."""
+    after, within = run.callbacks.count, (*run.callbacks.within, *run.branch_arms)
     for key, slot, before, value in layer:
         if _is_news(run, before, value):
-            run.callbacks.news.setdefault(slot, set()).add(key)
+            is_own = key >= oldest
+            row = Left(after, within, pending.began if is_own and not leaks else 0, is_own and leaks)
+            run.callbacks.news.setdefault(slot, {}).setdefault(key, set()).add(row)
 
 
 def _is_news(run: Run, before: object, value: Value) -> bool:
@@ -71,19 +100,27 @@ def _alike(run: Run, first: Value, second: Value) -> bool:
     return True
 
 
-def readers(run: Run, pending: Iterable[Pending], names: Iterable[str]) -> list[Pending]:
-    """The callbacks that read one of these attributes, themselves or in a function of the workspace that they name.
+def readers(run: Run, pending: Iterable[Pending], news: News) -> list[Pending]:
+    """The callbacks that have not met what was left in an attribute that they have read, or of an object that they may
+    find now.
 
     Of those in C++, only the ones that may add something to a node: what else they do there, no rule asks for.
     """
-    wanted = set(names)
+    left = {(key, slot): rows for slot, keys in news.items() for key, rows in keys.items()}
+    leaking = {slot: {row for rows in keys.values() for row in rows if row.leaks} for slot, keys in news.items()}
+    leaking = {slot: rows for slot, rows in leaking.items() if rows}
     called = _functions(run)
-    rows = [(each, _all_names(_code_of(run, each.value), called)) for each in pending]
-    return [
-        each
-        for each, used in rows
-        if not wanted.isdisjoint(used) and not (is_cpp(each.callback.file) and MAKERS.isdisjoint(used))
-    ]
+
+    def concerns(each: Pending) -> bool:
+        in_cpp = is_cpp(each.callback.file)
+        used = _all_names(_code_of(run, each.value), called) if in_cpp or leaking else set()
+        if in_cpp and MAKERS.isdisjoint(used):
+            return False
+        # Who finds an object has not asked it before: what counts is what the functions that it names read.
+        rows = [left[at] for at in each.read & left.keys()] + [leaking[slot] for slot in used & leaking.keys()]
+        return any(row.is_new_to(each) for row in chain.from_iterable(rows))
+
+    return [each for each in pending if concerns(each)]
 
 
 def _code_of(run: Run, value: Value) -> facts.Function | facts.Lambda | None:
@@ -122,13 +159,15 @@ def _all_names(function: Source, called: dict[str, list[facts.Function]]) -> set
     return names
 
 
-def forget(run: Run, news: dict[str, set[int]]) -> None:
+def forget(run: Run, news: News) -> None:
     """What goes on changing, such as the state of a state machine, may be anything from now on."""
+    after = run.callbacks.count
     for slot, keys in news.items():
         for key in sorted(keys):
             value = run.store.get(key, slot)
             if isinstance(value, (Known, OneOf, Instance)) and is_plain(value):
                 run.store.set(key, slot, one_of([value, Unknown("callbacks change it")]))
+                keys[key].add(Left(after))
 
 
 def is_plain(value: Value) -> bool:

@@ -24,7 +24,7 @@ from archlint.libraries.interest import interesting
 from archlint.libraries.rclpy import escapes, executors, mistaken_futures
 from archlint.libraries.rclpy.callables import describe
 from archlint.libraries.run import Run
-from archlint.libraries.state import Lineage, Pending
+from archlint.libraries.state import Pending
 from archlint.libraries.uses import bare
 from archlint.programs import left_behind
 from archlint.programs.any_time import attributes_at_any_time
@@ -45,6 +45,7 @@ LIFECYCLE = frozenset({"on_configure", "on_activate", "on_deactivate", "on_clean
 
 def run_callbacks(run: Run) -> None:
     """Run the registered callbacks, then the methods that nothing calls; again where they register more."""
+    run.callbacks.ended = True
     for _ in range(PASSES):
         run_pending(run)
         _run_methods(run)
@@ -63,7 +64,7 @@ def _run_again(run: Run, last: bool) -> None:
         left_behind.forget(run, news)
     run.nodes.revisited = set()
     for pending in left_behind.readers(run, [*run.callbacks.started, *run.callbacks.tried], news):
-        run_root(run, pending.callback, pending.value, pending.arguments, lineage=pending.lineage)
+        run_root(run, pending)
     run.nodes.revisited = None
     run_pending(run)
 
@@ -77,31 +78,28 @@ def run_pending(run: Run) -> None:
             run.program.exhausted = True
             continue
         run.callbacks.started.append(pending)
-        run_root(run, pending.callback, pending.value, pending.arguments, lineage=pending.lineage)
+        run_root(run, pending)
 
 
-def run_root(
-    run: Run,
-    callback: model.Callback,
-    value: Value,
-    arguments: tuple[Value, ...],
-    *,
-    certain: bool = False,
-    lineage: Lineage = (),
-) -> None:
+def run_root(run: Run, pending: Pending) -> None:
     """Run one callback on the state so far."""
+    callback, value = pending.callback, pending.value
     extra = LATE_STEPS if run.late else EXTRA_STEPS
     if run.callbacks.count >= ROOTS or run.left - run.steps <= -extra:
         run.program.exhausted = True
         return
     run.callbacks.count += 1
+    pending.began = began = run.callbacks.count
+    within = (*run.callbacks.within, *run.branch_arms)
+    pending.within = within if within or not run.callbacks.ended else None
     kept_context, kept_activations, kept_lineage = run.context, run.activations, run.callbacks.lineage
+    kept_within, run.callbacks.within = run.callbacks.within, (*within, began)
     kept_bounds = run.steps, run.repeats, run.runs, run.branch_arms
     kept_allowed = run.allowed_steps
     run.left -= run.steps
     run.allowed_steps = max(FEW_STEPS, min(STEPS, run.left))
     run.context = callback
-    run.callbacks.lineage = (*lineage, callback.function)
+    run.callbacks.lineage = (*pending.lineage, callback.function)
     run.steps = 0
     run.repeats = {}
     run.runs = {}
@@ -109,12 +107,13 @@ def run_root(
     module = module_of(value) or kept_activations[0].module
     run.activations = []
     enter_root(run, module)
-    depth = run.store.depth
+    depth, oldest = run.store.depth, run.store.new_key()
+    kept_seen, run.store.seen = run.store.seen, set()
     run.store.push()
     before = attributes_at_any_time(run) if _is_called_from_elsewhere(callback) else {}
     run.store.layers[-1].update(before)
     try:
-        given = run.call(value, CallSite(_fit(value, arguments)))
+        given = run.call(value, CallSite(_fit(value, pending.arguments)))
         mistaken_futures.note_response(run, callback, given)
         if callback.role == model.Role.METHOD and not isinstance(value, BoundMethod):
             escapes.escape(run, [given], f"{callback.name}() returns it to its caller")
@@ -123,12 +122,15 @@ def run_root(
     finally:
         layer = {slot: value for slot, value in run.store.cut(depth).items() if before.get(slot) is not value}
         run.context, run.activations, run.callbacks.lineage = kept_context, kept_activations, kept_lineage
+        run.callbacks.within = kept_within
+        pending.read = left_behind.read(run)
+        run.store.seen = kept_seen
         run.left -= run.steps
         _, run.repeats, run.runs, run.branch_arms = kept_bounds
         run.steps, run.allowed_steps = 0, max(FEW_STEPS, kept_allowed - kept_bounds[0])
     written = left_behind.written(run, layer)
-    if run.store.merge([layer] if certain else [layer, {}]) or certain:
-        left_behind.note(run, written)
+    if run.store.merge([layer, {}]):
+        left_behind.note(run, written, pending, oldest, leaks=not left_behind.is_kept_to_itself(layer, oldest))
 
 
 def _is_called_from_elsewhere(callback: model.Callback) -> bool:
@@ -194,8 +196,9 @@ def _run_methods(run: Run) -> None:
             callback.node = run.nodes.by_object.get(instance.key)
             run.program.callbacks.append(callback)
             arguments = _uncalled_arguments(ir, callback.bound_arguments)
-            run.callbacks.tried.append(Pending(callback, bound, arguments))
-            run_root(run, callback, bound, arguments)
+            pending = Pending(callback, bound, arguments)
+            run.callbacks.tried.append(pending)
+            run_root(run, pending)
 
 
 def _passes_node_on(run: Run, instance: Instance, ir: facts.Function) -> bool:
