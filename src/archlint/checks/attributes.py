@@ -7,6 +7,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.absent_members import AbsentMember, absent_members
+from archlint.analysis.enum_members import absent_enum_members
 from archlint.analysis.launch_properties import ActionOverwritten, overwritten_actions
 from archlint.analysis.methods_looked_into import LookedInto, methods_looked_into
 from archlint.analysis.object_members import CalledProperty, object_members
@@ -45,7 +46,7 @@ def attribute_findings(system: System) -> Iterator[Finding]:
         return
     yield from map(_overwritten, overwritten_properties(system.workspace))
     yield from map(_action_overwritten, overwritten_actions(system.workspace))
-    for absent in absent_members(system.workspace):
+    for absent in (*absent_members(system.workspace), *absent_enum_members(system.workspace)):
         yield from unless_uncalled(system, _absent(absent))
     for row in object_members(system):
         diagnostic = _called_property(row) if isinstance(row, CalledProperty) else _absent(row)

@@ -1,0 +1,111 @@
+"""API002: members that an enum of the workspace does not have."""
+
+from __future__ import annotations
+
+import pytest
+
+from checks.judging import Judge
+
+NODE = """
+    import enum
+    from enum import Enum, IntEnum, auto
+
+    import rclpy
+    from rclpy.node import Node
+
+    class Mode({base}):
+        DRIVE = 1
+        STOP = auto()
+
+        def label(self):
+            return self.name
+
+    class Robot(Node):
+        class State(Enum):
+            IDLE = 0
+            SORTING = 1
+
+        def __init__(self):
+            super().__init__('robot')
+            {line}
+
+    def main():
+        rclpy.init()
+        rclpy.spin(Robot())
+
+    if __name__ == '__main__':
+        main()
+"""
+
+
+def source(line: str, base: str = "IntEnum") -> str:
+    return NODE.replace("{line}", line).replace("{base}", base)
+
+
+@pytest.mark.parametrize(
+    ("line", "message"),
+    [
+        ("self.state = self.State.RED", "enum State has no 'RED': this line fails with an AttributeError"),
+        (
+            "self.mode = Mode.DRIV",
+            "enum Mode has no 'DRIV': this line fails with an AttributeError; did you mean 'DRIVE'?",
+        ),
+    ],
+)
+def test_a_member_that_is_not_there(judge: Judge, line: str, message: str):
+    (finding,) = judge("API002", source(f"{line}  # here"))
+    assert finding.message == message
+
+
+@pytest.mark.parametrize("base", ["enum.Enum", "enum.Flag", "Enum"])
+def test_every_kind_of_enum(judge: Judge, base: str):
+    judge("API002", source("self.mode = Mode.PARK  # here", base))
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "self.mode = Mode.DRIVE.value",
+        "self.labels = [Mode.label(mode) for mode in Mode.__members__.values()]",
+        "self.state = self.State.IDLE.name",
+        "self.mode = Mode.PARK if hasattr(Mode, 'PARK') else Mode.STOP",
+        "Mode.first = Mode.DRIVE; print(Mode.first)",
+    ],
+)
+def test_members_that_are_there_or_may_be(judge: Judge, line: str):
+    judge("API002", source(line))
+
+
+@pytest.mark.parametrize("base", ["Base", "str, Enum", "Enum, metaclass=Meta"])
+def test_a_class_that_may_have_more(judge: Judge, base: str):
+    judge("API002", source("self.mode = Mode.PARK", base))
+
+
+def test_a_body_that_makes_names(judge: Judge):
+    made = "DRIVE = 1\n        locals()['PARK'] = 2"
+    judge("API002", source("self.mode = Mode.PARK").replace("DRIVE = 1", made))
+
+
+def test_a_derived_class_with_its_own_enum(judge: Judge):
+    derived = """
+    class Sorter(Robot):
+        class State(Enum):
+            RED = 2
+    """
+    judge("API002", source("self.state = self.State.RED") + derived)
+
+
+def test_an_enum_of_another_file(judge: Judge):
+    judge(
+        "API002",
+        source("self.mode = Gear.PARK  # here").replace("import enum\n", "import enum\n    from node1 import Gear\n"),
+        "from enum import Enum\n\nclass Gear(Enum):\n    FIRST = 1\n",
+    )
+
+
+def test_a_try_that_expects_it(judge: Judge):
+    tried = """try:
+                self.mode = Mode.PARK
+            except AttributeError:
+                self.mode = Mode.STOP"""
+    judge("API002", source(tried))
