@@ -191,3 +191,26 @@ def test_classes_in_a_class() -> None:
     [node] = graph({"src/robot.hpp": OUTER, "src/robot.cpp": INNER})["nodes"]
     depths = {end["name"]: end["qos"]["depth"] for end in node["publishers"]}
     assert depths == {"/first": 1, "/changed": 1, "/row": 3, "/other": 4, "/channel": 1}
+
+
+POINTS = """
+#include "rclcpp/rclcpp.hpp"
+struct Point {
+  PCL_ADD_POINT4D;
+  double time;
+  EIGEN_MAKE_ALIGNED_OPERATOR_NEW  // for vectors of them
+} EIGEN_ALIGN16;
+class Robot : public rclcpp::Node {
+public:
+  Robot() : Node("robot") { create_publisher<sensor_msgs::msg::PointCloud2>(topic_, 1); }
+  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+private:
+  std::string topic_ = "scan";
+};
+int main(int argc, char ** argv) { rclcpp::init(argc, argv); rclcpp::spin(std::make_shared<Robot>()); }
+"""
+
+
+def test_types_of_points_are_written_with_macros() -> None:
+    [node] = graph({"src/robot.cpp": POINTS})["nodes"]
+    assert [end["name"] for end in node["publishers"]] == ["/scan"]

@@ -44,13 +44,20 @@ def followed(node: Node) -> bool:
 
 def is_judged(system: System, node: Node, name: str) -> bool:
     """Whether it is known that a node has no parameter of a name but those that are seen: it was followed, or only in
-    part since it has too much code, and no code of its package, or of those that this one needs, has the word."""
+    part since it has too much code, and no code of its package, or of those that this one needs, has the word, or a
+    part of it that names may be put together of, as in ``stream + "_enable"``."""
     if followed(node):
         return True
     cut_short = node.doubt is None and node.program is not None and node.program.exhausted
     if not cut_short or any(blueprint.escapes or len(blueprint.gaps) > 1 for blueprint in node.blueprints):
         return False  # the one gap is that
-    return not _stands_in_code(system, node.package, name.rpartition(".")[2])
+    return not any(_stands_in_code(system, node.package, word) for word in parts_of_name(name.rpartition(".")[2]))
+
+
+def parts_of_name(word: str) -> list[str]:
+    """A name, and its beginnings and ends at each underscore, with which code may put it together."""
+    at = [number for number, letter in enumerate(word) if letter == "_" and 0 < number < len(word) - 1]
+    return [word, *(part for number in at for part in (word[: number + 1], word[number:]))]
 
 
 def _stands_in_code(system: System, package: str | None, word: str) -> bool:

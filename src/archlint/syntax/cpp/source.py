@@ -24,6 +24,10 @@ _EXPORT_MACRO = re.compile(
 _MACRO_OF_CLASS = re.compile(rb"\b(?:class|struct)\s+([A-Z][A-Z0-9_]{3,})\s+(?=[A-Za-z_]\w*\s*(?:final\s*)?[:{])")
 _QT_MACRO = re.compile(rb"\bQ_(?:OBJECT|GADGET)\b|^[ \t]*(?:Q_SIGNALS|signals)\s*:", re.M)
 _QT_SLOTS = re.compile(rb"\b(?:public|protected|private)\s+(Q_SLOTS|slots)\s*:")
+_POINT_MACRO = re.compile(
+    rb"\b(?:PCL_ADD_\w+|(?:EIGEN|PCL)_MAKE_ALIGNED_OPERATOR_NEW|EIGEN_ALIGN(?:16|32|64|_MAX)?)\b(?!\s*\()"
+)
+"""What types of points are written with, as ``EIGEN_ALIGN16`` behind the struct."""
 _MODULE_MACRO = re.compile(
     rb"^[ \t]*RCLCPP_(?:SMART_PTR\w*|SHARED_PTR\w*|UNIQUE_PTR\w*|WEAK_PTR\w*|DISABLE_COPY)\([^()\n]*\)", re.M
 )
@@ -41,6 +45,7 @@ def parse(data: bytes) -> Tree:
         (_MACRO_OF_CLASS, 1),
         (_QT_MACRO, 0),
         (_QT_SLOTS, 1),
+        (_POINT_MACRO, 0),
         (_MODULE_MACRO, 0),
     ):
         data = pattern.sub(lambda match, group=group: _blanked(match, group), data)  # type: ignore[misc]
