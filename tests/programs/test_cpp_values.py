@@ -176,3 +176,9 @@ int main(int argc, char ** argv) { rclcpp::init(argc, argv); rclcpp::spin(std::m
 def test_a_text_that_is_searched_until_nothing_is_there() -> None:
     [node] = graph({"src/robot.cpp": CLEANED})["nodes"]
     assert [end["name"] for end in node["publishers"]] == ["/a/b", None]
+
+
+def test_a_part_of_a_parameter_depends_on_the_parameter() -> None:
+    [node] = graph_of(publish('declare_parameter<std::string>("topic", "/ns/a").substr(1)'))
+    [end] = node["publishers"]
+    assert (end["name"], end["resolution"], end["parameter"]) == ("/ns/a", "parameter", "topic")

@@ -20,6 +20,7 @@ from archlint.interpreter.values import (
     Value,
     alternatives,
     one_of,
+    via,
 )
 from archlint.syntax.cpp.known_names import ITEM, PUT, SETTLED, SUBSTRING, TYPE_OF, VALUE_OR
 
@@ -93,7 +94,7 @@ def _substring(run: Run, site: CallSite) -> Value:
     if not 0 <= start <= len(text.text):
         return Unknown("a part of a text that it does not have")
     whole = len(text.text) if not count or count[0] < 0 else start + count[0]
-    return Known(text.text[start:whole])
+    return Known(text.text[start:whole], via(text, *bounds))
 
 
 def _type_of(run: Run, site: CallSite) -> Value:
