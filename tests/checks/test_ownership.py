@@ -137,6 +137,14 @@ class TestMultiplePublishers:
         assert owners(system(yields, other, name="launch/robot.launch.py")) == []
         assert owners(system(yields, other, third, name="launch/robot.launch.py")) != []
 
+    @pytest.mark.parametrize(("answers", "told"), [("state", False), ("speed", True)])
+    def test_who_tell_each_other_whose_turn_it_is(self, answers: str, told: bool):
+        command, trigger = publisher("cmd_vel", TWIST), "std_msgs/msg/Bool"
+        far = node("/far", command, publisher("trigger", trigger), subscriber("state", "std_msgs/msg/String"))
+        near = node("/near", command, subscriber("trigger", trigger), publisher(answers, "std_msgs/msg/String"))
+
+        assert bool(owners(system(far, near, name="launch/robot.launch.py"))) is told
+
     def test_topics_that_the_team_shares(self):
         judged = system(node("/a", publisher("events/door")), node("/b", publisher("events/door")))
 

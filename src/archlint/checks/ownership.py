@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.arbitration import take_turns
 from archlint.analysis.echoes import is_driven, repeats
+from archlint.analysis.hand_overs import hand_over
 from archlint.analysis.happenings import are_events, are_requests
 from archlint.analysis.owners import several_owners, some_coexist
 from archlint.analysis.sharing import are_of_one_class, are_words, is_bus, is_state
@@ -67,7 +68,7 @@ def _is_meant(system: System, connection: Connection, owners: list[Endpoint]) ->
         return True  # each speaks on an occasion: who sent last is meant to be obeyed
     if not some_coexist(system, owners):
         return True  # alternatives, or started by hand by somebody who knows what else runs
-    return take_turns(system, owners)
+    return hand_over(owners) or take_turns(system, owners)
 
 
 def _of_topic(system: System, connection: Connection, owners: list[Endpoint]) -> Finding:
