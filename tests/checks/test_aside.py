@@ -117,6 +117,8 @@ def test_a_word_that_only_holds_the_letters_of_one(named, path: str):
         "robot/arm_not_used/talker.py",
         "robot/notused/talker.py",
         "robot/archieve/talker.py",
+        "robot/_old/talker.py",
+        "robot/2024_back_up/talker.py",
     ],
 )
 def test_what_is_put_aside(named, path: str):

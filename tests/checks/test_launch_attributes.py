@@ -66,6 +66,30 @@ def generate_launch_description():
     assert len(findings("LCH005", **{"launch/old.launch.py": text})) == told
 
 
+def test_files_for_an_older_release_are_one_finding(findings):
+    files = {
+        f"launch/{name}.launch.py": f"""\
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    return LaunchDescription([Node(package='robot', node_executable='talker', node_name='{name}')])
+"""
+        for name in ("arm", "base", "camera")
+    }
+    (found,) = findings("LCH005", **files)
+    assert found.place.file.endswith("launch/arm.launch.py")
+    assert found.message == (
+        "Node has no argument 'node_executable' since Galactic; it is called 'executable'; "
+        "2 more launch files use names of an older launch_ros"
+    )
+    assert {one.place.file.rpartition("/")[2] for one in found.related} == {
+        "arm.launch.py",
+        "base.launch.py",
+        "camera.launch.py",
+    }
+
+
 @pytest.mark.parametrize(
     ("name", "keyword", "severity"),
     [

@@ -85,7 +85,7 @@ def test_the_waits_of_a_class_are_one_finding(judge: Judge):
     assert wait.message.endswith("; another wait in Asker.__init__() does the same")
     assert [related.place.line for related in wait.related if "here, too" in related.message] == [14]
     [spin] = judge("TMO003", client(SUBSCRIBES, asked="  # here"))
-    assert spin.message.endswith("; another line in the class Asker does the same")
+    assert spin.message.endswith("; another line in this file does the same")
 
 
 def test_the_calls_of_a_function_are_one_finding(judge: Judge):

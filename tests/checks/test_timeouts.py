@@ -660,7 +660,7 @@ class TestSpinWithoutTimeout:
             "rclpy.spin_until_future_complete(node, result)",
         )
         [found] = judge("TMO003", script("\n        ".join(lines)))
-        assert found.message.endswith("; another line in main() does the same")
+        assert found.message.endswith("; another line in this file does the same")
         assert [one.message for one in found.related if one.place.line > found.place.line] == [
             "it spins without a timeout here, too"
         ]

@@ -129,6 +129,18 @@ def test_all_reads_in_a_file_are_one_finding(judge: Judge) -> None:
     assert len(finding.related) == 1
 
 
+def test_the_names_of_one_statement_are_one_finding(judge: Judge) -> None:
+    (finding,) = judge("API005", _node("print(elapsed, entries, others)  # here"))
+    assert (
+        finding.message
+        == "nothing defines 'elapsed': this line fails with a NameError; 2 more names are not defined, either"
+    )
+    assert [one.message.partition(":")[0] for one in finding.related] == [
+        "nothing defines 'entries'",
+        "nothing defines 'others'",
+    ]
+
+
 def test_what_other_files_write(judge: Judge) -> None:
     other = _node("pass").replace("import rclpy\n", "import rclpy\nfrom math import hypot\n", 1)
     (finding,) = judge("API005", _node("print(hypot(1, 2))  # here"), other)

@@ -9,13 +9,14 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.launch_code import is_for_several_distros
-from archlint.checks.folding import folds
+from archlint.checks.folding import folds, with_places
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
-from archlint.finding import Finding, Related, Severity
+from archlint.finding import Finding, Severity
 from archlint.suggestions import did_you_mean, distance
 
 if TYPE_CHECKING:
+    from archlint.launch.mistakes import UnknownAttribute
     from archlint.systems.model import System
 
 _RENAMED = {
@@ -35,24 +36,36 @@ _OF_ROS_1 = {"rosparam": '<param from="…"/>'}
 @rule("LCH005", scope=Scope.LAUNCH_FILE, in_use=True)
 def unknown_launch_attribute(system: System, options: Options) -> Iterator[Finding]:
     """Keywords and attributes that an action does not have."""
-    for wrong in system.launched.unknown_attributes if system.launched is not None else ():
+    every = system.launched.unknown_attributes if system.launched is not None else ()
+    old = {wrong.place.file for wrong in every if _was_renamed(wrong)}
+    for wrong in every:
         if is_for_several_distros(system.workspace, wrong.place.file):
             continue
         renamed = _RENAMED.get(wrong.name)
         hint = f"; it is called '{renamed}'" if renamed in wrong.known else did_you_mean(wrong.name, wrong.known)
+        since = " since Galactic" if _was_renamed(wrong) else ""
         hint = f"; write '{_OF_ROS_1[wrong.name]}'" if wrong.name in _OF_ROS_1 and "param" in wrong.known else hint
         kind = "element" if wrong.nested else "attribute" if wrong.of_element else "argument"
         why = "launch rejects this file" if wrong.of_element else "this call raises TypeError"
         diagnostic = finding(
             "LCH005",
             wrong.place,
-            f"{wrong.action} has no {kind} '{wrong.name}'{hint}",
+            f"{wrong.action} has no {kind} '{wrong.name}'{since}{hint}",
             help=f"{why} before anything is started",
             identity=(wrong.action, wrong.name),
-            group=(wrong.place.file,),
+            group=(_OLD,) if wrong.place.file in old else (wrong.place.file,),
         )
-        is_old = wrong.name.startswith("node_") and _is_for_an_old_release(wrong.place.file)
+        is_old = _was_renamed(wrong) and _is_for_an_old_release(wrong.place.file)
         yield replace(diagnostic, severity=Severity.INFO) if is_old else diagnostic
+
+
+_OLD = "names of an older launch_ros"
+"""What all files in which such names stand have in common: they were written for the same release."""
+
+
+def _was_renamed(wrong: UnknownAttribute) -> bool:
+    """Whether ``Node`` took an argument under this name until Foxy, with a warning there."""
+    return wrong.name.startswith("node_") and not wrong.of_element and wrong.name in _RENAMED
 
 
 _OLD_RELEASES = ("dashing", "eloquent", "foxy")
@@ -67,8 +80,13 @@ def _is_for_an_old_release(file: str) -> bool:
     return any(distance(word, name, 1) <= int(len(name) >= _LONG) for word in words for name in _OLD_RELEASES)
 
 
-@folds("LCH005")
-def _of_one_file(several: Sequence[Finding]) -> Finding:
-    """One finding for a file, whatever its actions are given that they do not have: launch stops at the first."""
-    others = tuple(Related(other.place, other.message) for other in several[1:])
-    return replace(several[0], related=others)
+@folds("LCH005", across_systems=True)
+def _of_one_cause(several: Sequence[Finding]) -> Finding:
+    """One finding for a file, whatever its actions are given that they do not have: launch stops at the first.  Files
+    that were written for an older release are one finding, too."""
+    first = with_places(several)
+    others = {finding.place.file for finding in several} - {first.place.file}
+    if not others:
+        return first
+    words = "another launch file uses" if len(others) == 1 else f"{len(others)} more launch files use"
+    return replace(first, message=f"{first.message}; {words} {_OLD}")

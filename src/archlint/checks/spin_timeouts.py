@@ -50,6 +50,7 @@ if TYPE_CHECKING:
     from archlint.model import ApiCall, Program
     from archlint.systems.model import System
 _OF_A_SCRIPT = "script"
+_BESIDE = "beside"
 _LOOKS_FOR_SERVER = (WAIT_FOR_SERVICE, WAIT_FOR_SERVER, *READY)
 _SPIN = "rclpy.spin_until_future_complete"
 _EXECUTOR_SPIN = "rclpy.executors.Executor.spin_until_future_complete"
@@ -158,10 +159,10 @@ def _limitless_spin(system: System, program: Program, call: ApiCall, options: Op
         identity=(call.function, name_of(client), "spin_until_future_complete"),
         sites=sites_of_spin(system.workspace, call.place),
     )
+    own = package_around(system.workspace, call.file)
     if is_step_of_asking_script(system, program, call):
-        own = package_around(system.workspace, call.file)
         return replace(diagnostic, severity=Severity.INFO, group=(*own, _OF_A_SCRIPT))
-    return replace(diagnostic, group=(call.file, class_around(call.function), str(is_at_its_default(call))))
+    return replace(diagnostic, group=(*own, str(is_at_its_default(call))))
 
 
 def _second_spin(system: System, call: ApiCall, beside: SpunBeside) -> Finding:
@@ -176,7 +177,7 @@ def _second_spin(system: System, call: ApiCall, beside: SpunBeside) -> Finding:
         node=node_name(system, call.context.node),
         identity=(call.function, "", "spin_until_future_complete"),
     )
-    return replace(diagnostic, group=(call.file, class_around(call.function), "beside"))
+    return replace(diagnostic, group=(call.file, class_around(call.function), _BESIDE))
 
 
 def _help(system: System, call: ApiCall) -> str:
@@ -192,9 +193,8 @@ def _help(system: System, call: ApiCall) -> str:
 
 @folds("TMO003")
 def _of_one_owner(findings: Sequence[Finding]) -> Finding:
-    """The finding for all such spins of a class or function: an action's goal is sent, and then its result awaited.
-    Those of all scripts of a package are one."""
-    if findings[0].group[-1] == _OF_A_SCRIPT:
-        return of_one_package(findings, "line", "it spins without a timeout here, too")
-    beside = findings[0].group[-1] == "beside"
-    return of_one_class(findings, "line", "it spins here, too" if beside else "it spins without a timeout here, too")
+    """The finding for all such spins of a package: its nodes ask in one way, and an action's goal is sent, and then its
+    result awaited.  Those beside another spin are one for a class."""
+    if findings[0].group[-1] == _BESIDE:
+        return of_one_class(findings, "line", "it spins here, too")
+    return of_one_package(findings, "line", "it spins without a timeout here, too")

@@ -8,6 +8,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.how_imported import import_of
+from archlint.analysis.source_code import source_code
 from archlint.analysis.unbound_locals import UnboundLocal, unbound_locals
 from archlint.analysis.undefined_names import Undefined, undefined_names
 from archlint.checks.folding import folds, with_others
@@ -29,8 +30,15 @@ _BUILT_IN = frozenset(dir(builtins))
 def undefined_name(system: System, options: Options) -> Iterator[Finding]:
     """Names that code reads and that neither the file nor Python defines."""
     if system.workspace is not None:
+        leaders: dict[tuple[str, object], str] = {}
         for read in undefined_names(system.workspace):
-            yield from unless_uncalled(system, _finding(system.workspace, read))
+            told = _finding(system.workspace, read)
+            statement = getattr(source_code(system).statement_at(read.place), "span", None)
+            if statement is not None and told.group == (read.place.file, read.name):
+                # A statement fails at the first of its names, which tells the rest.
+                leader = leaders.setdefault((read.place.file, statement), read.name)
+                told = replace(told, group=(read.place.file, leader))
+            yield from unless_uncalled(system, told)
         for local in unbound_locals(system.workspace):
             yield from unless_uncalled(system, _too_early(local) if local.caught is None else _past_handler(local))
 
@@ -135,11 +143,18 @@ def _is_class_of(known: str, name: str) -> bool:
     return known != name and known.lower() == name.lower() and known[:1].isupper() is not name[:1].isupper()
 
 
+_OF_A_STATEMENT = 2
+"""Parts of the group of findings about names that nothing at all defines."""
+
+
 @folds("API005")
 def undefined_in_one_file(findings: Sequence[Finding]) -> Finding:
-    """The first read of a name in a file, for all of them, and of what has no value after one ``except``."""
+    """The first read of a name in a file, for all of them, and for the other names of its statement; and of what has no
+    value after one ``except``."""
     if PAST_HANDLER in findings[0].group:
         return with_others(findings, "another variable has", "more variables have", "none, either")
+    if len(findings[0].group) == _OF_A_STATEMENT and len({told.identity[0] for told in findings}) > 1:
+        return with_others(findings, "another name is", "more names are", "not defined, either")
     return with_others(findings, "another line of the file does", "more lines of the file do", "the same")
 
 

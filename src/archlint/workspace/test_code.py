@@ -16,7 +16,7 @@ _PUT_ASIDE = frozenset({"archive", "archived", "archives", "attic", "backups", "
 }
 """Among them a spelling that one meets as often as the right one."""
 _NAMED_OLD = re.compile(
-    r"(?:old|archived|deprecated)_.+|.+_(?:old|archived?|deprecated|backup|bak|unused)|(?:.+_)?not_?used"
+    r"(?:old|archived|deprecated)_.+|.+_(?:old|archived?|deprecated|back_?up|bak|unused)|_old|(?:.+_)?not_?used"
 )
 _MARKED = re.compile(r"[(\[](?:archived?|backup|deprecated|obsolete|old|unused)[)\]]")
 _COPY = re.compile(r"\(copy|[ _.-]copy\W|sync-conflict-|\(\d+\)|[ _.-](?:bak|backup|bk|old|orig|unused)\.")
