@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from checks.judging import Judge
+from robot_package import TALKER
 
 LAUNCH = """
 from launch import LaunchDescription
@@ -39,7 +40,7 @@ def launch(actions: str, event: str = "OnProcessExit", on: str = "on_exit", more
     ],
 )
 def test_what_starts_when_another_node_has_ended(findings, actions: str):
-    assert findings("OWN001", **launch(actions)) == []
+    assert findings("OWN001", **launch(actions), **{"robot/talker.py": TALKER.replace("String", "Bool")}) == []
 
 
 @pytest.mark.parametrize(
@@ -56,7 +57,7 @@ def test_what_starts_when_another_node_has_ended(findings, actions: str):
     ],
 )
 def test_what_runs_beside_another_node(findings, files: dict[str, str], owners: str):
-    (finding,) = findings("OWN001", **files)
+    (finding,) = findings("OWN001", **files, **{"robot/talker.py": TALKER.replace("String", "Bool")})
     assert finding.message.startswith(owners)
 
 

@@ -6,7 +6,9 @@ import pytest
 
 from robot_package import TALKER, node, two
 
-NAMED_BY_PARAMETER = TALKER.replace("'chatter'", "self.declare_parameter('topic', 'out').value")
+NAMED_BY_PARAMETER = TALKER.replace("String", "Bool").replace(
+    "'chatter'", "self.declare_parameter('topic', 'out').value"
+)
 
 
 OF_A_FILE = '<param from="{}"/>'
@@ -62,7 +64,8 @@ def test_a_parameter_file_that_is_found_leaves_the_other_defaults(findings):
     (found,) = findings("OWN001", two(OF_A_FILE.format("$(find-pkg-share robot)/config/a.yaml")), **files)
     assert "'/out'" in found.message
     gone = OF_A_FILE.format("$(find-pkg-share robot)/gone.yaml")
-    assert len(findings("OWN001", two(gone))) == 1  # a name that no parameter decides stays
+    files = {"robot/talker.py": TALKER.replace("String", "Bool")}
+    assert len(findings("OWN001", two(gone), **files)) == 1  # a name that no parameter decides stays
 
 
 STARTS = """

@@ -187,7 +187,7 @@ def many(*names: str) -> dict[str, str]:
 ALL_ABSOLUTE = [f"/part{number}/state" for number in range(7)]
 
 
-@pytest.mark.parametrize(("count", "told"), [(3, [("robot/node0.py", 9)]), (4, [])])
+@pytest.mark.parametrize(("count", "told"), [(5, [("robot/node0.py", 9)]), (6, [])])
 def test_a_large_workspace_with_nothing_else_is_built_so(folder: Path, count: int, told: list[tuple[str, int]]):
     assert places(check(request(folder, **many(*ALL_ABSOLUTE[:count]))).findings) == told
 

@@ -13,12 +13,11 @@ _NODES = 5
 """How many nodes a workspace has at most that a lesson is about: three, and two that are added to them."""
 
 
-def is_lesson(system: System, most: int = _NODES) -> bool:
-    """Whether a workspace of ``most`` nodes is so small that whoever wrote it may be learning.  There the habits that
-    a lesson warns of are worth a word; in a large one they are how a robot is built, unless something shows what they
-    cost."""
+def is_lesson(system: System) -> bool:
+    """Whether a workspace is so small that whoever wrote it may be learning.  There the habits that a lesson warns of
+    are worth a word; in a large one they are how a robot is built, unless something shows what they cost."""
     nodes = {key_of(node.blueprint) for node in system.nodes if node.blueprint is not None and not node.external}
-    return len(nodes) <= most
+    return len(nodes) <= _NODES
 
 
 __all__ = ["is_lesson"]

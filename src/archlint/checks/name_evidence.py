@@ -68,10 +68,6 @@ class FixedName:
         return self.is_own and not self.text.startswith(("/", "~"))
 
 
-_OF_A_LESSON = 3
-"""How many nodes a workspace has at most that may be about names: a robot that somebody has built has more."""
-
-
 def told(system: System, names: Sequence[FixedName], everywhere: bool) -> list[tuple[FixedName, Reason | None]]:
     """The names that are worth a finding, each with what speaks against the form that it has.
 
@@ -80,7 +76,7 @@ def told(system: System, names: Sequence[FixedName], everywhere: bool) -> list[t
     workspace that starts nothing but its own nodes, also hears of what else speaks against absolute names, and so does
     who wants to be told of all, ``everywhere``.
     """
-    if everywhere or (is_lesson(system, _OF_A_LESSON) and _starts_each_once(system.workspace)):
+    if everywhere or (is_lesson(system) and _starts_each_once(system.workspace)):
         return _told_of_all(system.workspace, names, everywhere)
     parted = _parted(system.workspace, names)
     return [(name, parted.get(_end_of(name))) for name in names if name.text[:1] != "/" or _end_of(name) in parted]
