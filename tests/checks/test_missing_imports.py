@@ -167,6 +167,8 @@ def test_a_package_that_has_another_name_now(said):
         ("from robot_v2.camera import open_camera", {"requirements.txt": "robot-v2==1.0\n"}),
         ("from robot_v2.camera import open_camera", {"robot_v2/__init__.py": "", "robot_v2/camera.py": CAMERA}),
         ("from numpy.camera import open_camera", {}),
+        # Another file imports from it what the workspace does not have: the module here is a copy of one of it.
+        ("from robot_v2.camera import open_camera", {"robot/tool.py": "import rclpy\nfrom robot_v2 import Shop\n"}),
         ("try:\n    from robot_v2.camera import open_camera\nexcept ImportError:\n    open_camera = None", {}),
     ],
 )

@@ -5,13 +5,15 @@ from __future__ import annotations
 import posixpath
 import re
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.analysis.absent_packages import is_nowhere
 from archlint.analysis.kept import once
 from archlint.analysis.offered_names import offers
 from archlint.ros.python_modules import is_known
+from archlint.syntax import facts
+from archlint.syntax.parts import everything_in
 
 if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
@@ -33,7 +35,26 @@ def present_name(workspace: WorkspaceIndex, file: SourceFile, module: str, names
     if path is None or path == file.relative or present not in workspace.code.modules:
         return None
     there = all(offers(workspace, path, name) or f"{present}.{name}" in workspace.code.modules for name in names)
-    return present if there else None
+    return present if there and _is_own(workspace, top, own) else None
+
+
+def _is_own(workspace: WorkspaceIndex, top: str, own: str) -> bool:
+    """Whether all that anybody imports of a package lies in one of the workspace: else it is another one, of which that
+    may be a copy."""
+    return all(f"{own}{module.removeprefix(top)}" in workspace.code.modules for module in _imported(workspace, top))
+
+
+def _imported(workspace: WorkspaceIndex, top: str) -> Iterator[str]:
+    """All modules of a package that code of the workspace imports, or imports names from; where it is the package
+    itself, each name with it."""
+    for _, code in workspace.code.asked_for():
+        for plain in everything_in(code.body, facts.Import):
+            yield from (module for module in [plain.module] if module.partition(".")[0] == top)
+        for statement in everything_in(code.body, facts.ImportFrom):
+            if statement.level == 0 and statement.module == top:
+                yield from (f"{top}.{name}" for name, _ in statement.names)
+            elif statement.level == 0 and statement.module.partition(".")[0] == top:
+                yield statement.module
 
 
 def _is_unknown(workspace: WorkspaceIndex, file: SourceFile, module: str) -> bool:
