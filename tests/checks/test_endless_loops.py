@@ -143,6 +143,7 @@ def test_a_loop_that_keeps_out_what_would_end_it(judge: Judge, source: str):
         robot("self.other.wait()", wait="while self.data is None:\n            time.sleep(0.1)"),
         robot("self.other.wait()", wait="while self.data is None:\n            pass"),
         robot("print(self.wait)", wait="while self.data is None:\n            pass"),
+        robot("while not self.other.data:", "    pass").replace("self.data = message", "self.other.data = message"),
     ],
     ids=[
         "it spins",
@@ -172,6 +173,7 @@ def test_a_loop_that_keeps_out_what_would_end_it(judge: Judge, source: str):
         "a method of another object",
         "a busy method of another object",
         "a method that is not called",
+        "a field of an object that may change itself",
     ],
 )
 def test_a_loop_that_may_end(judge: Judge, source: str):

@@ -75,7 +75,7 @@ class _Asking:
     def attributes_of(self, test: Expr, through: frozenset[str] = frozenset()) -> set[str] | None:
         """The attributes that an expression depends on, also by variables that the loop sets; None where it depends on
         something else, too."""
-        if not all(self._only_asks(call) for call in calls_in(test)):
+        if not all(self._only_asks(call) for call in calls_in(test)) or self._asks_what_lives(test):
             return None
         attributes = {part.attr for part in everything_in(test, facts.Attribute) if part.value.variable == self.owner}
         for name in sorted(self._variables(test)):
@@ -88,6 +88,21 @@ class _Asking:
                     return None
                 attributes |= inner
         return attributes
+
+    def _asks_what_lives(self, test: Expr) -> bool:
+        """Whether an expression reads a field of an object that is no message: one with a thread of its own changes it,
+        whoever holds the object."""
+        methods = {id(call.func) for call in calls_in(test)}
+        return any(
+            isinstance(part.value, facts.Attribute)
+            and part.value.value.variable == self.owner
+            and any(
+                isinstance(value, facts.Call) and interface_of(self.code, value.func.dotted)[0] is None
+                for value in assigned_values(self.code, part.value.attr)
+            )
+            for part in everything_in(test, facts.Attribute)
+            if id(part) not in methods
+        )
 
     def _variables(self, test: Expr) -> set[str]:
         """The variables that an expression uses, but for functions and modules."""
