@@ -163,3 +163,10 @@ def test_a_section_that_a_launch_file_reads_through_a_helper(findings, call, cou
         "PRM005", **{"launch/read.launch.py": launch, "config/p.yaml": f"talker: {RATE}\nmap_server: {RATE}\n"}
     )
     assert [diagnostic.place.line for diagnostic in told] == [2] * count
+
+
+def test_a_launch_file_of_tests_may_start_the_node(findings):
+    files = {"config/p.yaml": f"tester: {RATE}\ntalker: {RATE}\n"}
+    assert len(findings("PRM005", node(LOAD_IT), **files)) == 1
+    test = "<launch>" + node(LOAD_IT, name="tester") + "</launch>"
+    assert findings("PRM005", node(LOAD_IT), **files, **{"launch/test_it.launch.xml": test}) == []

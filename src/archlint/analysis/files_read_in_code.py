@@ -1,4 +1,4 @@
-"""Parameter files that Python code reads itself: what stands there is used, though no node declares it."""
+"""Parameter files that Python code reads itself, or tests do: what stands there is used, though no node declares it."""
 
 from __future__ import annotations
 
@@ -30,6 +30,13 @@ def is_read_in_code(workspace: WorkspaceIndex | None, file: str, key: str) -> bo
     return any(
         key in (_keys_asked_for(workspace, path) or ()) for path in launches if workspace.code.mentions(path, name)
     )
+
+
+def is_for_a_test(workspace: WorkspaceIndex, file: str, name: str) -> bool:
+    """Whether a launch file of test code, which is not judged, names a parameter file and a node."""
+    words = (posixpath.basename(file), name)
+    texts = [workspace.tree.text(path) or "" for path in workspace.launch_files.of_tests()]
+    return any(all(word in text for word in words) for text in texts)
 
 
 @once_for_each_file
@@ -65,4 +72,4 @@ def _keys_given_to_helpers(file_facts: facts.Facts) -> Iterator[facts.Expr]:
                     yield argument.value
 
 
-__all__ = ["is_read_in_code"]
+__all__ = ["is_for_a_test", "is_read_in_code"]

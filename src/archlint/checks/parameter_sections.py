@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.chosen_names import may_get_any_file, name_is_chosen, namespace_is_chosen
 from archlint.analysis.cpp_nodes import names_cpp_node
 from archlint.analysis.declared_parameters import followed
-from archlint.analysis.files_read_in_code import is_read_in_code
+from archlint.analysis.files_read_in_code import is_for_a_test, is_read_in_code
 from archlint.analysis.set_parameters import (
     files_of,
     files_of_process,
@@ -97,6 +97,8 @@ def _judged(
     if others_are_not_run(workspace):
         return None
     if names_cpp_node(workspace, file, last) or _is_another_program(workspace, file, last, started):
+        return None
+    if is_for_a_test(workspace, file, last):
         return None
     near = nearest(key, [node.name for node in unmet if not node.other_name]) or ""
     if not near and (_may_hold_more_nodes(workspace, file) or any(node.other_name for node in started)):

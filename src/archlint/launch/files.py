@@ -91,6 +91,13 @@ class LaunchFiles:
                 paths.append(file.relative)
         return sorted(paths)
 
+    def of_tests(self) -> list[str]:
+        """The launch files of test code, which are not among :meth:`all`."""
+        kinds = {"launch_python", *LAUNCH_TEXT_KINDS}
+        return sorted(
+            file.relative for file in self._files if file.kind in kinds and self._roles.is_test(file.relative)
+        )
+
     def can_be_launched(self, path: str) -> bool:
         """Whether a file of the workspace is a launch file."""
         file = self._by_path.get(path)
