@@ -120,6 +120,12 @@ def test_the_same_name_twice_in_a_file_is_one_finding(judge: Judge):
     assert finding.message == "rclpy has no loginfo(); another call in this file does the same"
 
 
+def test_functions_of_rospy_are_one_finding_for_a_file(judge: Judge):
+    [finding] = judge("API002", NODE.format(call="rclpy.loginfo('a')  # here\n        rclpy.Rate(10)"))
+    assert finding.message == "rclpy has no loginfo(); another call in this file is of rospy, too"
+    assert "rclpy has no Rate()" in [one.message for one in finding.related]
+
+
 def test_the_methods_that_a_node_lacks_are_one_finding(judge: Judge):
     [finding] = judge("API002", NODE.format(call="self.take_off()  # here\n        self.land_here()"))
     assert finding.message == "Node has no take_off(); another call in this file is like that"

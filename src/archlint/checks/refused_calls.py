@@ -20,6 +20,7 @@ from archlint.checks.scope import Scope
 from archlint.checks.time_operators import OPERATOR, time_operator_findings
 from archlint.checks.uncalled import unless_uncalled
 from archlint.finding import Finding
+from archlint.libraries.absent_names import instead_of
 from archlint.libraries.api_signatures import attributes_of, signatures_of
 from archlint.model import Misuse, RefusedCall
 from archlint.ros.distros import DISTROS
@@ -72,9 +73,13 @@ def _group(call: RefusedCall, logs: bool) -> tuple[str, ...]:
     name."""
     if logs:
         return (LOGS, call.place.file)
+    if call.given == "rclpy" and instead_of(call.api):
+        return (OF_ROS_1, call.place.file)
     return (UNDEFINED, call.place.file) if _is_of_node(call) and not call.wanted else (call.place.file, call.api)
 
 
+OF_ROS_1 = "rospy"
+"""The group of findings about functions of rospy that a file asks rclpy for: it was not ported."""
 UNDEFINED = "undefined"
 """The group of findings about methods that the classes of a file call and do not have."""
 
@@ -109,6 +114,8 @@ def absent_in_one_file(findings: Sequence[Finding]) -> Finding:
         )
     if findings[0].group[0] in (LOGS, UNDEFINED):
         return with_others(findings, "another call in this file is", "more calls in this file are", "like that")
+    if findings[0].group[0] == OF_ROS_1 and len({told.identity for told in findings}) > 1:
+        return with_others(findings, "another call in this file is", "more calls in this file are", "of rospy, too")
     if findings[0].group[0] == OF_MODULE:
         return with_others(findings, "another line of the file does", "more lines of the file do", "the same")
     return with_others(findings, "another call in this file does", "more calls in this file do", "the same")
