@@ -8,14 +8,12 @@ from typing import TYPE_CHECKING
 from archlint.analysis.coexistence import certain
 from archlint.analysis.kept import once
 from archlint.analysis.launch_code import words_of_launch_code
-from archlint.model import EntityKind
+from archlint.model import SERVER_OF
 from archlint.systems.nodes import key_of
 
 if TYPE_CHECKING:
     from archlint.systems.model import System, WorkspaceIndex
     from archlint.systems.nodes import Endpoint, Node
-
-_SERVERS = {EntityKind.CLIENT: EntityKind.SERVICE, EntityKind.ACTION_CLIENT: EntityKind.ACTION_SERVER}
 
 
 def left_out_server(system: System, client: Endpoint) -> Endpoint | None:
@@ -37,7 +35,7 @@ def _key(node: Node) -> object:
 
 
 def _serves(end: Endpoint, client: Endpoint) -> bool:
-    same = (end.kind, end.type, end.written) == (_SERVERS[client.kind], client.type, client.written)
+    same = (end.kind, end.type, end.written) == (SERVER_OF[client.kind], client.type, client.written)
     return same and client.type is not None and certain(end)
 
 

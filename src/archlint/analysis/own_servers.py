@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from itertools import takewhile
 from typing import TYPE_CHECKING
 
-from archlint.model import EntityKind
+from archlint.model import SERVER_OF
 
 if TYPE_CHECKING:
     from archlint.model import Creation
@@ -24,15 +24,12 @@ def _made_before(client: Creation) -> Iterator[Creation]:
 def _serves(server: Creation, client: Creation) -> bool:
     name = client.name
     return (
-        server.kind is _SERVERS.get(client.kind)
+        server.kind is SERVER_OF.get(client.kind)
         and name.text is not None
         and name.resolution == server.name.resolution == "exact"
         and name.text == server.name.text
         and not (server.conditional or server.branch_arms or server.destroyed)
     )
-
-
-_SERVERS = {EntityKind.CLIENT: EntityKind.SERVICE, EntityKind.ACTION_CLIENT: EntityKind.ACTION_SERVER}
 
 
 __all__ = ["is_served_by_its_node"]

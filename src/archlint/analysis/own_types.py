@@ -11,7 +11,7 @@ from archlint.analysis.lessons import is_lesson
 from archlint.analysis.parts_elsewhere import has_parts_elsewhere
 from archlint.analysis.present_servers import may_find_nobody
 from archlint.analysis.reach import creations_of
-from archlint.model import EntityKind, Role
+from archlint.model import SERVER_OF, EntityKind, Role
 from archlint.ros.interfaces import parts_of_type
 
 if TYPE_CHECKING:
@@ -19,7 +19,6 @@ if TYPE_CHECKING:
     from archlint.systems.model import System, WorkspaceIndex
     from archlint.systems.nodes import Endpoint
 
-_SERVERS = {EntityKind.CLIENT: EntityKind.SERVICE, EntityKind.ACTION_CLIENT: EntityKind.ACTION_SERVER}
 _CODE = (
     *(".c", ".cc", ".cpp", ".cs", ".cxx", ".go", ".h", ".hh", ".hpp", ".hxx", ".ino", ".ipynb", ".java", ".js"),
     *(".jsx", ".kt", ".lua", ".m", ".py", ".rb", ".rs", ".sh", ".ts", ".tsx", ".yaml", ".yml"),
@@ -105,7 +104,7 @@ def is_defined(workspace: WorkspaceIndex, interface: str) -> bool:
 
 
 def _is_served(system: System, workspace: WorkspaceIndex, end: Endpoint) -> bool:
-    kind = _SERVERS[EntityKind(end.kind)]
+    kind = SERVER_OF[EntityKind(end.kind)]
     wanted = {(kind, end.type), (kind, None)}
     return any(not wanted.isdisjoint(ends.served) for ends in (_ends_of_system(system), _ends_of_workspace(workspace)))
 
@@ -122,10 +121,10 @@ class _Ends:
         self._files: defaultdict[str | None, set[str]] = defaultdict(set)
         for end in (end for system in systems for end in system.endpoints):
             self._files[end.type].add(end.place.file)
-            if end.kind in _SERVERS.values():
+            if end.kind in SERVER_OF.values():
                 self.served.add((end.kind, end.type))
                 self._lines[end.kind, end.type].add(end.place)
-            elif end.kind in _SERVERS and end.type is not None:
+            elif end.kind in SERVER_OF and end.type is not None:
                 self.asked.add(end.type)
 
     def lines_of(self, server: Endpoint) -> set[Place]:

@@ -17,6 +17,7 @@ from archlint.checks.scope import Scope
 from archlint.checks.sight import in_sight, is_complete
 from archlint.finding import Finding, Related, Severity
 from archlint.model import (
+    SERVER_OF,
     EntityKind,
 )
 from archlint.ros.well_known import FOR_TOOLS, TYPES_OF_MANY_PUBLISHERS
@@ -27,14 +28,8 @@ if TYPE_CHECKING:
     from archlint.systems.model import System
     from archlint.systems.nodes import Connection, Endpoint
 
-_PARTNER = {
-    EntityKind.PUBLISHER: EntityKind.SUBSCRIBER,
-    EntityKind.SUBSCRIBER: EntityKind.PUBLISHER,
-    EntityKind.SERVICE: EntityKind.CLIENT,
-    EntityKind.CLIENT: EntityKind.SERVICE,
-    EntityKind.ACTION_SERVER: EntityKind.ACTION_CLIENT,
-    EntityKind.ACTION_CLIENT: EntityKind.ACTION_SERVER,
-}
+_PARTNER = {EntityKind.PUBLISHER: EntityKind.SUBSCRIBER, **SERVER_OF}
+_PARTNER |= {partner: kind for kind, partner in _PARTNER.items()}
 
 
 @rule("TOP002", scope=Scope.SYSTEM)
