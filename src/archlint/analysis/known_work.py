@@ -9,6 +9,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from archlint.analysis.called_here import called_here
 from archlint.analysis.class_chains import targets_of
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in, names_in, parts_of
@@ -66,18 +67,11 @@ class _Walk:
                     yield from self.of_function(called, depth - 1, seen)
 
     def _called(self, statement: facts.Stmt, caller: facts.Function) -> Iterator[facts.Function]:
-        """The methods of the same class, and the functions of the file, that a statement calls by their names."""
+        """What a statement calls in the same file."""
         for call in _unconditional(statement):
-            match call.func:
-                case facts.Attribute(value=facts.Name(id=owner), attr=name) if caller.params:
-                    cls = self._class_of(caller) if owner == caller.params[0].name else None
-                    yield from _functions([] if cls is None else cls.body, name)
-                case facts.Name(id=name):
-                    yield from _functions(self.file.body, name)
-
-    def _class_of(self, method: facts.Function) -> facts.Class | None:
-        classes = everything_in(self.file.body, facts.Class)
-        return next((cls for cls in classes if any(member is method for member in cls.body)), None)
+            called = called_here(call, caller, self.file)
+            if called is not None:
+                yield called
 
     def _of_statement(self, statement: facts.Stmt, function: facts.Function) -> Work | None:
         match statement:
@@ -220,11 +214,6 @@ def _unconditional(statement: facts.Stmt) -> Iterator[facts.Call]:
             pass
         case _:
             yield from parts_of(statement, facts.Call)
-
-
-def _functions(body: Sequence[facts.Stmt], name: str) -> list[facts.Function]:
-    named = [member for member in body if isinstance(member, facts.Function) and member.name == name]
-    return named if len(named) == 1 and not named[0].decorators else []
 
 
 def _is_generator(function: facts.Function) -> bool:

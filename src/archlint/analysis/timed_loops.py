@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from archlint.analysis.called_here import called_here
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in, parts_of
 from archlint.syntax.walk import called_name, statements_of
@@ -53,7 +54,7 @@ def timed_loops(function: facts.Function, file: facts.Facts) -> Iterator[TimedLo
                 yield TimedLoop(loop.span, seconds, current.name)
         if depth > 1:
             for call in parts_of(current.body, facts.Call):
-                called = _called(call, current, file)
+                called = called_here(call, current, file)
                 if called is not None:
                     todo.append((called, _given(call, called, numbers), depth - 1))
 
@@ -178,27 +179,6 @@ def _waits(loop: facts.While) -> bool:
 
 
 # ---------------------------------------------------------------------------------------------------- what is called
-
-
-def _called(call: facts.Call, caller: facts.Function, file: facts.Facts) -> facts.Function | None:
-    """The method of the same class, or the function of the file, that a call means by its name."""
-    match call.func:
-        case facts.Attribute(value=facts.Name(id=owner), attr=name) if caller.params and owner == caller.params[0].name:
-            cls = _class_of(caller, file)
-            return None if cls is None else _only(cls.body, name)
-        case facts.Name(id=name):
-            return _only(file.body, name)
-    return None
-
-
-def _class_of(method: facts.Function, file: facts.Facts) -> facts.Class | None:
-    classes = everything_in(file.body, facts.Class)
-    return next((cls for cls in classes if any(member is method for member in cls.body)), None)
-
-
-def _only(body: Sequence[facts.Stmt], name: str) -> facts.Function | None:
-    named = [member for member in body if isinstance(member, facts.Function) and member.name == name]
-    return named[0] if len(named) == 1 and not named[0].decorators else None
 
 
 def _given(call: facts.Call, called: facts.Function, numbers: _Numbers) -> dict[str, float]:
