@@ -23,7 +23,7 @@ def expects_no_answer(code: SourceCode, call: ApiCall) -> bool:
     rclpy.spin_until_future_complete(self, future)
     if future.result() is None:
     """
-    futures = {name for given in code.arguments(call) for name in _names(given.value)}
+    futures = {given.value.dotted for given in code.arguments(call) if given.value.dotted}
     answers = set(futures)
     for assignment in statements_of(code.body(call), facts.Assign):
         if _asked(assignment.value) in futures and isinstance(assignment.value, facts.Call):
@@ -33,11 +33,6 @@ def expects_no_answer(code: SourceCode, call: ApiCall) -> bool:
     tests += [loop.test for loop in everything_in(body, facts.While)]
     later = (test for test in tests if getattr(test, "span", call.place.span)[:2] > call.place.span[:2])
     return any(not answers.isdisjoint(_of_test(test)) for test in later)
-
-
-def _names(value: facts.Expr) -> Iterator[str]:
-    if value.dotted:
-        yield value.dotted
 
 
 def _asked(value: facts.Expr) -> str:

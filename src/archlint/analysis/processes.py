@@ -79,16 +79,7 @@ def _signals(call: facts.Call, process: str, numbers: AbstractSet[str], certainl
 def ends_with_the_node(code: SourceCode, call: ApiCall, stay: Stay) -> bool:
     """Whether a limited wait for a process is part of the way out: every way on shuts ROS down or destroys the node,
     and nothing that would have to wait ever comes."""
-    if call.api not in _OF_PROCESS or stay.seconds is None or call.looped:
-        return False
-    graph = graph_of(code.body(call))
-    waits = graph.evaluating(call.place.span)
-    ends = [
-        block
-        for block in graph.blocks
-        if any(inner_call.func.dotted in _SHUTDOWNS for inner_call in calls_in(block.fact))
-    ]
-    return bool(waits) and all(graph.post_dominates(ends, block, without_exceptions) for block in waits)
+    return call.api in _OF_PROCESS and stay.seconds is not None and not call.looped and _ends_in(code, call, _SHUTDOWNS)
 
 
 _SWITCHES_OFF = frozenset({"shutdown", "poweroff", "reboot", "halt"})
@@ -97,12 +88,17 @@ _IN_FRONT = frozenset({"sudo", "systemctl"})
 
 def hands_over(code: SourceCode, call: ApiCall) -> bool:
     """Whether every way on from a process ends the program: it was started in its place, or as the last step."""
+    return _ends_in(code, call, _ENDS_OF_PROGRAM)
+
+
+def _ends_in(code: SourceCode, call: ApiCall, functions: AbstractSet[str]) -> bool:
+    """Whether every way on from a call leads to a call of one of some functions."""
     graph = graph_of(code.body(call))
     waits = graph.evaluating(call.place.span)
     ends = [
         block
         for block in graph.blocks
-        if any(inner_call.func.dotted in _ENDS_OF_PROGRAM for inner_call in calls_in(block.fact))
+        if any(inner_call.func.dotted in functions for inner_call in calls_in(block.fact))
     ]
     return bool(waits) and all(graph.post_dominates(ends, block, without_exceptions) for block in waits)
 

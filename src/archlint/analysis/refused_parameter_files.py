@@ -77,13 +77,11 @@ class NoValue:
 
 def mixed_lists(system: System) -> Iterator[MixedList]:
     """The first such list of each file that is given to a process as it is: rcl refuses all of the file."""
-    for file, started, use, facts in _given_files(system):
+    for file, user, given, facts in _given_files(system):
         for entry in (entry for section in facts.sections for entry in section.entries):
             types = _types_of(entry.value)
             if len(types) > 1:
-                user = (started.name or started.executable).text
-                place = Place(file, *entry.span)
-                yield MixedList(file, entry.name, types, place, user, _given_at(started, use.place))
+                yield MixedList(file, entry.name, types, Place(file, *entry.span), user, given)
                 break
 
 
@@ -103,12 +101,11 @@ class SetTwice:
 
 def set_twice(system: System) -> Iterator[SetTwice]:
     """The first such parameter of each file that is given to a process."""
-    for file, started, use, facts in _given_files(system):
+    for file, user, given, facts in _given_files(system):
         for section in facts.sections:
             first = _first_doubled(section)
             if first is not None:
                 entry, last = first
-                user, given = (started.name or started.executable).text, _given_at(started, use.place)
                 place, last_place = Place(file, *entry.span), Place(file, *last.span)
                 yield SetTwice(file, entry.name, entry.value, last.value, place, last_place, user, given)
                 break
@@ -126,14 +123,14 @@ def _first_doubled(section: ParameterSection) -> tuple[ParameterEntry, Parameter
 
 def refused_values(system: System) -> Iterator[NoValue]:
     """The first such value of each file that is given to a process as it is."""
-    for file, started, use, facts in _given_files(system):
+    for file, user, given, facts in _given_files(system):
         if facts.refused is not None and facts.misplaced is None:
-            user = (started.name or started.executable).text
-            yield NoValue(file, facts.refused, user, _given_at(started, use.place))
+            yield NoValue(file, facts.refused, user, given)
 
 
-def _given_files(system: System) -> Iterator[tuple[str, Started, ParameterFileUse, ParameterFacts]]:
-    """The files that are given to processes as they are, each once, with the first use."""
+def _given_files(system: System) -> Iterator[tuple[str, str | None, Place, ParameterFacts]]:
+    """The files that are given to processes as they are, each once: with the name of the first node that gets it, and
+    where that is given it."""
     if system.launched is None or system.workspace is None:
         return
     seen: set[str] = set()
@@ -142,7 +139,8 @@ def _given_files(system: System) -> Iterator[tuple[str, Started, ParameterFileUs
             file = use.reference.source
             if file is not None and file not in seen and not use.changes:
                 seen.add(file)
-                yield file, started, use, system.workspace.parameters_of(file)
+                user = (started.name or started.executable).text
+                yield file, user, _given_at(started, use.place), system.workspace.parameters_of(file)
 
 
 def _types_of(value: object) -> tuple[str, ...]:
