@@ -44,7 +44,7 @@ def written(run: Run, layer: Layer) -> Written:
     ]
 
 
-def is_kept_to_itself(layer: Layer, oldest: int) -> bool:
+def _is_kept_to_itself(layer: Layer, oldest: int) -> bool:
     """Whether nothing that was there before a callback ran leads to what it has made, with keys from ``oldest`` on."""
     return all(
         isinstance(slot, str) and isinstance(value, Value) and is_older(value, oldest)
@@ -63,16 +63,17 @@ def read(run: Run) -> frozenset[tuple[int, str]]:
     )
 
 
-def note(run: Run, layer: Written, pending: Pending, oldest: int, *, leaks: bool) -> None:
+def note(run: Run, rows: Written, layer: Layer, pending: Pending, oldest: int) -> None:
     """Take note of the attributes that now hold what another callback may act on than the one that has just run.
 
-    ``oldest`` is the first key of the objects that this one has made; ``leaks``: one of them may be found elsewhere."""
+    ``layer`` is all that this one has written, and ``oldest`` the first key of the objects that it has made."""
     after, within = run.callbacks.count, (*run.callbacks.within, *run.branch_arms)
-    for key, slot, before, value in layer:
-        if _is_news(run, before, value):
-            is_own = key >= oldest
-            row = Left(after, within, pending.began if is_own and not leaks else 0, is_own and leaks)
-            run.callbacks.news.setdefault(slot, {}).setdefault(key, set()).add(row)
+    news = [(key, slot) for key, slot, before, value in rows if _is_news(run, before, value)]
+    leaks = any(key >= oldest for key, _ in news) and not _is_kept_to_itself(layer, oldest)
+    for key, slot in news:
+        is_own = key >= oldest
+        row = Left(after, within, pending.began if is_own and not leaks else 0, is_own and leaks)
+        run.callbacks.news.setdefault(slot, {}).setdefault(key, set()).add(row)
 
 
 def _is_news(run: Run, before: object, value: Value) -> bool:

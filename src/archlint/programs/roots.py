@@ -130,7 +130,7 @@ def run_root(run: Run, pending: Pending) -> None:
         run.steps, run.allowed_steps = 0, max(FEW_STEPS, kept_allowed - kept_bounds[0])
     written = left_behind.written(run, layer)
     if run.store.merge([layer, {}]):
-        left_behind.note(run, written, pending, oldest, leaks=not left_behind.is_kept_to_itself(layer, oldest))
+        left_behind.note(run, written, layer, pending, oldest)
 
 
 def _is_called_from_elsewhere(callback: model.Callback) -> bool:
