@@ -81,19 +81,25 @@ class MacroLowering(PackLowering):
     def _inside(self, node: Node, span: Span) -> Iterator[list[Node]]:
         """The statements of the text of a macro while they are lowered; none for anything else."""
         text = self._text_for(node)
-        root = None if text is None else parse(f"void _() {{ {text}; }}".encode())
-        if root is None or root.root_node.has_error:
+        nodes = [] if text is None else _statements_of_text(text)
+        if not nodes:
             yield []
             return
-        name = self.source.text(node.child_by_field_name("function") or node)
-        outer, self.source = self.source, FixedText(span)
-        self.names.read_from(self.source)
-        self._expanding.append(name)
+        self._expanding.append(self.source.text(node.child_by_field_name("function") or node))
         try:
-            block = root.root_node.named_children[0].child_by_field_name("body")
-            yield _statements_in(block)
+            with self._reading(FixedText(span)):
+                yield nodes
         finally:
             self._expanding.pop()
+
+    @contextmanager
+    def _reading(self, source: FixedText) -> Iterator[None]:
+        """Read another text in place of the file."""
+        outer, self.source = self.source, source
+        self.names.read_from(source)
+        try:
+            yield
+        finally:
             self.source = outer
             self.names.read_from(outer)
 
@@ -120,21 +126,15 @@ class MacroLowering(PackLowering):
         if name is None or row is None or "##" in row.text or not any(word in row.text for word in _WORTH):
             return
         text = _as_words(row.text, {word: f"_text_{at}" for at, word in enumerate(row.parameters)})
-        tree = parse(f"void _() {{ {text}; }}".encode())
-        if tree.root_node.has_error:
-            return
-        block = tree.root_node.named_children[0].child_by_field_name("body")
-        rows = _statements_in(block)
+        rows = _statements_of_text(text)
         if len(rows) != 1 or rows[0].type != "expression_statement":
             return
         body.append(self._as_function(self.source.text(name), row, rows[0], self.source.span(node)))
 
     def _as_function(self, name: str, row: Macro, statement: Node, span: Span) -> facts.Function:
-        outer, self.source = self.source, FixedText(span)
-        self.names.read_from(self.source)
         before, self.before = self.before, []
         try:
-            with self.names.function(FunctionScope(name)) as scope:
+            with self._reading(FixedText(span)), self.names.function(FunctionScope(name)) as scope:
                 texts = [f"_text_{at}" for at in range(len(row.parameters))]
                 scope.variables.update((*row.parameters, *texts))
                 value = statement.named_children[0]
@@ -143,8 +143,6 @@ class MacroLowering(PackLowering):
             inner = [*self.before, *inner, *returned]
         finally:
             self.before = before
-            self.source = outer
-            self.names.read_from(outer)
         caller = facts.Call(self.names.library(CALLER, span), [], span)
         first: list[Stmt] = [facts.Assign([facts.Name("self", span)], caller, span)]
         none = facts.Literal(None, span)
@@ -169,8 +167,10 @@ class MacroLowering(PackLowering):
         ]
 
 
-def _statements_in(block: Node | None) -> list[Node]:
-    """The statements of a block, without those that are but a semicolon."""
+def _statements_of_text(text: str) -> list[Node]:
+    """The statements of a text, without those that are but a semicolon; none where it cannot be read."""
+    root = parse(f"void _() {{ {text}; }}".encode()).root_node
+    block = None if root.has_error else root.named_children[0].child_by_field_name("body")
     nodes = [] if block is None else block.named_children
     return [node for node in nodes if node.type != "comment" and node.child_count > 1]
 
