@@ -5,7 +5,7 @@ from __future__ import annotations
 import posixpath
 import re
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from archlint.analysis.absent_packages import is_nowhere
@@ -41,20 +41,24 @@ def present_name(workspace: WorkspaceIndex, file: SourceFile, module: str, names
 def _is_own(workspace: WorkspaceIndex, top: str, own: str) -> bool:
     """Whether all that anybody imports of a package lies in one of the workspace: else it is another one, of which that
     may be a copy."""
-    return all(f"{own}{module.removeprefix(top)}" in workspace.code.modules for module in _imported(workspace, top))
+    imported = _imported(workspace).get(top, ())
+    return all(f"{own}{module.removeprefix(top)}" in workspace.code.modules for module in imported)
 
 
-def _imported(workspace: WorkspaceIndex, top: str) -> Iterator[str]:
-    """All modules of a package that code of the workspace imports, or imports names from; where it is the package
+@once
+def _imported(workspace: WorkspaceIndex) -> dict[str, set[str]]:
+    """By package, all modules of it that code of the workspace imports, or imports names from; where it is the package
     itself, each name with it."""
+    modules: dict[str, set[str]] = {}
     for _, code in workspace.code.asked_for():
         for plain in everything_in(code.body, facts.Import):
-            yield from (module for module in [plain.module] if module.partition(".")[0] == top)
+            modules.setdefault(plain.module.partition(".")[0], set()).add(plain.module)
         for statement in everything_in(code.body, facts.ImportFrom):
-            if statement.level == 0 and statement.module == top:
-                yield from (f"{top}.{name}" for name, _ in statement.names)
-            elif statement.level == 0 and statement.module.partition(".")[0] == top:
-                yield statement.module
+            top, _, rest = statement.module.partition(".")
+            if statement.level == 0:
+                names = [statement.module] if rest else [f"{top}.{name}" for name, _ in statement.names]
+                modules.setdefault(top, set()).update(names)
+    return modules
 
 
 def _is_unknown(workspace: WorkspaceIndex, file: SourceFile, module: str) -> bool:
@@ -71,7 +75,11 @@ def _is_unknown(workspace: WorkspaceIndex, file: SourceFile, module: str) -> boo
 @once
 def _wanted_from_elsewhere(workspace: WorkspaceIndex) -> tuple[str, ...]:
     """The texts of the files that name Python packages of others."""
-    paths = (path for path in workspace.tree.files_below("") if _REQUIREMENTS.fullmatch(posixpath.basename(path)))
+    paths = (
+        path
+        for path in workspace.tree.files_below(workspace.tree.top)
+        if _REQUIREMENTS.fullmatch(posixpath.basename(path))
+    )
     return tuple(workspace.tree.text(path) or "" for path in sorted(paths))
 
 

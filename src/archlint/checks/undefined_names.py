@@ -74,6 +74,8 @@ def _past_handler(read: UnboundLocal) -> Finding:
     return replace(told, severity=Severity.WARNING)
 
 
+_WITHOUT_SELF = "no self"
+"""The group of findings in a method whose author forgot ``self``."""
 PAST_HANDLER = "caught"
 """The group of findings about what one ``except`` leaves without a value."""
 
@@ -94,7 +96,7 @@ def _without_self(read: Undefined) -> Finding:
         f"nothing defines '{read.name}': this line fails with {error}; {read.without_self}() has no parameter 'self'",
         help=f"write `def {read.without_self}(self):`{cure}",
         identity=(read.name,),
-        group=(read.place.file, read.without_self, "self"),
+        group=(read.place.file, read.without_self, _WITHOUT_SELF),
     )
 
 
@@ -143,17 +145,13 @@ def _is_class_of(known: str, name: str) -> bool:
     return known != name and known.lower() == name.lower() and known[:1].isupper() is not name[:1].isupper()
 
 
-_OF_A_STATEMENT = 2
-"""Parts of the group of findings about names that nothing at all defines."""
-
-
 @folds("API005")
 def undefined_in_one_file(findings: Sequence[Finding]) -> Finding:
     """The first read of a name in a file, for all of them, and for the other names of its statement; and of what has no
     value after one ``except``."""
     if PAST_HANDLER in findings[0].group:
         return with_others(findings, "another variable has", "more variables have", "none, either")
-    if len(findings[0].group) == _OF_A_STATEMENT and len({told.identity[0] for told in findings}) > 1:
+    if _WITHOUT_SELF not in findings[0].group and len({told.identity[0] for told in findings}) > 1:
         return with_others(findings, "another name is", "more names are", "not defined, either")
     return with_others(findings, "another line of the file does", "more lines of the file do", "the same")
 
