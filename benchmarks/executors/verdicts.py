@@ -9,9 +9,9 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
-from archlint.analysis import blocking
 from archlint.config.settings import Settings
 from archlint.engine.pipeline import Request, check
+from archlint.execution import blocking
 from archlint.finding import Finding
 from benchmarks.executors.cells import Cell, partner, program
 from benchmarks.executors.running import HANGS, NOTHING, SOME, STOPS, STRANDS, WORKS

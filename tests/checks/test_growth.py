@@ -9,14 +9,16 @@ from unittest.mock import patch
 import pytest
 
 from archlint import suggestions
-from archlint.analysis import class_chains, coexistence, delivery, unassigned_attributes
+from archlint.analysis import coexistence
 from archlint.checks import circle_search, near_misses, unmatched
 from archlint.config import toml_places
 from archlint.config.options import options_for
 from archlint.config.settings import Settings
+from archlint.connections import delivery
 from archlint.engine.judging import judge
 from archlint.engine.pipeline import Request, check
 from archlint.finding import Finding, Place
+from archlint.python_code import class_chains, unassigned_attributes
 from archlint.ros.qos import Qos
 from archlint.syntax import facts
 from archlint.systems.model import System

@@ -9,10 +9,11 @@ from typing import Any
 import msgspec
 import pytest
 
-from archlint.analysis import absent_members, logger_calls, missing_imports, own_calls, time_operators, undefined_names
 from archlint.analysis.kept import kept_for_each_file, kept_for_few_files
 from archlint.config.settings import load
 from archlint.engine.pipeline import Request, check
+from archlint.packaging import missing_imports
+from archlint.python_code import absent_members, logger_calls, own_calls, time_operators, undefined_names
 from archlint.syntax import facts
 from archlint.syntax.cache import Store
 from archlint.syntax.python.lowering import lower

@@ -6,12 +6,12 @@ from typing import TYPE_CHECKING
 
 from archlint.advice.model import Evidence, Judged, Use, unknown
 from archlint.advice.words import asked_words, node_name, occasion_words, rate_of
-from archlint.analysis.request_paces import pace_of_request
-from archlint.analysis.request_uses import sends_measures
 from archlint.analysis.source_code import source_code
+from archlint.connections.request_uses import sends_measures
 from archlint.dataflow.durations import pauses
 from archlint.dataflow.model import How
 from archlint.dataflow.runs import REQUESTS
+from archlint.execution.request_paces import pace_of_request
 from archlint.model import Role
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in

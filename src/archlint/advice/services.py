@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING
 
 from archlint.advice.model import Evidence, Judged, Use, unknown
 from archlint.advice.words import asked_words, node_name, occasion_words, pace_evidence, rate_of, why_unknown
-from archlint.analysis.polling import sends_the_same
-from archlint.analysis.request_paces import pace_of_request
-from archlint.analysis.request_uses import (
+from archlint.analysis.source_code import source_code
+from archlint.checks.long_services import long_handlers
+from archlint.connections.request_uses import (
     answer_fields,
     is_command,
     is_own,
@@ -19,15 +19,15 @@ from archlint.analysis.request_uses import (
     sends_measures,
     tells_only_success,
 )
-from archlint.analysis.source_code import source_code
-from archlint.checks.long_services import long_handlers
 from archlint.dataflow.model import How, StepKind
 from archlint.dataflow.pace import sending_interval
 from archlint.dataflow.runs import REQUESTS
+from archlint.execution.polling import sends_the_same
+from archlint.execution.request_paces import pace_of_request
 
 if TYPE_CHECKING:
-    from archlint.analysis.request_paces import RequestPace
     from archlint.dataflow.model import Flow, Link, Step
+    from archlint.execution.request_paces import RequestPace
     from archlint.model import ApiCall, Creation, Program
 
 OFTEN = 1.0

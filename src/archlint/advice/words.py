@@ -10,8 +10,8 @@ from archlint.dataflow.model import StepKind
 from archlint.model import Role
 
 if TYPE_CHECKING:
-    from archlint.analysis.request_paces import PaceKind, RequestPace
     from archlint.dataflow.model import Link
+    from archlint.execution.request_paces import PaceKind, RequestPace
     from archlint.model import ApiCall, Callback
     from archlint.systems.nodes import Node
 

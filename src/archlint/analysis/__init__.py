@@ -1,1 +1,1 @@
-"""What rules ask of a system: waits, deadlocks, delivery, what reaches what."""
+"""What rules ask whatever they are about: the code at a place, what reaches what, what is certain of a node."""

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 from typing import TYPE_CHECKING
 
-from archlint.analysis.absent_imports import Absent, absent_imports
 from archlint.analysis.own_names import is_defined_somewhere
 from archlint.checks.registry import finding
 from archlint.finding import Finding
 from archlint.libraries.absent_names import instead_of
 from archlint.libraries.module_names import modules_with, near_module, near_name
+from archlint.python_code.absent_imports import Absent, absent_imports
 from archlint.suggestions import meant
 
 if TYPE_CHECKING:

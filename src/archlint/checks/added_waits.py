@@ -6,11 +6,11 @@ from collections.abc import Collection, Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.analysis.added_limits import AddedLimits, added_limits
-from archlint.analysis.callback_roles import callback_words
-from archlint.analysis.kept_waiting import Waiting, who_waits
 from archlint.analysis.source_code import source_code
 from archlint.checks.callback_findings import finding_in_callback
+from archlint.execution.added_limits import AddedLimits, added_limits
+from archlint.execution.callback_roles import callback_words
+from archlint.execution.kept_waiting import Waiting, who_waits
 from archlint.finding import Finding, Related, Severity
 
 if TYPE_CHECKING:

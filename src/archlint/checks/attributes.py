@@ -6,20 +6,20 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.analysis.absent_members import AbsentMember, absent_members
-from archlint.analysis.enum_members import absent_enum_members
-from archlint.analysis.launch_properties import ActionOverwritten, overwritten_actions
-from archlint.analysis.methods_looked_into import LookedInto, methods_looked_into
-from archlint.analysis.object_members import CalledProperty, object_members
-from archlint.analysis.unassigned_attributes import (
+from archlint.checks.registry import finding
+from archlint.checks.uncalled import unless_uncalled
+from archlint.finding import Finding, Related
+from archlint.launch_files.launch_properties import ActionOverwritten, overwritten_actions
+from archlint.python_code.absent_members import AbsentMember, absent_members
+from archlint.python_code.enum_members import absent_enum_members
+from archlint.python_code.methods_looked_into import LookedInto, methods_looked_into
+from archlint.python_code.object_members import CalledProperty, object_members
+from archlint.python_code.unassigned_attributes import (
     Overwritten,
     Unassigned,
     overwritten_properties,
     unassigned_attributes,
 )
-from archlint.checks.registry import finding
-from archlint.checks.uncalled import unless_uncalled
-from archlint.finding import Finding, Related
 from archlint.suggestions import meant
 
 if TYPE_CHECKING:

@@ -5,17 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from archlint.analysis.blocking import SEVERAL
-from archlint.analysis.callback_roles import callback_words, runs_in_executor
-from archlint.analysis.deadlock import threads_of
-from archlint.analysis.kept_waiting import blocks_nobody
-from archlint.analysis.known_work import Work, work_of
-from archlint.analysis.paces import pace_of
 from archlint.analysis.reach import node_name, one_for_each_place
 from archlint.analysis.source_code import source_code
-from archlint.analysis.timed_loops import TimedLoop, timed_loops
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
+from archlint.execution.blocking import SEVERAL
+from archlint.execution.callback_roles import callback_words, runs_in_executor
+from archlint.execution.deadlock import threads_of
+from archlint.execution.kept_waiting import blocks_nobody
+from archlint.execution.known_work import Work, work_of
+from archlint.execution.paces import pace_of
+from archlint.execution.timed_loops import TimedLoop, timed_loops
 from archlint.finding import Finding, Place, Related
 from archlint.model import Role
 

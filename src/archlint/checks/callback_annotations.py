@@ -6,12 +6,12 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from archlint.analysis.annotations import AnnotatedMessage, annotated_messages
 from archlint.analysis.reach import node_name
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
 from archlint.model import Callback, Creation, Role
+from archlint.python_code.annotations import AnnotatedMessage, annotated_messages
 
 if TYPE_CHECKING:
     from archlint.finding import Place

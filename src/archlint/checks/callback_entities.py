@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from archlint.analysis.callback_roles import callback_words, runs_in_executor
-from archlint.analysis.early_lookups import early_lookups
 from archlint.analysis.reach import calls_of, creations_of, node_name, one_for_each_place
 from archlint.analysis.taken_down import is_taken_down
 from archlint.checks.folding import folds, with_other_places
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
+from archlint.execution.callback_roles import callback_words, runs_in_executor
+from archlint.execution.early_lookups import early_lookups
 from archlint.finding import Finding, Related
 from archlint.model import (
     EntityKind,

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from archlint.analysis.callback_roles import related_to, runs_in_executor
 from archlint.analysis.kept import once
 from archlint.analysis.reach import judged_calls, node_name
 from archlint.checks.registry import finding
+from archlint.execution.callback_roles import related_to, runs_in_executor
 from archlint.finding import Related
 
 if TYPE_CHECKING:

@@ -6,23 +6,23 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.analysis import blocking
-from archlint.analysis.callback_roles import callback_words, runs_in_executor
-from archlint.analysis.deadlock import Verdict, group_relation, threads_of
-from archlint.analysis.early_results import EarlyResult, early_results, is_discarded
-from archlint.analysis.event_waits import EventWait, event_waits
 from archlint.analysis.reach import (
     endpoint_words,
     one_for_each_place,
 )
 from archlint.analysis.source_code import source_code
-from archlint.analysis.stuck import is_spin, stuck_waits
-from archlint.analysis.waits import Wait
 from archlint.checks.callback_findings import finding_in_callback
 from archlint.checks.joins import vain_joins
 from archlint.checks.registry import Options, rule
 from archlint.checks.scope import Scope
 from archlint.checks.wait_words import CONTINUE_WHEN_DONE, when_done
+from archlint.execution import blocking
+from archlint.execution.callback_roles import callback_words, runs_in_executor
+from archlint.execution.deadlock import Verdict, group_relation, threads_of
+from archlint.execution.early_results import EarlyResult, early_results, is_discarded
+from archlint.execution.event_waits import EventWait, event_waits
+from archlint.execution.stuck import is_spin, stuck_waits
+from archlint.execution.waits import Wait
 from archlint.finding import Finding, Severity
 from archlint.model import Role
 

@@ -10,12 +10,12 @@ from dataclasses import replace
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
-from archlint.analysis.copies import are_copies
 from archlint.checks.dependency_uses import Use, uses_by_package
 from archlint.checks.packages import workspace_of
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related, Severity
+from archlint.packaging.copies import are_copies
 from archlint.suggestions import listed
 from archlint.workspace.manifest import condition_verdict
 

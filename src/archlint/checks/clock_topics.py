@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.coexistence import certain, in_source_order
 from archlint.analysis.kept import once
-from archlint.analysis.set_parameters import called, set_nodes
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.sight import is_complete
 from archlint.finding import Finding, Related
+from archlint.launch_files.set_parameters import called, set_nodes
 from archlint.model import EntityKind
 
 if TYPE_CHECKING:

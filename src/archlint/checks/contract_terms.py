@@ -7,9 +7,9 @@ from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING
 
 from archlint.analysis.coexistence import in_source_order
-from archlint.analysis.links import counts, is_meant, named
 from archlint.architecture import Contract, Policy
 from archlint.checks.registry import finding
+from archlint.connections.links import counts, is_meant, named
 from archlint.finding import Finding, Related
 from archlint.model import (
     EntityKind,

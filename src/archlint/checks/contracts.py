@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
-from archlint.analysis.links import Link, by_source, is_meant, links
 from archlint.architecture import FORBID, INDEPENDENT, QOS, TYPES, Contract, Globs
 from archlint.checks.contract_terms import other_qos, other_types
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
+from archlint.connections.links import Link, by_source, is_meant, links
 from archlint.finding import Finding, Related
 
 if TYPE_CHECKING:

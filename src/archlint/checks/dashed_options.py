@@ -6,12 +6,12 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.analysis.dashed_options import dashed_options
 from archlint.checks.folding import folds, with_others, with_places
 from archlint.checks.packages import workspace_of
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding
+from archlint.packaging.dashed_options import dashed_options
 
 if TYPE_CHECKING:
     from archlint.systems.model import System

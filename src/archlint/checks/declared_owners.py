@@ -6,11 +6,11 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from archlint.analysis.coexistence import in_source_order
-from archlint.analysis.links import connections, counts, is_meant
 from archlint.architecture import Globs, matches
 from archlint.checks.launched_names import is_renamed
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
+from archlint.connections.links import connections, counts, is_meant
 from archlint.finding import Finding, Related
 from archlint.model import (
     EntityKind,

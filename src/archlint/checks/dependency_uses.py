@@ -8,16 +8,16 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Literal
 
 from archlint.analysis.aside import is_not_installed
-from archlint.analysis.build_dependencies import packages_to_declare
-from archlint.analysis.cpp_includes import packages_of_headers
-from archlint.analysis.imports import imports_at_start
-from archlint.analysis.interface_dependencies import not_handed, types_of_others
 from archlint.analysis.kept import kept
-from archlint.analysis.launch_dependencies import packages_of_files, packages_of_includes, runs_of_xacro
-from archlint.analysis.manifests import package_around
 from archlint.checks.registry import Options
 from archlint.finding import Place
 from archlint.launch.kinds import StartedKind
+from archlint.packaging.build_dependencies import packages_to_declare
+from archlint.packaging.cpp_includes import packages_of_headers
+from archlint.packaging.imports import imports_at_start
+from archlint.packaging.interface_dependencies import not_handed, types_of_others
+from archlint.packaging.launch_dependencies import packages_of_files, packages_of_includes, runs_of_xacro
+from archlint.packaging.manifests import package_around
 from archlint.ros import packages
 from archlint.workspace.closure import closure
 from archlint.workspace.manifest import condition_holds

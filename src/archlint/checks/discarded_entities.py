@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from archlint.analysis.callback_roles import callback_words, runs_in_executor
-from archlint.analysis.early_lookups import EarlyLookup, early_lookups
 from archlint.analysis.idle_filters import idle_filters
 from archlint.analysis.reach import node_name, one_for_each_place
 from archlint.checks.folding import folds, with_others
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.wait_words import related_path
+from archlint.execution.callback_roles import callback_words, runs_in_executor
+from archlint.execution.early_lookups import EarlyLookup, early_lookups
 from archlint.finding import Finding, Related
 
 if TYPE_CHECKING:

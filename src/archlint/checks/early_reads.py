@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from archlint.analysis.early_attribute_reads import EarlyRead, early_attribute_reads
 from archlint.checks.registry import finding
 from archlint.finding import Finding, Related
+from archlint.python_code.early_attribute_reads import EarlyRead, early_attribute_reads
 
 if TYPE_CHECKING:
     from archlint.systems.model import System

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from archlint.analysis.field_operations import FieldOperation, field_operations
 from archlint.checks.registry import finding
+from archlint.python_code.field_operations import FieldOperation, field_operations
 
 if TYPE_CHECKING:
     from archlint.finding import Finding

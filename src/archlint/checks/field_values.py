@@ -6,7 +6,6 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.analysis.byte_fields import ByteCompared, bytes_compared
 from archlint.analysis.pinned import named_distros
 from archlint.analysis.reach import judged_notes
 from archlint.checks.field_operations import operations_on_fields
@@ -15,6 +14,7 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Related
 from archlint.model import ValueEffect, WrongValue
+from archlint.python_code.byte_fields import ByteCompared, bytes_compared
 
 if TYPE_CHECKING:
     from archlint.finding import Finding

@@ -5,16 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from archlint.analysis.callback_roles import callback_words
-from archlint.analysis.foreign_awaits import foreign_awaits
 from archlint.analysis.reach import one_for_each_place
 from archlint.checks.callback_findings import finding_in_callback
 from archlint.checks.folding import folds, with_others
 from archlint.checks.registry import Options, rule
 from archlint.checks.scope import Scope
+from archlint.execution.callback_roles import callback_words
 from archlint.finding import Finding
 from archlint.libraries.tables.event_loops import SLEEP, STARTS
 from archlint.model import Role
+from archlint.python_code.foreign_awaits import foreign_awaits
 
 if TYPE_CHECKING:
     from archlint.model import ApiCall, Program

@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from archlint.analysis.goal_outcomes import ends_without_outcome
-from archlint.analysis.handler_ends import HandlerEnd
 from archlint.analysis.reach import endpoint_words, node_name, one_for_each_place
 from archlint.checks.folding import folds, with_others
 from archlint.checks.handlers import related_handler
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding
+from archlint.python_code.goal_outcomes import ends_without_outcome
+from archlint.python_code.handler_ends import HandlerEnd
 
 if TYPE_CHECKING:
     from archlint.systems.model import System

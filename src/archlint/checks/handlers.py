@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from archlint.analysis.handler_ends import HandlerEnd, ends_without_response, ends_without_result
 from archlint.analysis.reach import endpoint_words, node_name, one_for_each_place
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
+from archlint.python_code.handler_ends import HandlerEnd, ends_without_response, ends_without_result
 
 if TYPE_CHECKING:
     from archlint.systems.model import System

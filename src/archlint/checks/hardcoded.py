@@ -11,9 +11,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.aside import is_not_installed
 from archlint.analysis.completeness import enclosing_class
 from archlint.analysis.fixed_names import must_be_absolute, passed_from
-from archlint.analysis.manifests import package_around
 from archlint.analysis.name_sites import sites_of_name
-from archlint.analysis.names_in_data import is_in_data
 from archlint.branches import exclusive
 from archlint.checks.folding import all_sites, folds
 from archlint.checks.foreign_names import is_foreign
@@ -23,7 +21,9 @@ from archlint.checks.name_reasons import FIXED, PARAMETERS, RELATIVE, WITHOUT_PA
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
+from archlint.launch_files.names_in_data import is_in_data
 from archlint.model import NAMED
+from archlint.packaging.manifests import package_around
 from archlint.ros.well_known import ABSOLUTE, BY_CLICK
 
 if TYPE_CHECKING:

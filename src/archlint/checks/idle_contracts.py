@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from archlint.analysis.links import connections, is_meant
 from archlint.architecture import CONNECTIONS, PACKAGE, REQUIRE, Globs, matches
 from archlint.checks.required import is_concerned
+from archlint.connections.links import connections, is_meant
 from archlint.suggestions import did_you_mean
 
 if TYPE_CHECKING:

@@ -6,8 +6,12 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.analysis import blocking
-from archlint.analysis.callback_groups import (
+from archlint.analysis.reach import node_name, one_for_each_place
+from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
+from archlint.checks.slow_callbacks import held_up_by_goals
+from archlint.execution import blocking
+from archlint.execution.callback_groups import (
     all_nodes,
     groups_in_use,
     groups_made,
@@ -15,13 +19,9 @@ from archlint.analysis.callback_groups import (
     only_excludes,
     serializes_callbacks,
 )
-from archlint.analysis.deadlock import related_executor, threads_of
-from archlint.analysis.idle_nodes import started_nodes
-from archlint.analysis.reach import node_name, one_for_each_place
-from archlint.analysis.spins import spins_if_asked, spun_by_several
-from archlint.checks.registry import Options, finding, rule
-from archlint.checks.scope import Scope
-from archlint.checks.slow_callbacks import held_up_by_goals
+from archlint.execution.deadlock import related_executor, threads_of
+from archlint.execution.idle_nodes import started_nodes
+from archlint.execution.spins import spins_if_asked, spun_by_several
 from archlint.finding import Finding, Place, Related, Severity
 
 if TYPE_CHECKING:

@@ -6,8 +6,6 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.analysis.left_over import is_never_made
-from archlint.analysis.other_clients import MistakenWait, mistaken_waits, words_for_client
-from archlint.analysis.own_servers import is_served_by_its_node
 from archlint.analysis.reach import (
     calls_of,
     creations_of,
@@ -30,6 +28,8 @@ from archlint.checks.wait_words import (
     related_path,
     server_words,
 )
+from archlint.connections.own_servers import is_served_by_its_node
+from archlint.execution.other_clients import MistakenWait, mistaken_waits, words_for_client
 from archlint.finding import Finding, Place, Related
 
 if TYPE_CHECKING:

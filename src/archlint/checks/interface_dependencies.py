@@ -6,19 +6,19 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.analysis.interface_dependencies import (
-    NotHanded,
-    UndefinedType,
-    not_handed,
-    undefined_types,
-    without_group,
-)
 from archlint.checks.dependency_uses import brought_by
 from archlint.checks.folding import folds
 from archlint.checks.packages import workspace_of
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related
+from archlint.packaging.interface_dependencies import (
+    NotHanded,
+    UndefinedType,
+    not_handed,
+    undefined_types,
+    without_group,
+)
 from archlint.suggestions import meant
 
 if TYPE_CHECKING:

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from archlint.analysis.blocking import Outcome
-from archlint.analysis.callback_roles import callback_words, related_to, runs_in_executor
-from archlint.analysis.joined_threads import JoinedWait, stuck_joins
 from archlint.analysis.reach import endpoint_words, node_name, related_creation
 from archlint.checks.registry import Options, finding
 from archlint.checks.wait_words import kind_of, name_of, when_done
+from archlint.execution.blocking import Outcome
+from archlint.execution.callback_roles import callback_words, related_to, runs_in_executor
+from archlint.execution.joined_threads import JoinedWait, stuck_joins
 from archlint.finding import Finding, Related
 
 if TYPE_CHECKING:

@@ -8,13 +8,13 @@ from dataclasses import replace
 from itertools import groupby
 from typing import TYPE_CHECKING
 
-from archlint.analysis.launch_code import listed_as, may_read_argument
-from archlint.analysis.misread_arguments import MisreadArgument, misread_arguments
-from archlint.analysis.unread_arguments import all_readers_are_known
 from archlint.checks.folding import folds, with_places
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related, Severity
+from archlint.launch_files.launch_code import listed_as, may_read_argument
+from archlint.launch_files.misread_arguments import MisreadArgument, misread_arguments
+from archlint.launch_files.unread_arguments import all_readers_are_known
 from archlint.suggestions import did_you_mean, listed
 
 if TYPE_CHECKING:

@@ -8,11 +8,11 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.analysis.launch_code import is_for_several_distros
 from archlint.checks.folding import folds, with_places
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Severity
+from archlint.launch_files.launch_code import is_for_several_distros
 from archlint.suggestions import did_you_mean, distance
 
 if TYPE_CHECKING:

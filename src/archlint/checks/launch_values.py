@@ -6,14 +6,14 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.analysis.foreign_launch_files import ForeignLaunchFile, foreign_launch_files
-from archlint.analysis.launch_descriptions import misnamed_functions, wrong_descriptions
-from archlint.analysis.undefined_names import names_bound_in
-from archlint.analysis.wrong_launch_descriptions import Wrong, WrongDescription
 from archlint.checks.folding import folds, with_other_places
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related, Severity
+from archlint.launch_files.foreign_launch_files import ForeignLaunchFile, foreign_launch_files
+from archlint.launch_files.launch_descriptions import misnamed_functions, wrong_descriptions
+from archlint.launch_files.wrong_launch_descriptions import Wrong, WrongDescription
+from archlint.python_code.undefined_names import names_bound_in
 from archlint.suggestions import listed, meant, nearest
 
 if TYPE_CHECKING:

@@ -6,14 +6,14 @@ import posixpath
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from archlint.analysis.absent_packages import is_nowhere, is_placeholder, owners_of_component
-from archlint.analysis.entry_points import is_empty
 from archlint.checks.folding import folds, with_places
 from archlint.checks.packages import is_ignored_by_cmake
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
 from archlint.launch.kinds import StartedKind
+from archlint.packaging.absent_packages import is_nowhere, is_placeholder, owners_of_component
+from archlint.packaging.entry_points import is_empty
 from archlint.suggestions import did_you_mean, listed, nearest
 
 if TYPE_CHECKING:

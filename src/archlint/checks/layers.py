@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from archlint.analysis.links import by_source, links
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
+from archlint.connections.links import by_source, links
 from archlint.finding import Finding, Related
 
 if TYPE_CHECKING:

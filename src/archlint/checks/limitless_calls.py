@@ -6,12 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.analysis.callback_roles import runs_in_executor
-from archlint.analysis.deadlock import CALL
-from archlint.analysis.joined_threads import stuck_joins
 from archlint.analysis.limit_sites import sites_of_call
-from archlint.analysis.paces import runs_beside_itself
-from archlint.analysis.piling_waits import piling_up
 from archlint.analysis.reach import (
     calls_of,
     endpoint_words,
@@ -20,16 +15,21 @@ from archlint.analysis.reach import (
     waits_for_ever,
 )
 from archlint.analysis.source_code import SourceCode, source_code
-from archlint.analysis.stuck import spoken_of
-from archlint.analysis.threaded_waits import threaded_waits
-from archlint.analysis.threads import is_daemon
 from archlint.analysis.unused_results import stands_alone
-from archlint.analysis.waits import DONE, other_arm_only_sends, waits
 from archlint.checks.folding import folds, of_one_function
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.timeouts import is_uncalled
 from archlint.checks.wait_words import kind_of, name_of, related_path, server_words
+from archlint.execution.callback_roles import runs_in_executor
+from archlint.execution.deadlock import CALL
+from archlint.execution.joined_threads import stuck_joins
+from archlint.execution.paces import runs_beside_itself
+from archlint.execution.piling_waits import piling_up
+from archlint.execution.stuck import spoken_of
+from archlint.execution.threaded_waits import threaded_waits
+from archlint.execution.threads import is_daemon
+from archlint.execution.waits import DONE, other_arm_only_sends, waits
 from archlint.finding import Finding, Severity
 from archlint.model import ExecutorKind, Role
 

@@ -8,15 +8,22 @@ from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING
 
-from archlint.analysis.actions_beside import action_beside
-from archlint.analysis.attribute_loops import attribute_loops
 from archlint.analysis.conditions import conditions
 from archlint.analysis.kept import kept
-from archlint.analysis.kept_waiting import blocks_nobody
-from archlint.analysis.lessons import is_lesson
-from archlint.analysis.longest_way import Stretch, longest_way
-from archlint.analysis.loop_stops import can_be_stopped
-from archlint.analysis.loop_times import (
+from archlint.analysis.order import paths_to
+from archlint.analysis.reach import endpoint_words, judged_calls, one_for_each_place
+from archlint.analysis.source_code import SourceCode, source_code
+from archlint.checks.callback_findings import finding_in_callback
+from archlint.checks.folding import folds, with_others
+from archlint.checks.registry import Options, rule
+from archlint.checks.scope import Scope
+from archlint.connections.actions_beside import action_beside
+from archlint.connections.lessons import is_lesson
+from archlint.execution.attribute_loops import attribute_loops
+from archlint.execution.kept_waiting import blocks_nobody
+from archlint.execution.longest_way import Stretch, longest_way
+from archlint.execution.loop_stops import can_be_stopped
+from archlint.execution.loop_times import (
     around_future,
     in_loops,
     is_retry,
@@ -24,16 +31,9 @@ from archlint.analysis.loop_times import (
     varies_by_iteration,
     watches_the_clock,
 )
-from archlint.analysis.order import paths_to
-from archlint.analysis.reach import endpoint_words, judged_calls, one_for_each_place
-from archlint.analysis.requested_times import lasts_as_requested
-from archlint.analysis.sleeps import Stay, stay_of
-from archlint.analysis.source_code import SourceCode, source_code
-from archlint.analysis.stuck import clients_of_handlers
-from archlint.checks.callback_findings import finding_in_callback
-from archlint.checks.folding import folds, with_others
-from archlint.checks.registry import Options, rule
-from archlint.checks.scope import Scope
+from archlint.execution.requested_times import lasts_as_requested
+from archlint.execution.sleeps import Stay, stay_of
+from archlint.execution.stuck import clients_of_handlers
 from archlint.finding import Finding, Related, Severity
 from archlint.model import Role
 

@@ -6,10 +6,10 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from archlint.analysis.left_over import is_dead, is_never_made
-from archlint.analysis.lost_publications import LostPublication, lost_publications
 from archlint.analysis.reach import node_name, one_for_each_place
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
+from archlint.connections.lost_publications import LostPublication, lost_publications
 from archlint.finding import Finding, Related
 from archlint.model import Role
 

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from archlint.analysis.malformed_substitutions import Malformed, MalformedText, malformed_substitutions
-from archlint.analysis.unperformed_substitutions import unperformed_substitutions
 from archlint.checks.folding import folds, with_places
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related
+from archlint.launch_files.malformed_substitutions import Malformed, MalformedText, malformed_substitutions
+from archlint.launch_files.unperformed_substitutions import unperformed_substitutions
 
 if TYPE_CHECKING:
     from archlint.systems.model import System

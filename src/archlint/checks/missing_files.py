@@ -8,15 +8,15 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.analysis.absent_packages import is_nowhere, is_placeholder, package_meant
-from archlint.analysis.generated_files import has_template, is_generated, is_ignored
-from archlint.analysis.launch_code import writes_files
-from archlint.analysis.missing_files import is_folder_missing, lies_in, names_beside, namesake
 from archlint.checks.folding import folds, with_places
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
 from archlint.launch.kinds import FileKind, FileStatus
+from archlint.launch_files.launch_code import writes_files
+from archlint.launch_files.missing_files import is_folder_missing, lies_in, names_beside, namesake
+from archlint.packaging.absent_packages import is_nowhere, is_placeholder, package_meant
+from archlint.packaging.generated_files import has_template, is_generated, is_ignored
 from archlint.suggestions import common_words, did_you_mean, distance, have_same_words, listed, meant
 
 if TYPE_CHECKING:

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from archlint.analysis.missing_imports import MissingImport, missing_imports
 from archlint.checks.folding import folds, with_others
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding
+from archlint.packaging.missing_imports import MissingImport, missing_imports
 from archlint.suggestions import meant
 
 if TYPE_CHECKING:

@@ -8,7 +8,6 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
-from archlint.analysis.lessons import is_lesson
 from archlint.checks.foreign_names import is_foreign
 from archlint.checks.name_reasons import (
     FIXED,
@@ -21,6 +20,7 @@ from archlint.checks.name_reasons import (
     parted_from,
     unlike_another,
 )
+from archlint.connections.lessons import is_lesson
 from archlint.model import EntityKind
 from archlint.systems.nodes import key_of
 

@@ -15,10 +15,10 @@ from archlint.analysis.coexistence import (
 )
 from archlint.analysis.kept import once
 from archlint.analysis.left_over import is_left_over
-from archlint.analysis.own_types import is_only_server
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.sight import in_sight
+from archlint.connections.own_types import is_only_server
 from archlint.finding import Finding, Related
 from archlint.model import EntityKind
 from archlint.suggestions import are_opposites, distance

@@ -7,12 +7,7 @@ from dataclasses import replace
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
-from archlint.analysis.blocking import ONE
-from archlint.analysis.callback_roles import runs_in_executor
-from archlint.analysis.deadlock import AWAIT, CALL, SPIN, Verdict, related_executor, threads_of
-from archlint.analysis.lessons import is_lesson
 from archlint.analysis.pinned import distros_to_judge
-from archlint.analysis.present_servers import is_looked_for
 from archlint.analysis.reach import (
     endpoint_words,
     node_name,
@@ -21,14 +16,19 @@ from archlint.analysis.reach import (
     related_creation,
 )
 from archlint.analysis.source_code import source_code
-from archlint.analysis.spins import is_spun_for_moments
-from archlint.analysis.stuck import nested_waits
 from archlint.analysis.unused_results import stands_alone
-from archlint.analysis.waits import BLOCKING_CALLS, DONE, Wait, waits
 from archlint.checks.nested_spins import OWN_EXECUTOR
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.service_cycles import Edge, waits_behind
+from archlint.connections.lessons import is_lesson
+from archlint.execution.blocking import ONE
+from archlint.execution.callback_roles import runs_in_executor
+from archlint.execution.deadlock import AWAIT, CALL, SPIN, Verdict, related_executor, threads_of
+from archlint.execution.present_servers import is_looked_for
+from archlint.execution.spins import is_spun_for_moments
+from archlint.execution.stuck import nested_waits
+from archlint.execution.waits import BLOCKING_CALLS, DONE, Wait, waits
 from archlint.finding import Finding, Related, Severity
 from archlint.model import (
     EntityKind,

@@ -6,9 +6,6 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.analysis import blocking
-from archlint.analysis.callback_roles import callback_words, runs_in_executor
-from archlint.analysis.deadlock import judge_spin, threads_of
 from archlint.analysis.reach import (
     argument,
     creations_of,
@@ -17,14 +14,17 @@ from archlint.analysis.reach import (
     one_for_each_place,
 )
 from archlint.analysis.source_code import source_code
-from archlint.analysis.spin_flags import is_while_nobody_spins
-from archlint.analysis.spins import KEPT_IN_HUMBLE_SINCE, is_dropped_in_humble, is_left_to, is_spin_call, spun_node
-from archlint.analysis.stuck import nested_spins
 from archlint.checks.callback_findings import finding_in_callback
 from archlint.checks.folding import folds, with_places
 from archlint.checks.registry import Options, rule
 from archlint.checks.scope import Scope
 from archlint.checks.wait_words import when_done
+from archlint.execution import blocking
+from archlint.execution.callback_roles import callback_words, runs_in_executor
+from archlint.execution.deadlock import judge_spin, threads_of
+from archlint.execution.spin_flags import is_while_nobody_spins
+from archlint.execution.spins import KEPT_IN_HUMBLE_SINCE, is_dropped_in_humble, is_left_to, is_spin_call, spun_node
+from archlint.execution.stuck import nested_spins
 from archlint.finding import Finding, Severity
 from archlint.model import Role
 

@@ -7,10 +7,15 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from archlint.analysis.interface_dependencies import NotGenerated, not_generated
-from archlint.analysis.left_out_code import LeftOut, has_init, left_out_code
-from archlint.analysis.uninstalled_data import DataLeftOut, data_left_out
-from archlint.analysis.uninstalled_files import (
+from archlint.checks.folding import folds, with_others
+from archlint.checks.packages import workspace_of
+from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
+from archlint.finding import Finding, Related
+from archlint.packaging.interface_dependencies import NotGenerated, not_generated
+from archlint.packaging.left_out_code import LeftOut, has_init, left_out_code
+from archlint.packaging.uninstalled_data import DataLeftOut, data_left_out
+from archlint.packaging.uninstalled_files import (
     FolderListed,
     LaunchFilesLeftOut,
     ListedInVain,
@@ -21,11 +26,6 @@ from archlint.analysis.uninstalled_files import (
     misnamed_markers,
     understood,
 )
-from archlint.checks.folding import folds, with_others
-from archlint.checks.packages import workspace_of
-from archlint.checks.registry import Options, finding, rule
-from archlint.checks.scope import Scope
-from archlint.finding import Finding, Related
 from archlint.suggestions import listed
 
 if TYPE_CHECKING:

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from archlint.analysis.launch_code import has_action_for, started_programs, words_of_launch_code
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding
+from archlint.launch_files.launch_code import has_action_for, started_programs, words_of_launch_code
 
 if TYPE_CHECKING:
     from archlint.systems.model import System

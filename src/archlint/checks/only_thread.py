@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from archlint.analysis import blocking
-from archlint.analysis.callback_roles import callback_words, runs_in_executor
-from archlint.analysis.deadlock import threads_of
-from archlint.analysis.piling_rates import RATE_SLEEP
 from archlint.analysis.reach import calls_of, one_for_each_place
 from archlint.checks.callback_findings import finding_in_callback
 from archlint.checks.registry import Options, rule
 from archlint.checks.scope import Scope
+from archlint.execution import blocking
+from archlint.execution.callback_roles import callback_words, runs_in_executor
+from archlint.execution.deadlock import threads_of
+from archlint.execution.piling_rates import RATE_SLEEP
 from archlint.finding import Finding
 
 if TYPE_CHECKING:

@@ -6,13 +6,13 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.analysis.own_calls import RefusedOwnCall, calls_of_bare_super, refused_own_calls
-from archlint.analysis.own_results import WrongLength, wrong_lengths
-from archlint.analysis.uncalled_names import uncalled_names
 from archlint.checks.argument_words import what_does_not_fit
 from archlint.checks.registry import finding
 from archlint.checks.uncalled import unless_uncalled
 from archlint.finding import Finding, Related, Severity
+from archlint.python_code.own_calls import RefusedOwnCall, calls_of_bare_super, refused_own_calls
+from archlint.python_code.own_results import WrongLength, wrong_lengths
+from archlint.python_code.uncalled_names import uncalled_names
 
 if TYPE_CHECKING:
     from archlint.finding import Place

@@ -6,19 +6,19 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.analysis.arbitration import take_turns
-from archlint.analysis.echoes import is_driven, repeats
-from archlint.analysis.hand_overs import hand_over
-from archlint.analysis.happenings import are_events, are_requests
-from archlint.analysis.owners import several_owners, some_coexist
-from archlint.analysis.sharing import are_of_one_class, are_words, is_bus, is_state
-from archlint.analysis.streams import sends_again_and_again, waits_for_nobody
-from archlint.analysis.switched_off import switch_of
-from archlint.analysis.taken_in import ask_with_true, say_whose
 from archlint.checks.folding import folds
 from archlint.checks.owner_findings import all_of, finding_for_owners
 from archlint.checks.registry import Options, rule
 from archlint.checks.scope import Scope
+from archlint.connections.arbitration import take_turns
+from archlint.connections.echoes import is_driven, repeats
+from archlint.connections.hand_overs import hand_over
+from archlint.connections.happenings import are_events, are_requests
+from archlint.connections.owners import several_owners, some_coexist
+from archlint.connections.sharing import are_of_one_class, are_words, is_bus, is_state
+from archlint.connections.streams import sends_again_and_again, waits_for_nobody
+from archlint.connections.switched_off import switch_of
+from archlint.connections.taken_in import ask_with_true, say_whose
 from archlint.finding import Finding, Related, Severity
 from archlint.ros.well_known import BY_CLICK, OF_MANY_PUBLISHERS, TYPES_OF_MANY_PUBLISHERS
 

@@ -7,12 +7,12 @@ from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.analysis.entry_points import NoFunction, NoFunctionNamed, NoModule, broken_target
-from archlint.analysis.imports import imports
 from archlint.checks.folding import folds
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related, Severity
+from archlint.packaging.entry_points import NoFunction, NoFunctionNamed, NoModule, broken_target
+from archlint.packaging.imports import imports
 from archlint.suggestions import did_you_mean, listed, meant, nearest
 
 if TYPE_CHECKING:

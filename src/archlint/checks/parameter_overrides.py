@@ -6,11 +6,17 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import astuple, replace
 from typing import TYPE_CHECKING
 
-from archlint.analysis.chosen_names import executable_is_chosen, executable_is_picked
 from archlint.analysis.declared_parameters import always_declared, declared_by, followed, is_judged, names_in_package
-from archlint.analysis.files_read_in_code import is_read_in_code
 from archlint.analysis.kept import once
-from archlint.analysis.set_parameters import (
+from archlint.checks.external_parameters import has_unseen_nodes, unknown_to_externals
+from archlint.checks.folding import folds
+from archlint.checks.misspelt_parameters import is_told_otherwise, misspelt_for_every_node
+from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
+from archlint.finding import Finding, Place, Related
+from archlint.launch_files.chosen_names import executable_is_chosen, executable_is_picked
+from archlint.launch_files.files_read_in_code import is_read_in_code
+from archlint.launch_files.set_parameters import (
     called,
     files_of,
     files_of_process,
@@ -18,12 +24,6 @@ from archlint.analysis.set_parameters import (
     others_are_not_run,
     set_nodes,
 )
-from archlint.checks.external_parameters import has_unseen_nodes, unknown_to_externals
-from archlint.checks.folding import folds
-from archlint.checks.misspelt_parameters import is_told_otherwise, misspelt_for_every_node
-from archlint.checks.registry import Options, finding, rule
-from archlint.checks.scope import Scope
-from archlint.finding import Finding, Place, Related
 from archlint.suggestions import did_you_mean, listed
 from archlint.systems.nodes import key_of
 from archlint.systems.overrides import Setting, applied, key_matches

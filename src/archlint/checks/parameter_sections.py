@@ -7,22 +7,22 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from archlint.analysis.chosen_names import may_get_any_file, name_is_chosen, namespace_is_chosen
 from archlint.analysis.cpp_nodes import names_cpp_node
 from archlint.analysis.declared_parameters import followed
-from archlint.analysis.files_read_in_code import is_for_a_test, is_read_in_code
-from archlint.analysis.set_parameters import (
+from archlint.checks.folding import folds
+from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
+from archlint.finding import Finding, Place, Related
+from archlint.launch.kinds import FileStatus
+from archlint.launch_files.chosen_names import may_get_any_file, name_is_chosen, namespace_is_chosen
+from archlint.launch_files.files_read_in_code import is_for_a_test, is_read_in_code
+from archlint.launch_files.set_parameters import (
     files_of,
     files_of_process,
     others_are_not_run,
     rewritten_files,
     systems_that_load,
 )
-from archlint.checks.folding import folds
-from archlint.checks.registry import Options, finding, rule
-from archlint.checks.scope import Scope
-from archlint.finding import Finding, Place, Related
-from archlint.launch.kinds import FileStatus
 from archlint.suggestions import listed, meant, nearest
 from archlint.systems.nodes import key_of
 from archlint.systems.overrides import key_matches

@@ -6,7 +6,10 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.analysis.refused_parameter_files import (
+from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
+from archlint.finding import Finding, Place, Related, Severity
+from archlint.launch_files.refused_parameter_files import (
     ROOT,
     Misplaced,
     MisplacedIn,
@@ -20,9 +23,6 @@ from archlint.analysis.refused_parameter_files import (
     refused_values,
     set_twice,
 )
-from archlint.checks.registry import Options, finding, rule
-from archlint.checks.scope import Scope
-from archlint.finding import Finding, Place, Related, Severity
 from archlint.suggestions import listed
 
 if TYPE_CHECKING:

@@ -8,11 +8,11 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.declarations import is_of_variable, may_be_dynamic
-from archlint.analysis.set_parameters import called, set_nodes
 from archlint.checks.folding import folds
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related, Severity
+from archlint.launch_files.set_parameters import called, set_nodes
 from archlint.ros.parameter_types import ParameterType, type_of
 from archlint.workspace.kinds import is_cpp
 

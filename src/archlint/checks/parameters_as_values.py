@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from archlint.analysis.parameters_as_values import Outcome, ParameterUse, parameter_uses
 from archlint.checks.folding import folds, with_places
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding
+from archlint.python_code.parameters_as_values import Outcome, ParameterUse, parameter_uses
 
 if TYPE_CHECKING:
     from archlint.systems.model import System

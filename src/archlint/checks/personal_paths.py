@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from archlint.analysis.personal_paths import PersonalPath, personal_paths
 from archlint.checks.folding import folds, with_others
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding
+from archlint.launch_files.personal_paths import PersonalPath, personal_paths
 
 if TYPE_CHECKING:
     from archlint.systems.model import System

@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from archlint.analysis.callback_roles import callback_words, related_to, runs_in_executor
-from archlint.analysis.polling import sends_the_same
 from archlint.analysis.reach import (
     calls_of,
     endpoint_words,
@@ -15,8 +13,10 @@ from archlint.analysis.reach import (
     related_chain,
     related_creation,
 )
-from archlint.analysis.request_paces import RequestPace, pace_of_request
-from archlint.analysis.request_uses import (
+from archlint.analysis.source_code import source_code
+from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
+from archlint.connections.request_uses import (
     Overrun,
     answer_fields,
     is_command,
@@ -25,9 +25,9 @@ from archlint.analysis.request_uses import (
     sends_measures,
     tells_only_success,
 )
-from archlint.analysis.source_code import source_code
-from archlint.checks.registry import Options, finding, rule
-from archlint.checks.scope import Scope
+from archlint.execution.callback_roles import callback_words, related_to, runs_in_executor
+from archlint.execution.polling import sends_the_same
+from archlint.execution.request_paces import RequestPace, pace_of_request
 from archlint.finding import Finding, Related
 
 if TYPE_CHECKING:

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from archlint.analysis.python_dependencies import ModuleUse, modules_to_declare
 from archlint.checks.dependency_uses import brought_by, uses_by_package
 from archlint.checks.packages import workspace_of
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related
+from archlint.packaging.python_dependencies import ModuleUse, modules_to_declare
 from archlint.suggestions import listed
 
 if TYPE_CHECKING:

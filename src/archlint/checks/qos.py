@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_disused, is_not_installed
 from archlint.analysis.coexistence import has_launch_files, known_to_coexist
-from archlint.analysis.delivery import Undelivered, fits_any, fitting, policy_words, undelivered
 from archlint.checks.folding import folds
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
+from archlint.connections.delivery import Undelivered, fits_any, fitting, policy_words, undelivered
 from archlint.finding import Finding, Related, Severity
 
 if TYPE_CHECKING:

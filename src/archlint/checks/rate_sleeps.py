@@ -10,13 +10,13 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
-from archlint.analysis.loop_tests import is_only_after_shutdown
-from archlint.analysis.piling_rates import RATE_SLEEP
 from archlint.analysis.reach import argument, calls_of, node_name
 from archlint.analysis.source_code import source_code
-from archlint.analysis.spins import is_spin_call
 from archlint.checks.limitless_calls import is_unanswerable_at_start
 from archlint.checks.registry import finding
+from archlint.execution.loop_tests import is_only_after_shutdown
+from archlint.execution.piling_rates import RATE_SLEEP
+from archlint.execution.spins import is_spin_call
 from archlint.finding import Finding, Related
 from archlint.model import EntityKind, Role
 from archlint.model.given import Constant

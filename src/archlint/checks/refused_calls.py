@@ -5,10 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from archlint.analysis.logger_calls import GET_LOGGER, LOGGER, refused_logger_calls
 from archlint.analysis.own_names import is_defined_somewhere
 from archlint.analysis.reach import judged_notes
-from archlint.analysis.uninitialised_programs import uninitialised_programs
 from archlint.checks.absent_imports import OF_MODULE, absent_import_findings
 from archlint.checks.argument_words import quoted, what_does_not_fit
 from archlint.checks.attributes import LEVELS, LOG_WITH, LOGS, OF_CLASS, UNASSIGNED, UNCALLED, attribute_findings
@@ -23,6 +21,8 @@ from archlint.finding import Finding
 from archlint.libraries.absent_names import instead_of
 from archlint.libraries.api_signatures import attributes_of, signatures_of
 from archlint.model import Misuse, RefusedCall
+from archlint.python_code.logger_calls import GET_LOGGER, LOGGER, refused_logger_calls
+from archlint.python_code.uninitialised_programs import uninitialised_programs
 from archlint.ros.distros import DISTROS
 
 if TYPE_CHECKING:

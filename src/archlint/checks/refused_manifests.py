@@ -6,12 +6,12 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.analysis.refused_manifests import RefusedManifest, refused_manifests
 from archlint.checks.folding import folds, with_others
 from archlint.checks.packages import workspace_of
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related
+from archlint.packaging.refused_manifests import RefusedManifest, refused_manifests
 
 if TYPE_CHECKING:
     from archlint.systems.model import System

@@ -6,10 +6,10 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from archlint.analysis.coexistence import in_source_order
-from archlint.analysis.links import Link, counts, has, is_meant, is_named, launched, links, named
 from archlint.architecture import REQUIRE, Contract, Globs, any_node, matches
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
+from archlint.connections.links import Link, counts, has, is_meant, is_named, launched, links, named
 from archlint.finding import Finding, Related
 from archlint.model import (
     EntityKind,

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from archlint.analysis.unstartable_scripts import Unstartable, unstartable_scripts
 from archlint.checks.folding import folds, with_others
 from archlint.checks.packages import workspace_of
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related
+from archlint.packaging.unstartable_scripts import Unstartable, unstartable_scripts
 
 if TYPE_CHECKING:
     from archlint.systems.model import System

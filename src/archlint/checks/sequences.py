@@ -6,17 +6,17 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from archlint.analysis.blocking import AWAIT
-from archlint.analysis.callback_roles import callback_words, runs_in_executor
-from archlint.analysis.client_loops import clients_in_turn
-from archlint.analysis.dependent_waits import build_on_answers, runs_beside_others
-from archlint.analysis.loop_times import is_retried
 from archlint.analysis.reach import endpoint_words, node_name, one_for_each_place
 from archlint.analysis.source_code import SourceCode, source_code
-from archlint.analysis.stuck import stuck_waits
-from archlint.analysis.waits import Wait, waits
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
+from archlint.execution.blocking import AWAIT
+from archlint.execution.callback_roles import callback_words, runs_in_executor
+from archlint.execution.client_loops import clients_in_turn
+from archlint.execution.dependent_waits import build_on_answers, runs_beside_others
+from archlint.execution.loop_times import is_retried
+from archlint.execution.stuck import stuck_waits
+from archlint.execution.waits import Wait, waits
 from archlint.finding import Finding, Place, Related
 from archlint.model import (
     EntityKind,

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from archlint.analysis.owners import several_owners, some_coexist
 from archlint.checks.owner_findings import all_of, finding_for_owners
 from archlint.checks.registry import Options, rule
 from archlint.checks.scope import Scope
+from archlint.connections.owners import several_owners, some_coexist
 from archlint.finding import Finding
 
 if TYPE_CHECKING:

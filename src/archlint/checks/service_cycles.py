@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
 from archlint.analysis.reach import one_for_each_place
-from archlint.analysis.waits import Wait, waits
 from archlint.checks.circle_search import Key, circles
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.start_circles import start_circles
+from archlint.execution.waits import Wait, waits
 from archlint.finding import Finding, Related
 from archlint.model import SERVER_OF, EntityKind, Role
 

@@ -6,14 +6,14 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from archlint.analysis.blocking import in_distros
 from archlint.analysis.pinned import named_distros
 from archlint.analysis.reach import node_name, one_for_each_place
-from archlint.analysis.signatures import Signature, annotations_are_texts, signature_of
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
+from archlint.execution.blocking import in_distros
 from archlint.finding import Finding, Place, Related, Severity
 from archlint.model import Role
+from archlint.python_code.signatures import Signature, annotations_are_texts, signature_of
 
 if TYPE_CHECKING:
     from archlint.model import Callback

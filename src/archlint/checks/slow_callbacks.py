@@ -7,37 +7,37 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.analysis import blocking
 from archlint.analysis.aside import is_not_installed
-from archlint.analysis.attribute_loops import attribute_loops
-from archlint.analysis.callback_roles import callback_words, runs_in_executor
-from archlint.analysis.deadlock import threads_of
 from archlint.analysis.kept import once
-from archlint.analysis.kept_waiting import Waiting, blocks_nobody, is_one_chain, who_waits
-from archlint.analysis.lessons import is_lesson
-from archlint.analysis.loop_times import around_future, in_loops, is_retry, retries_after_errors
 from archlint.analysis.order import is_called_in_branches
-from archlint.analysis.own_timers import ends_its_timer_after, ends_its_timer_before
-from archlint.analysis.present_servers import is_there
-from archlint.analysis.processes import (
-    ends_the_machine,
-    ends_with_the_node,
-    hands_over,
-    is_signalled_to_end,
-    is_soon_over,
-)
 from archlint.analysis.reach import argument, creations_of, judged_calls, one_for_each_place
-from archlint.analysis.sleeps import Stay, stay_of
 from archlint.analysis.source_code import SourceCode, source_code
-from archlint.analysis.spins import is_spin_call
-from archlint.analysis.states import leaves_its_state
-from archlint.analysis.stuck import clients_of_handlers, functions_that_ask
 from archlint.checks.added_waits import added_waits
 from archlint.checks.callback_findings import finding_in_callback, told_at
 from archlint.checks.folding import folds
 from archlint.checks.registry import Options, rule
 from archlint.checks.scope import Scope
 from archlint.checks.wait_words import MAKE_IT_EARLIER, made_here
+from archlint.connections.lessons import is_lesson
+from archlint.execution import blocking
+from archlint.execution.attribute_loops import attribute_loops
+from archlint.execution.callback_roles import callback_words, runs_in_executor
+from archlint.execution.deadlock import threads_of
+from archlint.execution.kept_waiting import Waiting, blocks_nobody, is_one_chain, who_waits
+from archlint.execution.loop_times import around_future, in_loops, is_retry, retries_after_errors
+from archlint.execution.own_timers import ends_its_timer_after, ends_its_timer_before
+from archlint.execution.present_servers import is_there
+from archlint.execution.processes import (
+    ends_the_machine,
+    ends_with_the_node,
+    hands_over,
+    is_signalled_to_end,
+    is_soon_over,
+)
+from archlint.execution.sleeps import Stay, stay_of
+from archlint.execution.spins import is_spin_call
+from archlint.execution.states import leaves_its_state
+from archlint.execution.stuck import clients_of_handlers, functions_that_ask
 from archlint.finding import Finding, Place, Related, Severity
 from archlint.model import Role
 from archlint.model.given import Constant

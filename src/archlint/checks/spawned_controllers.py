@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from archlint.analysis.spawned_controllers import unknown_controllers
 from archlint.checks.folding import folds, with_places
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
+from archlint.launch_files.spawned_controllers import unknown_controllers
 from archlint.suggestions import listed, meant, nearest
 
 if TYPE_CHECKING:

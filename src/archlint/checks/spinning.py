@@ -7,14 +7,14 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import import_that_fails, is_not_installed, starts_ros
-from archlint.analysis.called_by_hand import left_to_executor
-from archlint.analysis.idle_nodes import SERVED, Idle, _all_is_seen, idle_of, started_nodes
 from archlint.analysis.object_uses import read_off
 from archlint.analysis.reach import node_name, one_for_each_place
 from archlint.analysis.source_code import source_code
 from archlint.checks.rate_sleeps import asleep
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
+from archlint.execution.called_by_hand import left_to_executor
+from archlint.execution.idle_nodes import SERVED, Idle, _all_is_seen, idle_of, started_nodes
 from archlint.finding import Finding, Related
 from archlint.model import ExecutorKind
 

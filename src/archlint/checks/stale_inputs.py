@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from archlint.analysis.callback_roles import callback_words
 from archlint.analysis.reach import node_name, one_for_each_place
-from archlint.analysis.unaged_inputs import UnagedInput, unaged_inputs
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
+from archlint.connections.unaged_inputs import UnagedInput, unaged_inputs
+from archlint.execution.callback_roles import callback_words
 from archlint.finding import Finding, Related
 
 if TYPE_CHECKING:

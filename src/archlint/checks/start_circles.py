@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.reach import endpoint_words
-from archlint.analysis.start_waits import StartWait, start_waits
 from archlint.checks.circle_search import Key, circles
 from archlint.checks.registry import finding
+from archlint.execution.start_waits import StartWait, start_waits
 from archlint.finding import Finding, Related
 from archlint.model import SERVER_OF, EntityKind
 

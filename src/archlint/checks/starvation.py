@@ -5,21 +5,21 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from archlint.analysis.callback_roles import callback_words
-from archlint.analysis.crowded_executors import crowds
-from archlint.analysis.paces import Pace, pace_of
-from archlint.analysis.piling_events import PilingEvent, piling_events
-from archlint.analysis.piling_rates import PilingSleep, piling_sleeps
-from archlint.analysis.piling_waits import known_threads, piling_up
 from archlint.analysis.reach import (
     endpoint_words,
     node_name,
     one_for_each_place,
 )
-from archlint.analysis.waits import Wait
 from archlint.checks.callback_findings import finding_in_callback
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
+from archlint.execution.callback_roles import callback_words
+from archlint.execution.crowded_executors import crowds
+from archlint.execution.paces import Pace, pace_of
+from archlint.execution.piling_events import PilingEvent, piling_events
+from archlint.execution.piling_rates import PilingSleep, piling_sleeps
+from archlint.execution.piling_waits import known_threads, piling_up
+from archlint.execution.waits import Wait
 from archlint.finding import Finding, Related
 from archlint.model import Role
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from archlint.analysis.substitution_values import Misuse, Misused, misused_substitutions
 from archlint.checks.folding import folds, with_other_places
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place
+from archlint.launch_files.substitution_values import Misuse, Misused, misused_substitutions
 
 if TYPE_CHECKING:
     from archlint.launch.mistakes import NotAPath

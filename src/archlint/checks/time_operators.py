@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from archlint.analysis.numbers_for_times import NumberForTime, numbers_for_times
-from archlint.analysis.time_operators import Kind, RefusedOperator, refused_operators
 from archlint.checks.registry import finding
+from archlint.python_code.numbers_for_times import NumberForTime, numbers_for_times
+from archlint.python_code.time_operators import Kind, RefusedOperator, refused_operators
 
 if TYPE_CHECKING:
     from archlint.finding import Finding

@@ -6,16 +6,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.analysis.announced_waits import is_announced_start
 from archlint.analysis.aside import is_not_installed
-from archlint.analysis.asking_scripts import is_launched, is_step_of_asking_script
-from archlint.analysis.callback_roles import runs_in_executor
-from archlint.analysis.called_by_hand import is_driven_by_hand
-from archlint.analysis.client_loops import is_for_each_client
 from archlint.analysis.left_over import is_dead, is_never_made
-from archlint.analysis.lessons import is_lesson
 from archlint.analysis.limit_sites import sites_of_wait
-from archlint.analysis.present_servers import is_there
 from archlint.analysis.reach import (
     calls_of,
     creations_of,
@@ -41,6 +34,13 @@ from archlint.checks.wait_words import (
     related_path,
     server_words,
 )
+from archlint.connections.lessons import is_lesson
+from archlint.execution.announced_waits import is_announced_start
+from archlint.execution.asking_scripts import is_launched, is_step_of_asking_script
+from archlint.execution.callback_roles import runs_in_executor
+from archlint.execution.called_by_hand import is_driven_by_hand
+from archlint.execution.client_loops import is_for_each_client
+from archlint.execution.present_servers import is_there
 from archlint.finding import Finding, Severity
 from archlint.model import Role
 from archlint.string_enum import StringEnum

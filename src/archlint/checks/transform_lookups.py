@@ -5,19 +5,19 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from archlint.analysis import blocking
-from archlint.analysis.callback_roles import callback_words, runs_in_executor
-from archlint.analysis.deadlock import threads_of
-from archlint.analysis.kept_waiting import Waiting, who_waits
-from archlint.analysis.lessons import is_lesson
 from archlint.analysis.reach import argument, calls_of, one_for_each_place
-from archlint.analysis.sleeps import longest
 from archlint.analysis.source_code import SourceCode, source_code
-from archlint.analysis.spins import spun_node
 from archlint.checks.callback_findings import finding_in_callback
 from archlint.checks.folding import class_around, folds, with_places
 from archlint.checks.registry import Options, rule
 from archlint.checks.scope import Scope
+from archlint.connections.lessons import is_lesson
+from archlint.execution import blocking
+from archlint.execution.callback_roles import callback_words, runs_in_executor
+from archlint.execution.deadlock import threads_of
+from archlint.execution.kept_waiting import Waiting, who_waits
+from archlint.execution.sleeps import longest
+from archlint.execution.spins import spun_node
 from archlint.finding import Finding
 from archlint.model.given import Constant
 

@@ -5,15 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from archlint.analysis.attribute_loops import AttributeLoop, attribute_loops
-from archlint.analysis.callback_roles import callback_words
-from archlint.analysis.queue_waits import QueueWait, queue_waits
 from archlint.analysis.reach import node_name, one_for_each_place
 from archlint.checks.joins import endless_joins
 from archlint.checks.limitless_calls import unanswerable_calls, unanswerable_loops
 from archlint.checks.rate_sleeps import endless_sleeps
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
+from archlint.execution.attribute_loops import AttributeLoop, attribute_loops
+from archlint.execution.callback_roles import callback_words
+from archlint.execution.queue_waits import QueueWait, queue_waits
 from archlint.finding import Finding, Related
 
 if TYPE_CHECKING:

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 from archlint.analysis.aside import is_not_installed
 from archlint.analysis.closed_guards import is_switched_off
 from archlint.analysis.left_over import is_named_nowhere
-from archlint.analysis.lessons import is_lesson
 from archlint.analysis.uncalled_methods import uncalled_method
+from archlint.connections.lessons import is_lesson
 from archlint.finding import Severity
 
 if TYPE_CHECKING:

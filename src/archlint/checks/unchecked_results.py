@@ -5,10 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from archlint.analysis.callback_roles import may_run_in_executor, runs_in_executor
-from archlint.analysis.early_results import EarlyResult, early_results
 from archlint.analysis.left_over import is_dead, is_never_made
-from archlint.analysis.mistaken_futures import function_of, mistaken_futures, returned_at
 from archlint.analysis.reach import (
     argument,
     creations_of,
@@ -17,13 +14,16 @@ from archlint.analysis.reach import (
     one_for_each_place,
     related_creation,
 )
-from archlint.analysis.spin_results import tested_spins
-from archlint.analysis.unchecked_results import UncheckedResult, unchecked_results
 from archlint.checks.folding import folds, with_others
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.wait_words import name_of, related_path
+from archlint.execution.callback_roles import may_run_in_executor, runs_in_executor
+from archlint.execution.early_results import EarlyResult, early_results
+from archlint.execution.unchecked_results import UncheckedResult, unchecked_results
 from archlint.finding import Finding, Place, Related
+from archlint.python_code.mistaken_futures import function_of, mistaken_futures, returned_at
+from archlint.python_code.spin_results import tested_spins
 
 if TYPE_CHECKING:
     from archlint.model import ApiCall, MistakenFuture, Program

@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.ignored import words_ignored_at
 from archlint.analysis.kept import once
-from archlint.analysis.skipped_packages import skipped_packages
 from archlint.checks.dependency_uses import BUILDS, FOR_OTHERS, How, Use, uses_by_package
 from archlint.checks.packages import workspace_of
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.edit_sites import MissingDependencies, Sites
 from archlint.finding import Finding, Place, Related
+from archlint.packaging.skipped_packages import skipped_packages
 from archlint.ros import packages
 from archlint.rulebook import rules
 from archlint.suggestions import distance, meant, nearest

@@ -7,15 +7,15 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.analysis.how_imported import import_of
 from archlint.analysis.source_code import source_code
-from archlint.analysis.unbound_locals import UnboundLocal, unbound_locals
-from archlint.analysis.undefined_names import Undefined, undefined_names
 from archlint.checks.folding import folds, with_others
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.uncalled import unless_uncalled
 from archlint.finding import Finding, Related, Severity
+from archlint.python_code.how_imported import import_of
+from archlint.python_code.unbound_locals import UnboundLocal, unbound_locals
+from archlint.python_code.undefined_names import Undefined, undefined_names
 from archlint.suggestions import meant, nearest
 
 if TYPE_CHECKING:

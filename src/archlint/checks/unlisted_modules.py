@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from archlint.analysis.unlisted_modules import unlisted_modules
 from archlint.checks.packages import workspace_of
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
+from archlint.packaging.unlisted_modules import unlisted_modules
 
 if TYPE_CHECKING:
     from archlint.systems.model import System

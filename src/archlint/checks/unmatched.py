@@ -8,13 +8,13 @@ from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING
 
 from archlint.analysis.coexistence import certain, in_source_order, named_by_library
-from archlint.analysis.left_out_servers import left_out_server
-from archlint.analysis.own_types import has_no_server_here, may_be_served_elsewhere
 from archlint.checks.folding import folds
 from archlint.checks.near_misses import MOST_PAIRS, in_other_namespace, is_private_of, missed, nearly_equal
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.sight import in_sight, is_complete
+from archlint.connections.left_out_servers import left_out_server
+from archlint.connections.own_types import has_no_server_here, may_be_served_elsewhere
 from archlint.finding import Finding, Related, Severity
 from archlint.model import (
     SERVER_OF,

@@ -6,10 +6,10 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.analysis.unread_arguments import kept_for_nothing, unread_arguments
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related, Severity
+from archlint.launch_files.unread_arguments import kept_for_nothing, unread_arguments
 
 if TYPE_CHECKING:
     from archlint.finding import Place

@@ -6,16 +6,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.analysis.announced_waits import says_something
-from archlint.analysis.callback_roles import runs_in_executor
-from archlint.analysis.kept_waiting import blocks_nobody, is_one_chain
 from archlint.analysis.left_over import is_dead, is_never_made
-from archlint.analysis.lessons import is_lesson
-from archlint.analysis.present_servers import is_there, was_waited_for
 from archlint.analysis.reach import calls_of, creations_of, has_limit, node_name, related_creation
 from archlint.analysis.source_code import source_code
-from archlint.analysis.stuck import clients_of_handlers
-from archlint.analysis.wait_loops import LoopEnd, end_of, only_the_server_ends
 from archlint.checks.folding import class_around, folds, of_one_class, of_one_package, package_around
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -29,6 +22,13 @@ from archlint.checks.wait_words import (
     related_path,
     server_words,
 )
+from archlint.connections.lessons import is_lesson
+from archlint.execution.announced_waits import says_something
+from archlint.execution.callback_roles import runs_in_executor
+from archlint.execution.kept_waiting import blocks_nobody, is_one_chain
+from archlint.execution.present_servers import is_there, was_waited_for
+from archlint.execution.stuck import clients_of_handlers
+from archlint.execution.wait_loops import LoopEnd, end_of, only_the_server_ends
 from archlint.finding import Finding, Place, Related, Severity
 from archlint.model import Role
 

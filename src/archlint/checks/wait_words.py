@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from archlint.analysis.callback_roles import runs_in_executor
 from archlint.analysis.reach import (
     argument,
     creations_of,
@@ -13,6 +12,7 @@ from archlint.analysis.reach import (
     related_chain,
     related_creation,
 )
+from archlint.execution.callback_roles import runs_in_executor
 from archlint.finding import Related
 from archlint.model import EntityKind, Role
 from archlint.model.given import Constant

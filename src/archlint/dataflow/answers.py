@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from archlint.analysis.reach import creations_of
-from archlint.analysis.waits import waits
 from archlint.dataflow.model import How
 from archlint.dataflow.runs import ADD_DONE_CALLBACK, REQUESTS, Run, registered_at
+from archlint.execution.waits import waits
 from archlint.model import Role
 
 if TYPE_CHECKING:

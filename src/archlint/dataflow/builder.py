@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from archlint.analysis.delivery import undelivered_on
+from archlint.connections.delivery import undelivered_on
 from archlint.dataflow.model import NOT_KNOWN, Flow, How, Link, Step, StepKind
 from archlint.dataflow.runs import Run, Runs
 from archlint.model import NAMED, EntityKind

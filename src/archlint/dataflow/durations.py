@@ -10,14 +10,14 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from archlint.analysis.certain_sleeps import certain_sleep
 from archlint.analysis.kept import kept, once
-from archlint.analysis.loop_times import in_loops
-from archlint.analysis.piling_rates import RATE_SLEEP
 from archlint.analysis.reach import argument, endpoint_words
-from archlint.analysis.sleeps import longest, stay_of
 from archlint.analysis.source_code import source_code
-from archlint.analysis.waits import Wait, waits
+from archlint.execution.certain_sleeps import certain_sleep
+from archlint.execution.loop_times import in_loops
+from archlint.execution.piling_rates import RATE_SLEEP
+from archlint.execution.sleeps import longest, stay_of
+from archlint.execution.waits import Wait, waits
 
 if TYPE_CHECKING:
     from archlint.dataflow.model import Step

@@ -6,7 +6,6 @@ from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
-from archlint.analysis.loop_paces import is_decided
 from archlint.analysis.transforms import LOOK_UP, TRANSFORMS
 from archlint.dataflow.answers import answers_of
 from archlint.dataflow.builder import Builder
@@ -15,6 +14,7 @@ from archlint.dataflow.model import Flow, How, Step, StepKind
 from archlint.dataflow.runs import PUBLISH, REQUESTS, SEND_TRANSFORMS, WAIT_FOR_MESSAGE, Run
 from archlint.dataflow.transforms import is_taken_by, link_transforms
 from archlint.dataflow.variables import link_variables
+from archlint.execution.loop_paces import is_decided
 from archlint.model import EntityKind, Role
 from archlint.systems.externals import connections_of_externals, may_use
 

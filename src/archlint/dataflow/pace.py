@@ -6,13 +6,13 @@ from collections.abc import Iterator, Mapping
 from heapq import heapify, heappop, heappush
 from typing import TYPE_CHECKING
 
-from archlint.analysis import own_timers
 from archlint.analysis.kept import once
-from archlint.analysis.loop_paces import loop_interval
-from archlint.analysis.polling import is_unguarded, notes_that_it_ran
 from archlint.analysis.source_code import source_code
 from archlint.dataflow.model import How, StepKind
 from archlint.dataflow.runs import SCRIPT, SENDS
+from archlint.execution import own_timers
+from archlint.execution.loop_paces import loop_interval
+from archlint.execution.polling import is_unguarded, notes_that_it_ran
 from archlint.model import Role
 
 if TYPE_CHECKING:

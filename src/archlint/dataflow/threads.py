@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from archlint.analysis import blocking
-from archlint.analysis.callback_roles import runs_in_executor
-from archlint.analysis.deadlock import group_relation, threads_of
 from archlint.analysis.kept import once
 from archlint.dataflow.model import StepKind
+from archlint.execution import blocking
+from archlint.execution.callback_roles import runs_in_executor
+from archlint.execution.deadlock import group_relation, threads_of
 
 if TYPE_CHECKING:
     from archlint.dataflow.model import Flow, Step

@@ -11,10 +11,10 @@ from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from archlint.analysis.loop_paces import is_decided
 from archlint.analysis.transforms import LOOK_UP, TRANSFORMS, Transform, static_transform, transforms_of
 from archlint.dataflow.model import NOT_KNOWN, How, Step, StepKind
 from archlint.dataflow.runs import SEND_TRANSFORMS
+from archlint.execution.loop_paces import is_decided
 from archlint.model import EntityKind
 from archlint.ros.well_known import OF_TRANSFORMS
 

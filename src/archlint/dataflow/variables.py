@@ -13,10 +13,10 @@ from archlint.model import Role
 from archlint.place import Place
 
 if TYPE_CHECKING:
-    from archlint.analysis.class_chains import ClassInFile
     from archlint.analysis.source_code import FunctionFacts, SourceCode
     from archlint.dataflow.builder import Builder
     from archlint.dataflow.runs import Run
+    from archlint.python_code.class_chains import ClassInFile
     from archlint.systems.model import WorkspaceIndex
     from archlint.systems.nodes import Node
 

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from archlint.analysis.delivery import undelivered_on
+from archlint.connections.delivery import undelivered_on
 from archlint.lookup.ends import mentions_of_ends
 from archlint.lookup.mentions import Mention, Subject
 from archlint.lookup.moved import Moves

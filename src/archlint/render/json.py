@@ -11,7 +11,7 @@ from pathlib import PurePath
 from typing import TYPE_CHECKING, Any
 
 from archlint import model as program
-from archlint.analysis.delivery import undelivered_on
+from archlint.connections.delivery import undelivered_on
 from archlint.json_text import json_text
 from archlint.model import Creation, ParameterDeclaration
 from archlint.render.definitions import interfaces, launch_arguments

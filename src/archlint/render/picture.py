@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-from archlint.analysis.unconnected import unconnected_on
 from archlint.architecture import TOPIC
+from archlint.connections.unconnected import unconnected_on
 from archlint.render.observed import mark
 from archlint.systems.graph import Key, node_keys, to_networkx
 from archlint.systems.model import System
@@ -15,7 +15,7 @@ from archlint.systems.shape import connections
 if TYPE_CHECKING:
     import networkx
 
-    from archlint.analysis.unconnected import Unconnected
+    from archlint.connections.unconnected import Unconnected
     from archlint.systems.nodes import Connection, Endpoint
 
 

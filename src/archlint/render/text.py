@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Literal
 
 from archlint import cells
 from archlint import model as program
-from archlint.analysis.unconnected import unconnected_on
 from archlint.architecture import ConnectionKind
+from archlint.connections.unconnected import unconnected_on
 from archlint.model import Creation, ParameterDeclaration, Role
 from archlint.observed.model import DIFFERENT, MISSING, UNEXPECTED, Difference, Status
 from archlint.observed.words import comparison_words

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from archlint.analysis.delivery import undelivered_on
+from archlint.connections.delivery import undelivered_on
 from archlint.render import render
 from archlint.render.definitions import launch_arguments
 from archlint.render.look import counted

@@ -1,0 +1,1 @@
+"""When callbacks run and how long, what they wait for, and which waits never end."""

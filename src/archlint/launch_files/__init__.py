@@ -1,0 +1,1 @@
+"""What launch files and parameter files say, held against what launch makes of it."""

@@ -1,0 +1,137 @@
+"""Launch arguments that a launch file declares and that nothing it starts reads."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from archlint.analysis.kept import once, once_for_each_file
+from archlint.launch.parameter_sources import ParameterFileUse
+from archlint.launch_files.launch_code import may_read_argument
+from archlint.launch_files.misread_arguments import misread_arguments
+from archlint.place import Place
+from archlint.syntax import facts
+from archlint.syntax.parts import everything_in
+from archlint.syntax.walk import called_name
+
+if TYPE_CHECKING:
+    from archlint.launch.model import DeclaredArgument, Launched
+    from archlint.systems.model import System, WorkspaceIndex
+
+
+def all_readers_are_known(launched: Launched) -> bool:
+    """Whether everything is seen that may read a launch argument while a file is launched."""
+    includes_others = any(include.reference.source is None for include in launched.included)
+    if includes_others or launched.gaps or launched.ros1 or not launched.is_launch_file or launched.reads_any:
+        return False
+    return not _substitutes_in_parameters(launched)
+
+
+def _substitutes_in_parameters(launched: Launched) -> bool:
+    """Whether parameter files may read any configuration."""
+    return any(
+        isinstance(parameter, ParameterFileUse) and parameter.substitutions
+        for started in launched.started
+        for parameter in started.parameters
+    )
+
+
+def unread_arguments(system: System) -> Iterator[DeclaredArgument]:
+    """The arguments that the launch file of a system declares, and that neither it nor what it includes reads."""
+    launched, workspace = system.launched, system.workspace
+    if launched is None or workspace is None or not all_readers_are_known(launched):
+        return
+    if launched.undeclared or not launched.started:
+        return  # one of these may be the argument, misspelt; or the file declares arguments for those that include it
+    others = _read_where_included(workspace).get(launched.file, frozenset())
+    misread = {row.declared for row in misread_arguments(workspace, launched.file)}
+    for argument in launched.declared:
+        if argument.file != launched.file or argument.name in launched.read or argument.name in others:
+            continue
+        if argument.name in misread:
+            continue  # LCH003 says by which name it is read
+        if _is_of_library(launched, argument):
+            continue
+        if not any(_may_read(workspace, file, argument.name) for file in launched.sources):
+            yield argument
+
+
+def _is_of_library(launched: Launched, argument: DeclaredArgument) -> bool:
+    """Whether a function from outside of the workspace declares an argument: no code of the workspace made it."""
+    return argument.file.endswith(".py") and (argument.file, argument.name) not in launched.written
+
+
+@once
+def _read_where_included(workspace: WorkspaceIndex) -> dict[str, frozenset[str]]:
+    """The arguments that launches read which include a launch file, by that file: includes are not scoped."""
+    read: dict[str, set[str]] = {}
+    for launched in (*workspace.launched, *workspace.launched_alone.values()):
+        for file in launched.sources[1:]:
+            read.setdefault(file, set()).update(launched.read)
+    return {file: frozenset(names) for file, names in read.items()}
+
+
+def _may_read(workspace: WorkspaceIndex, file: str, name: str) -> bool:
+    """Whether code that the run did not come to may read an argument: the file says its name at other places than where
+    it declares it, or keeps a ``LaunchConfiguration`` that it then leaves alone."""
+    spare = _without_effect(workspace, file)
+    if spare is None:
+        return may_read_argument(workspace, file, name) or _stands_in_braces(workspace.tree.text(file) or "", name)
+    said = _said(workspace, file) or Counter()
+    return said[name] > spare[name]
+
+
+def _stands_in_braces(text: str, name: str) -> bool:
+    """``${name}``, which is meant to read it."""
+    return re.search(rf"\$\{{[^}}\n]*\b{re.escape(name)}\b", text) is not None
+
+
+@once_for_each_file
+def _said(file_facts: facts.Facts) -> Counter[str]:
+    """How often each text stands in a file, but for keys of dicts."""
+    keys = {id(key) for mapping in everything_in(file_facts.body, facts.Mapping) for key in mapping.keys}
+    literals = (literal for literal in everything_in(file_facts.body, facts.Literal) if id(literal) not in keys)
+    return Counter(literal.value for literal in literals if isinstance(literal.value, str))
+
+
+@once_for_each_file
+def _without_effect(file_facts: facts.Facts) -> Counter[str]:
+    """How often each text names an argument where it is declared, or in a configuration that nothing uses."""
+    spare: Counter[str] = Counter()
+    for call in everything_in(file_facts.body, facts.Call):
+        if called_name(call) == "DeclareLaunchArgument":
+            spare.update(_first_text(call))
+    for _, call in _kept_for_nothing(file_facts):
+        spare.update(_first_text(call))
+    return spare
+
+
+def _kept_for_nothing(file_facts: facts.Facts) -> Iterator[tuple[facts.Name, facts.Call]]:
+    """The variables that hold a configuration and that nothing uses."""
+    names = Counter(part.id for part in everything_in(file_facts.body, facts.Name))
+    for assign in everything_in(file_facts.body, facts.Assign):
+        match assign:
+            case facts.Assign(targets=[facts.Name(id=name) as variable], value=facts.Call() as call):
+                if called_name(call) == "LaunchConfiguration" and names[name] == 1:
+                    yield variable, call
+
+
+def kept_for_nothing(workspace: WorkspaceIndex, argument: DeclaredArgument) -> tuple[str, Place] | None:
+    """The variable of a launch file that holds an argument and that nothing uses, and where it is."""
+    file_facts = workspace.facts_at(argument.file) if argument.file.endswith(".py") else None
+    for variable, call in () if file_facts is None else _kept_for_nothing(file_facts):
+        if argument.name in _first_text(call):
+            return variable.id, Place(argument.file, *variable.span)
+    return None
+
+
+def _first_text(call: facts.Call) -> list[str]:
+    """The name that a call is given first, or by name."""
+    values = [argument.value for argument in call.args if argument.keyword in ("name", "variable_name")]
+    values = values or [argument.value for argument in call.args[:1] if argument.keyword is None]
+    return [value.text for value in values if value.text is not None]
+
+
+__all__ = ["all_readers_are_known", "kept_for_nothing", "unread_arguments"]

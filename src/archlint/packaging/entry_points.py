@@ -1,0 +1,164 @@
+"""Console scripts held against the code that they name."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import partial
+from typing import TYPE_CHECKING
+
+from archlint.analysis.aside import ros1_module
+from archlint.packaging.generated_files import submodule_around
+from archlint.suggestions import nearest
+from archlint.syntax import facts
+from archlint.syntax.parts import everything_in
+from archlint.syntax.walk import called_name, calls_in, main_guard, statements_of
+
+if TYPE_CHECKING:
+    from archlint.systems.model import WorkspaceIndex
+    from archlint.workspace.installed import Executable
+
+
+@dataclass(frozen=True)
+class NoModule:
+    """There is no such module among those of the package."""
+
+    module: str
+    function: str | None
+    known: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class NoFunctionNamed:
+    """A module is named and no function of it, and importing it does nothing.  ``functions`` are those that it has,
+    None where it may have more."""
+
+    module: str
+    functions: tuple[str, ...] | None = ()
+
+
+@dataclass(frozen=True)
+class NoFunction:
+    """The module has no such function among the names that it has.  One that ``runs_first`` does its work when it is
+    imported, so that nobody notices before the end of it."""
+
+    module: str
+    function: str
+    known: frozenset[str]
+    runs_first: bool = False
+    ros1: str = ""
+    """The first module of ROS 1 that it imports: a function alone would not start it either."""
+
+
+def broken_target(workspace: WorkspaceIndex, executable: Executable) -> NoModule | NoFunctionNamed | NoFunction | None:
+    """What is wrong with what a console script starts; None where it can start, or may be of another distribution."""
+    module, function = executable.module, executable.function
+    modules = workspace.code.modules_of(executable.package)
+    if module is None or not modules:
+        return None
+    paths = [modules[module]] if module in modules else workspace.code.files_named(executable.package, module)
+    if not paths:
+        ours = {name.partition(".")[0] for name in modules}
+        top = module.partition(".")[0]
+        foreign = top not in ours and nearest(top, ours) is None
+        unread = is_on_disk(workspace, executable.package, module) or _is_in_empty_submodule(workspace, executable)
+        if foreign or unread:
+            return None
+        return NoModule(module, function, tuple(modules))
+    file_facts = workspace.facts_at(paths[0])
+    if file_facts is None or file_facts.problems:
+        return None
+    if function is None:
+        return None if any(map(_does_something, file_facts.body)) else NoFunctionNamed(module, _functions(file_facts))
+    head = function.partition(".")[0]
+    if any(map(partial(_defines, head), file_facts.body)):
+        return None  # as nearly always
+    names = _bound_names(file_facts.body)
+    if head in names or _binds_more(file_facts.body):
+        return None
+    return NoFunction(module, head, names, _works_on_import(file_facts), ros1_module(file_facts) or "")
+
+
+def is_empty(workspace: WorkspaceIndex, file: str) -> bool:
+    """Whether a file has nothing in it at all."""
+    return not (workspace.tree.text(file) or "").strip()
+
+
+def _functions(file_facts: facts.Facts) -> tuple[str, ...] | None:
+    """The functions that a module defines, or the ``main`` that it imports: no other function of another module is a
+    program.  None where a star import may bring one."""
+    functions = tuple(statement.name for statement in file_facts.body if isinstance(statement, facts.Function))
+    if "main" not in functions and "main" in _bound_names(file_facts.body):
+        return ("main",)
+    return None if not functions and _binds_more(file_facts.body) else functions
+
+
+def _works_on_import(file_facts: facts.Facts) -> bool:
+    """Whether importing a module runs a loop that calls something, or one that may go on, or spins a node."""
+    guard = main_guard(file_facts)
+    body = [statement for statement in file_facts.body if statement is not guard]
+    if any(True for _ in statements_of(body, facts.While)):
+        return True
+    if any(True for loop in statements_of(body, facts.For) for _ in calls_in(loop.body)):
+        return True
+    return any(called_name(call) == "spin" for call in calls_in(body))
+
+
+def is_on_disk(workspace: WorkspaceIndex, package: str, module: str) -> bool:
+    """Whether a module is there and not read: a pattern of ``.gitignore`` leaves it out."""
+    installs = workspace.installs.get(package)
+    path = "/" + module.replace(".", "/")
+    files = [] if installs is None else workspace.tree.files_below(installs.folder)
+    below = "" if installs is None or installs.folder == "." else f"{installs.folder}/"
+    return any(f"/{file.removeprefix(below)}".endswith((f"{path}.py", f"{path}/__init__.py")) for file in files)
+
+
+def _is_in_empty_submodule(workspace: WorkspaceIndex, executable: Executable) -> bool:
+    """Whether the module lies in a git submodule that is not checked out: what is in it is not known."""
+    installs = workspace.installs.get(executable.package)
+    if installs is None or executable.module is None:
+        return False
+    path = posixpath.normpath(posixpath.join(installs.folder, executable.module.replace(".", "/")))
+    submodule = submodule_around(workspace, path)
+    return submodule is not None and not workspace.tree.files_below(submodule)
+
+
+def _does_something(statement: facts.Stmt) -> bool:
+    """Whether a statement of a module does more than define a name: that may be all that the module is there for."""
+    match statement:
+        case facts.For() | facts.While() | facts.With() | facts.Try() | facts.Expression(value=facts.Call()):
+            return True
+    return False
+
+
+def _defines(name: str, statement: facts.Stmt) -> bool:
+    match statement:
+        case facts.Function(name=defined) | facts.Class(name=defined):
+            return defined == name
+    return False
+
+
+def _bound_names(body: Sequence[facts.Stmt]) -> frozenset[str]:
+    """The names that a module binds, wherever in it."""
+    names: set[str] = set()
+    for part in everything_in(body, facts.Statement):
+        match part:
+            case facts.Function(name=name) | facts.Class(name=name):
+                names.add(name)
+            case facts.ImportFrom(names=bound):
+                names.update(name for _, name in bound)
+            case facts.Import(module=module, alias=alias):
+                names.add(alias or module.partition(".")[0])
+            case facts.Assign(targets=targets):
+                names.update(target.variable for target in targets)
+    return frozenset(names - {""})
+
+
+def _binds_more(body: Sequence[facts.Stmt]) -> bool:
+    """Whether a module may bind names that stand nowhere in it."""
+    stars = (name == "*" for statement in everything_in(body, facts.ImportFrom) for name, _ in statement.names)
+    return any(stars) or any(variable.id in ("globals", "setattr") for variable in everything_in(body, facts.Name))
+
+
+__all__ = ["NoFunction", "NoFunctionNamed", "NoModule", "broken_target", "is_empty", "is_on_disk"]

@@ -1,0 +1,64 @@
+"""The packages that launch files need besides those of the nodes that they start: of files that they include, and of
+the program ``xacro``, which a substitution runs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from archlint.launch.kinds import FileKind, FileStatus
+from archlint.launch_files.launch_code import names_from_launch
+from archlint.place import Place
+from archlint.syntax import facts
+from archlint.syntax.parts import everything_in
+
+if TYPE_CHECKING:
+    from archlint.systems.model import WorkspaceIndex
+
+_XACRO = "xacro"
+
+
+def packages_of_includes(workspace: WorkspaceIndex) -> Iterator[tuple[Place, str]]:
+    """The packages of the launch files that are included whatever the arguments are, each with its place: that of the
+    include, or of the path in another file, which passes it on."""
+    for launched in workspace.launched:
+        for include in launched.included:
+            reference = include.reference
+            known = reference.package is not None and reference.status is not FileStatus.UNKNOWN
+            if known and not include.dormant and not reference.conditional and not reference.optional:
+                given = reference.given or include.place
+                yield given if given.file != include.place.file else include.place, reference.package or ""
+
+
+def packages_of_files(workspace: WorkspaceIndex) -> Iterator[tuple[Place, str]]:
+    """The packages in whose share folders launch files name files whatever the arguments are, each with its place."""
+    for launched in workspace.launched:
+        for file in launched.references:
+            known = file.package is not None and file.status is not FileStatus.UNKNOWN
+            if known and file.kind is not FileKind.ARGUMENT and not file.conditional and not file.optional:
+                yield file.given or file.place, file.package or ""
+
+
+def runs_of_xacro(workspace: WorkspaceIndex) -> Iterator[tuple[Place, str]]:
+    """Where a launch file in Python has a ``Command`` or ``FindExecutable`` for the program ``xacro``."""
+    for file, file_facts in workspace.code.asked_for():
+        if file.kind != "launch_python":
+            continue
+        classes = names_from_launch(file_facts.body)
+        for call in everything_in(file_facts.body, facts.Call):
+            class_name = classes.get(call.func.last_name, "")
+            if class_name in ("Command", "FindExecutable") and call.args and _first_word(call.args[0].value) == _XACRO:
+                yield Place(file.relative, *call.span), _XACRO
+
+
+def _first_word(value: facts.Expr) -> str:
+    """The first word of a command as it is written: of a text, or of the first item of a list."""
+    match value:
+        case facts.Sequence(elements=[first, *_]):
+            return _first_word(first)
+        case facts.Literal(value=str(text)):
+            return (text.split() or [""])[0]
+    return ""
+
+
+__all__ = ["packages_of_includes", "runs_of_xacro"]

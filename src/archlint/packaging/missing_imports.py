@@ -1,0 +1,211 @@
+"""Imports of the workspace's own Python code that find nothing.
+
+A module of an installed package is imported by its whole name.  The folder that a file lies in is on Python's path only
+while that very file is run as a script: `ros2 run` starts a console script, which imports the module, and then nothing
+beside it is found.
+"""
+
+from __future__ import annotations
+
+import posixpath
+import re
+import sys
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Union
+
+from archlint.analysis.kept import kept_for_each_file, once
+from archlint.packaging.entry_points import is_on_disk
+from archlint.packaging.renamed_packages import present_name
+from archlint.place import Place
+from archlint.python_code.absent_imports import forgiving, is_tolerant
+from archlint.python_code.offered_names import offers
+from archlint.ros.python_modules import key_of
+from archlint.suggestions import nearest
+from archlint.syntax import facts
+from archlint.syntax.parts import Itself, everything_in
+
+if TYPE_CHECKING:
+    from archlint.systems.model import WorkspaceIndex
+    from archlint.workspace.model import SourceFile
+
+_Import = Union[facts.Import, facts.ImportFrom]
+_INTERFACES = frozenset({"action", "msg", "srv"})
+_COMPILED = frozenset({"cython", "generate_parameter_module", "nanobind", "pybind11", "python_add_library", "swig"})
+"""Words of a build that makes modules which no file of Python is."""
+_MADE_BY_TOOLS = ("_pb2", "_pb2_grpc", "_parameters", "_rc", "_ui", "_version")
+"""How the names of modules end that a tool writes while the package is built."""
+
+
+@dataclass(frozen=True)
+class MissingImport:
+    """An import that finds nothing.  ``name`` is empty where the ``module`` itself is not there; ``near`` is what has
+    almost the same name; ``beside`` is the name by which a file that lies beside this one can be imported."""
+
+    place: Place
+    module: str
+    name: str = ""
+    near: str = ""
+    beside: str = ""
+    without_init: str = ""
+    """The folder of that module, where it is no package that ``find_packages()`` would install."""
+    present: str = ""
+    """What the module is called now that its package has another name."""
+
+
+def missing_imports(workspace: WorkspaceIndex) -> Iterator[MissingImport]:
+    """Every such import in the files that were asked for, but for test code."""
+    for file, _ in workspace.code.asked_for():
+        if file.kind != "python" or file.package is None or workspace.roles.is_test(file.relative):
+            continue
+        for module, names, span in _imports(workspace, file.relative) or ():
+            place = Place(file.relative, *span)
+            missing = _beside(workspace, file, module, place) or _absent(workspace, file, module, place)
+            present = None if missing else present_name(workspace, file, module, names)
+            if present is not None:
+                missing = MissingImport(place, module, present=present)
+            yield from [missing] if missing else _absent_names(workspace, file, module, names, place)
+
+
+@kept_for_each_file
+def _imports(code: facts.Facts) -> list[tuple[str, list[str], facts.Span]]:
+    """The absolute imports of a file that nothing goes on without: modules, and names of these."""
+    forgiven = {Itself[object](part) for block in _tried(code) for part in everything_in(block)}
+    every: list[_Import] = [*everything_in(code.body, facts.Import), *everything_in(code.body, facts.ImportFrom)]
+    left = [statement for statement in every if Itself(statement) not in forgiven]
+    return [(module, names, statement.span) for statement in left for module, names in _asked_for(statement)]
+
+
+def _tried(code: facts.Facts) -> Iterator[list[facts.Stmt]]:
+    """The blocks of which one is there for where another one's imports are not found."""
+    yield from forgiving(code)
+    for statement in everything_in(code.body, facts.Try):
+        if any(map(is_tolerant, statement.handlers)):
+            yield from (handler.body for handler in statement.handlers)
+
+
+def _asked_for(statement: _Import) -> Iterator[tuple[str, list[str]]]:
+    match statement:
+        case facts.Import(module=module):
+            yield module, []
+        case facts.ImportFrom(module=module, level=0, names=names):
+            yield module, [name for name, _ in names if name != "*"]
+
+
+# ------------------------------------------------------------------------------------- what a package does not have
+
+
+def _absent(workspace: WorkspaceIndex, file: SourceFile, module: str, place: Place) -> MissingImport | None:
+    """A module that no file of the package of its name is."""
+    if not _is_whole(workspace, module) or _is_there(workspace, file, module):
+        return None
+    above, _, last = module.rpartition(".")
+    if above not in workspace.code.modules or _is_made_by_a_tool(last) or _is_on_disk(workspace, module):
+        return None
+    beside = [name for name in workspace.code.modules if name.rpartition(".")[0] == above]
+    near = nearest(last, [name.rpartition(".")[2] for name in beside])
+    return MissingImport(place, module, near=f"{above}.{near}" if near else "")
+
+
+def _absent_names(
+    workspace: WorkspaceIndex, file: SourceFile, module: str, names: list[str], place: Place
+) -> Iterator[MissingImport]:
+    """The names that a module of the workspace does not have."""
+    path = workspace.code.file_of_import(file.relative, module)
+    if path is None or not _is_whole(workspace, module):
+        return
+    for name in names:
+        inner = f"{module}.{name}"
+        is_inner = inner in workspace.code.modules or _is_there(workspace, file, inner)
+        if not is_inner and not _is_made_by_a_tool(name) and not offers(workspace, path, name):
+            yield MissingImport(place, module, name)
+
+
+def _is_made_by_a_tool(name: str) -> bool:
+    return name == "version" or name.endswith(_MADE_BY_TOOLS)
+
+
+def _is_there(workspace: WorkspaceIndex, file: SourceFile, module: str) -> bool:
+    return module in workspace.code.modules or workspace.code.path_of_import(file.relative, module) is not None
+
+
+def _is_on_disk(workspace: WorkspaceIndex, module: str) -> bool:
+    [package] = workspace.code.modules[module.partition(".")[0]]
+    return is_on_disk(workspace, package or "", module)
+
+
+def _is_whole(workspace: WorkspaceIndex, module: str) -> bool:
+    """Whether a dotted name begins with a Python package of which all modules are files of one package here."""
+    top, _, rest = module.partition(".")
+    if rest.partition(".")[0] in _INTERFACES:
+        return False
+    having = workspace.code.modules.get(top, frozenset())
+    return len(having) == 1 and all(package is not None and _is_plain(workspace, package) for package in having)
+
+
+def _is_plain(workspace: WorkspaceIndex, package: str) -> bool:
+    """Whether the build of a package makes no modules of its own."""
+    installs = workspace.installs.get(package)
+    return installs is not None and installs.python is not None and _COMPILED.isdisjoint(installs.words)
+
+
+# ------------------------------------------------------------------------------------------------ what lies beside it
+
+
+def _beside(workspace: WorkspaceIndex, file: SourceFile, module: str, place: Place) -> MissingImport | None:
+    """A module that is imported by its short name from a file that a console script imports."""
+    top = module.partition(".")[0]
+    path = workspace.code.path_of_import(file.relative, module)
+    if path is None or top in workspace.code.modules or file.relative not in _by_console_scripts(workspace):
+        return None
+    there = posixpath.join(posixpath.dirname(file.relative), module.replace(".", "/"))
+    if top in sys.stdlib_module_names or key_of(top) is not None or path not in (f"{there}.py", f"{there}/__init__.py"):
+        return None
+    above = (file.module or "").rpartition(".")[0]
+    if not above or _is_named_in_setup(workspace, file.package or "", above, top):
+        return None
+    inside = "" if path.endswith("/__init__.py") else module.rpartition(".")[0].replace(".", "/")
+    folder = posixpath.join(posixpath.dirname(file.relative), inside)
+    without_init = inside if inside and not workspace.tree.is_file(f"{folder}/__init__.py") else ""
+    return MissingImport(place, module, beside=f"{above}.{module}", without_init=without_init)
+
+
+def _is_named_in_setup(workspace: WorkspaceIndex, package: str, above: str, top: str) -> bool:
+    """Whether the setup.py of a package has a word, but for the name of the module inside of the package ``above``, as
+    `packages=` lists it: it may install the module somewhere else, too."""
+    installs = workspace.installs.get(package)
+    if installs is None:
+        return True
+    path = posixpath.normpath(f"{installs.folder}/setup.py")
+    if not workspace.code.mentions(path, top):
+        return False
+    text = workspace.tree.text(path)
+    if text is None or "package_dir" in text:
+        return True
+    inside = "[./]".join(map(re.escape, [*above.split("."), top]))
+    return re.search(rf"\b{re.escape(top)}\b", re.sub(rf"['\"]{inside}['\"]", "", text)) is not None
+
+
+@once
+def _by_console_scripts(workspace: WorkspaceIndex) -> frozenset[str]:
+    """The files that console scripts import, by whole names, in packages of Python alone that do not touch the path."""
+    starts = set()
+    for package, installs in workspace.installs.items():
+        if installs.python is None or _touches_the_path(workspace, package):
+            continue
+        for executable in installs.executables.values():
+            if executable.module and not executable.script:
+                starts.update(workspace.code.files_named(package, executable.module))
+    return frozenset(starts)
+
+
+def _touches_the_path(workspace: WorkspaceIndex, package: str) -> bool:
+    read = (workspace.facts_at(path) for path in workspace.code.files_of(package))
+    return any(code is None or ("path" in code.names and "sys" in code.names and _has_path(code)) for code in read)
+
+
+def _has_path(code: facts.Facts) -> bool:
+    return any(part.dotted == "sys.path" for part in everything_in(code.body, facts.Attribute))
+
+
+__all__ = ["MissingImport", "missing_imports"]

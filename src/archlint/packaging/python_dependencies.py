@@ -1,0 +1,129 @@
+"""Modules of Python that installed code imports and that no file of its package asks for."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+import sys
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from archlint.analysis.aside import is_aside, is_not_installed
+from archlint.analysis.kept import once
+from archlint.packaging.imports import imports_at_start
+from archlint.packaging.manifests import package_around
+from archlint.ros import packages, python_modules, rosdep
+from archlint.workspace.closure import closure
+from archlint.workspace.manifest import condition_holds
+
+if TYPE_CHECKING:
+    from archlint.finding import Place
+    from archlint.systems.model import WorkspaceIndex
+    from archlint.workspace.model import Package, SourceFile
+
+_LETTERS = re.compile(r"[^a-z0-9]+")
+_BUILT_BY = ("setup.py", "setup.cfg", "pyproject.toml", "requirements.txt", "CMakeLists.txt")
+"""Files beside a package.xml that may ask pip for a module."""
+
+
+@dataclass(frozen=True, order=True)
+class ModuleUse:
+    """A file imports a ``module``, which rosdep knows as ``key``, and may not use it."""
+
+    place: Place
+    module: str
+    key: str
+    unused: bool = False
+
+
+def modules_to_declare(
+    workspace: WorkspaceIndex, brought_by: Callable[[str], set[str]], asked_for: Mapping[str, Iterable[str]]
+) -> dict[str, tuple[Package, list[ModuleUse]]]:
+    """Those of each package, by its folder; ``brought_by`` says what a package brings along, ``asked_for`` by folder
+    what another rule wants a package to declare."""
+    rows: dict[str, tuple[Package, list[ModuleUse]]] = {}
+    declared: dict[str, _Declared | None] = {}
+    for statement in imports_at_start(workspace):
+        module = statement.module.partition(".")[0]
+        key = None if module in sys.stdlib_module_names else python_modules.key_of(module)
+        if key is None or not _is_judged(workspace, statement.file):
+            continue
+        path = statement.file.relative
+        package = package_around(workspace, posixpath.dirname(path) or ".")
+        if package is None or _is_of_ros(workspace, path, statement.module, statement.names):
+            continue
+        if package.relative not in declared:
+            more = asked_for.get(package.relative, ())
+            declared[package.relative] = _declared(workspace, package, brought_by, more)
+        known = declared[package.relative]
+        if known is not None and not known.has(module, key):
+            rows.setdefault(package.relative, (package, []))[1].append(
+                ModuleUse(statement.place, module, key, statement.unused)
+            )
+    return rows
+
+
+def _is_judged(workspace: WorkspaceIndex, file: SourceFile) -> bool:
+    """Whether a file is installed code: neither a test, nor an example, nor one that nothing starts or imports."""
+    path = file.relative
+    if file.package is None or file.kind != "python" or workspace.roles.is_test(path) or is_aside(workspace, path):
+        return False
+    aside = {"test", "tests", "doc", "docs", "example", "examples", "tools", "scripts"}
+    if not aside.isdisjoint(path.split("/")[:-1]) and path not in workspace.code.in_use():
+        return False
+    return not is_not_installed(workspace, path)
+
+
+def _is_of_ros(workspace: WorkspaceIndex, path: str, module: str, names: tuple[str, ...]) -> bool:
+    top = module.partition(".")[0]
+    if top in workspace.packages or top in packages.table().names or workspace.code.path_of_import(path, top):
+        return True
+    return packages.package_of_module(module, names, lambda package: False) is not None
+
+
+@dataclass(frozen=True)
+class _Declared:
+    """The letters of all that a package asks for, and the ROS packages that come with it."""
+
+    letters: tuple[str, ...]
+    there: frozenset[str]
+
+    def has(self, module: str, key: str) -> bool:
+        if not self.there.isdisjoint(python_modules.brought_along_by(module)):
+            return True
+        spellings = {_plain(module), _plain(key).removeprefix("python3").removeprefix("python").removesuffix("pip")}
+        return any(spelling in asked for spelling in spellings for asked in self.letters)
+
+
+def _plain(name: str) -> str:
+    return _LETTERS.sub("", name.lower())
+
+
+def _declared(
+    workspace: WorkspaceIndex, package: Package, brought_by: Callable[[str], set[str]], more: Iterable[str]
+) -> _Declared | None:
+    """What a package asks for; None where nobody knows what something that it declares brings along."""
+    if package.ros1 or package.build_type not in ("ament_python", "ament_cmake"):
+        return None
+    direct = [d.name for d in package.dependencies if d.kind not in ("test", "doc") and condition_holds(d.condition)]
+    known = packages.table().names | workspace.packages.keys() | rosdep.keys()
+    there = closure([package.name, *direct, *(name for name in more if name in known)], brought_by)
+    if any(name not in known and not name.endswith(("_msgs", "_interfaces")) for name in there):
+        return None
+    texts = [workspace.tree.text(posixpath.join(package.relative, name)) or "" for name in _BUILT_BY]
+    return _Declared((*map(_plain, there), *map(_plain, [*texts, *_requirements(workspace)])), there)
+
+
+@once
+def _requirements(workspace: WorkspaceIndex) -> list[str]:
+    """The files of the whole workspace that ask pip for modules, or may do so."""
+    tree = workspace.tree
+    named = re.compile(
+        r"(?:\w+[-_])*requirements(?:[-_]\w+)*\.txt|environment\.ya?ml|Pipfile|pyproject\.toml|pixi\.toml"
+        r"|(?:[\w-]+\.)?[Dd]ockerfile(?:[._-]\w+)*|(?:install|setup)[\w-]*\.sh"
+    )
+    return [tree.text(path) or "" for path in tree.files_below(tree.top) if named.fullmatch(posixpath.basename(path))]
+
+
+__all__ = ["ModuleUse", "modules_to_declare"]

@@ -1,0 +1,260 @@
+"""What a package leaves out of its share folder: launch files, and files that its setup.py lists in vain.
+
+A setup.py without the marker of its package is no mistake here: colcon writes one.  Source: ``AmentPythonBuildTask`` of
+colcon-ros, ``copy_file`` of setuptools' distutils, ``get_share_file_path_from_package`` of ros2launch.
+"""
+
+from __future__ import annotations
+
+import fnmatch
+import posixpath
+import re
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from archlint.analysis.aside import is_aside
+from archlint.analysis.kept import once
+from archlint.launch.kinds import FileStatus
+from archlint.launch_files.launch_code import writes_files
+from archlint.packaging.generated_files import is_ignored, submodule_around
+from archlint.place import Place
+from archlint.workspace.installed import MARKERS
+
+if TYPE_CHECKING:
+    from archlint.systems.model import WorkspaceIndex
+    from archlint.workspace.installed import InstalledFiles, Installs
+
+
+@dataclass(frozen=True)
+class LaunchFilesLeftOut:
+    """Launch files that ``ros2 launch`` does not find; ``told_at`` are the places of texts that tell people to start
+    them so."""
+
+    package: str
+    place: Place
+    """Where the build should install them."""
+    files: tuple[str, ...]
+    """By their paths below the folder of the package."""
+    told_at: tuple[Place, ...] = ()
+
+
+def launch_files_left_out(workspace: WorkspaceIndex) -> Iterator[LaunchFilesLeftOut]:
+    """Of a package that installs none of the launch files in its folder ``launch``, these; of any other package, those
+    that a text of the workspace says to start by ``ros2 launch PACKAGE FILE``."""
+    for installs in understood(workspace).values():
+        place = mended_at(workspace, installs)
+        own = _launch_files(workspace, installs)
+        missing = [file for file in own if not any(installs.places_of(file)) and file not in _told_already(workspace)]
+        missing = [file for file in missing if not any(map(installs.may_install, _below(installs, [file])))]
+        if place is None or not missing:
+            continue
+        told = {file: list(_told_at(workspace, installs.package, file)) for file in missing}
+        if len(missing) < len(own) or any(_is_started_by_path(workspace, file) for file in missing):
+            missing = [file for file in missing if told[file]]
+        if missing:
+            places = tuple(place for file in missing for place in told[file])
+            yield LaunchFilesLeftOut(installs.package, place, tuple(_below(installs, missing)), places)
+
+
+def _below(installs: Installs, files: Iterable[str]) -> Iterator[str]:
+    """Paths as they are from the folder of a package on."""
+    return (file if installs.folder == "." else file.removeprefix(f"{installs.folder}/") for file in files)
+
+
+@once
+def understood(workspace: WorkspaceIndex) -> Mapping[str, Installs]:
+    """What packages of ROS 2 install, where all of it is known and there is one package of the name."""
+    return {name: workspace.installs[name] for name in sorted(workspace.installs) if _is_understood(workspace, name)}
+
+
+def _is_understood(workspace: WorkspaceIndex, name: str) -> bool:
+    installs, package = workspace.installs[name], workspace.manifests.get(workspace.installs[name].folder)
+    known = bool(installs.build_files) and not installs.open_files
+    return known and package is not None and not package.ros1 and not is_aside(workspace, package.manifest.relative)
+
+
+def mended_at(workspace: WorkspaceIndex, installs: Installs) -> Place | None:
+    """Where a package says which files it installs."""
+    if installs.data_files_at is not None:
+        return installs.data_files_at
+    path = posixpath.normpath(posixpath.join(installs.folder, "CMakeLists.txt"))
+    lines = (workspace.tree.text(path) or "").splitlines()
+    for number, line in enumerate(lines, 1):
+        called = re.match(r"\s*ament_(?:auto_)?package\s*\(", line)
+        if called is not None:
+            return Place(path, number, 1, number, len(line) + 1)
+    return None
+
+
+def _launch_files(workspace: WorkspaceIndex, installs: Installs) -> list[str]:
+    """The launch files in the folder ``launch`` of a package, that is in use."""
+    folder = posixpath.normpath(posixpath.join(installs.folder, "launch"))
+    files = (file for file in _all_launch_files(workspace) if file.startswith(f"{folder}/"))
+    return [file for file in files if not is_aside(workspace, file) and not _is_of_ros1(workspace, file)]
+
+
+@once
+def _all_launch_files(workspace: WorkspaceIndex) -> list[str]:
+    return workspace.launch_files.all()
+
+
+def _is_of_ros1(workspace: WorkspaceIndex, file: str) -> bool:
+    return workspace.launch_files.is_frontend(file) and workspace.launch_files.frontend(file).ros1
+
+
+@once
+def _told_already(workspace: WorkspaceIndex) -> frozenset[str]:
+    """The files that a launch file names in vain, each of which has a finding of its own there."""
+    references = (file for launched in workspace.launched for file in launched.references)
+    return frozenset(file.source or "" for file in references if file.status == FileStatus.NOT_INSTALLED)
+
+
+# ---------------------------------------------------------------------------------------- what texts say of launches
+
+_TEXTS = re.compile(r"(?:.*\.(?:md|rst|txt|sh|bash|zsh|ya?ml|service)|(?:Docker|Make)file[\w.-]*)")
+_COMMAND = re.compile(r"\bros2[ \t]+launch[ \t]+([\w./~${}-]+)(?:[ \t]+([\w./-]+))?")
+
+
+@once
+def _commands(workspace: WorkspaceIndex) -> list[tuple[str, str, Place]]:
+    """The two words after each ``ros2 launch`` in the documents and scripts of a workspace, and where that is."""
+    rows = []
+    for path in workspace.tree.files_below(workspace.tree.top):
+        text = workspace.tree.text(path) if _TEXTS.fullmatch(posixpath.basename(path)) else None
+        for number, line in enumerate(text.splitlines() if text is not None and "ros2" in text else (), 1):
+            for call in _COMMAND.finditer(line):
+                rows.append((call[1], call[2] or "", Place(path, number, call.start() + 1, number, call.end() + 1)))
+    return rows
+
+
+def _told_at(workspace: WorkspaceIndex, package: str, file: str) -> Iterator[Place]:
+    """The places that say to start a launch file by the name of its package."""
+    name = posixpath.basename(file)
+    return (place for first, second, place in _commands(workspace) if (first, second) == (package, name))
+
+
+def _is_started_by_path(workspace: WorkspaceIndex, file: str) -> bool:
+    """Whether some place says to start a launch file from where it lies in the source."""
+    return any(posixpath.basename(first) == posixpath.basename(file) for first, _, _ in _commands(workspace))
+
+
+# ----------------------------------------------------------------------------------------- what a setup.py lists
+
+
+@dataclass(frozen=True)
+class ListedInVain:
+    """A file or folder that the build lists and that is not there, so that it stops."""
+
+    place: Place
+    file: str
+    """Its path below the folder of the package."""
+    marker: bool = False
+    command: str = "data_files="
+    """What lists it: ``data_files=`` of a setup.py, or a command of CMake."""
+    folder: bool = False
+
+
+def listed_in_vain(workspace: WorkspaceIndex) -> Iterator[ListedInVain]:
+    """Each such file that nothing makes before the build."""
+    for installs in understood(workspace).values():
+        yield from _needed_in_vain(workspace, installs)
+        at = installs.data_files_at
+        if at is None or writes_files(workspace, at.file):
+            continue
+        for row in installs.files:
+            if (
+                not _is_pattern(row)
+                and not workspace.tree.is_file(row.source)
+                and not is_ignored(workspace, row.source)
+            ):
+                [below] = _below(installs, [row.source])
+                yield ListedInVain(row.place or at, below, posixpath.normpath(row.destination) == MARKERS)
+
+
+@dataclass(frozen=True)
+class MisnamedMarker:
+    """The only marker that a package installs, under the name of another one; ``file`` is below its folder."""
+
+    place: Place
+    package: str
+    file: str
+    name: str
+
+
+def misnamed_markers(workspace: WorkspaceIndex) -> Iterator[MisnamedMarker]:
+    """Every such marker: who makes a package of another one forgets to rename it."""
+    for installs in understood(workspace).values():
+        at = installs.data_files_at
+        rows = [row for row in installs.files if posixpath.normpath(row.destination) == MARKERS]
+        if at is None or not rows or any(_is_pattern(row) or row.folder for row in rows):
+            continue
+        names = [row.rename or posixpath.basename(row.source) for row in rows]
+        if installs.package not in names and workspace.tree.is_file(rows[0].source):
+            [below] = _below(installs, [rows[0].source])
+            yield MisnamedMarker(rows[0].place or at, installs.package, below, names[0])
+
+
+@dataclass(frozen=True)
+class FolderListed:
+    """A folder that a pattern in the ``data_files=`` of a setup.py matches: setuptools stops, as it copies files."""
+
+    place: Place
+    folder: str
+    """Its path below the folder of the package."""
+    pattern: str
+
+
+_ASKS_FOR_FILES = ("isfile", "is_file", "isdir", "is_dir", "walk")
+"""With these a setup.py may take the folders out of what a pattern matches."""
+
+
+def folders_listed(workspace: WorkspaceIndex) -> Iterator[FolderListed]:
+    """The first folder that each such pattern matches."""
+    for installs in understood(workspace).values():
+        at = installs.data_files_at
+        asks = at is not None and any(workspace.code.mentions(at.file, word) for word in _ASKS_FOR_FILES)
+        for row in installs.files if not asks else ():
+            place, (where, name) = row.place or at, posixpath.split(posixpath.normpath(row.source))
+            if place is None or row.folder or any(sign in where for sign in "*?[") or name == "**":
+                continue
+            below = (path.removeprefix(f"{where}/") for path in workspace.tree.files_below(where or "."))
+            folders = dict.fromkeys(path.partition("/")[0] for path in below if "/" in path)
+            matching = [folder for folder in folders if _is_pattern(row) and fnmatch.fnmatchcase(folder, name)]
+            if matching:
+                [folder, pattern] = _below(installs, [posixpath.join(where, matching[0]), row.source])
+                yield FolderListed(place, folder, posixpath.normpath(pattern))
+
+
+_BUILT = (".so", ".a", ".onnx", ".pt", ".pth", ".engine")
+"""Libraries and models of a vendor or of a training, which are often fetched by hand."""
+
+
+def _needed_in_vain(workspace: WorkspaceIndex, installs: Installs) -> Iterator[ListedInVain]:
+    """What CMake files list and is not there; git keeps no empty folder, so that a new clone does not have one."""
+    for needed in installs.needed:
+        is_there = workspace.tree.is_folder if needed.folder else workspace.tree.is_file
+        inside = installs.folder == "." or needed.path.startswith(f"{installs.folder}/")
+        if not inside or needed.path.endswith(_BUILT) or is_there(needed.path):
+            continue
+        if not is_ignored(workspace, needed.path) and submodule_around(workspace, needed.path) is None:
+            [below] = _below(installs, [needed.path])
+            yield ListedInVain(needed.place, below, command=f"{needed.command}()", folder=needed.folder)
+
+
+def _is_pattern(row: InstalledFiles) -> bool:
+    return row.folder or any(sign in row.source for sign in "*?[")
+
+
+__all__ = [
+    "FolderListed",
+    "LaunchFilesLeftOut",
+    "ListedInVain",
+    "MisnamedMarker",
+    "folders_listed",
+    "launch_files_left_out",
+    "listed_in_vain",
+    "mended_at",
+    "misnamed_markers",
+    "understood",
+]

@@ -1,0 +1,281 @@
+"""Attributes of ``self`` that a constructor reads before it assigns them: an AttributeError whenever an object is made.
+
+No way through ``__init__`` leads past an assignment to the read; or ``__init__`` calls a method that reads them for
+certain, before it assigns them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
+from typing import TYPE_CHECKING
+
+from archlint.place import Place
+from archlint.python_code.block_bindings import after, bound_at, is_plain, read_at, run_before
+from archlint.python_code.class_chains import (
+    Chain,
+    ClassInFile,
+    chain_of,
+    classes_of,
+    derived_from,
+    kept_for_each_class,
+    methods_of,
+    targets_of,
+)
+from archlint.python_code.unassigned_attributes import may_get, members_of, names_of_body
+from archlint.syntax import facts
+from archlint.syntax.control_flow import graph_of
+from archlint.syntax.flow_blocks import without_exceptions
+from archlint.syntax.parts import Itself, everything_in, once_for, parts_of
+
+if TYPE_CHECKING:
+    from archlint.syntax.flow_blocks import Block
+    from archlint.syntax.flow_graph import Graph
+    from archlint.systems.model import WorkspaceIndex
+
+_INIT = "__init__"
+_CATCH = frozenset({"AttributeError", "Exception", "BaseException"})
+_ASKS = frozenset({"hasattr", "getattr"})
+_KNOWN = frozenset({"super", "ActionClient", "ActionServer", "TransformListener", "TransformBroadcaster"}) | {
+    *("StaticTransformBroadcaster", "Subscriber", "Buffer", "Client", "Publisher", "print", "str", "repr", "id")
+}
+"""What is often given the object, and sets nothing of a node."""
+
+
+@dataclass(frozen=True)
+class EarlyRead:
+    """A read of an attribute before the constructor assigns it; ``called`` is where it calls the ``method`` that reads
+    it."""
+
+    place: Place
+    cls: str
+    name: str
+    assigned: Place
+    method: str = ""
+    called: Place | None = None
+
+
+@dataclass(frozen=True)
+class _Early:
+    """The same by the text of the class; ``mentioned`` are the attributes of ``self`` that code before it has, which
+    may be methods that run, and ``given`` says whether other code has the object by then."""
+
+    name: str
+    span: facts.Span
+    assigned: facts.Span
+    mentioned: frozenset[str] = frozenset()
+    given: bool = False
+    method: str = ""
+    called: facts.Span | None = None
+
+
+def early_attribute_reads(workspace: WorkspaceIndex) -> Iterator[EarlyRead]:
+    """Every such read in the files that were asked for: the first of each attribute."""
+    for file, file_facts in workspace.code.asked_for():
+        if workspace.roles.is_test(file.relative):
+            continue
+        for code in classes_of(file_facts):
+            cls = ClassInFile(file.relative, code)
+            for row in _early(workspace, cls):
+                if _is_certain(workspace, cls, row):
+                    at = partial(Place, cls.file)
+                    called = None if row.called is None else at(*row.called)
+                    yield EarlyRead(at(*row.span), code.name, row.name, at(*row.assigned), row.method, called)
+
+
+def _is_certain(workspace: WorkspaceIndex, cls: ClassInFile, row: _Early) -> bool:
+    """Whether nothing that runs before a read can have assigned the attribute: no base, no derived class, no method."""
+    chain = chain_of(workspace, cls)
+    if members_of(workspace, chain) is None or any("__new__" in set(names_of_body(base.code)) for base in chain.own):
+        return False  # what makes the object, once for all perhaps, may have given it anything
+    bases = [base for base in chain.own if base.code is not cls.code]
+    if any(row.name in _gives(base.code) for base in bases) or _is_of_class(workspace, chain, row.name):
+        return False
+    for other in derived_from(workspace, cls):
+        if {row.name, row.method} & _gives(other.code):
+            return False
+    if _assigns_on_the_way(cls, bases, row):
+        return False
+    return not row.given or not may_get(workspace, cls, row.name)
+
+
+def _is_of_class(workspace: WorkspaceIndex, chain: Chain, name: str) -> bool:
+    """Whether an object has an attribute without any assignment to it: a method, one of the class, one of rclpy's."""
+    bare = replace(chain, own=[])
+    foreign = members_of(workspace, bare) or []
+    return any(name in names for names in foreign) or any(name in set(names_of_body(c.code)) for c in chain.own)
+
+
+def _gives(code: facts.Class) -> frozenset[str]:
+    """The methods of a class, and all that it assigns to an object."""
+    assigned = (target.attr for target in targets_of(code.body) if isinstance(target, facts.Attribute))
+    return frozenset((*names_of_body(code), *assigned))
+
+
+def _assigns_on_the_way(cls: ClassInFile, bases: Sequence[ClassInFile], row: _Early) -> bool:
+    """Whether a method that may run before a read assigns the attribute."""
+    mentions = {function.name: _mentioned(function.body) for base in bases for function in methods_of(base.code)}
+    waiting = [*row.mentioned, *mentions.get(_INIT, ())]
+    setters: set[str] = set()
+    for function in methods_of(cls.code):
+        if function.name != _INIT:
+            mentions[function.name] = mentions.get(function.name, frozenset()) | _mentioned(function.body)
+            if any(_of_self(target) == row.name for target in targets_of(function.body)):
+                setters.add(function.name)
+    seen: set[str] = set()
+    while waiting:
+        name = waiting.pop()
+        if name in setters:
+            return True
+        if name not in seen:
+            seen.add(name)
+            waiting += mentions.get(name, ())
+    return False
+
+
+# ---------------------------------------------------------------------------------------- by the text of the class
+
+
+@kept_for_each_class
+def _early(code: facts.Class) -> list[_Early]:
+    methods = {function.name: function for function in methods_of(code)}
+    init = methods.get(_INIT)
+    if init is None or not _has_self(init):
+        return []
+    asked = {
+        argument.value.text
+        for call in everything_in(code.body, facts.Call)
+        if call.func.last_name in _ASKS
+        for argument in call.args
+    }
+    return [*_in_constructor(init, methods, frozenset((*names_of_body(code), *filter(None, asked))))]
+
+
+def _in_constructor(
+    init: facts.Function, methods: Mapping[str, facts.Function], others: frozenset[str]
+) -> Iterator[_Early]:
+    """The first read of each attribute, but for those of which nothing can be said."""
+    graph, caught, seen = graph_of(init.body), _caught(init.body), set(others)
+    assigned = {name: rows for name, rows in _assigned(graph).items() if name not in others}
+    later = {name: after([block for block, _ in rows]) for name, rows in assigned.items()}
+    for block in graph.blocks:
+        if block.statement is None or Itself(block.statement) in caught:
+            continue
+        for row in (*_direct(block), *_in_methods(methods, block)):
+            if row.name in seen or row.name not in assigned or block in later[row.name]:
+                continue
+            if is_plain(block) or all(block is not other for other, _ in assigned[row.name]):
+                seen.add(row.name)
+                before = run_before(graph, block)
+                yield replace(
+                    row,
+                    assigned=assigned[row.name][0][1],
+                    mentioned=(_mentioned_in(before) - {row.method}) | row.mentioned,
+                    given=row.given or _is_given(before),
+                )
+
+
+def _assigned(graph: Graph) -> dict[str, list[tuple[Block, facts.Span]]]:
+    """The blocks that give each attribute of ``self`` a value; a function counts where it is defined."""
+    assigned: dict[str, list[tuple[Block, facts.Span]]] = {}
+    for block in graph.blocks:
+        for target in bound_at(block):
+            inside = targets_of(target.body) if isinstance(target, facts.Function) else [target]
+            for each in inside:
+                name = _of_self(each)
+                if name is not None and isinstance(each, facts.Attribute):
+                    assigned.setdefault(name, []).append((block, each.span))
+    return assigned
+
+
+def _direct(block: Block) -> Iterator[_Early]:
+    for part, _ in read_at(block):
+        name = _of_self(part)
+        if name is not None and isinstance(part, facts.Attribute):
+            yield _Early(name, part.span, part.span)
+
+
+def _in_methods(methods: Mapping[str, facts.Function], block: Block) -> Iterator[_Early]:
+    """What the methods read for certain that a block calls."""
+    for call in () if block.fact is None else parts_of(block.fact, facts.Call):
+        method = methods.get(_of_self(call.func) or "")
+        if method is not None and method.name != _INIT:
+            for read in _surely_read(method):
+                yield replace(read, method=method.name, called=call.span)
+
+
+@once_for
+def _surely_read(method: facts.Function) -> list[_Early]:
+    """What every run of a method reads before it assigns it."""
+    if method.decorators or method.is_async or method.is_generator or not _has_self(method):
+        return []
+    graph, caught = graph_of(method.body), _caught(method.body)
+    assigned, rows = _assigned(graph), list[_Early]()
+    for block in graph.blocks:
+        reads = [part for part, surely in read_at(block) if surely and _of_self(part) is not None]
+        if not reads or block.statement is None or Itself(block.statement) in caught:
+            continue
+        if not graph.post_dominates([block], graph.entry, without_exceptions):
+            continue
+        before = run_before(graph, block)
+        mentioned, given = _mentioned_in(before), _is_given(before)
+        for part in reads:
+            if isinstance(part, facts.Attribute) and part.attr not in assigned:
+                rows.append(_Early(part.attr, part.span, part.span, mentioned, given))
+    return rows
+
+
+def _caught(body: Sequence[facts.Stmt]) -> set[Itself[facts.Base]]:
+    """The statements that are tried in case that they fail so."""
+    return {
+        Itself(part)
+        for attempt in parts_of(body, facts.Try)
+        if any(handler.type is None or handler.caught & _CATCH for handler in attempt.handlers)
+        for part in parts_of(attempt.body, facts.Statement)
+    }
+
+
+def _mentioned(body: Sequence[facts.Base]) -> frozenset[str]:
+    return frozenset(name for part in everything_in(body) if (name := _of_self(part)) is not None)
+
+
+def _mentioned_in(blocks: Collection[Block]) -> frozenset[str]:
+    return frozenset().union(*(_mentioned(_evaluated(block)) for block in blocks))
+
+
+def _evaluated(block: Block) -> Sequence[facts.Base]:
+    """All that a block runs, or may run later."""
+    parts = [*bound_at(block)] + ([] if block.fact is None else [block.fact])
+    return [child for part in parts for child in ([part] if not part.is_scope else part.children())]
+
+
+def _is_given(blocks: Collection[Block]) -> bool:
+    """Whether something else gets the object itself."""
+    for block in blocks:
+        parts = _evaluated(block)
+        owners = {Itself(part.value) for part in everything_in(parts, facts.Attribute)}
+        known = {
+            Itself(argument.value)
+            for call in everything_in(parts, facts.Call)
+            if call.func.last_name in _KNOWN
+            for argument in call.args
+        }
+        for name in everything_in(parts, facts.Name):
+            if name.id == "self" and Itself[facts.Base](name) not in owners | known:
+                return True
+    return False
+
+
+def _of_self(part: facts.Base) -> str | None:
+    match part:
+        case facts.Attribute(value=facts.Name(id="self"), attr=name):
+            return name
+    return None
+
+
+def _has_self(function: facts.Function) -> bool:
+    return bool(function.params) and function.params[0].name == "self"
+
+
+__all__ = ["EarlyRead", "early_attribute_reads"]

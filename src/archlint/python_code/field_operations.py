@@ -1,0 +1,249 @@
+"""What code does with the fields of messages that Python refuses for what they hold, or that always has one result.
+
+Source: rosidl_generator_py makes an ``int``, ``float``, ``bool`` or ``str`` of a primitive field, an ``array.array`` of
+an array of numbers without a fixed size (of a fixed one an array of numpy, which is left out here), and an object
+without operators of a message.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Literal
+
+from archlint.analysis.kept import kept_for_each_file
+from archlint.place import Place
+from archlint.python_code.tried_code import tried_for
+from archlint.syntax import facts
+from archlint.syntax.bindings import bound_by
+from archlint.syntax.interface_values import INTEGER_RANGES
+from archlint.syntax.parts import Itself, everything_in, once_for, parts_of
+
+if TYPE_CHECKING:
+    from archlint.model import FieldUse
+    from archlint.syntax.interfaces import FieldType
+    from archlint.systems.model import System
+
+_Kind = Literal["int", "float", "bool", "string", "array", "message"]
+_Deed = Literal["adds", "compares", "orders", "calculates", "takes out of", "goes through", "calls"]
+_Other = Literal["string", "number", "list", ""]
+_Spot = tuple[str, int, int, int, int]
+"""A file, and the span in it."""
+_Row = tuple[_Deed, _Other, str, facts.Span, facts.Span]
+"""What is done, with what beside the field, by which operator or function; the spans of the field and of it all."""
+_ORDER = frozenset({"<", "<=", ">", ">="})
+_EQUAL = frozenset({"==", "!=", "in", "not in"})
+_ARITHMETIC = frozenset({"+", "-", "/", "//", "**"})
+_TIMES = frozenset({"builtin_interfaces/msg/Time", "builtin_interfaces/msg/Duration"})
+"""What API001 judges, with the times of rclpy."""
+_NUMBERS: frozenset[_Kind] = frozenset({"int", "float", "bool"})
+_FUNCTIONS = frozenset({"len", "range", "abs", "round", "float", "int"})
+
+
+@dataclass(frozen=True)
+class FieldOperation:
+    """``'speed: ' + msg.data``; one that ``fails`` raises a TypeError, the others have one result, whatever comes."""
+
+    place: Place
+    use: FieldUse
+    kind: _Kind
+    type_name: str
+    """Of a message, or of the items of an array."""
+    deed: _Deed
+    other: _Other
+    by: str
+    """The operator or the function."""
+
+    @property
+    def fails(self) -> bool:
+        return self.deed != "compares"
+
+
+def field_operations(system: System) -> Iterator[FieldOperation]:
+    """Each such piece of code, where only messages with such a field come to it."""
+    workspace = system.workspace
+    if workspace is None:
+        return
+    uses = _fields_read(system)
+    for file in sorted({file for file, *_ in uses}):
+        for deed, other, by, field, whole in _rows(workspace, file) or ():
+            use, kind = uses.get((file, *field), (None, None))
+            held = None if kind is None else _held(kind)
+            if use is not None and kind is not None and held is not None and _goes_wrong(held, deed, other, by):
+                yield FieldOperation(Place(file, *whole), use, held, kind.name, deed, other, by)
+
+
+def _fields_read(system: System) -> dict[_Spot, tuple[FieldUse, FieldType]]:
+    """What reads fields, by its place, where it is of one type whoever comes there."""
+    table = None if system.workspace is None else system.workspace.interfaces
+    uses: dict[_Spot, tuple[FieldUse, FieldType] | None] = {}
+    for use in (use for program in system.programs for use in program.field_uses):
+        kind = None if table is None else table.field_type(use.type, use.section_name, use.name)
+        place = use.place
+        key = (place.file, place.line, place.column, place.end_line, place.end_column)
+        judged = use.access == "read" and use.exists and not system.roles.is_test(place.file)
+        row = (use, kind) if judged and kind is not None else None
+        before = uses.get(key, row)
+        uses[key] = row if row is not None and before is not None and before[1] == row[1] else None
+    return {key: row for key, row in uses.items() if row is not None}
+
+
+def _held(kind: FieldType) -> _Kind | None:
+    """What Python finds in a field; None where that depends, or is not judged here."""
+    numeric = kind.name in ("float32", "float64", *INTEGER_RANGES) and kind.name not in ("byte", "char")
+    if kind.array:
+        return "array" if numeric and kind.array != "fixed" and kind.name != "uint8" else None
+    if not kind.is_primitive:
+        return None if kind.name in _TIMES else "message"
+    if numeric:
+        return "float" if kind.name.startswith("float") else "int"
+    return "bool" if kind.name == "bool" else "string" if kind.name in ("string", "wstring") else None
+
+
+def _goes_wrong(held: _Kind, deed: _Deed, other: _Other, by: str) -> bool:
+    match deed:
+        case "adds":
+            return held != "string" if other == "string" else held not in _NUMBERS
+        case "calculates":
+            return held not in _NUMBERS
+        case "compares" | "orders":
+            if held == "array":
+                return (other == "list") == (deed == "compares")
+            if held == "message":
+                return deed == "orders" or other in ("string", "number")
+            return other == "list" or (other == "number") == (held == "string")
+        case "takes out of" | "goes through":
+            return held in _NUMBERS or held == "message"
+    if by == "len":
+        return held in _NUMBERS or held == "message"
+    return held not in ("int", "bool") if by == "range" else held in ("message", "array")
+
+
+# ---------------------------------------------------------------------------------------- what code does with fields
+
+
+@kept_for_each_file
+def _rows(code: facts.Facts) -> list[_Row]:
+    """What a file does with attributes that may be fields, outside of code that expects it to fail."""
+    expecting = tried_for(code.body, {"TypeError"})
+    rows: list[_Row] = []
+    for function in everything_in(code.body, facts.Function):
+        asked = _asked_for_their_class(function)
+        for part in parts_of(function.body):
+            for deed, other, by, field, whole in _deeds(part):
+                attribute = _attribute_behind(function, field)
+                certain = deed == "compares" or Itself(part) not in expecting
+                if attribute is not None and certain and not {attribute.dotted, field.dotted} & asked:
+                    rows.append((deed, other, by, attribute.span, whole))
+    return rows
+
+
+def _deeds(part: facts.Base) -> Iterator[tuple[_Deed, _Other, str, facts.Expr, facts.Span]]:
+    match part:
+        case facts.Binary(op="+", left=left, right=right, span=span):
+            for field, other in ((left, right), (right, left)):
+                if _is_text(other):
+                    yield "adds", "string", "+", field, span
+                elif _is_number(other):
+                    yield "adds", "number", "+", field, span
+        case facts.Binary(op=op, left=left, right=right, span=span) if op in _ARITHMETIC:
+            for field, other in ((left, right), (right, left)):
+                if _is_number(other):
+                    yield "calculates", "number", op, field, span
+        case facts.Compare(left=left, ops=[operator], comparators=[right], span=span) if operator in _ORDER | _EQUAL:
+            deed: _Deed = "orders" if operator in _ORDER else "compares"
+            pairs = ((left, right),) if operator in ("in", "not in") else ((left, right), (right, left))
+            for field, other in pairs:
+                if (what := _compared_with(other, operator)) is not None:
+                    yield deed, what, operator, field, span
+        case facts.Subscript(value=facts.Attribute() | facts.Name() as field, span=span):
+            yield "takes out of", "", "[]", field, span
+        case facts.For(iterable=facts.Attribute() | facts.Name() as field, is_async=False):
+            yield "goes through", "", "for", field, field.span
+        case facts.Generator(iterable=facts.Attribute() | facts.Name() as field):
+            yield "goes through", "", "for", field, field.span
+        case facts.Call(func=facts.Name(id=name), args=[facts.Argument(value=field, keyword=None, star="")], span=span):
+            if name in _FUNCTIONS:
+                yield "calls", "", name, field, span
+
+
+def _is_text(part: facts.Base) -> bool:
+    """Whether an expression is a text for certain, if it can be evaluated."""
+    match part:
+        case facts.Literal(value=str()) | facts.FormatString():
+            return True
+        case facts.Binary(op="+", left=left, right=right):
+            return _is_text(left) or _is_text(right)
+        case facts.Binary(op="%", left=left):
+            return _is_text(left)
+        case facts.Call(func=facts.Name(id="str")):
+            return True
+    return False
+
+
+def _is_number(part: facts.Base) -> bool:
+    match part:
+        case facts.Literal(value=int() | float() as value):
+            return not isinstance(value, bool)
+        case facts.Unary(op="-" | "+", operand=operand):
+            return _is_number(operand)
+    return False
+
+
+def _compared_with(part: facts.Base, operator: str) -> _Other | None:
+    """What is on the other side of a comparison, or in the list there."""
+    match part:
+        case facts.Sequence(kind="list" | "tuple" | "set", elements=elements):
+            if operator not in ("in", "not in"):
+                return "list" if part.kind == "list" else None
+            kinds = {_compared_with(element, "==") for element in elements}
+            return kinds.pop() if len(kinds) == 1 else None
+        case _ if operator in ("in", "not in"):
+            return None
+        case facts.Literal(value=str()):
+            return "string"
+        case _ if _is_number(part):
+            return "number"
+    return None
+
+
+def _attribute_behind(function: facts.Function, field: facts.Expr) -> facts.Attribute | None:
+    """The attribute that an expression is, or that the one assignment to a variable gives it."""
+    match field:
+        case facts.Attribute():
+            return None if field.dotted and field.dotted in _assigned(function) else field
+        case facts.Name(id=name):
+            return _read_into(function).get(name)
+    return None
+
+
+@once_for
+def _assigned(function: facts.Function) -> frozenset[str]:
+    """The attributes that a function sets: they may hold anything then."""
+    statements = everything_in(function.body, facts.Statement)
+    return frozenset(target.dotted for statement in statements for target in statement.assigned if target.dotted)
+
+
+@once_for
+def _read_into(function: facts.Function) -> dict[str, facts.Attribute]:
+    """The variables of a function that get an attribute and nothing else."""
+    bound = [name for part in everything_in(function) for name in bound_by(part)]
+    attributes: dict[str, facts.Attribute] = {}
+    for statement in parts_of(function.body, facts.Assign):
+        match statement:
+            case facts.Assign(targets=[facts.Name(id=name)], value=facts.Attribute() as value):
+                if bound.count(name) == 1 and value.dotted not in _assigned(function):
+                    attributes[name] = value
+    return attributes
+
+
+def _asked_for_their_class(function: facts.Function) -> set[str]:
+    """What a function asks for its class: ``isinstance(msg.data, str)``, ``type(msg.data)``, ``hasattr(…)``."""
+    return {
+        call.args[0].value.dotted
+        for call in everything_in(function.body, facts.Call)
+        if call.func.variable in ("isinstance", "type", "hasattr") and call.args
+    }
+
+
+__all__ = ["FieldOperation", "field_operations"]

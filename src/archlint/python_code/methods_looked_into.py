@@ -1,0 +1,98 @@
+"""Methods of a node that code looks into instead of calling them: ``self.get_logger.info('…')``.
+
+Source: ``Node`` in rclpy/node.py; a method of Python has no attributes but those that begin with two underscores.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from archlint.libraries.api_signatures import signatures_of
+from archlint.libraries.rclpy.names import NODE_CLASSES
+from archlint.place import Place
+from archlint.python_code.class_chains import (
+    ClassInFile,
+    chain_of,
+    classes_of,
+    derived_from,
+    kept_for_each_class,
+    methods_of,
+    targets_of,
+)
+from archlint.python_code.unassigned_attributes import attributes_of_self, has_self, members_of, names_of_body
+from archlint.syntax import facts
+from archlint.syntax.parts import Itself, everything_in, once_for
+
+if TYPE_CHECKING:
+    from archlint.systems.model import WorkspaceIndex
+
+
+@dataclass(frozen=True)
+class LookedInto:
+    """``self.method.name``, where ``method`` is one of a node."""
+
+    place: Place
+    method: str
+    name: str
+    needs: bool
+    """Whether the method cannot be called without arguments."""
+
+
+def methods_looked_into(workspace: WorkspaceIndex) -> Iterator[LookedInto]:
+    """Every such use in a class that is certainly a node and has no method of its own under that name, but for test
+    code."""
+    for file, file_facts in workspace.code.asked_for():
+        if workspace.roles.is_test(file.relative):
+            continue
+        for code in classes_of(file_facts):
+            cls = ClassInFile(file.relative, code)
+            rows = _looked_into(workspace, cls)
+            if rows and _is_node(workspace, cls):
+                yield from (row for row in _of_node(cls, rows) if not _has_its_own(workspace, cls, row.method))
+
+
+@kept_for_each_class
+def _looked_into(code: facts.Class) -> list[tuple[str, str, facts.Span]]:
+    """What the methods of a class read of an attribute of ``self`` that begins like a method."""
+    rows = []
+    for function in methods_of(code):
+        if not has_self(function):
+            continue
+        readers = {Itself[facts.Base](part.value): part for part in everything_in(function.body, facts.Attribute)}
+        for part in attributes_of_self(function.body):
+            reader = readers.get(Itself[facts.Base](part))
+            if reader is not None and not reader.attr.startswith("__"):
+                rows.append((part.attr, reader.attr, reader.span))
+    return rows
+
+
+def _of_node(cls: ClassInFile, rows: list[tuple[str, str, facts.Span]]) -> Iterator[LookedInto]:
+    for method, name, span in rows:
+        signatures = signatures_of(f"rclpy.node.Node.{method}")
+        if signatures:
+            needs = any(signature.mismatch(0, (), True) is not None for signature in signatures.values())
+            yield LookedInto(Place(cls.file, *span), method, name, needs)
+
+
+def _is_node(workspace: WorkspaceIndex, cls: ClassInFile) -> bool:
+    chain = chain_of(workspace, cls)
+    return members_of(workspace, chain) is not None and not NODE_CLASSES.isdisjoint(chain.foreign)
+
+
+def _has_its_own(workspace: WorkspaceIndex, cls: ClassInFile, method: str) -> bool:
+    """Whether a class of the object, or one derived from it, gives the name another meaning."""
+    chains = [chain_of(workspace, cls), *(chain_of(workspace, derived) for derived in derived_from(workspace, cls))]
+    return any(method in _given_by(each.code) for chain in chains for each in chain.own)
+
+
+@once_for
+def _given_by(code: facts.Class) -> frozenset[str]:
+    """The names that a class and its methods give an object."""
+    return frozenset(names_of_body(code)).union(
+        target.attribute for target in targets_of(code.body) if target.attribute
+    )
+
+
+__all__ = ["LookedInto", "methods_looked_into"]

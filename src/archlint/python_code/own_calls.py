@@ -1,0 +1,329 @@
+"""Calls of the workspace's own functions, methods and classes with arguments that their parameters do not take.
+
+What a name means is told by the text alone: a function or a class that a file defines once and binds to nothing else,
+or imports from such a file, and a method of ``self`` that no class derived from its class and no assignment replaces.
+"""
+
+from __future__ import annotations
+
+import posixpath
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from archlint.analysis.kept import kept_for_each_file
+from archlint.model import Misuse
+from archlint.place import Place
+from archlint.python_code.class_chains import (
+    ClassInFile,
+    chain_of,
+    classes_of,
+    derived_from,
+    files_with,
+    methods_of,
+    targets_of,
+)
+from archlint.python_code.offered_names import MAKES_NAMES, stars
+from archlint.python_code.tried_code import tried_for
+from archlint.syntax import facts
+from archlint.syntax.bare_super import bare_super_calls
+from archlint.syntax.bindings import bound_by
+from archlint.syntax.parts import Itself, everything_in, once_for
+from archlint.syntax.walk import statements_of
+
+if TYPE_CHECKING:
+    from archlint.systems.model import WorkspaceIndex
+
+_PLAIN_DECORATORS = frozenset({"abstractmethod", "classmethod", "override", "staticmethod"})
+_DEPTH = 4
+"""How many imports are followed to a definition."""
+
+
+@dataclass(frozen=True)
+class FunctionInFile:
+    """A function and the file that it is in; ``bound`` is how many of its parameters a call does not give."""
+
+    file: str
+    code: facts.Function
+    bound: int = 0
+
+
+@dataclass(frozen=True)
+class Misfit:
+    """What is wrong with the arguments of a call: the parameters it is about, and how many it takes by position."""
+
+    misuse: Misuse
+    parameters: tuple[str, ...] = ()
+    takes: int = 0
+
+
+@dataclass(frozen=True)
+class RefusedOwnCall:
+    """A call that fails, of ``name``, which is defined at a place with these parameters."""
+
+    place: Place
+    name: str
+    misfit: Misfit
+    defined: Place
+    signature: tuple[str, ...]
+    lacks_self: bool = False
+    """Whether it is a method whose first parameter is not called ``self``, but takes the object."""
+
+
+def refused_own_calls(workspace: WorkspaceIndex) -> Iterator[RefusedOwnCall]:
+    """Every such call in the files that were asked for, but for test code."""
+    for file, _ in workspace.code.asked_for():
+        if file.kind not in ("python", "launch_python") or workspace.roles.is_test(file.relative):
+            continue
+        for call in own_calls_of(workspace, file.relative) or ():
+            meant = function_meant(workspace, file.relative, call)
+            wrong = None if meant is None else _misfit(meant.code.params[meant.bound :], call)
+            if meant is not None and wrong is not None:
+                place = Place(file.relative, *call.span)
+                params = meant.code.params
+                lacks_self = call.cls is not None and meant.bound == 1 and params[0].name not in ("self", "cls")
+                defined = Place(meant.file, *meant.code.name_span)
+                signature = tuple(_needed(params[meant.bound :]))
+                yield RefusedOwnCall(place, call.name, wrong, defined, signature, lacks_self)
+
+
+def _misfit(params: Sequence[facts.Param], call: OwnCall) -> Misfit | None:
+    """What is wrong with the arguments of a call for such parameters; None where nothing is."""
+    by_position = [param.name for param in params if param.kind in ("positional_only", "normal")]
+    by_name = {param.name for param in params if param.kind in ("normal", "keyword_only")}
+    kinds = {param.kind for param in params}
+    if call.given > len(by_position) and "star" not in kinds:
+        return Misfit(Misuse.TOO_MANY, takes=len(by_position))
+    unknown = tuple(name for name in call.keywords if name not in by_name)
+    if unknown and "double_star" not in kinds:
+        return Misfit(Misuse.UNKNOWN_KEYWORD, unknown)
+    filled = {*by_position[: call.given], *call.keywords}
+    twice = tuple(name for name in call.keywords if name in by_position[: call.given])
+    if twice:
+        return Misfit(Misuse.TWICE, twice)
+    missing = tuple(name for name in _needed(params) if name not in filled)
+    return Misfit(Misuse.MISSING, missing) if missing else None
+
+
+def _needed(params: Sequence[facts.Param]) -> Iterator[str]:
+    """The parameters that may not be left out."""
+    for param in params:
+        if param.default is None and param.kind in ("positional_only", "normal", "keyword_only"):
+            yield param.name
+
+
+def calls_of_bare_super(workspace: WorkspaceIndex) -> Iterator[Place]:
+    """Every ``super.__init__(…)`` in the files that were asked for, but for test code."""
+    for path in workspace.python_files():
+        for span in _bare_super_calls(workspace, path) or ():
+            yield Place(path, *span)
+
+
+# ----------------------------------------------------------------------------------------------- which calls there are
+
+
+@dataclass(frozen=True)
+class OwnCall:
+    """A call of which all arguments are written out."""
+
+    name: str
+    """What is called, as it is written."""
+    span: facts.Span
+    cls: int | None
+    """For a method of ``self``: the class that the method around it is of, by its position in the file."""
+    given: int
+    """How many arguments are given by position."""
+    keywords: tuple[str, ...]
+
+
+@kept_for_each_file
+def own_calls_of(code: facts.Facts) -> list[OwnCall]:
+    """The calls of functions and classes that the file defines or imports, and those of methods of ``self``."""
+    if not MAKES_NAMES.isdisjoint(code.names):
+        return []
+    forgiven = tried_for(code.body, {"TypeError"})
+    around = {Itself(call): number for number, cls in enumerate(classes_of(code)) for call in _on_self(cls)}
+    defined = _defined_once(code)
+    rows: list[OwnCall] = []
+    for call in everything_in(code.body, facts.Call):
+        cls = around.get(Itself(call))
+        if any(argument.star for argument in call.args) or Itself[facts.Base](call) in forgiven:
+            continue
+        if cls is not None or call.func.variable in defined:
+            keywords = tuple(argument.keyword for argument in call.args if argument.keyword is not None)
+            rows.append(OwnCall(call.func.dotted, call.span, cls, len(call.args) - len(keywords), keywords))
+    return rows
+
+
+def _defined_once(code: facts.Facts) -> frozenset[str]:
+    """The names of functions and classes that a file defines or imports at its top level, and binds nowhere else."""
+    if stars(code):
+        return frozenset()
+    names: set[str] = set()
+    for statement in code.body:
+        match statement:
+            case facts.Function(name=name) | facts.Class(name=name):
+                names.add(name)
+            case facts.ImportFrom(names=imported):
+                names.update(bound for _, bound in imported)
+    return frozenset(name for name in names if bindings_of(code)[name] == 1)
+
+
+@kept_for_each_file
+def _bare_super_calls(code: facts.Facts) -> list[facts.Span]:
+    if "super" in bindings_of(code) or not MAKES_NAMES.isdisjoint(code.names):
+        return []
+    forgiven = tried_for(code.body, {"TypeError"})
+    calls = (call for cls in classes_of(code) for call in bare_super_calls(cls))
+    return [*dict.fromkeys(call.span for call in calls if Itself[facts.Base](call) not in forgiven)]
+
+
+def _on_self(cls: facts.Class) -> Iterator[facts.Call]:
+    """The calls ``self.name(…)`` in the methods of a class."""
+    for function in methods_of(cls):
+        match function.params:
+            case [facts.Param(name="self", annotation=None), *_] if not function.decorators:
+                pass
+            case _:
+                continue
+        if any(part.name == "self" for part in everything_in(function.body, facts.Param)):
+            continue
+        for call in everything_in(function.body, facts.Call):
+            match call.func:
+                case facts.Attribute(value=facts.Name(id="self")):
+                    yield call
+
+
+# ---------------------------------------------------------------------------------------------------- what they mean
+
+
+def function_meant(workspace: WorkspaceIndex, file: str, call: OwnCall) -> FunctionInFile | None:
+    if call.cls is None:
+        return _function(workspace, file, call.name)
+    code = workspace.facts_at(file)
+    cls = None if code is None else ClassInFile(file, classes_of(code)[call.cls])
+    return None if cls is None else _method(workspace, cls, call.name.rpartition(".")[2])
+
+
+def _function(workspace: WorkspaceIndex, file: str, name: str) -> FunctionInFile | None:
+    """The function that a name means in a file, or the constructor of the class."""
+    match _definition(workspace, file, name):
+        case path, facts.Function(decorators=[]) as function:
+            return FunctionInFile(path, function)
+        case path, facts.Class() as cls:
+            return _constructor(workspace, ClassInFile(path, cls))
+    return None
+
+
+def class_meant_by(workspace: WorkspaceIndex, file: str, name: str) -> ClassInFile | None:
+    """The class of the workspace that a name means in a file."""
+    match _definition(workspace, file, name):
+        case path, facts.Class() as cls:
+            return ClassInFile(path, cls)
+    return None
+
+
+def _definition(
+    workspace: WorkspaceIndex, file: str, name: str, depth: int = _DEPTH
+) -> tuple[str, facts.Function | facts.Class] | None:
+    """What defines a name that a file binds once, and the file that this is in."""
+    code = workspace.facts_at(file)
+    if code is None or depth <= 0 or stars(code) or (_bindings(workspace, file) or {}).get(name) != 1:
+        return None
+    for statement in code.body:
+        match statement:
+            case facts.Function(name=defined) | facts.Class(name=defined) if defined == name:
+                return file, statement
+            case facts.ImportFrom(names=names) if any(bound == name for _, bound in names):
+                own = next(own for own, bound in names if bound == name)
+                path = _file_of(workspace, file, statement)
+                return None if path is None else _definition(workspace, path, own, depth - 1)
+    return None
+
+
+def _file_of(workspace: WorkspaceIndex, file: str, statement: facts.ImportFrom) -> str | None:
+    """The file that an import means wherever it is imported, or that lies beside this one."""
+    path = workspace.code.path_of_import(file, statement.module, statement.level)
+    if path is not None and posixpath.dirname(path) == posixpath.dirname(file):
+        return path
+    return workspace.code.file_of_import(file, statement.module, statement.level)
+
+
+@once_for
+def bindings_of(code: facts.Facts) -> Counter[str]:
+    """How often a file binds each name, in whichever scope."""
+    return Counter(name for part in everything_in(code.body) for name in bound_by(part))
+
+
+@kept_for_each_file
+def _bindings(code: facts.Facts) -> dict[str, int]:
+    return dict(bindings_of(code))
+
+
+def _constructor(workspace: WorkspaceIndex, cls: ClassInFile) -> FunctionInFile | None:
+    chain = chain_of(workspace, cls)
+    if not chain.complete or any("__new__" in _methods(own.code) for own in chain.own):
+        return None
+    for own in chain.own:
+        constructor = _methods(own.code).get("__init__")
+        if constructor is not None:
+            return FunctionInFile(own.file, constructor, 1) if _is_plain(own.code, constructor) else None
+        if len(own.code.bases) > 1:
+            return None
+    return None
+
+
+def _method(workspace: WorkspaceIndex, cls: ClassInFile, name: str) -> FunctionInFile | None:
+    """The method that ``self.name`` means in the methods of a class."""
+    chain = chain_of(workspace, cls)
+    own = next((each for each in chain.own if name in _methods(each.code)), None)
+    if own is None or (own.code is not cls.code and not chain.complete) or cls.code.decorators:
+        return None
+    method = _methods(own.code)[name]
+    if not _is_plain(own.code, method) or _is_replaced(workspace, cls, name):
+        return None
+    static = any(decorator.last_name == "staticmethod" for decorator in method.decorators)
+    bound = 0 if static else 1
+    return FunctionInFile(own.file, method, bound) if len(method.params) >= bound else None
+
+
+@once_for
+def _methods(code: facts.Class) -> dict[str, facts.Function]:
+    return {function.name: function for function in methods_of(code)}
+
+
+def _is_plain(code: facts.Class, function: facts.Function) -> bool:
+    """Whether a method is what its definition says: nothing else in the body of the class has its name."""
+    names = [name for statement in statements_of(code.body) for name in bound_by(statement)]
+    decorated = any(decorator.last_name not in _PLAIN_DECORATORS for decorator in function.decorators)
+    return names.count(function.name) == 1 and not decorated
+
+
+def _is_replaced(workspace: WorkspaceIndex, cls: ClassInFile, name: str) -> bool:
+    """Whether a derived class has a method of its own by a name, or any code assigns it."""
+    if any(name in _methods(derived.code) for derived in derived_from(workspace, cls)):
+        return True
+    files = dict.fromkeys((cls.file, *files_with(workspace, name)))
+    return any((assigned := assigned_attributes(workspace, file)) is None or name in assigned for file in files)
+
+
+@kept_for_each_file
+def assigned_attributes(code: facts.Facts) -> dict[str, int]:
+    """How often a file assigns an attribute of each name, of whatever object."""
+    return dict(Counter(target.attribute for target in targets_of(code.body) if target.attribute))
+
+
+__all__ = [
+    "FunctionInFile",
+    "Misfit",
+    "OwnCall",
+    "RefusedOwnCall",
+    "assigned_attributes",
+    "bindings_of",
+    "calls_of_bare_super",
+    "class_meant_by",
+    "function_meant",
+    "own_calls_of",
+    "refused_own_calls",
+]

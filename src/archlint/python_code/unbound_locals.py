@@ -1,0 +1,179 @@
+"""Local variables that are read where nothing has given them a value: an UnboundLocalError.
+
+Either no way leads to the read past an assignment, or the one in a ``try`` fails and its ``except`` goes on there.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from archlint.analysis.kept import kept_for_each_file
+from archlint.place import Place
+from archlint.python_code.block_bindings import after, bound_at, is_plain, read_at
+from archlint.python_code.offered_names import MAKES_NAMES
+from archlint.syntax import facts
+from archlint.syntax.control_flow import graph_of
+from archlint.syntax.flow_blocks import Block, Edge, Kind, reach, without_exceptions
+from archlint.syntax.parts import everything_in, parts_of
+
+if TYPE_CHECKING:
+    from archlint.syntax.flow_graph import Graph
+    from archlint.systems.model import WorkspaceIndex
+
+_ENDS = frozenset({"BaseException", "KeyboardInterrupt", "SystemExit", "ExternalShutdownException", "GeneratorExit"})
+"""What ends a program, at any place: whoever catches it cares for nothing else."""
+_OPTIONAL = frozenset({"ImportError", "ModuleNotFoundError", "NameError", "UnboundLocalError"})
+
+
+@dataclass(frozen=True)
+class UnboundLocal:
+    """A read of a variable of a function before it has a value; ``caught`` is the ``except`` that leads to it, if the
+    variable has one otherwise."""
+
+    place: Place
+    name: str
+    assigned: Place
+    caught: Place | None = None
+
+
+@dataclass(frozen=True)
+class _Row:
+    name: str
+    span: facts.Span
+    assigned: facts.Span
+    caught: facts.Span | None = None
+
+
+def unbound_locals(workspace: WorkspaceIndex) -> Iterator[UnboundLocal]:
+    """Every such read in the files that were asked for: the first of each variable."""
+    for file, _ in workspace.code.asked_for():
+        path = file.relative
+        if file.kind not in ("python", "launch_python") or workspace.roles.is_test(path):
+            continue
+        for row in _rows(workspace, path) or ():
+            caught = None if row.caught is None else Place(path, *row.caught)
+            yield UnboundLocal(Place(path, *row.span), row.name, Place(path, *row.assigned), caught)
+
+
+@kept_for_each_file
+def _rows(code: facts.Facts) -> list[_Row]:
+    if not MAKES_NAMES.isdisjoint(code.names):
+        return []
+    return [row for function in everything_in(code.body, facts.Function) for row in _in_function(function)]
+
+
+def _in_function(function: facts.Function) -> Iterator[_Row]:
+    graph = graph_of(function.body)
+    bound = _bound(function, graph)
+    reads: dict[str, list[tuple[Block, facts.Name, bool]]] = {}
+    for block in graph.blocks if bound else ():
+        for part, surely in read_at(block):
+            if isinstance(part, facts.Name) and part.id in bound:
+                reads.setdefault(part.id, []).append((block, part, surely))
+    for name, rows in reads.items():
+        blocks = [block for block, _ in bound[name]]
+        first = bound[name][0][1]
+        early = _never_before(blocks, rows)
+        if early is not None:
+            yield _Row(name, early.span, first)
+            continue
+        for attempt in parts_of(function.body, facts.Try):
+            caught = _past_handler(graph, attempt, blocks, rows)
+            if caught is not None:
+                yield _Row(name, caught[0].span, first, caught[1].span)
+                break
+
+
+def _bound(function: facts.Function, graph: Graph) -> dict[str, list[tuple[Block, facts.Span]]]:
+    """Where each local variable of a function is bound."""
+    others = {param.name for param in function.params}
+    others.update(name for part in parts_of(function.body, facts.Global) for name in part.names)
+    bound: dict[str, list[tuple[Block, facts.Span]]] = {}
+    unclear: set[str] = set()
+    for block in graph.blocks:
+        for part in bound_at(block):
+            match part:
+                case facts.Name(id=name, span=span) if name not in others:
+                    bound.setdefault(name, []).append((block, span))
+                case facts.Import(module=module, alias=alias):
+                    unclear.add(alias or module.partition(".")[0])
+                case facts.ImportFrom(names=names):
+                    unclear.update(name for _, name in names)
+                case facts.Function(name=str(name)) | facts.Class(name=str(name)):
+                    unclear.add(name)
+                case facts.Handler(name=str(name)) | facts.Pattern(name=str(name)):
+                    unclear.add(name)
+    inner = (part for part in parts_of(function.body, facts.Function))
+    unclear.update(name for each in inner for part in everything_in(each.body, facts.Global) for name in part.names)
+    return {name: rows for name, rows in bound.items() if name not in unclear and not _is_only_added_to(rows)}
+
+
+def _is_only_added_to(rows: Sequence[tuple[Block, facts.Span]]) -> bool:
+    """Whether `+=` is all that binds a variable: of such ones all reads are wrong."""
+    return all(isinstance(block.statement, facts.Augmented) for block, _ in rows)
+
+
+def _never_before(bound: Collection[Block], rows: Collection[tuple[Block, facts.Name, bool]]) -> facts.Name | None:
+    """The first read to which no way leads past an assignment."""
+    later = after(bound)
+    for block, name, _ in rows:
+        if block not in later and (block not in bound or is_plain(block)):
+            return name
+    return None
+
+
+def _past_handler(
+    graph: Graph, attempt: facts.Try, bound: Collection[Block], rows: Collection[tuple[Block, facts.Name, bool]]
+) -> tuple[facts.Name, facts.Handler] | None:
+    """The read to which a handler surely leads, where what it handles keeps the variable from its only assignment."""
+    tried = {block for statement in attempt.body for block in graph.at(statement)}
+    inside = [block for block in bound if block in tried]
+    starts = graph.of(attempt)
+    if not inside or not starts or not _may_fail(inside, tried):
+        return None
+    before = _onward([edge.target for block in bound for edge in block.edges if _goes_on(edge)])
+    if any(start in before for start in starts):
+        return None
+    reading = {block: name for block, name, surely in rows if surely and block not in tried}
+    final = {block for statement in attempt.final for block in graph.at(statement)}
+    for handler in attempt.handlers:
+        if not handler.body or not handler.caught or handler.caught & (_ENDS | _OPTIONAL):
+            continue  # a bare one is for Ctrl-C, too
+        for start in graph.of(handler.body[0]):
+            read = _surely_read(graph, start, bound, reading)
+            if read is not None and read not in final:
+                return reading[read], handler
+    return None
+
+
+def _surely_read(graph: Graph, start: Block, bound: Collection[Block], reading: Collection[Block]) -> Block | None:
+    """The block, of some, that every way from another one on comes to first, with no assignment before."""
+    clear = reach([start], without_exceptions, avoiding=reading)
+    if not clear.isdisjoint(graph.exits) or not clear.isdisjoint(bound):
+        return None
+    edges = [edge for block in clear for edge in block.edges if without_exceptions(edge)]
+    if any(edge.kind is not Kind.NEXT for edge in edges):
+        return None  # round a loop, or out of the function
+    reads = [edge.target for edge in edges if edge.target in reading]
+    return min(reads, key=graph.blocks.index, default=None)
+
+
+def _may_fail(inside: Collection[Block], tried: Collection[Block]) -> bool:
+    """Whether something that can fail is tried until the variable has its value: a call, say."""
+    later = after(inside)
+    until = [block.fact for block in tried if block not in later or block in inside]
+    kinds = (facts.Call, facts.Subscript, facts.Await)
+    return any(isinstance(part, kinds) for fact in until if fact is not None for part in parts_of(fact))
+
+
+def _goes_on(edge: Edge) -> bool:
+    return edge.kind is not Kind.BACK
+
+
+def _onward(starts: Collection[Block]) -> set[Block]:
+    return reach(starts, _goes_on)
+
+
+__all__ = ["UnboundLocal", "unbound_locals"]

@@ -1,0 +1,236 @@
+"""Names that Python code reads and that nothing binds: a NameError when the line runs.
+
+Scopes are Python's own.  What is bound anywhere in a scope counts as bound, whichever line comes first, and a file in
+which anything may be bound (a star import of a module that is not known, ``exec``) is left alone.
+"""
+
+from __future__ import annotations
+
+import builtins
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+from archlint.analysis.kept import kept_for_few_files
+from archlint.launch.files import GENERATE
+from archlint.place import Place
+from archlint.python_code.offered_names import MAKES_NAMES, bound_in, own_names, starred
+from archlint.syntax import facts
+from archlint.syntax.bindings import bound_by
+from archlint.syntax.flow_facts import covers
+from archlint.syntax.parts import everything_in, parts_of
+from archlint.syntax.walk import statements_of
+
+if TYPE_CHECKING:
+    from archlint.systems.model import WorkspaceIndex
+
+_OF_MODULES = frozenset(
+    {"__annotations__", "__builtins__", "__debug__", "__dict__", "__doc__", "__file__", "__loader__", "__name__"}
+    | {"__package__", "__path__", "__spec__"}
+)
+_OF_CLASSES = frozenset({"__class__", "__module__", "__qualname__"})
+_NEWER = frozenset({"BaseExceptionGroup", "EncodingWarning", "ExceptionGroup", "PythonFinalizationError", "aiter"})
+"""Built-in names that not every Python has with which archlint runs."""
+_OF_PYTHON_2 = frozenset(
+    {"basestring", "cmp", "execfile", "file", "long", "raw_input", "reduce", "reload", "unichr", "unicode", "xrange"}
+)
+_ALWAYS = frozenset(dir(builtins)) | _OF_MODULES | _OF_CLASSES | _NEWER | {"WindowsError", "_"}
+_CHECKS_VERSION = frozenset({"PY2", "PY3", "six", "version_info"})
+_ROS_1 = frozenset({"rospy", "roslib"})
+_KINDS = frozenset({"python", "launch_python"})
+_SPHINX = "/conf.py"
+"""The file for which Sphinx defines names of its own."""
+
+
+@dataclass(frozen=True)
+class Undefined:
+    """A name that is read, and who has one of that name: the class of the method, or nobody."""
+
+    place: Place
+    name: str
+    known: frozenset[str]
+    """All names that the code there can read."""
+    of_self: bool
+    """Whether the class of the method has an attribute or a method of the name."""
+    added: bool = False
+    """Whether it is a local variable, since the function changes it with ``+=``, and nothing gives it a value."""
+    without_self: str = ""
+    """The method that it is read in, where that has no parameter at all and the class has one of the name."""
+
+
+def undefined_names(workspace: WorkspaceIndex) -> Iterator[Undefined]:
+    """Every such read in the files that were asked for: the first of each name in each function."""
+    told = _told_of_launch_files(workspace)
+    for file, file_facts in workspace.code.asked_for():
+        if file.kind not in _KINDS or file.relative.endswith(_SPHINX) or workspace.roles.is_test(file.relative):
+            continue
+        unbound = _unbound(workspace, file.relative)
+        if file.kind == "launch_python":
+            if file_facts.problems:
+                continue  # Python refuses all of it
+            if not any(function.name == GENERATE for function in statements_of(file_facts.body, facts.Function)):
+                continue  # nothing launches it: any text may be called like a launch file, and linked from anywhere
+            idle = _idle_functions(file_facts)
+            unbound = [r for r in unbound if (file.relative, r.name.id) not in told]
+            unbound = [r for r in unbound if not any(covers(function, r.name.span) for function in idle)]
+        brought = starred(workspace, file.relative, file_facts) if unbound else None
+        if brought is None:
+            continue
+        for read in unbound:
+            if read.added or not brought.has(read.name.id):
+                known = read.known | brought.names if brought.names else read.known  # a copy for each read is a square
+                place = Place(file.relative, *read.name.span)
+                yield Undefined(place, read.name.id, known, read.of_self, read.added, read.without_self)
+
+
+def names_bound_in(workspace: WorkspaceIndex, file: str) -> frozenset[str]:
+    """The names that any line of a file binds."""
+    code = workspace.facts_at(file)
+    parts = [] if code is None else everything_in(code.body)
+    return frozenset(name for part in parts for name in bound_by(part))
+
+
+def _told_of_launch_files(workspace: WorkspaceIndex) -> frozenset[tuple[str, str]]:
+    """The names, each with its file, that keep a launch file from being read at all, of which LCH008 speaks."""
+    lost = (each for launched in workspace.launched for each in launched.undefined.items())
+    return frozenset((place.file, name) for place, name in lost)
+
+
+def _idle_functions(code: facts.Facts) -> list[facts.Function]:
+    """The functions of a launch file that neither launch nor any line of the file calls or passes on."""
+    named = {name.id for name in everything_in(code.body, facts.Name)} | {GENERATE}
+    return [function for function in statements_of(code.body, facts.Function) if function.name not in named]
+
+
+# ------------------------------------------------------------------------------------------------------ scopes
+
+
+@dataclass(frozen=True)
+class _Read:
+    """A read of a name that no scope around it binds."""
+
+    name: facts.Name
+    known: frozenset[str]
+    of_self: bool
+    added: bool = False
+    without_self: str = ""
+
+
+@dataclass(frozen=True)
+class _Scope:
+    """The names that code can read, and those of the class that a method is of; ``without_self`` is the name of a
+    method that has no parameter."""
+
+    names: frozenset[str]
+    members: frozenset[str] = frozenset()
+    without_self: str = ""
+
+    def within(self, names: frozenset[str]) -> _Scope:
+        return replace(self, names=self.names | names)
+
+    def read(self, name: facts.Name, *, added: bool = False) -> _Read:
+        is_member = name.id in self.members or (name.id == "self" and bool(self.without_self))
+        of_self = is_member and "self" in self.names
+        return _Read(name, self.names, of_self, added, self.without_self if is_member and not of_self else "")
+
+
+@kept_for_few_files
+def _unbound(code: facts.Facts) -> list[_Read]:
+    """The first read of each such name in each function of a file."""
+    if not _ROS_1.isdisjoint(_modules_of(code)) or not MAKES_NAMES.isdisjoint(code.names):
+        return []
+    always = _ALWAYS if _CHECKS_VERSION.isdisjoint(code.names) else _ALWAYS | _OF_PYTHON_2
+    scope = _Scope(always | own_names(code))
+    return [*_reads(code.body, scope)]
+
+
+def _modules_of(code: facts.Facts) -> set[str]:
+    tops = {part.module.partition(".")[0] for part in everything_in(code.body, facts.Import)}
+    return tops | {part.module.partition(".")[0] for part in everything_in(code.body, facts.ImportFrom)}
+
+
+def _reads(body: Sequence[facts.Base], scope: _Scope) -> Iterator[_Read]:
+    """The first read of each name that code reads and that is not in its scope, in the order of the source."""
+    seen: set[str] = set()
+    stack = list(reversed(body))
+    while stack:
+        part = stack.pop()
+        match part:
+            case facts.Function() | facts.Lambda() | facts.Class():
+                stack += reversed(_evaluated_outside(part))
+                yield from _reads_inside(part, scope)
+            case facts.Comprehension(generators=generators):
+                targets = [name.id for each in generators for name in everything_in(each.target, facts.Name)]
+                yield from _reads(part.children(), scope.within(frozenset(targets)))
+            case facts.Try() if any(_catches(handler) for handler in part.handlers):
+                stack += reversed([*part.handlers, *part.orelse, *part.final])
+            case facts.Annotated(target=target, value=value):
+                stack += [fact for fact in (value, target) if fact is not None]
+            case facts.Name(id=name):
+                if name not in scope.names and name not in seen:
+                    seen.add(name)
+                    yield scope.read(part)
+            case _:
+                stack += reversed(part.children())
+
+
+def _evaluated_outside(part: facts.Function | facts.Lambda | facts.Class) -> list[facts.Base]:
+    """What the code around a function or a class evaluates: decorators, bases and defaults.  Annotations are left
+    alone: newer versions of Python do not evaluate them."""
+    match part:
+        case facts.Class(bases=bases, decorators=decorators):
+            return [*decorators, *bases]
+        case facts.Function(params=params, decorators=decorators):
+            return [*decorators, *(param.default for param in params if param.default is not None)]
+        case facts.Lambda(params=params):
+            return [param.default for param in params if param.default is not None]
+
+
+def _reads_inside(part: facts.Function | facts.Lambda | facts.Class, scope: _Scope) -> Iterator[_Read]:
+    match part:
+        case facts.Class(body=body):
+            own = frozenset(bound_in(body))
+            members = own | {target.attr for target in _set_on_self(body)}
+            for statement in body:
+                if isinstance(statement, facts.Function):  # which does not see what the body of the class binds
+                    yield from _reads(_evaluated_outside(statement), scope.within(own))
+                    without_self = "" if statement.params or statement.decorators else statement.name
+                    yield from _reads_inside(statement, _Scope(scope.names, members, without_self))
+                else:
+                    yield from _reads([statement], scope.within(own))
+        case facts.Function(params=params, body=body):
+            inside = scope.within(frozenset(param.name for param in params))
+            yield from _reads(body, inside.within(frozenset(bound_in(body))))
+            yield from _only_added_to(part, inside)
+        case facts.Lambda(params=params, body=body):
+            yield from _reads([body], scope.within(frozenset((*(param.name for param in params), *bound_in([body])))))
+
+
+def _only_added_to(function: facts.Function, scope: _Scope) -> Iterator[_Read]:
+    """The local variables that a function changes with ``+=`` alone, so that nothing ever gives them a value."""
+    params = frozenset(param.name for param in function.params)
+    others = {
+        name for part in parts_of(function.body) if not isinstance(part, facts.Augmented) for name in bound_by(part)
+    }
+    seen: set[str] = set()
+    for part in parts_of(function.body, facts.Augmented):
+        match part.target:
+            case facts.Name(id=name) if name not in others | params | seen:
+                seen.add(name)
+                yield scope.read(part.target, added=True)
+
+
+def _set_on_self(body: Sequence[facts.Stmt]) -> Iterator[facts.Attribute]:
+    for function in statements_of(body, facts.Function):
+        for part in everything_in(function.body):
+            for target in part.assigned:
+                match target:
+                    case facts.Attribute(value=facts.Name(id="self")):
+                        yield target
+
+
+def _catches(handler: facts.Handler) -> bool:
+    return handler.type is None or "NameError" in handler.caught
+
+
+__all__ = ["Undefined", "undefined_names"]
