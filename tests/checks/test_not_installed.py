@@ -105,6 +105,12 @@ def test_each_folder_without_an_init_is_named(findings):
     assert finding.help.startswith("add empty files robot/words/__init__.py, robot/signs/__init__.py: ")
 
 
+def test_a_package_inside_a_folder_without_an_init_is_passed_over_with_it(findings):
+    files = CODE | {"robot/words/__init__.py": ""}
+    (finding,) = findings("PKG004", **files, **{"setup.py": setup("find_packages()")})
+    assert finding.help.startswith("add an empty file robot/__init__.py: find_packages() passes over")
+
+
 def test_a_program_that_no_entry_starts_needs_nothing(findings):
     files = CODE | {"robot/talker.py": TALKER, "robot/listener.py": IMPORTS}
     assert findings("PKG004", **files, **{"setup.py": setup("['robot']")}) == []

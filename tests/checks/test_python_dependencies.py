@@ -108,6 +108,32 @@ def test_what_pip_is_asked_for(judge: Judge):
     assert judge("import serial", **{"pixi.toml": '[dependencies]\npyserial = ">=3"\n'}) == []
 
 
+@pytest.mark.parametrize(
+    ("file", "text"),
+    [
+        (".devcontainer/pip_packages.txt", "pyserial==3.5\n"),
+        ("uv.lock", '[[package]]\nname = "pyserial"\nversion = "3.5"\n'),
+        ("README.md", "# Robot\n\n    sudo apt update && pip3 install --user pyserial\n"),
+        ("scripts/prepare.sh", "pip install \\\n    numpy \\\n    pyserial\n"),
+        ("README.md", "Work in an environment of your own:\n\n    source .venv/bin/activate\n"),
+    ],
+)
+def test_what_the_workspace_says_to_install(judge: Judge, file: str, text: str):
+    assert judge("import serial\nserial.Serial()", **{file: text}) == []
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Talks to a motor by pyserial.\n",
+        "    pip install numpy\n\nIt needs pyserial.\n",
+        "    source install/setup.bash\n",
+    ],
+)
+def test_a_word_in_a_readme_installs_nothing(judge: Judge, text: str):
+    assert len(judge("import serial\nserial.Serial()", **{"README.md": text})) == 1
+
+
 def test_tests_and_loose_files_are_not_installed(judge: Judge):
     assert judge("", **{"test/test_port.py": "import serial\n", "robot/__main__.txt": ""}) == []
 

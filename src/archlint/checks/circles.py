@@ -16,6 +16,7 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related, Severity
 from archlint.packaging.copies import are_copies
+from archlint.packaging.missing_imports import missing_imports
 from archlint.suggestions import listed
 from archlint.workspace.manifest import condition_verdict
 
@@ -55,10 +56,12 @@ def circular_dependency(system: System, options: Options) -> Iterator[Finding]:
         steps = _from_undeclared(circle, needs, used)
         by_user.setdefault(steps[0][0], []).append(steps)
     for circles in by_user.values():
-        diagnostic = _undeclared(workspace, circles[0], needs) if len(circles) == 1 else _of_one_package(circles, needs)
-        places = [needs[start][end] for steps in circles for start, end in steps]
         # Launch files that start each other's nodes are found when they run, whatever is built first.
-        yield replace(diagnostic, severity=Severity.INFO if _are_of_launch(places) else Severity.WARNING)
+        of_launch = [steps for steps in circles if _are_of_launch([needs[start][end] for start, end in steps])]
+        kept = [steps for steps in circles if steps not in of_launch] or [*_with_copies(workspace, of_launch, needs)]
+        if kept:
+            diagnostic = _undeclared(workspace, kept[0], needs) if len(kept) == 1 else _of_one_package(kept, needs)
+            yield replace(diagnostic, severity=Severity.INFO if kept[0] in of_launch else Severity.WARNING)
 
 
 def _around_one_package(circles: list[list[str]]) -> Iterator[list[list[str]]]:
@@ -111,9 +114,7 @@ def _undeclared(workspace: WorkspaceIndex, steps: list[Step], needs: Needs) -> F
     (package, other), *others = steps
     names = [package, *(end for _, end in steps)]
     here = needs[package][other]
-    copies = [
-        place.file for start, end in others if are_copies(workspace, (place := needs[start][end]).file, here.file)
-    ]
+    copies = _copies(workspace, steps, needs)
     return finding(
         "PKG003",
         here,
@@ -123,6 +124,18 @@ def _undeclared(workspace: WorkspaceIndex, steps: list[Step], needs: Needs) -> F
         related=[Related(needs[start][end], f"'{start}' depends on '{end}' here") for start, end in others],
         identity=tuple(sorted(names[1:])),
     )
+
+
+def _copies(workspace: WorkspaceIndex, steps: list[Step], needs: Needs) -> list[str]:
+    """The files that close a circle and are copies of the one at which it is told."""
+    (package, other), *others = steps
+    here = needs[package][other]
+    files = [needs[start][end].file for start, end in others]
+    return [file for file in files if are_copies(workspace, file, here.file)]
+
+
+def _with_copies(workspace: WorkspaceIndex, circles: list[list[Step]], needs: Needs) -> Iterator[list[Step]]:
+    return (steps for steps in circles if _copies(workspace, steps, needs))
 
 
 def _of_one_package(circles: list[list[Step]], needs: Needs) -> Finding:
@@ -163,12 +176,15 @@ def _declared(package: Package, packages: Mapping[str, Package], kinds: frozense
 
 
 def _used(workspace: WorkspaceIndex, options: Options) -> dict[str, dict[str, Place]]:
-    """The packages of this workspace that each one uses and does not declare, with the first place."""
+    """The packages of this workspace that each one uses and does not declare, with the first place.  An import of which
+    nothing is used, or that finds nothing, is to be removed, and needs no package."""
     used: dict[str, dict[str, Place]] = {}
+    failing = {missing.place for missing in missing_imports(workspace)}
     for folder, uses in uses_by_package(workspace, options).items():
         package = workspace.manifests[folder]
         if workspace.packages.get(package.name) is package:  # of two of one name, the other one is not spoken of
-            used[package.name] = _first(uses, workspace)
+            kept = [use for use in uses if not use.unused and use.place not in failing]
+            used[package.name] = _first(kept, workspace)
     return used
 
 

@@ -52,6 +52,8 @@ class Use:
     needed: str
     how: How
     also: tuple[str, ...] = ()
+    unused: bool = False
+    """Whether it is an import of which the file uses nothing."""
 
 
 def uses_by_package(workspace: WorkspaceIndex, options: Options) -> dict[str, list[Use]]:
@@ -205,7 +207,7 @@ def _imported(workspace: WorkspaceIndex) -> Iterator[Use]:
         if needed is None or (of_launch and needed in _OF_ROS2_LAUNCH):
             continue
         if not workspace.code.is_local(file, statement.module):
-            yield Use(statement.place, needed, "imports")
+            yield Use(statement.place, needed, "imports", unused=statement.unused)
 
 
 _BESIDE = frozenset({"test", "tests", "doc", "docs", "example", "examples"})

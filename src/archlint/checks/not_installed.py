@@ -130,8 +130,19 @@ def _group(file: str, module: str) -> _Group:
     return _Group(parent, folder) if parent else _Group(module, None)
 
 
+def _folders_of(group: _Group) -> list[str]:
+    """The folder of a Python package and those of the packages that it is in, the outermost first."""
+    if group.folder is None:
+        return []
+    folders = [group.folder]
+    for _ in range(group.name.count(".")):
+        folders.insert(0, posixpath.dirname(folders[0]) or ".")
+    return folders
+
+
 def _cure(workspace: WorkspaceIndex, groups: Sequence[_Group], *, searched: bool) -> str:
-    bare = [group.folder for group in groups if group.folder is not None and not has_init(workspace, group.folder)]
+    folders = (folder for group in groups for folder in _folders_of(group) if not has_init(workspace, folder))
+    bare = [*dict.fromkeys(folders)]
     if searched and bare:
         files = listed([f"{folder}/__init__.py" for folder in bare])
         added = f"an empty file {files}" if len(bare) == 1 else f"empty files {files}"

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.aside import is_disused, is_left_alone
 from archlint.checks.registry import registered
 from archlint.checks.scope import Scope
+from archlint.packaging.unbuilt_files import runs_nowhere
 
 if TYPE_CHECKING:
     from archlint.finding import Finding
@@ -16,14 +17,16 @@ if TYPE_CHECKING:
 
 
 def without_left_alone(index: WorkspaceIndex, findings: Iterable[Finding], paths: Sequence[str]) -> list[Finding]:
-    """The findings, without those in files that are put aside and that no code names (``driver copy.py``), unless the
-    run was asked about the file by its name.  What packages say of themselves is left: colcon builds a package
-    wherever it lies."""
+    """The findings, without those in files that are put aside and that no code names (``driver copy.py``).  What
+    packages say of themselves is left: colcon builds a package wherever it lies.  Nor is it told that a file cannot be
+    read which is neither built nor installed.  A file that the run was asked about by its name has all findings."""
     named = {os.path.abspath(path) for path in paths}
     alone: dict[str, bool] = {}
     kept: list[Finding] = []
     for finding in findings:
         file = finding.place.file
+        if finding.code == "LNT002" and os.path.abspath(file) not in named and runs_nowhere(index, file):
+            continue
         if file not in alone:
             put_aside = is_left_alone(index, file) and is_disused(index, file)
             alone[file] = put_aside and os.path.abspath(file) not in named and _is_code(index, file)

@@ -106,6 +106,8 @@ def _declared(
     """What a package asks for; None where nobody knows what something that it declares brings along."""
     if package.ros1 or package.build_type not in ("ament_python", "ament_cmake"):
         return None
+    if _is_in_own_environment(workspace):
+        return None
     direct = [d.name for d in package.dependencies if d.kind not in ("test", "doc") and condition_holds(d.condition)]
     known = packages.table().names | workspace.packages.keys() | rosdep.keys()
     there = closure([package.name, *direct, *(name for name in more if name in known)], brought_by)
@@ -117,13 +119,39 @@ def _declared(
 
 @once
 def _requirements(workspace: WorkspaceIndex) -> list[str]:
-    """The files of the whole workspace that ask pip for modules, or may do so."""
+    """What in the whole workspace asks pip for modules, or may do so: files that do nothing else, and lines of others
+    that install something."""
     tree = workspace.tree
-    named = re.compile(
-        r"(?:\w+[-_])*requirements(?:[-_]\w+)*\.txt|environment\.ya?ml|Pipfile|pyproject\.toml|pixi\.toml"
-        r"|(?:[\w-]+\.)?[Dd]ockerfile(?:[._-]\w+)*|(?:install|setup)[\w-]*\.sh"
-    )
-    return [tree.text(path) or "" for path in tree.files_below(tree.top) if named.fullmatch(posixpath.basename(path))]
+    below = [path for folder in (tree.top, f"{tree.top}/.devcontainer") for path in tree.files_below(folder)]
+    texts = []
+    for path in dict.fromkeys(map(posixpath.normpath, below)):
+        name = posixpath.basename(path)
+        if _ASKS.fullmatch(name):
+            texts.append(tree.text(path) or "")
+        elif _TELLS.fullmatch(name):
+            texts += _INSTALLS.findall((tree.text(path) or "").replace("\\\n", " "))
+    return texts
+
+
+_ASKS = re.compile(
+    r"[\w-]*(?:requirements|pip)[\w-]*\.(?:txt|in)|(?:conda|environment)[\w-]*\.ya?ml|(?:Pipfile|pdm|poetry|uv|pixi)\.lock"
+    r"|Pipfile|pyproject\.toml|pixi\.toml|(?:[\w-]+\.)?[Dd]ockerfile(?:[._-]\w+)*|(?:install|setup)[\w-]*\.sh"
+)
+"""The names of files that say what is installed."""
+_TELLS = re.compile(r".*\.sh|README.*|Makefile|devcontainer\.json|INSTALL.*", re.IGNORECASE)
+"""The names of files with commands in them, some of which may install something."""
+_INSTALLS = re.compile(r"\b(?:pip3?|conda|mamba|apt|apt-get|uv|poetry)\b[^\n]*\b(?:install|add)\b[^\n]*")
+
+
+@once
+def _is_in_own_environment(workspace: WorkspaceIndex) -> bool:
+    """Whether somebody is told to work in a virtual environment, which has what pip installs: not what rosdep does."""
+    tree = workspace.tree
+    told = (path for path in tree.files_below(tree.top) if _TELLS.fullmatch(posixpath.basename(path)))
+    return any(_ACTIVATES.search(tree.text(path) or "") for path in told)
+
+
+_ACTIVATES = re.compile(r"(?:source|\.)\s+\S*/bin/activate\b|\bconda activate\b")
 
 
 __all__ = ["ModuleUse", "modules_to_declare"]

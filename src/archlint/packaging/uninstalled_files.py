@@ -57,6 +57,17 @@ def launch_files_left_out(workspace: WorkspaceIndex) -> Iterator[LaunchFilesLeft
             yield LaunchFilesLeftOut(installs.package, place, tuple(_below(installs, missing)), places)
 
 
+def is_left_out_launch_file(workspace: WorkspaceIndex, file: str) -> bool:
+    """Whether the package of a launch file does not install it, and no document, script or launch file names it."""
+    installs = understood(workspace).get(workspace.package_of(file) or "")
+    if installs is None or any(installs.places_of(file)) or any(map(installs.may_install, _below(installs, [file]))):
+        return False
+    name = posixpath.basename(file)
+    commanded = any(name in (posixpath.basename(first), second) for first, second, _ in _commands(workspace))
+    named = any(name in (workspace.tree.text(other) or "") for other in _all_launch_files(workspace) if other != file)
+    return not commanded and not named
+
+
 def _below(installs: Installs, files: Iterable[str]) -> Iterator[str]:
     """Paths as they are from the folder of a package on."""
     return (file if installs.folder == "." else file.removeprefix(f"{installs.folder}/") for file in files)
@@ -252,6 +263,7 @@ __all__ = [
     "ListedInVain",
     "MisnamedMarker",
     "folders_listed",
+    "is_left_out_launch_file",
     "launch_files_left_out",
     "listed_in_vain",
     "mended_at",
