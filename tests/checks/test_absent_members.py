@@ -59,12 +59,32 @@ main()
         (
             "front.brake()",
             "class Wheel has no 'brake': this line fails with an AttributeError",
-            "define brake() in class Wheel",
+            "define brake() in class Wheel, or call what it has: turn()",
         ),
         (
             "Trigger.request()",
             "std_srvs/srv/Trigger has no 'request': this line fails with an AttributeError; did you mean 'Request'?",
             "write Request",
+        ),
+        (
+            "print(Trigger.response.success)",
+            "std_srvs/srv/Trigger has no 'response': this line fails with an AttributeError",
+            "write the variable that holds the message: Trigger is its class",
+        ),
+        (
+            "response = Trigger.Response(); print(Trigger.response.success)",
+            "std_srvs/srv/Trigger has no 'response': this line fails with an AttributeError",
+            "write response: Trigger is the class, and response what is sent",
+        ),
+        (
+            "self.timer.destroy_timer()",
+            "Timer has no destroy_timer()",
+            "it is a method of the node: write node.destroy_timer(…)",
+        ),
+        (
+            "front = Motor(); front.brake()",
+            "Node has no brake()",
+            "define brake() in the class of the node, or remove the call",
         ),
     ],
 )

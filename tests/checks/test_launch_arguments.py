@@ -99,6 +99,18 @@ def test_a_file_that_declares_nothing_gets_its_arguments_on_the_command_line(fin
     assert found.severity == Severity.WARNING
 
 
+@pytest.mark.parametrize(("passed", "told"), [("x", 0), ("y", 1)])
+def test_a_file_that_another_may_choose_gets_its_arguments_from_there(findings, passed: str, told: int):
+    """Which file it is comes from an argument, whose default names none."""
+    chooses = f"""<launch>
+      <arg name="link" default="none"/>
+      <include file="$(find-pkg-share robot)/launch/$(var link).launch.xml"><arg name="{passed}" value="1"/></include>
+    </launch>"""
+    more = {"launch/tcp.launch.xml": f"<launch>{node(name='$(var x)')}</launch>", "launch/link.launch.xml": chooses}
+    rows = [row for row in findings("LCH003", **more) if row.place.file == "launch/tcp.launch.xml"]
+    assert len(rows) == told
+
+
 ON_THE_MACHINE = """\
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument, IncludeLaunchDescription

@@ -91,6 +91,27 @@ def generate_launch_description():
 
 
 @pytest.mark.parametrize(
+    ("readme", "told"),
+    [
+        ("Built and tested with ROS 2 Eloquent.", 0),
+        ("For ROS 2 Foxy; the branch for Humble is elsewhere.", 1),
+        ("Needs Galactic.", 1),
+        ("A robot.", 1),
+    ],
+)
+def test_a_workspace_whose_readme_asks_for_an_old_release(findings, readme: str, told: int):
+    text = """\
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    return LaunchDescription([Node(package='robot', node_executable='talker')])
+"""
+    assert len(findings("LCH005", **{"launch/arm.launch.py": text, "README.md": readme})) == told
+    assert len(findings("LCH005", **{"launch/arm.launch.py": text.replace("node_", "ex"), "README.md": readme})) == 1
+
+
+@pytest.mark.parametrize(
     ("name", "keyword", "severity"),
     [
         ("dashing_start", "node_executable", Severity.INFO),

@@ -92,7 +92,9 @@ def test_a_name_that_nothing_defines_stops_the_launch(findings, above, line, arg
     ("written", "hint", "help"),
     [
         ("LaunchCOnfiguration", "; did you mean 'LaunchConfiguration'?", "write 'LaunchConfiguration'"),
-        ("Executable", "", "define or import 'Executable', or put it in quotes if it is meant as a string"),
+        ("Executable", "", "write `from launch.descriptions import Executable`"),
+        ("LaunchConfigurationEquals", "", "write `from launch.conditions import LaunchConfigurationEquals`"),
+        ("Speed", "", "define or import 'Speed', or put it in quotes if it is meant as a string"),
     ],
 )
 def test_a_slip_in_a_name_that_is_imported(findings, written: str, hint: str, help: str):

@@ -126,6 +126,14 @@ def test_functions_of_rospy_are_one_finding_for_a_file(judge: Judge):
     assert "rclpy has no Rate()" in [one.message for one in finding.related]
 
 
+def test_what_else_a_file_of_rospy_has_is_told_with_its_functions(judge: Judge):
+    more = "try:\n            rclpy.spin()\n        except rclpy.ROSInterruptException:\n            pass"
+    [finding] = judge("API002", NODE.format(call=f"rclpy.loginfo('a')  # here\n        {more}"))
+    assert finding.message == "rclpy has no loginfo(); another call in this file is of rospy, too"
+    judge("API001", NODE.format(call=f"rclpy.loginfo('a')\n        {more}"))
+    judge("API001", NODE.format(call="rclpy.spin()  # here"))  # a node that was forgotten
+
+
 def test_the_methods_that_a_node_lacks_are_one_finding(judge: Judge):
     [finding] = judge("API002", NODE.format(call="self.take_off()  # here\n        self.land_here()"))
     assert finding.message == "Node has no take_off(); another call in this file is like that"

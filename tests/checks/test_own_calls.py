@@ -25,6 +25,16 @@ class Point:
         self.x = x
 
 
+class Arm:
+    def __init__(self, limit_of_near=0.1, limit_of_far=0.9):
+        self.limits = limit_of_near, limit_of_far
+
+
+class Gripper:
+    def __init__(self, node):
+        self.node = node
+
+
 class Base(Node):
     def stop(self, hard):
         pass
@@ -62,16 +72,24 @@ def _node(*lines: str) -> str:
     ("line", "what", "help"),
     [
         ("mix()", "mix() fails: 'first' is missing", "write mix(first)"),
-        ("mix(1, 2, 3)", "mix() fails: it takes at most 2 arguments by position", "write mix(first)"),
-        ("mix(1, quiet=True)", "mix() fails: it has no parameter 'quiet'", "write mix(first)"),
+        ("mix(1, 2, 3)", "mix() fails: it takes at most 2 arguments by position", "write mix(first, second)"),
+        ("mix(1, quiet=True)", "mix() fails: it has no parameter 'quiet'", "take out quiet="),
+        ("mix(1, lowd=True)", "mix() fails: it has no parameter 'lowd'", "write loud= instead of lowd="),
+        (
+            "Arm(near_limit=1.0, far_limit=2.0)",
+            "Arm() fails: it has no parameters 'near_limit' and 'far_limit'",
+            "write limit_of_near= instead of near_limit=, and limit_of_far= instead of far_limit=",
+        ),
+        ("Arm(limit=1.0)", "Arm() fails: it has no parameter 'limit'", "take out limit="),
+        ("Gripper()", "Gripper() fails: 'node' is missing", "write Gripper(self)"),
         ("mix(1, first=2)", "mix() fails: 'first' is given by position and by name", "write mix(first)"),
         ("log()", "log() fails: 'text' is missing", "write log(text)"),
-        ("Point(1.0, 2.0, 3.0)", "Point() fails: it takes at most 2 arguments by position", "write Point(x)"),
+        ("Point(1.0, 2.0, 3.0)", "Point() fails: it takes at most 2 arguments by position", "write Point(x, y)"),
         ("self.drive()", "drive() fails: 'speed' is missing", "write self.drive(speed)"),
         (
             "self.drive(self, 1.0, 0.5)",
             "drive() fails: it takes at most 2 arguments by position",
-            "write self.drive(speed)",
+            "write self.drive(speed, turn)",
         ),
         ("self.stop()", "stop() fails: 'hard' is missing", "write self.stop(hard)"),
         ("self.check(1, 2)", "check() fails: it takes at most 1 argument by position", "write self.check(value)"),

@@ -171,12 +171,13 @@ def test_one_of_two_publishers_fits(judge: Judge):
 
 BUTTONS = """
     from rclpy.node import Node
-    from std_msgs.msg import String
+    from std_msgs.msg import Int32, String
 
     class Panel(Node):
         def __init__(self):
             super().__init__('panel')
             self.key = self.create_publisher(String, 'key', 10)
+            self.count = self.create_publisher(Int32, 'count', 10)
             self.lamp = self.create_publisher(String, 'lamp', 10)
             self.create_timer(1.0, self.press)
 
@@ -184,15 +185,16 @@ BUTTONS = """
             self.key.publish('<Y>')  # here
             self.key.publish('<N>')
             self.key.publish(String(data='<Q>'))
-            self.lamp.publish('on')  # here
+            self.lamp.publish('on')
+            self.count.publish('one')  # here
 """
 
 
-def test_one_publisher_is_one_finding(judge: Judge):
-    key, lamp = judge("TOP005", BUTTONS)
-    assert key.message.endswith("; another call is wrong in the same way on the same endpoint")
-    assert [related.place.line for related in key.related] == [7, 13]
-    assert lamp.message.endswith("expects std_msgs/msg/String")
+def test_calls_of_a_file_that_are_wrong_in_the_same_way_are_one_finding(judge: Judge):
+    key, count = judge("TOP005", BUTTONS)
+    assert key.message.endswith("; 2 more calls are wrong in the same way")
+    assert [related.place.line for related in key.related] == [7, 14, 16]
+    assert count.message.endswith("expects std_msgs/msg/Int32")
 
 
 @pytest.mark.parametrize(

@@ -157,3 +157,43 @@ def test_an_except_for_everything_is_for_the_end_of_the_program(judge: Judge, ca
         main()
         """,
     )
+
+
+def test_where_it_would_have_got_a_value_is_in_the_same_try(judge: Judge):
+    (finding,) = judge(
+        "API005",
+        _node(
+            "if limit:",
+            "    try:",
+            "        value = float(message.data)",
+            "    except ValueError:",
+            "        return",
+            "    print(value)",
+            "    return",
+            "try:",
+            "    value = int(message.data)",
+            "except ValueError:",
+            "    self.get_logger().warning('no number')",
+            "print(value)  # here",
+        ),
+    )
+    assert [row.place.line for row in finding.related] == [22, 23]
+
+
+@pytest.mark.parametrize(("above", "mark"), [("import serial", ""), ("from serial import SerialException", "  # here")])
+def test_an_except_for_what_nothing_defines_fails_itself(judge: Judge, above: str, mark: str) -> None:
+    judge(
+        "API005",
+        f"""
+        import rclpy
+        {above}
+
+
+        def read(port):
+            try:
+                value = port.next()
+            except SerialException:{"" if mark else "  # here"}
+                print('no number')
+            return value{mark}
+        """,
+    )

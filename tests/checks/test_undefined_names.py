@@ -60,6 +60,10 @@ def _node(*lines: str) -> str:
         ("print(ReentrantCallbackGroup())", "", "write `from rclpy.callback_groups import ReentrantCallbackGroup`"),
         ("self.pub.publish(Sting())", "; did you mean 'String'?", "write String"),
         ("print(limit)", "; did you mean 'self.limit'?", "write self.limit"),
+        ("self.limit = limit + 1.0", "; did you mean 'self.limit'?", "write self.limit"),
+        ("self.store = store('map.db')", "", "define it, or remove the line"),
+        ("print(use_sim_time)", "", "define it, or remove the line"),
+        ("print(qos_profile_sensor_data)", "", "write `from rclpy.qos import qos_profile_sensor_data`"),
         ("helper()", "; did you mean 'self.helper'?", "write self.helper"),
         ("print(f'{elapsed:.1f} s')", "", "define it, or remove the line"),
         ("print([part for part in entries])", "", "define it, or remove the line"),
@@ -231,6 +235,21 @@ def test_a_name_that_keeps_a_launch_file_from_being_read_is_for_lch008(
     launch = LAUNCH.replace("function=talker", "function=talkers")
     assert not findings("API005", **{"launch/robot.launch.py": launch})
     assert [f.place.line for f in findings("LCH008", **{"launch/robot.launch.py": launch})] == [16]
+
+
+def test_the_names_of_a_statement_that_stops_a_launch_are_all_for_lch008(
+    findings: Callable[..., list[Finding]],
+) -> None:
+    lines = "group = GroupAction([PushRosNamespace(robot)])\n    return LaunchDescription"
+    files = {"launch/robot.launch.py": LAUNCH.replace("return LaunchDescription", lines).replace("side", "'front'")}
+    assert not findings("API005", **files)
+    (told,) = findings("LCH008", **files)
+    assert told.message.endswith("before it starts anything; nor are PushRosNamespace, robot")
+    assert told.help == "write `from launch.actions import GroupAction`"
+    assert [row.message for row in told.related] == [
+        "'PushRosNamespace' is not defined, either",
+        "'robot' is not defined, either",
+    ]
 
 
 def test_names_that_a_launch_file_has(findings: Callable[..., list[Finding]]) -> None:

@@ -49,6 +49,29 @@ def is_for_older_ros(workspace: WorkspaceIndex | None) -> bool:
     return bool(named & _OLDER) and named.isdisjoint(DISTROS)
 
 
+_README = re.compile(r"README(?:\.(?:md|rst|txt))?", re.IGNORECASE)
+
+
+_BEFORE_GALACTIC = frozenset({"dashing", "eloquent", "foxy"})
+"""The distributions whose ``Node`` of launch took ``node_name`` and the like."""
+
+
+def is_from_before_galactic(workspace: WorkspaceIndex | None) -> bool:
+    """Whether a workspace is for such a distribution, by its files or, where they say nothing, by its README, which
+    names one, and none that came later."""
+    if workspace is None:
+        return False
+    named = named_distros(workspace) or _in_readmes(workspace)
+    return bool(named & _BEFORE_GALACTIC) and named.isdisjoint((*DISTROS, "galactic", "iron"))
+
+
+@once
+def _in_readmes(workspace: WorkspaceIndex) -> frozenset[str]:
+    tree = workspace.tree
+    readmes = (path for path in tree.files_below(tree.top) if _README.fullmatch(posixpath.basename(path)))
+    return frozenset(match[1].lower() for path in readmes for match in _NAMED.finditer(tree.text(path) or ""))
+
+
 def distros_to_judge(workspace: WorkspaceIndex | None, distros: Sequence[str]) -> tuple[str, ...]:
     """Of several distributions the one that a workspace is plainly for; all of them where it says nothing, or more than
     one."""

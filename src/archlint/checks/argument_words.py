@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from archlint.model import Misuse
+from archlint.suggestions import nearest
 
 
 def what_does_not_fit(misuse: Misuse, parameters: Sequence[str], takes: int) -> str:
@@ -18,8 +19,30 @@ def what_does_not_fit(misuse: Misuse, parameters: Sequence[str], takes: int) -> 
         case Misuse.TOO_MANY:
             return f"it takes at most {takes} {'argument' if takes == 1 else 'arguments'} by position"
         case Misuse.UNKNOWN_KEYWORD:
-            return f"it has no parameter {names}"
+            return f"it has no {'parameter' if len(parameters) == 1 else 'parameters'} {names}"
     return f"{names} is given by position and by name"
+
+
+def keywords_meant(unknown: Sequence[str], known: Sequence[str]) -> dict[str, str]:
+    """For each keyword that a function does not have the parameter that is meant by it: one of almost the same name, or
+    the only one that has all of its words.  Empty where that is not told for all of them."""
+    meant: dict[str, str] = {}
+    for keyword in unknown:
+        free = [name for name in known if name not in meant.values()]
+        words = set(keyword.split("_"))
+        longer = [name for name in free if words < set(name.split("_"))]
+        near = nearest(keyword, free) or (longer[0] if len(longer) == 1 else None)
+        if near is None:
+            return {}
+        meant[keyword] = near
+    return meant
+
+
+def cure_of_keywords(unknown: Sequence[str], meant: Mapping[str, str]) -> str:
+    """What to write instead of keywords that a function does not have."""
+    if meant:
+        return "write " + ", and ".join(f"{near}= instead of {keyword}=" for keyword, near in meant.items())
+    return f"take out {' and '.join(f'{keyword}=' for keyword in unknown)}"
 
 
 def quoted(names: Sequence[str]) -> str:
@@ -27,4 +50,4 @@ def quoted(names: Sequence[str]) -> str:
     return " and ".join(filter(None, (", ".join(map(repr, names[:-1])), *map(repr, names[-1:]))))
 
 
-__all__ = ["quoted", "what_does_not_fit"]
+__all__ = ["cure_of_keywords", "keywords_meant", "quoted", "what_does_not_fit"]

@@ -20,7 +20,7 @@ from archlint.python_code.unassigned_attributes import (
     overwritten_properties,
     unassigned_attributes,
 )
-from archlint.suggestions import meant
+from archlint.suggestions import listed, meant
 
 if TYPE_CHECKING:
     from archlint.systems.model import System
@@ -93,19 +93,34 @@ def _action_overwritten(assignment: ActionOverwritten) -> Finding:
 
 
 def _absent(row: AbsentMember) -> Finding:
-    near = f"'{row.near}'" if row.near else ""
-    cure = (
-        f"write {row.near}" if row.near else f"define {row.name}() in {row.owner}" if row.called else "correct the name"
-    )
+    near = f"'{row.near}'" if row.near and not row.of_message else ""
     return finding(
         "API002",
         row.place,
         f"{row.owner} has no '{row.name}': this line fails with an AttributeError{meant(near)}",
-        help=cure,
+        help=_cure(row),
         identity=(row.owner, row.name),
         group=(OF_OBJECT, row.place.file, row.owner, row.name),
         meant=row.near,
     )
+
+
+_FEW = 4
+"""So many methods of a class are named where another one is called."""
+
+
+def _cure(row: AbsentMember) -> str:
+    if row.of_message and row.near:
+        return f"write {row.near}: {row.owner.rpartition('/')[2]} is the class, and {row.near} what is sent"
+    if row.of_message:
+        return f"write the variable that holds the message: {row.owner.rpartition('/')[2]} is its class"
+    if row.near:
+        return f"write {row.near}"
+    if not row.called:
+        return "correct the name"
+    cure = f"define {row.name}() in {row.owner}"
+    methods = listed([f"{method}()" for method in row.methods])
+    return f"{cure}, or call what it has: {methods}" if 0 < len(row.methods) <= _FEW else cure
 
 
 def _called_property(row: CalledProperty) -> Finding:

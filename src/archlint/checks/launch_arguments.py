@@ -8,10 +8,12 @@ from dataclasses import replace
 from itertools import groupby
 from typing import TYPE_CHECKING
 
+from archlint.analysis.kept import once
 from archlint.checks.folding import folds, with_places
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related, Severity
+from archlint.launch.kinds import FileStatus
 from archlint.launch_files.launch_code import listed_as, may_read_argument
 from archlint.launch_files.misread_arguments import MisreadArgument, misread_arguments
 from archlint.launch_files.unread_arguments import all_readers_are_known
@@ -76,6 +78,8 @@ def _undeclared_uses(system: System, launched: Launched) -> Iterator[Finding]:
         alone = use.file == launched.file
         if use.conditional or (alone and system.is_included) or use.name in reported:
             continue  # whoever includes it may pass it: that system reports it
+        if alone and system.workspace is not None and use.name in _passed_to_any(system.workspace):
+            continue
         reported.add(use.name)
         if use.unseen is not None:
             continue  # an include in front of it is not there, which LCH004 reports: what it declares nobody knows
@@ -103,6 +107,18 @@ def _undeclared_uses(system: System, launched: Launched) -> Iterator[Finding]:
         yield finding("LCH003", use.place, message, help=help, related=related, identity=(use.file, use.name))
     for uses in plain.values():
         yield _never_declared(launched, uses)
+
+
+@once
+def _passed_to_any(workspace: WorkspaceIndex) -> frozenset[str]:
+    """The arguments that launch files pass to an include of which nobody knows which file of the workspace it is."""
+    includes = (include for launched in workspace.launched for include in launched.included)
+    unknown = (include for include in includes if include.reference.source is None)
+    return frozenset(name for include in unknown if _may_be_here(workspace, include) for name, _ in include.arguments)
+
+
+def _may_be_here(workspace: WorkspaceIndex, include: Included) -> bool:
+    return include.reference.status == FileStatus.UNKNOWN or include.reference.package in workspace.packages
 
 
 def _the_right_order(

@@ -8,6 +8,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from archlint.analysis.pinned import is_from_before_galactic
 from archlint.checks.folding import folds, with_places
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -41,6 +42,8 @@ def unknown_launch_attribute(system: System, options: Options) -> Iterator[Findi
     for wrong in every:
         if is_for_several_distros(system.workspace, wrong.place.file):
             continue
+        if _was_renamed(wrong) and is_from_before_galactic(system.workspace):
+            continue  # right where it is to run
         renamed = _RENAMED.get(wrong.name)
         hint = f"; it is called '{renamed}'" if renamed in wrong.known else did_you_mean(wrong.name, wrong.known)
         since = " since Galactic" if _was_renamed(wrong) else ""

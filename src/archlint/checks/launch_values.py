@@ -13,6 +13,8 @@ from archlint.finding import Finding, Place, Related, Severity
 from archlint.launch_files.foreign_launch_files import ForeignLaunchFile, foreign_launch_files
 from archlint.launch_files.launch_descriptions import misnamed_functions, wrong_descriptions
 from archlint.launch_files.wrong_launch_descriptions import Wrong, WrongDescription
+from archlint.python_code.how_imported import import_of
+from archlint.python_code.undefined_beside import undefined_beside
 from archlint.python_code.undefined_names import names_bound_in
 from archlint.suggestions import listed, meant, nearest
 
@@ -67,15 +69,21 @@ def launch_description(system: System, options: Options) -> Iterator[Finding]:
 def _undefined(system: System, place: Place, name: str) -> Finding:
     known = frozenset[str]() if system.workspace is None else names_bound_in(system.workspace, place.file)
     alike = [other for other in known if other.isupper() == name.isupper()]  # 'RATE' is no slip for 'rate'
-    near = nearest(name, alike) if len(name) >= _SHORT else None
+    statement = "" if system.workspace is None else import_of(system.workspace, name, in_launch_file=True)
+    near = nearest(name, alike) if len(name) >= _SHORT and not statement else None
+    beside = [] if system.workspace is None else undefined_beside(system.workspace, place)
+    more = "" if not beside else f"; nor {'is' if len(beside) == 1 else 'are'} {listed([read.name for read in beside])}"
     return finding(
         "LCH008",
         place,
         f"'{name}' is not defined: this launch file stops with a NameError before it starts anything"
-        + meant(f"'{near}'" if near is not None else ""),
+        + (meant(f"'{near}'" if near is not None else "") or more),
         help=f"write '{near}'"
         if near is not None
+        else f"write `{statement}`"
+        if statement
         else f"define or import '{name}', or put it in quotes if it is meant as a string",
+        related=[Related(read.place, f"'{read.name}' is not defined, either") for read in beside],
         identity=(place.file, name),
         meant=near or "",
     )

@@ -6,10 +6,11 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.checks.argument_words import what_does_not_fit
+from archlint.checks.argument_words import cure_of_keywords, keywords_meant, what_does_not_fit
 from archlint.checks.registry import finding
 from archlint.checks.uncalled import unless_uncalled
 from archlint.finding import Finding, Related, Severity
+from archlint.model import Misuse
 from archlint.python_code.own_calls import RefusedOwnCall, calls_of_bare_super, refused_own_calls
 from archlint.python_code.own_results import WrongLength, wrong_lengths
 from archlint.python_code.uncalled_names import uncalled_names
@@ -42,13 +43,19 @@ def _finding(call: RefusedOwnCall) -> Finding:
         "API001",
         call.place,
         f"{name}() fails: {f'it is a method without self, and {what}' if call.lacks_self else what}",
-        help=f"define it with self first: def {name}(self, …)"
-        if call.lacks_self
-        else f"write {call.name}({', '.join(call.signature)})",
+        help=f"define it with self first: def {name}(self, …)" if call.lacks_self else _cure(call),
         related=[Related(call.defined, f"{name}() is defined here")],
         identity=(call.name, str(wrong.misuse), *wrong.parameters),
         group=(call.place.file, call.name, str(call.defined), str(wrong.misuse), *wrong.parameters),
     )
+
+
+def _cure(call: RefusedOwnCall) -> str:
+    wrong = call.misfit
+    if wrong.misuse is Misuse.UNKNOWN_KEYWORD:
+        return cure_of_keywords(wrong.parameters, keywords_meant(wrong.parameters, call.keywords))
+    itself = {"node", "parent_node", "ros_node"} if call.in_node else set[str]()
+    return f"write {call.name}({', '.join('self' if name in itself else name for name in call.signature)})"
 
 
 def _not_called(name: str, place: Place) -> Finding:

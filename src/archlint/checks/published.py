@@ -140,14 +140,14 @@ def _finding(call: ApiCall, creation: Creation, argument: str, section_name: Mes
         related=[Related(creation.place, f"the {creation.kind.replace('_', ' ')} is created here")],
         node=creation.node.name.text,
         identity=(creation.kind, creation.name.text or "", given),
-        group=(call.place.file, str(creation.place), method, wanted),
+        group=(call.place.file, method, wanted),
     )
 
 
 @folds("TOP005")
-def _of_one_endpoint(findings: Sequence[Finding]) -> Finding:
-    """The finding for all calls on one endpoint that pass the wrong type, from before it was ported say."""
-    return with_others(findings, "another call is", "more calls are", "wrong in the same way on the same endpoint")
+def _of_one_file(findings: Sequence[Finding]) -> Finding:
+    """The finding for all calls of a file that pass the wrong type for the same one, from before it was ported say."""
+    return with_others(findings, "another call is", "more calls are", "wrong in the same way")
 
 
 def _words(type_: str, section_name: MessageClass) -> str:

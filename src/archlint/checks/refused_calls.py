@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.own_names import is_defined_somewhere
 from archlint.analysis.reach import judged_notes
 from archlint.checks.absent_imports import OF_MODULE, absent_import_findings
-from archlint.checks.argument_words import quoted, what_does_not_fit
+from archlint.checks.argument_words import cure_of_keywords, keywords_meant, quoted, what_does_not_fit
 from archlint.checks.attributes import LEVELS, LOG_WITH, LOGS, OF_CLASS, UNASSIGNED, UNCALLED, attribute_findings
 from archlint.checks.early_reads import TOO_EARLY, early_read_findings
 from archlint.checks.folding import folds, with_others
@@ -38,8 +39,11 @@ _NEWER = frozenset(DISTROS[DISTROS.index(_AS_NEWEST) + 1 :])
 def refused_call(system: System, options: Options) -> Iterator[Finding]:
     """Calls that rclpy, message_filters or tf2_ros refuse, and operators between times that rclpy does."""
     loggers = [] if system.workspace is None else refused_logger_calls(system.workspace)
-    for call in (*_judged(system), *loggers):
-        if call.misuse not in _OF_OTHER_RULES and _is_refused(call, options.distros):
+    judged = list(_judged(system))
+    unported = _unported(judged)
+    for call in (*judged, *loggers):
+        of_rospy = call.api == "rclpy.spin" and call.misuse is Misuse.MISSING and call.place.file in unported
+        if call.misuse not in _OF_OTHER_RULES and not of_rospy and _is_refused(call, options.distros):
             yield _finding(call)
     yield from time_operator_findings(system)
     yield from own_call_findings(system)
@@ -49,23 +53,30 @@ def refused_call(system: System, options: Options) -> Iterator[Finding]:
 def unknown_attribute(system: System, options: Options) -> Iterator[Finding]:
     """Calls of functions and methods that rclpy does not have, and attributes that a class does not have or take."""
     absent = [call for call in _judged(system) if call.misuse is Misuse.ABSENT]
-    yield from attribute_findings(system)
+    named = [(call, (call.parameters or ("",))[0]) for call in absent]
+    judged = [row for row in named if not is_defined_somewhere(system, row[0].place.file, row[1])]
+    told = {(call.place.file, call.place.line, name) for call, name in judged}
+    for diagnostic in attribute_findings(system):
+        # A class of the workspace and the node that it is lack the same.
+        if (diagnostic.place.file, diagnostic.place.line, diagnostic.identity[-1]) not in told:
+            yield diagnostic
     yield from early_read_findings(system)
-    yield from absent_import_findings(system, {(call.place.file, call.place.line) for call in absent})
-    for call in absent:
-        [name, *_] = call.parameters or ("",)
-        if not is_defined_somewhere(system, call.place.file, name):
-            logs = name in LEVELS and _is_of_node(call)
-            diagnostic = finding(
-                "API002",
-                call.place,
-                f"{call.given.rpartition('.')[2]} has no {name}()",
-                help=LOG_WITH.format(name) if logs else f"use {call.wanted}" if call.wanted else _define(call, name),
-                identity=(call.api,),
-                group=_group(call, logs),
-                meant=call.wanted,
-            )
-            yield from [diagnostic] if call.wanted else unless_uncalled(system, diagnostic)
+    unported = _unported(absent)
+    for diagnostic in absent_import_findings(system, {(call.place.file, call.place.line) for call in absent}):
+        of_rospy = diagnostic.place.file in unported and diagnostic.identity[0].startswith("rclpy.ROS")
+        yield replace(diagnostic, group=(OF_ROS_1, diagnostic.place.file)) if of_rospy else diagnostic
+    for call, name in judged:
+        logs = name in LEVELS and _is_of_node(call)
+        diagnostic = finding(
+            "API002",
+            call.place,
+            f"{call.given.rpartition('.')[2]} has no {name}()",
+            help=LOG_WITH.format(name) if logs else f"use {call.wanted}" if call.wanted else _define(call, name),
+            identity=(call.api,),
+            group=_group(call, logs),
+            meant=call.wanted,
+        )
+        yield from [diagnostic] if call.wanted else unless_uncalled(system, diagnostic)
 
 
 def _group(call: RefusedCall, logs: bool) -> tuple[str, ...]:
@@ -78,12 +89,18 @@ def _group(call: RefusedCall, logs: bool) -> tuple[str, ...]:
     return (UNDEFINED, call.place.file) if _is_of_node(call) and not call.wanted else (call.place.file, call.api)
 
 
+def _unported(calls: Iterable[RefusedCall]) -> frozenset[str]:
+    """The files that ask rclpy for functions of rospy."""
+    return frozenset(call.place.file for call in calls if call.given == "rclpy" and instead_of(call.api))
+
+
 OF_ROS_1 = "rospy"
 """The group of findings about functions of rospy that a file asks rclpy for: it was not ported."""
 UNDEFINED = "undefined"
 """The group of findings about methods that the classes of a file call and do not have."""
 
 
+_NODE = "rclpy.node.Node"
 _GOAL_HANDLE = "rclpy.action.client.ClientGoalHandle"
 
 
@@ -91,6 +108,8 @@ def _define(call: RefusedCall, name: str) -> str:
     """What to do about a method that no distribution has and that has no near name."""
     if call.given.rpartition(".")[2] == "Future" and name in (attributes_of(_GOAL_HANDLE) or ()):
         return "keep the future apart from the goal handle, which is its result()"
+    if not _is_of_node(call) and name in (attributes_of(_NODE) or ()):
+        return f"it is a method of the node: write node.{name}(…)"
     return f"define {name}() in the class of the node, or remove the call" if _is_of_node(call) else "remove the call"
 
 
@@ -269,6 +288,9 @@ def _cure(name: str, call: RefusedCall) -> str:
             return "give the timeout by name, timeout_sec=…: the executor comes before it"
         called = call.given.startswith("what ")
         return "pass the function itself, without parentheses" if called else f"pass {call.wanted}"
+    if call.misuse is Misuse.UNKNOWN_KEYWORD:
+        known = {name for row in signatures_of(call.api).values() for name in (*row.positional, *row.by_name)}
+        return cure_of_keywords(call.parameters, keywords_meant(call.parameters, sorted(known)))
     return f"write {name}({', '.join(call.signature)})"
 
 

@@ -15,6 +15,7 @@ from archlint.checks.uncalled import unless_uncalled
 from archlint.finding import Finding, Related, Severity
 from archlint.python_code.how_imported import import_of
 from archlint.python_code.unbound_locals import UnboundLocal, unbound_locals
+from archlint.python_code.undefined_beside import stops_a_launch
 from archlint.python_code.undefined_names import Undefined, undefined_names
 from archlint.suggestions import meant, nearest
 
@@ -32,6 +33,8 @@ def undefined_name(system: System, options: Options) -> Iterator[Finding]:
     if system.workspace is not None:
         leaders: dict[tuple[str, object], str] = {}
         for read in undefined_names(system.workspace):
+            if stops_a_launch(system.workspace, read):
+                continue  # LCH008 tells all names of that statement
             told = _finding(system.workspace, read)
             statement = getattr(source_code(system).statement_at(read.place), "span", None)
             if statement is not None and told.group == (read.place.file, read.name):
@@ -123,7 +126,8 @@ def _undefined(workspace: WorkspaceIndex, read: Undefined) -> Finding:
     if read.of_self:
         near = f"self.{read.name}"
     else:
-        statement = import_of(workspace, read.name)
+        in_launch_file = read.place.file in workspace.launch_files.all()
+        statement = import_of(workspace, read.name, in_launch_file=in_launch_file, called=read.called)
     if not near and not statement and len(read.name) >= _SHORT:
         known = (name for name in read.known if name not in _BUILT_IN and not _is_class_of(name, read.name))
         near = nearest(read.name, known) or ""

@@ -19,7 +19,7 @@ from archlint.python_code.tried_code import tried_for
 from archlint.python_code.unassigned_attributes import may_get, members_of
 from archlint.suggestions import nearest
 from archlint.syntax import facts
-from archlint.syntax.parts import Itself, everything_in
+from archlint.syntax.parts import Itself, everything_in, once_for
 
 if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
@@ -32,13 +32,18 @@ _OF_INTERFACES = {
 
 @dataclass(frozen=True)
 class AbsentMember:
-    """``owner`` has no ``name``; ``near`` is what it has of almost the same name."""
+    """``owner`` has no ``name``; ``near`` is what it has of almost the same name.  Where the class of a message was
+    written and an object of it is meant, ``near`` is the variable that holds one, if there is any."""
 
     place: Place
     owner: str
     name: str
     near: str
     called: bool
+    of_message: bool = False
+    """Whether an object of the class is meant: something is looked for in it."""
+    methods: tuple[str, ...] = ()
+    """What an object of a class of the workspace can be called for, in the order of the source."""
 
 
 def absent_members(workspace: WorkspaceIndex) -> Iterator[AbsentMember]:
@@ -47,7 +52,7 @@ def absent_members(workspace: WorkspaceIndex) -> Iterator[AbsentMember]:
         for row in _of_interfaces(workspace, path) or ():
             if workspace.interfaces is None or workspace.interfaces.get(row.owner) is None:
                 continue
-            yield AbsentMember(Place(path, *row.span), row.owner, row.name, row.near, False)
+            yield AbsentMember(Place(path, *row.span), row.owner, row.name, row.near, False, row.of_message)
         for called in _calls(workspace, path) or ():
             absent = _absent(workspace, path, called)
             if absent is not None:
@@ -63,6 +68,7 @@ class _OfInterface:
     owner: str
     name: str
     near: str
+    of_message: bool
 
 
 @kept_for_each_file
@@ -77,9 +83,30 @@ def _of_interfaces(code: facts.Facts) -> list[_OfInterface]:
     for part in everything_in(code.body, facts.Attribute) if kinds else ():
         owner, has = kinds.get(part.value.variable, ("", frozenset()))
         if owner and part.attr not in has and not part.attr.startswith("_"):
+            of_message = Itself[facts.Base](part) in _looked_into(code)
             near = next((name for name in has if name.lower() == part.attr.lower()), "")
-            rows.append(_OfInterface(part.span, owner, part.attr, near))
+            if of_message:
+                near = part.attr if Itself[facts.Base](part) in _beside_variables(code) else ""
+            rows.append(_OfInterface(part.span, owner, part.attr, near, of_message))
     return rows
+
+
+@once_for
+def _looked_into(code: facts.Facts) -> frozenset[Itself[facts.Base]]:
+    """What the code takes an attribute of."""
+    return frozenset(Itself[facts.Base](part.value) for part in everything_in(code.body, facts.Attribute))
+
+
+@once_for
+def _beside_variables(code: facts.Facts) -> frozenset[Itself[facts.Base]]:
+    """The attributes that stand in a function which has a parameter, or a variable, of the very name."""
+    rows: set[Itself[facts.Base]] = set()
+    for function in everything_in(code.body, facts.Function):
+        names = {param.name for param in function.params}
+        names.update(target.variable for target in targets_of(function.body) if target.variable)
+        attributes = everything_in(function.body, facts.Attribute)
+        rows.update(Itself[facts.Base](part) for part in attributes if part.attr in names)
+    return frozenset(rows)
 
 
 # ------------------------------------------------------------------------------------------------ the workspace's own
@@ -158,7 +185,10 @@ def _absent(workspace: WorkspaceIndex, file: str, called: _Called) -> AbsentMemb
     if any(method.name == "__new__" for own in chain.own for method in methods_of(own.code)):
         return None  # a call of the class may make something else
     own = {each for names in members for each in names if not each.startswith("__")}
-    return AbsentMember(Place(file, *called.span), f"class {cls.code.name}", name, nearest(name, own) or "", True)
+    methods = dict.fromkeys(method.name for each in chain.own for method in methods_of(each.code))
+    offered = tuple(method for method in methods if not method.startswith("_"))
+    place, near = Place(file, *called.span), nearest(name, own) or ""
+    return AbsentMember(place, f"class {cls.code.name}", name, near, True, methods=offered)
 
 
 def _is_given_elsewhere(workspace: WorkspaceIndex, file: str, attribute: str) -> bool:

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 
 _USUAL = {
     "cv2": "import cv2",
+    "get_package_share_directory": "from ament_index_python.packages import get_package_share_directory",
     "np": "import numpy as np",
     "pd": "import pandas as pd",
     "plt": "import matplotlib.pyplot as plt",
@@ -24,9 +25,13 @@ _USUAL = {
 }
 
 
-def import_of(workspace: WorkspaceIndex, name: str) -> str:
+_MODULES_OF_VALUES = frozenset({"rclpy", "rclpy.qos"})
+"""What these offer is for others, values too: ``qos_profile_sensor_data``."""
+
+
+def import_of(workspace: WorkspaceIndex, name: str, *, in_launch_file: bool = False, called: bool = False) -> str:
     """The statement that would bind a name: what most other files of the workspace write, or what is usual; empty where
-    neither is known."""
+    neither is known.  A variable somewhere in ROS is not what a name means that is not ``called``, and no class."""
     counts = _imports(workspace).get(name)
     if counts:
         return min(counts, key=lambda statement: (-counts[statement], statement))
@@ -34,8 +39,10 @@ def import_of(workspace: WorkspaceIndex, name: str) -> str:
         return _USUAL[name]
     if name in sys.stdlib_module_names:
         return f"import {name}"
-    offering = modules_with(name, "rclpy")
-    return f"from {offering[0]} import {name}" if offering else ""
+    offering = [*(modules_with(name, "launch") if in_launch_file else ()), *modules_with(name, "rclpy")]
+    if not offering or not (called or name[0].isupper() or offering[0] in _MODULES_OF_VALUES):
+        return ""
+    return f"from {offering[0]} import {name}"
 
 
 @once

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import kept_for_each_file
+from archlint.libraries.rclpy.names import NODE_CLASSES
 from archlint.model import Misuse
 from archlint.place import Place
 from archlint.python_code.class_chains import (
@@ -67,8 +68,13 @@ class RefusedOwnCall:
     misfit: Misfit
     defined: Place
     signature: tuple[str, ...]
+    """The parameters to give: those that may not be left out, or where there are too many all that go by position."""
+    keywords: tuple[str, ...] = ()
+    """The parameters that the call does not give and that go by name."""
     lacks_self: bool = False
     """Whether it is a method whose first parameter is not called ``self``, but takes the object."""
+    in_node: bool = False
+    """Whether a method of a node makes the call."""
 
 
 def refused_own_calls(workspace: WorkspaceIndex) -> Iterator[RefusedOwnCall]:
@@ -84,13 +90,16 @@ def refused_own_calls(workspace: WorkspaceIndex) -> Iterator[RefusedOwnCall]:
                 params = meant.code.params
                 lacks_self = call.cls is not None and meant.bound == 1 and params[0].name not in ("self", "cls")
                 defined = Place(meant.file, *meant.code.name_span)
-                signature = tuple(_needed(params[meant.bound :]))
-                yield RefusedOwnCall(place, call.name, wrong, defined, signature, lacks_self)
+                own = params[meant.bound :]
+                signature = tuple(_needed(own) if wrong.misuse is not Misuse.TOO_MANY else _by_position(own))
+                keywords = _left(own, call) if wrong.misuse is Misuse.UNKNOWN_KEYWORD else ()
+                in_node = _is_in_node(workspace, file.relative, call)
+                yield RefusedOwnCall(place, call.name, wrong, defined, signature, keywords, lacks_self, in_node)
 
 
 def _misfit(params: Sequence[facts.Param], call: OwnCall) -> Misfit | None:
     """What is wrong with the arguments of a call for such parameters; None where nothing is."""
-    by_position = [param.name for param in params if param.kind in ("positional_only", "normal")]
+    by_position = _by_position(params)
     by_name = {param.name for param in params if param.kind in ("normal", "keyword_only")}
     kinds = {param.kind for param in params}
     if call.given > len(by_position) and "star" not in kinds:
@@ -104,6 +113,23 @@ def _misfit(params: Sequence[facts.Param], call: OwnCall) -> Misfit | None:
         return Misfit(Misuse.TWICE, twice)
     missing = tuple(name for name in _needed(params) if name not in filled)
     return Misfit(Misuse.MISSING, missing) if missing else None
+
+
+def _by_position(params: Sequence[facts.Param]) -> list[str]:
+    return [param.name for param in params if param.kind in ("positional_only", "normal")]
+
+
+def _left(params: Sequence[facts.Param], call: OwnCall) -> tuple[str, ...]:
+    """The parameters that go by name and that a call does not give."""
+    given = {*_by_position(params)[: call.given], *call.keywords}
+    return tuple(param.name for param in params if param.kind in ("normal", "keyword_only") and param.name not in given)
+
+
+def _is_in_node(workspace: WorkspaceIndex, file: str, call: OwnCall) -> bool:
+    code = workspace.facts_at(file)
+    if code is None or call.within is None:
+        return False
+    return not NODE_CLASSES.isdisjoint(chain_of(workspace, ClassInFile(file, classes_of(code)[call.within])).foreign)
 
 
 def _needed(params: Sequence[facts.Param]) -> Iterator[str]:
@@ -135,6 +161,8 @@ class OwnCall:
     given: int
     """How many arguments are given by position."""
     keywords: tuple[str, ...]
+    within: int | None = None
+    """The class in a method of which with ``self`` it stands, by its position in the file."""
 
 
 @kept_for_each_file
@@ -144,6 +172,7 @@ def own_calls_of(code: facts.Facts) -> list[OwnCall]:
         return []
     forgiven = tried_for(code.body, {"TypeError"})
     around = {Itself(call): number for number, cls in enumerate(classes_of(code)) for call in _on_self(cls)}
+    inside = {Itself(call): number for number, cls in enumerate(classes_of(code)) for call in _with_self(cls)}
     defined = _defined_once(code)
     rows: list[OwnCall] = []
     for call in everything_in(code.body, facts.Call):
@@ -152,7 +181,8 @@ def own_calls_of(code: facts.Facts) -> list[OwnCall]:
             continue
         if cls is not None or call.func.variable in defined:
             keywords = tuple(argument.keyword for argument in call.args if argument.keyword is not None)
-            rows.append(OwnCall(call.func.dotted, call.span, cls, len(call.args) - len(keywords), keywords))
+            given, within = len(call.args) - len(keywords), inside.get(Itself(call))
+            rows.append(OwnCall(call.func.dotted, call.span, cls, given, keywords, within))
     return rows
 
 
@@ -181,6 +211,14 @@ def _bare_super_calls(code: facts.Facts) -> list[facts.Span]:
 
 def _on_self(cls: facts.Class) -> Iterator[facts.Call]:
     """The calls ``self.name(…)`` in the methods of a class."""
+    for call in _with_self(cls):
+        match call.func:
+            case facts.Attribute(value=facts.Name(id="self")):
+                yield call
+
+
+def _with_self(cls: facts.Class) -> Iterator[facts.Call]:
+    """The calls in the methods of a class in which ``self`` is its object."""
     for function in methods_of(cls):
         match function.params:
             case [facts.Param(name="self", annotation=None), *_] if not function.decorators:
@@ -189,10 +227,7 @@ def _on_self(cls: facts.Class) -> Iterator[facts.Call]:
                 continue
         if any(part.name == "self" for part in everything_in(function.body, facts.Param)):
             continue
-        for call in everything_in(function.body, facts.Call):
-            match call.func:
-                case facts.Attribute(value=facts.Name(id="self")):
-                    yield call
+        yield from everything_in(function.body, facts.Call)
 
 
 # ---------------------------------------------------------------------------------------------------- what they mean

@@ -5,6 +5,7 @@ Either no way leads to the read past an assignment, or the one in a ``try`` fail
 
 from __future__ import annotations
 
+import builtins
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -12,7 +13,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.kept import kept_for_each_file
 from archlint.place import Place
 from archlint.python_code.block_bindings import after, bound_at, is_plain, read_at
-from archlint.python_code.offered_names import MAKES_NAMES
+from archlint.python_code.offered_names import MAKES_NAMES, bound_in, own_names, stars
 from archlint.syntax import facts
 from archlint.syntax.control_flow import graph_of
 from archlint.syntax.flow_blocks import Block, Edge, Kind, reach, without_exceptions
@@ -61,10 +62,12 @@ def unbound_locals(workspace: WorkspaceIndex) -> Iterator[UnboundLocal]:
 def _rows(code: facts.Facts) -> list[_Row]:
     if not MAKES_NAMES.isdisjoint(code.names):
         return []
-    return [row for function in everything_in(code.body, facts.Function) for row in _in_function(function)]
+    known = None if stars(code) else own_names(code).union(dir(builtins))
+    return [row for function in everything_in(code.body, facts.Function) for row in _in_function(function, known)]
 
 
-def _in_function(function: facts.Function) -> Iterator[_Row]:
+def _in_function(function: facts.Function, known: frozenset[str] | None) -> Iterator[_Row]:
+    """The first such read of each variable; ``known`` are the names that the file can read, None for any."""
     graph = graph_of(function.body)
     bound = _bound(function, graph)
     reads: dict[str, list[tuple[Block, facts.Name, bool]]] = {}
@@ -81,8 +84,10 @@ def _in_function(function: facts.Function) -> Iterator[_Row]:
             continue
         for attempt in parts_of(function.body, facts.Try):
             caught = _past_handler(graph, attempt, blocks, rows)
-            if caught is not None:
-                yield _Row(name, caught[0].span, first, caught[1].span)
+            if caught is not None and _is_defined(caught[1], function, known):
+                tried = {block for statement in attempt.body for block in graph.at(statement)}
+                assigned = next(span for block, span in bound[name] if block in tried)
+                yield _Row(name, caught[0].span, assigned, caught[1].span)
                 break
 
 
@@ -146,6 +151,14 @@ def _past_handler(
             if read is not None and read not in final:
                 return reading[read], handler
     return None
+
+
+def _is_defined(handler: facts.Handler, function: facts.Function, known: frozenset[str] | None) -> bool:
+    """Whether something defines the classes that a handler asks for: otherwise it does not go on, but fails itself."""
+    if known is None or handler.type is None:
+        return True
+    names = {part.id for part in everything_in([handler.type], facts.Name)}
+    return names <= known.union(bound_in(function.body), (param.name for param in function.params))
 
 
 def _surely_read(graph: Graph, start: Block, bound: Collection[Block], reading: Collection[Block]) -> Block | None:

@@ -18,7 +18,7 @@ from archlint.python_code.offered_names import MAKES_NAMES, bound_in, own_names,
 from archlint.syntax import facts
 from archlint.syntax.bindings import bound_by
 from archlint.syntax.flow_facts import covers
-from archlint.syntax.parts import everything_in, parts_of
+from archlint.syntax.parts import everything_in, once_for, parts_of
 from archlint.syntax.walk import statements_of
 
 if TYPE_CHECKING:
@@ -56,6 +56,7 @@ class Undefined:
     """Whether it is a local variable, since the function changes it with ``+=``, and nothing gives it a value."""
     without_self: str = ""
     """The method that it is read in, where that has no parameter at all and the class has one of the name."""
+    called: bool = False
 
 
 def undefined_names(workspace: WorkspaceIndex) -> Iterator[Undefined]:
@@ -79,8 +80,34 @@ def undefined_names(workspace: WorkspaceIndex) -> Iterator[Undefined]:
         for read in unbound:
             if read.added or not brought.has(read.name.id):
                 known = read.known | brought.names if brought.names else read.known  # a copy for each read is a square
-                place = Place(file.relative, *read.name.span)
-                yield Undefined(place, read.name.id, known, read.of_self, read.added, read.without_self)
+                place, span = Place(file.relative, *read.name.span), read.name.span
+                of_self = read.of_self and span not in _first_values(file_facts)
+                called = span in _called(file_facts)
+                yield Undefined(place, read.name.id, known, of_self, read.added, read.without_self, called)
+
+
+@once_for
+def _called(code: facts.Facts) -> frozenset[facts.Span]:
+    """Where the names stand that a file calls."""
+    functions = (call.func for call in everything_in(code.body, facts.Call))
+    return frozenset(function.span for function in functions if isinstance(function, facts.Name))
+
+
+@once_for
+def _first_values(code: facts.Facts) -> frozenset[facts.Span]:
+    """Where a name stands of which an attribute of the same name gets its value, if it gets none otherwise, or the name
+    is called: ``self.db = db('map.db')`` does not mean itself."""
+    rows: dict[str, list[tuple[facts.Span, ...]]] = {}
+    for statement in everything_in(code.body):
+        for target in statement.assigned:
+            match target:
+                case facts.Attribute(value=facts.Name(id="self"), attr=attr):
+                    read = [part.span for part in everything_in(statement.children(), facts.Name) if part.id == attr]
+                    rows.setdefault(attr, []).append(tuple(read))
+    of_classes = {name for cls in everything_in(code.body, facts.Class) for name in bound_in(cls.body)}
+    only = [reads for attr, reads in rows.items() if all(reads) and attr not in of_classes]
+    spans = {span for reads in only for read in reads for span in read}
+    return frozenset(spans | {span for reads in rows.values() for read in reads for span in read} & _called(code))
 
 
 def names_bound_in(workspace: WorkspaceIndex, file: str) -> frozenset[str]:
