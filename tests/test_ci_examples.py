@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 import yaml
 
-from archlint.cli import starter_files
+from archlint.cli import starter_jobs
 from public_schemas import Schema, problems
 from robot_package import SETUP_CFG, TALKER, manifest, write_files
 
@@ -34,7 +34,7 @@ LISTENER = LISTENER.replace(
 )
 WRITTEN = {
     f"{name} of {folder!r}": make(folder, True)
-    for name, make in (("workflow", starter_files.github_workflow), ("job", starter_files.gitlab_job))
+    for name, make in (("workflow", starter_jobs.github_workflow), ("job", starter_jobs.gitlab_job))
     for folder in (".", "my ws: $(a)")
 }
 

@@ -13,7 +13,7 @@ from archlint.syntax.imported_names import imported
 from archlint.syntax.interface_values import parse_value
 from archlint.syntax.interfaces import parse_interface
 from archlint.syntax.launch_xml import read_launch_xml
-from archlint.syntax.launch_yaml import suppressions_of_lines
+from archlint.syntax.line_suppressions import suppressions_of_lines
 from archlint.systems.overrides import key_matches
 from archlint.workspace.cmake import parse_cmake
 from archlint.workspace.comments import without_comments

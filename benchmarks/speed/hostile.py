@@ -12,7 +12,7 @@ from archlint.engine.pipeline import Request, check
 from archlint.syntax.entry_point_tables import entries_of_setup_cfg
 from archlint.syntax.interfaces import parse_interface
 from archlint.syntax.launch_xml import read_launch_xml
-from archlint.syntax.launch_yaml import suppressions_of_lines
+from archlint.syntax.line_suppressions import suppressions_of_lines
 from archlint.syntax.python.gate import inspect
 from archlint.workspace.cmake import parse_cmake
 

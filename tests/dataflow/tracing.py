@@ -12,7 +12,7 @@ from archlint.dataflow.model import Flow, Link, Step
 from archlint.dataflow.paths import reached
 from archlint.dataflow.subjects import subjects
 from archlint.dataflow.systems import traces_of
-from archlint.dataflow.traces import Trace
+from archlint.dataflow.trace import Trace
 from archlint.engine.pipeline import Request, systems
 from archlint.systems.model import System
 

@@ -7,7 +7,8 @@ import math
 import pytest
 
 from api_calls import call_in
-from archlint.execution.loop_times import in_loops, is_retry, reads_until_it_has, watches_the_clock
+from archlint.execution.loop_times import in_loops, watches_the_clock
+from archlint.execution.retries import is_retry, reads_until_it_has
 from archlint.execution.sleeps import Stay
 
 

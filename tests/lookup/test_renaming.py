@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from archlint.lookup.answers import Refused, Renamable
-from archlint.lookup.renaming import prepare_rename
+from archlint.lookup.renamable import prepare_rename
 from archlint.lookup.texts import Texts
 from archlint.place import Place
 from lookup.asking import Editor

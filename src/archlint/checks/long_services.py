@@ -23,15 +23,9 @@ from archlint.execution.attribute_loops import attribute_loops
 from archlint.execution.kept_waiting import blocks_nobody
 from archlint.execution.longest_way import Stretch, longest_way
 from archlint.execution.loop_stops import can_be_stopped
-from archlint.execution.loop_times import (
-    around_future,
-    in_loops,
-    is_retry,
-    reads_until_it_has,
-    varies_by_iteration,
-    watches_the_clock,
-)
+from archlint.execution.loop_times import in_loops, varies_by_iteration, watches_the_clock
 from archlint.execution.requested_times import lasts_as_requested
+from archlint.execution.retries import around_future, is_retry, reads_until_it_has
 from archlint.execution.sleeps import Stay, stay_of
 from archlint.execution.stuck import clients_of_handlers
 from archlint.finding import Finding, Related, Severity

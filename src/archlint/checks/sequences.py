@@ -14,14 +14,11 @@ from archlint.execution.blocking import AWAIT
 from archlint.execution.callback_roles import callback_words, runs_in_executor
 from archlint.execution.client_loops import clients_in_turn
 from archlint.execution.dependent_waits import build_on_answers, runs_beside_others
-from archlint.execution.loop_times import is_retried
+from archlint.execution.retries import is_retried
 from archlint.execution.stuck import stuck_waits
 from archlint.execution.waits import Wait, waits
 from archlint.finding import Finding, Place, Related
-from archlint.model import (
-    EntityKind,
-    Role,
-)
+from archlint.model import EntityKind, Role
 
 if TYPE_CHECKING:
     from archlint.model import ApiCall, Creation, Frame

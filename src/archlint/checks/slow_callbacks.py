@@ -22,22 +22,19 @@ from archlint.connections.lessons import is_lesson
 from archlint.execution import blocking
 from archlint.execution.attribute_loops import attribute_loops
 from archlint.execution.callback_roles import callback_words, runs_in_executor
+from archlint.execution.commands import ends_the_machine, is_soon_over
 from archlint.execution.deadlock import threads_of
 from archlint.execution.kept_waiting import Waiting, blocks_nobody, is_one_chain, who_waits
-from archlint.execution.loop_times import around_future, in_loops, is_retry, retries_after_errors
+from archlint.execution.loop_times import in_loops
 from archlint.execution.own_timers import ends_its_timer_after, ends_its_timer_before
 from archlint.execution.present_servers import is_there
-from archlint.execution.processes import (
-    ends_the_machine,
-    ends_with_the_node,
-    hands_over,
-    is_signalled_to_end,
-    is_soon_over,
-)
+from archlint.execution.processes import is_signalled_to_end
+from archlint.execution.retries import around_future, is_retry, retries_after_errors
 from archlint.execution.sleeps import Stay, stay_of
 from archlint.execution.spins import is_spin_call
 from archlint.execution.states import leaves_its_state
 from archlint.execution.stuck import clients_of_handlers, functions_that_ask
+from archlint.execution.ways_out import ends_with_the_node, hands_over
 from archlint.finding import Finding, Place, Related, Severity
 from archlint.model import Role
 from archlint.model.given import Constant

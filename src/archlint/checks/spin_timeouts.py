@@ -9,14 +9,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.left_over import is_dead, is_never_made
 from archlint.analysis.limit_sites import sites_of_spin, spins_for_a_result
 from archlint.analysis.order import always_comes_before
-from archlint.analysis.reach import (
-    argument,
-    calls_of,
-    creations_of,
-    node_name,
-    one_for_each_place,
-    waits_for_ever,
-)
+from archlint.analysis.reach import argument, calls_of, creations_of, node_name, one_for_each_place, waits_for_ever
 from archlint.analysis.source_code import SourceCode, source_code
 from archlint.analysis.unused_results import is_thrown_away
 from archlint.checks.folding import class_around, folds, of_one_class, of_one_package, package_around
@@ -37,9 +30,9 @@ from archlint.connections.lessons import is_lesson
 from archlint.connections.own_servers import is_served_by_its_node
 from archlint.execution.asking_scripts import has_only_clients, is_step_of_asking_script
 from archlint.execution.expected_failures import expects_no_answer
-from archlint.execution.loop_times import is_retried
 from archlint.execution.own_futures import spins_for_a_message, spins_for_own_future, spins_for_own_task
 from archlint.execution.present_servers import was_waited_for
+from archlint.execution.retries import is_retried
 from archlint.execution.spins_beside import SpunBeside, spun_beside
 from archlint.execution.stuck import spoken_of
 from archlint.finding import Finding, Related, Severity

@@ -9,7 +9,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from archlint.cli import console, starter_files
+from archlint.cli import console, starter_files, starter_jobs
 from archlint.cli.exits import CLEAN, UsageError
 from archlint.cli.options import paths_of
 from archlint.cli.parser import Parser
@@ -142,11 +142,11 @@ def _owners(shown: Sequence[System]) -> Iterator[tuple[str, str]]:
 def _hooked(root: Path, inside: str) -> Iterator[str]:
     path = root / ".pre-commit-config.yaml"
     if not os.path.lexists(path):
-        yield _wrote(path, starter_files.hooks(inside))
+        yield _wrote(path, starter_jobs.hooks(inside))
         return
     yield _left(path)
     if "archlint" not in _text(path):
-        yield f"to add the hook, append this to its `repos:`\n\n{starter_files.hook(inside)}"
+        yield f"to add the hook, append this to its `repos:`\n\n{starter_jobs.hook(inside)}"
 
 
 def _in_ci(root: Path, inside: str) -> Iterator[str]:
@@ -155,13 +155,13 @@ def _in_ci(root: Path, inside: str) -> Iterator[str]:
     if os.path.lexists(gitlab):
         yield _left(gitlab)
         if "archlint" not in _text(gitlab):
-            yield f"to add the job, append this to it\n\n{starter_files.gitlab_job(inside, submodules)}"
+            yield f"to add the job, append this to it\n\n{starter_jobs.gitlab_job(inside, submodules)}"
     elif re.search(r"^\s*url\s*=.*gitlab", _text(_git_folder(root) / "config"), re.MULTILINE):
-        yield _wrote(gitlab, starter_files.gitlab_job(inside, submodules))
+        yield _wrote(gitlab, starter_jobs.gitlab_job(inside, submodules))
     elif os.path.lexists(root / "Jenkinsfile") and not (root / ".github" / "workflows").is_dir():
         yield _left(root / "Jenkinsfile")
         if "archlint" not in _text(root / "Jenkinsfile"):
-            yield f"to add the check, put this among its `stages`\n\n{starter_files.jenkins_stage(inside)}"
+            yield f"to add the check, put this among its `stages`\n\n{starter_jobs.jenkins_stage(inside)}"
     else:
         folder = root / ".github" / "workflows"
         existing = next((path for path in sorted(folder.glob("*.y*ml")) if "archlint" in path.name + _text(path)), None)
@@ -169,7 +169,7 @@ def _in_ci(root: Path, inside: str) -> Iterator[str]:
             yield _left(existing)
             return
         folder.mkdir(parents=True, exist_ok=True)
-        yield _wrote(folder / "archlint.yml", starter_files.github_workflow(inside, submodules))
+        yield _wrote(folder / "archlint.yml", starter_jobs.github_workflow(inside, submodules))
 
 
 def _git_folder(root: Path) -> Path:

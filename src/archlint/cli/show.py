@@ -54,7 +54,7 @@ def parser() -> Parser:
 
 def run(arguments: argparse.Namespace) -> int:
     from archlint.engine.pipeline import NothingToDo, Request, systems  # wrong words need none of it
-    from archlint.lookup.summaries import known_names, summaries
+    from archlint.lookup.by_name import known_names, summaries
     from archlint.render.shown import render_json, render_text
 
     keeper = keeper_of(arguments, drawn=False)

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
-from archlint.config import architecture_tables, external_tables, rule_options
+from archlint.config import architecture_tables, contract_tables, external_tables, rule_options
 from archlint.config import values as read
 from archlint.config.conversion import converted
 from archlint.config.files import is_within, own_table, read_source, repository_of
@@ -18,7 +18,7 @@ Reading = Callable[[Any, Key], object]
 _READERS: Mapping[str, Reading] = {
     "baseline": read.file_in_repository,
     "cache-dir": read.folder_in_repository,
-    "contracts": architecture_tables.contracts,
+    "contracts": contract_tables.contracts,
     "exclude": read.globs,
     "extend-select": read.selectors,
     "external-nodes": external_tables.external_nodes,

@@ -6,7 +6,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.dataflow.traces import Trace, traces
+from archlint.dataflow.trace import Trace
+from archlint.dataflow.traces import traces
 from archlint.systems.nodes import key_of
 
 if TYPE_CHECKING:

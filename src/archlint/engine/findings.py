@@ -15,6 +15,7 @@ from archlint.config.filters import Filters
 from archlint.config.options import options_for
 from archlint.engine import suppressions, uninstalled
 from archlint.engine.broken_packages import broken_packages
+from archlint.engine.copies import once_for_copies, once_for_twins
 from archlint.engine.half_ported import as_information, half_ported, with_reason
 from archlint.engine.inputs import Inputs, is_input, is_of_package, known_files, parts_of, python_files
 from archlint.engine.judging import judge_alternatives
@@ -25,7 +26,7 @@ from archlint.engine.launched_code import launched_files
 from archlint.engine.left_alone import without_left_alone
 from archlint.engine.loading import as_asked_for, systems_of
 from archlint.engine.looked_at import followed_in_part, for_ros1, started_elsewhere, without_start
-from archlint.engine.merging import folded, merged, once_for_copies, once_for_twins
+from archlint.engine.merging import folded, merged
 from archlint.engine.request import NothingToDo, Request
 from archlint.engine.stale_entries import Judgement, stale_entry
 from archlint.faults import Faults

@@ -14,10 +14,11 @@ from typing import TYPE_CHECKING
 
 from archlint.engine.git import GitError, Repository, repository_of
 from archlint.engine.known import Older
-from archlint.engine.old_request import Surroundings, commit_of, folder_of, old_request, paths_there, working_in
+from archlint.engine.old_request import commit_of, old_request, paths_there, working_in
 from archlint.engine.old_tree import OldTree, old_tree
 from archlint.engine.own_code import own_code
 from archlint.engine.pipeline import NothingToDo, Request, check, store_of
+from archlint.engine.surroundings import Surroundings, folder_of
 from archlint.finding import Severity
 from archlint.report.occurrence import Key
 from archlint.workspace.discovery import PathNotFound

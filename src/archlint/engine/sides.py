@@ -14,10 +14,11 @@ from archlint.engine.findings import judged_in_parts
 from archlint.engine.git import GitError, Repository, repository_of
 from archlint.engine.inputs import Inputs, find_files, refuse_nothing, tree_of
 from archlint.engine.loading import as_asked_for, combined
-from archlint.engine.old_request import Surroundings, commit_of, folder_of, old_request, paths_there, working_in
+from archlint.engine.old_request import commit_of, old_request, paths_there, working_in
 from archlint.engine.old_tree import old_tree
 from archlint.engine.pipeline import store_of
 from archlint.engine.request import NothingToDo, Request
+from archlint.engine.surroundings import Surroundings, folder_of
 from archlint.render.json import document
 from archlint.report.occurrence import Occurrence
 from archlint.syntax.python.deep_stack import call_with_deep_stack

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from archlint.interpreter import caught, definitions, hints
 from archlint.interpreter.assignment import assign
@@ -22,9 +22,6 @@ from archlint.interpreter.values import NONE, ClassValue, Instance, ListValue, U
 from archlint.reasons import Uninformative
 from archlint.syntax import facts
 from archlint.syntax.walk import statements_of
-
-if TYPE_CHECKING:
-    pass
 
 
 def _assign(machine: Machine, s: facts.Assign) -> Status:

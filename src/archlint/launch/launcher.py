@@ -8,10 +8,10 @@ from archlint.finding import Place
 from archlint.interpreter.values import FunctionValue, Instance, Known, ListValue, OneOf, reason
 from archlint.launch import conditions
 from archlint.launch.actions import visiting
+from archlint.launch.file_library import LaunchFileLibrary
 from archlint.launch.files import GENERATE
 from archlint.launch.frontends.elements import actions_of
 from archlint.launch.kinds import FileStatus, GapKind
-from archlint.launch.library import LaunchFileLibrary
 from archlint.launch.named_files import why_unknown
 from archlint.launch.run import LaunchRun
 from archlint.launch.substitutions import performing

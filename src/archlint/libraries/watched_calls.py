@@ -10,7 +10,7 @@ from archlint.interpreter.values import Value
 from archlint.libraries.api_use import argument_places
 from archlint.libraries.givens import given_by
 from archlint.libraries.python import clocks
-from archlint.libraries.rclpy import guards, message_contents, nodes, parameters, transform_frames
+from archlint.libraries.rclpy import cleaning_up, message_contents, nodes, parameters, transform_frames
 from archlint.libraries.tables import Api
 from archlint.libraries.values import MessageValue, creations_of
 from archlint.syntax import facts
@@ -59,7 +59,7 @@ def _key(
 
 def _meet_again(run: Run, known: model.ApiCall, on: tuple[model.Creation, ...], bound: Bound) -> None:
     """A call that was noted before: in another round of a loop, in another branch, or on another way."""
-    if known.cleaning and not guards.is_cleaning_up(run):
+    if known.cleaning and not cleaning_up.is_cleaning_up(run):
         known.cleaning, known.chain, known.branch_arms = False, run.chain(), tuple(run.branch_arms)
     if known.creation is None and len(on) == 1:
         known.creation = on[0]
@@ -99,7 +99,7 @@ def _new(run: Run, api: Api, receiver: Value | None, bound: Bound, expression: f
         run.enclosing_loops(),
         tuple(run.branch_arms),
         _limits_of_loops(run),
-        guards.is_cleaning_up(run),
+        cleaning_up.is_cleaning_up(run),
     )
 
 

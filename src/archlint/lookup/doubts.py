@@ -1,28 +1,21 @@
-"""Why a renaming would perhaps miss something: ends that are not known, or texts that may mean the same name."""
+"""Why a renaming would perhaps miss something, or give two connections one name."""
 
 from __future__ import annotations
 
 import posixpath
-import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
-from archlint.lookup.index import PROVIDERS, Index
-from archlint.lookup.instances import Instance, unknown_ends
+from archlint.lookup.index import Index
+from archlint.lookup.instances import Instance
+from archlint.lookup.open_ends import refuse_known_elsewhere, refuse_open_side, refuse_unknown_ends
+from archlint.lookup.other_texts import refuse_other_texts
 from archlint.lookup.renamed_names import CannotRename, NameChange
 from archlint.lookup.words import code, where
-from archlint.model import NAMED
 from archlint.place import Place
-from archlint.ros import names, well_known
-from archlint.syntax import facts
-from archlint.syntax.parts import everything_in
 
 if TYPE_CHECKING:
     from archlint.architecture import ConnectionKind
-
-_CPP = (".cpp", ".cc", ".cxx", ".hpp", ".h", ".hh")
-_MODELS = (".urdf", ".xacro", ".sdf", ".world")
-_YAML = (".yaml", ".yml", ".rviz")
 
 
 def refuse_doubtful(index: Index, rows: Sequence[Instance], change: NameChange) -> None:
@@ -30,49 +23,14 @@ def refuse_doubtful(index: Index, rows: Sequence[Instance], change: NameChange) 
     real = {key: [r for r in rows if (r.kind, r.name) == key and r.end is not None] for key in change.full_names}
     for (kind, old), ends in real.items():
         if ends:
-            _refuse_known_elsewhere(kind, old)
-            _refuse_unknown_ends(index, kind, old, {r.end.type for r in ends if r.end is not None})
-            _refuse_open_side(index, old, ends)
+            refuse_known_elsewhere(kind, old)
+            refuse_unknown_ends(index, kind, old, {r.end.type for r in ends if r.end is not None})
+            refuse_open_side(index, old, ends)
             _refuse_overrides(index, old)
-            _refuse_other_texts(index, old, rows)
+            refuse_other_texts(index, old, rows)
     _refuse_taken(rows, change, [key for key, ends in real.items() if ends])
     _refuse_computed(rows, change)
     _refuse_dormant(index, {written.text for row in change.changed for written in row.literals})
-
-
-def _refuse_known_elsewhere(kind: ConnectionKind, old: str) -> None:
-    if kind == "topic" and any(topic.name == old for topic in well_known.TOPICS):
-        raise CannotRename(f"{code(old)} has this name in every ROS 2 system: other tools know it by that")
-
-
-def _refuse_unknown_ends(index: Index, kind: ConnectionKind, old: str, types: set[str | None]) -> None:
-    for end in unknown_ends(index):
-        if NAMED[end.kind] != kind or end.node.test or (end.type is not None and types and end.type not in types):
-            continue
-        if end.name is None or names.pattern_matches(end.name, old):
-            words = f"the name of the {end.kind.replace('_', ' ')} at {where(end.place)} is not known"
-            raise CannotRename(f"{words}: it may be {code(old)}", end.place)
-
-
-def _refuse_open_side(index: Index, old: str, ends: Sequence[Instance]) -> None:
-    """A node whose source is not here has the name, or one side alone is known and such a node may be the other."""
-    for row in ends:
-        if row.end is not None and row.end.external:
-            words = (
-                f"{code(row.end.node.name or 'a node')}, whose source is not in this workspace, calls it {code(old)}"
-            )
-            raise CannotRename(f"{words}: remap that in the launch file first", row.place)
-    if len({row.end.kind in PROVIDERS for row in ends if row.end is not None}) > 1:
-        return
-    for system, _ in index.systems:
-        is_there = any(row.end is not None and row.end.node in system.nodes for row in ends)
-        for node in system.nodes if is_there else ():
-            if node.is_stranger and node.launch_place is not None:
-                name = code(node.name or node.executable or "a node")
-                words = (
-                    f"only one side of {code(old)} is in this workspace; {name}, whose source is not, may be the other"
-                )
-                raise CannotRename(words, node.launch_place)
 
 
 def _refuse_overrides(index: Index, old: str) -> None:
@@ -127,37 +85,4 @@ def _refuse_dormant(index: Index, olds: set[str]) -> None:
                     raise CannotRename(words, remap.place)
 
 
-def _refuse_other_texts(index: Index, old: str, rows: Iterable[Instance]) -> None:
-    """The name in files of other kinds, and in code that does not create anything."""
-    known = {(w.place.file, w.place.line) for row in rows for w in (*row.literals, row.source, row.target) if w}
-    for place in other_texts(index, old):
-        if (place.file, place.line) not in known:
-            raise CannotRename(f"{code(old)} stands at {where(place)}, too, and what that means is not known", place)
-
-
-def other_texts(index: Index, old: str) -> Iterator[Place]:
-    """Where a full name stands in C++, in models and in YAML, and in Python as a text of its own."""
-    word = re.escape(old.strip("/"))
-    patterns = {
-        **dict.fromkeys(_CPP, re.compile(rf'"/?{word}"')),
-        **dict.fromkeys(_MODELS, re.compile(rf">\s*/?{word}\s*<")),
-        **dict.fromkeys(
-            _YAML, re.compile(rf"""(?:topic\w*["']?\s*:\s*["']?/?|:\s*["']?/){word}["']?\s*(?:#|$)""", re.I)
-        ),
-    }
-    tree, mentions = index.workspace.tree, index.workspace.code.mentions
-    for file in sorted({path for folder in index.workspace.manifests for path in tree.files_below(folder)}):
-        pattern = patterns.get(posixpath.splitext(file)[1])
-        text = tree.text(file) if pattern is not None and mentions(file, posixpath.basename(old)) else None
-        for number, row in enumerate((text or "").split("\n"), start=1):
-            match = pattern.search(row) if pattern is not None and row else None
-            if match is not None:
-                yield Place(file, number, match.start() + 1, number, match.end() + 1)
-    for file in index.workspace.code.files_that_mention(posixpath.basename(old)):
-        read = index.workspace.facts_at(file)
-        for literal in everything_in(read.body if read is not None else [], facts.Literal):
-            if literal.text == old:
-                yield Place.of(file, literal.span)
-
-
-__all__ = ["other_texts", "refuse_doubtful"]
+__all__ = ["refuse_doubtful"]

@@ -1,16 +1,14 @@
-"""What there is to know of one name: both ends of a connection, a node, or a parameter with all that sets it."""
+"""What there is to know of one connection, or of one parameter with all that sets it."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Union
 
-from archlint.analysis.kept import once
-from archlint.lookup.frames import FrameSummary, frame_summary, known_frames
+from archlint.lookup.frames import FrameSummary
 from archlint.lookup.index import Index
 from archlint.lookup.mentions import Subject
-from archlint.model import NAMED
+from archlint.lookup.running_nodes import running_nodes
 
 if TYPE_CHECKING:
     from archlint.architecture import ConnectionKind
@@ -73,7 +71,7 @@ def parameter_summary(index: Index, subject: Subject) -> ParameterSummary:
     """What is known of a parameter of one node class."""
     every, name = index.of(subject), subject.name
     of_it = {id(mention.node): mention.node for mention in every if mention.node is not None}
-    nodes = [node for node in _nodes(index) if id(node) in of_it] or list(of_it.values())
+    nodes = [node for node in running_nodes(index) if id(node) in of_it] or list(of_it.values())
     declarations = {d.place: d for node in nodes for d in node.parameters if d.name.text == name}
     values = {
         (n.name or "", n.launched_by or "", repr(v)): (n, v) for n in nodes for k, v in n.overrides.items() if k == name
@@ -89,65 +87,6 @@ def parameter_summary(index: Index, subject: Subject) -> ParameterSummary:
     )
 
 
-def summaries(index: Index, name: str) -> list[Summary]:
-    """All that has a name: topics, services and actions by their full names (the first slash may be missing) or else as
-    the code writes them, nodes by their names or the names of their classes, coordinate frames and parameters by
-    theirs."""
-    full = name if name.startswith("/") else f"/{name}"
-    connected = {key for key in _connected(index) if key[1] == full} or _written(index, name)
-    answers: list[Summary] = [connection_summary(index, *key) for key in sorted(connected)]
-    answers += [NodeSummary(node) for node in _nodes(index) if name in _names_of(node) or node.name == full]
-    frame = frame_summary(index, name)
-    answers += [frame] if frame is not None else []
-    parameters = sorted(s for s in index.subjects() if s.kind == "parameter" and s.name == name)
-    return [*answers, *(parameter_summary(index, subject) for subject in parameters)]
-
-
-def known_names(index: Index) -> list[str]:
-    """All names that :func:`summaries` knows, sorted."""
-    names = {name for _, name in _connected(index)}
-    names.update(name for node in _nodes(index) for name in (*_names_of(node), node.name or "") if name)
-    return sorted(
-        names | known_frames(index) | {subject.name for subject in index.subjects() if subject.kind == "parameter"}
-    )
-
-
-@once
-def _connected(index: Index) -> Sequence[tuple[ConnectionKind, str]]:
-    ends = (end for system, _ in index.systems for end in system.endpoints if end.resolved and not end.error)
-    rows = dict.fromkeys((NAMED[end.kind], end.name) for end in ends if end.name is not None)
-    return [(kind, name) for kind, name in rows if any(index.ends_of(Subject(kind, name)))]
-
-
-def _written(index: Index, name: str) -> set[tuple[ConnectionKind, str]]:
-    """The full names of what is created under a name."""
-    known = set(_connected(index))
-    ends = (end for system, _ in index.systems for end in system.endpoints if end.written == name)
-    return known & {(NAMED[end.kind], end.name or "") for end in ends}
-
-
-def _nodes(index: Index) -> list[Node]:
-    """The nodes as they run: as a launch file starts them, or else as the code alone has them."""
-    best: dict[object, int] = {}
-    for system, rank in index.systems:
-        for node in system.nodes:
-            best[_class(node)] = min(rank, best.get(_class(node), rank))
-    rows = [(node, rank) for system, rank in index.systems for node in system.nodes]
-    nodes = {(n.name, n.launched_by, _class(n)): n for n, rank in rows if best[_class(n)] == rank}
-    return sorted(nodes.values(), key=lambda node: (node.name or "", node.launched_by or ""))
-
-
-def _class(node: Node) -> object:
-    return (
-        (node.package, node.executable) if node.blueprint is None else (node.blueprint.place, node.blueprint.class_name)
-    )
-
-
-def _names_of(node: Node) -> Iterable[str]:
-    """By what else a node is known."""
-    return () if node.blueprint is None else (node.blueprint.class_name,)
-
-
 __all__ = [
     "ConnectionSummary",
     "FrameSummary",
@@ -155,7 +94,5 @@ __all__ = [
     "ParameterSummary",
     "Summary",
     "connection_summary",
-    "known_names",
     "parameter_summary",
-    "summaries",
 ]

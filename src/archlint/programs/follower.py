@@ -8,7 +8,8 @@ from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 from archlint.interpreter.reads import Reads
-from archlint.programs.followed import Followed, Progress
+from archlint.programs.followed import Followed
+from archlint.programs.progress import Progress
 
 if TYPE_CHECKING:
     from archlint.faults import Faults

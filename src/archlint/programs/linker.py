@@ -30,15 +30,10 @@ from archlint.programs.ahead import WORTH_IT, follow_ahead, independent_groups
 from archlint.programs.any_time import let_attributes_change
 from archlint.programs.budget import Budget, cut_short
 from archlint.programs.earlier_imports import EarlierImports
-from archlint.programs.followed import Followed, FollowedProgram
+from archlint.programs.followed import Followed
+from archlint.programs.followed_program import FollowedProgram
 from archlint.programs.follower import Follower
-from archlint.programs.helpers import (
-    changed_by_settling,
-    helpers_in,
-    note_unfollowed,
-    prune_uncalled,
-    settle_helpers,
-)
+from archlint.programs.helpers import changed_by_settling, helpers_in, note_unfollowed, prune_uncalled, settle_helpers
 from archlint.programs.kept import KeptPrograms, NothingKept
 from archlint.programs.keys import EntryKey, ScriptKey
 from archlint.programs.roots import run_callbacks, run_pending

@@ -15,8 +15,10 @@ from archlint.interpreter.values import BoundMethod, ClassValue, FunctionValue, 
 from archlint.libraries.interest import interesting
 from archlint.libraries.rclpy import escapes, node_classes
 from archlint.monitor import Monitor
-from archlint.programs.followed import Definition, Followed, FollowedProgram, Progress
+from archlint.programs.followed import Definition, Followed
+from archlint.programs.followed_program import FollowedProgram
 from archlint.programs.keys import DefinitionKey, ModuleKey, ProgramKey
+from archlint.programs.progress import Progress
 from archlint.programs.roots import flags_of
 from archlint.programs.top_level import definitions, place_of
 from archlint.syntax.cpp.known_names import FIELDS

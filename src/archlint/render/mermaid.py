@@ -11,7 +11,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.render import look
-from archlint.render.diagram.grouping import boxes_alone
+from archlint.render.diagram.boxes import boxes_alone
 from archlint.render.diagram.ids import ids_of
 from archlint.render.diagram.splitting import split
 from archlint.visible import visible

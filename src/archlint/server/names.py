@@ -14,7 +14,8 @@ from archlint.lookup.completion import complete
 from archlint.lookup.hovers import hover
 from archlint.lookup.index import Index
 from archlint.lookup.links import links
-from archlint.lookup.renaming import prepare_rename, rename
+from archlint.lookup.renamable import prepare_rename
+from archlint.lookup.renaming import rename
 from archlint.lookup.targets import definition, references
 from archlint.lookup.texts import Texts
 from archlint.server.actions import edit_of_files

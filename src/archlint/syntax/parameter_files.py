@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, Union
 
 from archlint.records import dataclass
 from archlint.syntax.facts import FileProblem, Span, Suppression
-from archlint.syntax.launch_yaml import suppressions_of_lines
+from archlint.syntax.line_suppressions import suppressions_of_lines
 from archlint.syntax.parameter_structure import ROOT, Misplaced, first_misplaced
 from archlint.syntax.refused_parameters import RefusedParameter, first_refused
 from archlint.syntax.safe_yaml import YamlError, YamlReader, in_python, span_of

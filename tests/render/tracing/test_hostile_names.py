@@ -7,7 +7,8 @@ import re
 
 import pytest
 
-from archlint.dataflow.traces import Trace, traces
+from archlint.dataflow.trace import Trace
+from archlint.dataflow.traces import traces
 from archlint.render.tracing.by_format import TRACES
 from render.hostile import NAMES, hostile
 

@@ -1,26 +1,20 @@
-"""Actions that lead to other actions: descriptions, includes, functions and event handlers."""
+"""Actions that lead to other actions: descriptions and includes."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from contextlib import nullcontext
 from typing import TYPE_CHECKING
 
-from archlint.finding import Place
-from archlint.interpreter.values import Items, Known, Value, alternatives
-from archlint.launch.actions.branches import callable_value, each_alternative, visit_items
+from archlint.interpreter.values import Items, Known, Value
+from archlint.launch.actions.branches import each_alternative, visit_items
 from archlint.launch.actions.domains import environment_of
-from archlint.launch.actions.pairs import pairs_of
-from archlint.launch.actions.scopes import later
+from archlint.launch.actions.include_arguments import given_arguments
 from archlint.launch.context import Context
-from archlint.launch.functions import call_handler, call_opaque
 from archlint.launch.kinds import FileKind
 from archlint.launch.model import Included
-from archlint.launch.objects import LaunchObject, argument, class_name, entities_of, kind_of, made_by_base, place_of
+from archlint.launch.objects import LaunchObject, argument, entities_of, kind_of, place_of
 from archlint.launch.parameter_sources import files_among
-from archlint.launch.shared_paths import note_argument
-from archlint.launch.substitutions.texts import written_at
-from archlint.launch.tables import SOURCES, LaunchClass
+from archlint.launch.tables import SOURCES
 
 if TYPE_CHECKING:
     from archlint.launch.run import LaunchRun
@@ -47,7 +41,7 @@ def include(run: LaunchRun, entity: LaunchObject) -> None:
     location = argument(source, "launch_file_path") if kind_of(source) in SOURCES else source
     place = place_of(source) or run.place_now
     given = entity.argument("launch_arguments")
-    names = _given(run, given)
+    names = given_arguments(run, given)
     path = run.perform(location)
     for option in each_alternative(run, path):
         reference = run.reference(FileKind.LAUNCH, option, place)
@@ -77,33 +71,6 @@ def _visible_texts(run: LaunchRun, names: Sequence[str]) -> tuple[str, ...] | No
     return tuple(sorted(texts))
 
 
-def _given(run: LaunchRun, arguments: Value | None) -> tuple[tuple[str, Place], ...]:
-    """Set the arguments of an include; their names, and where each is written."""
-    if arguments is None:
-        return ()
-    names = []
-    several = len(alternatives(arguments)) > 1
-    with run.perhaps() if several or run.is_open(arguments) else nullcontext():
-        for pair in pairs_of(run, arguments):
-            name = run.text_of(pair.first)
-            if name is not None:
-                names.append((name, pair.place))
-                value = written_at(run.perform(pair.second), pair.place)
-                before = run.launch.configurations.get(name)
-                run.launch.configurations[name] = value
-                if isinstance(pair.second, Known):
-                    run.given.note_literal(name, value, pair.place)
-                if not _is_configuration(run, pair.second, name):
-                    note_argument(run, name, value, pair.place)
-                    run.given.note(name, value, pair.place, run.file, run.place_now, before)
-    return tuple(names)
-
-
-def _is_configuration(run: LaunchRun, value: Value, name: str) -> bool:
-    """Whether an argument is passed to an include as it is here."""
-    return kind_of(value) == LaunchClass.LAUNCH_CONFIGURATION and run.text_of(argument(value, "variable_name")) == name
-
-
 def launch_in_own_process(
     run: LaunchRun, entity: LaunchObject, what: tuple[str, str], words: Sequence[str | None]
 ) -> None:
@@ -117,33 +84,3 @@ def launch_in_own_process(
             run.launch.configurations[argument_name] = Known(value)
     run.include(reference)
     run.launch = kept
-
-
-def opaque(run: LaunchRun, entity: LaunchObject) -> None:
-    function = entity.argument("function")
-    if function is None:
-        run.gap("an OpaqueFunction without a function")
-        return
-    result = call_opaque(run, function, run.items(entity.argument("args")), entity.argument("kwargs"))
-    run.visit(result)
-
-
-def event_handler(run: LaunchRun, entity: LaunchObject) -> None:
-    handler = entity.argument("event_handler")
-    for name in ("on_exit", "on_start", "on_completion", "on_shutdown", "entities", "on_stdout", "on_stderr"):
-        value = argument(handler, name)
-        if value is not None:
-            before = run.in_handler, run.ended
-            run.in_handler, run.ended = True, run.ended | _ended(run, handler)
-            with later(run):
-                run.visit(call_handler(run, value, class_name(handler)) if callable_value(value) else value)
-            run.in_handler, run.ended = before
-
-
-def _ended(run: LaunchRun, handler: Value | None) -> frozenset[int]:
-    """The action whose process has ended when a handler acts, unless launch starts that process again."""
-    target = argument(handler, "target_action")
-    action = made_by_base(run, target) or target
-    if kind_of(handler) != LaunchClass.ON_PROCESS_EXIT or not isinstance(action, LaunchObject):
-        return frozenset()
-    return frozenset({action.key}) if action.argument("respawn") in (None, Known(False)) else frozenset()

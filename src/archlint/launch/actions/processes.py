@@ -17,10 +17,10 @@ from archlint.launch.actions.included import launch_in_own_process
 from archlint.launch.actions.missing_arguments import note_missing_arguments
 from archlint.launch.actions.pairs import pairs_of
 from archlint.launch.actions.scopes import remap
-from archlint.launch.context import absolute, prefix_namespace
 from archlint.launch.kinds import FileKind, StartedKind
 from archlint.launch.mistakes import UnknownAttribute
 from archlint.launch.named_files import FileReference
+from archlint.launch.namespaces import absolute, prefix_namespace
 from archlint.launch.objects import LaunchObject, argument, class_name, kind_of, known_text
 from archlint.launch.parameter_sources import OpenParameters, ParameterFileUse, ParameterSetting
 from archlint.launch.parameters import Parameter, file_use, parameters_of

@@ -12,8 +12,8 @@ from archlint.interpreter.values import DictValue, Known, Unknown, Value, one_of
 from archlint.launch.actions.branches import callable_value
 from archlint.launch.actions.choices import note_no_choice
 from archlint.launch.actions.idle_groups import note_idle_group
-from archlint.launch.context import absolute, prefix_namespace
 from archlint.launch.model import DeclaredArgument
+from archlint.launch.namespaces import absolute, prefix_namespace
 from archlint.launch.objects import LaunchObject, known_text
 from archlint.launch.parameters import file_use, setting
 from archlint.launch.shared_paths import note_argument

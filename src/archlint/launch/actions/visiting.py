@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from archlint.branches import BranchArms
 from archlint.interpreter.values import External, Instance, Items, Known, ListValue, OneOf, Value, reason
-from archlint.launch.actions import included, processes, scopes
+from archlint.launch.actions import handlers, included, processes, scopes
 from archlint.launch.actions.branches import (
     arms_of,
     choice,
@@ -56,8 +56,8 @@ ACTIONS: dict[LaunchClass, Act] = {
     LaunchClass.SET_PARAMETERS_FROM_FILE: scopes.set_parameters_from_file,
     LaunchClass.INCLUDE_LAUNCH_DESCRIPTION: included.include,
     LaunchClass.PYTHON_LAUNCH_DESCRIPTION_SOURCE: included.include,
-    LaunchClass.OPAQUE_FUNCTION: included.opaque,
-    LaunchClass.REGISTER_EVENT_HANDLER: included.event_handler,
+    LaunchClass.OPAQUE_FUNCTION: handlers.opaque,
+    LaunchClass.REGISTER_EVENT_HANDLER: handlers.event_handler,
     LaunchClass.NODE: processes.node,
     LaunchClass.LIFECYCLE_NODE: processes.node,
     LaunchClass.COMPOSABLE_NODE_CONTAINER: processes.node,

@@ -8,19 +8,13 @@ from archlint import model
 from archlint.branches import BranchArm, ChoiceOfArgument
 from archlint.finding import Place
 from archlint.interpreter.formatting import plain_text
-from archlint.interpreter.values import (
-    Instance,
-    Known,
-    Unknown,
-    Value,
-    alternatives,
-    via,
-)
+from archlint.interpreter.values import Instance, Known, Unknown, Value, alternatives, via
 from archlint.libraries.api_use import ApiUse, argument_places
 from archlint.libraries.rclpy import callbacks, nodes, profiles
 from archlint.libraries.rclpy.groups import group_of
-from archlint.libraries.rclpy.guards import guard_of, proven_of
+from archlint.libraries.rclpy.guards import guard_of
 from archlint.libraries.rclpy.interface_types import may_be_type, types_of
+from archlint.libraries.rclpy.proven_tests import proven_of
 from archlint.libraries.texts import text_of_value
 from archlint.libraries.values import EntityValue
 from archlint.syntax import facts

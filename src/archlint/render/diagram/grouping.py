@@ -1,25 +1,20 @@
-"""The frames of a picture, and groups that are drawn as one box."""
+"""The frames of a picture, around what nodes have in common."""
 
 from __future__ import annotations
 
-from collections import Counter
 from dataclasses import replace
 from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING
 
-from archlint.render.diagram.model import Line, Shape
-from archlint.render.look import UNOWNED, counted
+from archlint.render.diagram.model import Shape
+from archlint.render.look import UNOWNED
 from archlint.systems.graph import NODE
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping, Sequence, Set
+    from collections.abc import Iterable, Sequence
 
-    from archlint.finding import SeverityLabel
     from archlint.render.diagram.model import Diagram, Key
     from archlint.render.view import GroupBy
-
-OTHERS = "others"
-"""The box of what is in no group, where all of them are collapsed."""
 
 
 def grouped(diagram: Diagram, by: GroupBy | None) -> Diagram:
@@ -59,98 +54,4 @@ def titles_of(titles: Iterable[str], patterns: Sequence[str]) -> frozenset[str]:
     return frozenset(title for title in titles if title and any(fnmatchcase(title, pattern) for pattern in patterns))
 
 
-def collapsed(diagram: Diagram, titles: Set[str]) -> Diagram:
-    """The diagram with one box for each group with one of these titles."""
-    if not titles:
-        return diagram
-    place = {key: ("group", title) if title in titles else key for key, title in diagram.groups.items()}
-    members: dict[Key, list[Shape]] = {}
-    for key, shape in diagram.shapes.items():
-        if key in place and place[key] != key:
-            members.setdefault(place[key], []).append(shape)
-    shapes = {key: shape for key, shape in diagram.shapes.items() if place.get(key, key) == key}
-    shapes |= {key: _box(key, members[key]) for key in sorted(members)}
-    lines: dict[tuple[Key, Key], list[Line]] = {}
-    for line in diagram.lines:
-        tail, head = (place.get(key, key) for key in line.ends)
-        if tail != head:
-            lines.setdefault((tail, head), []).append(replace(line, tail=tail, head=head))
-    joined = tuple(_joined(several) for several in lines.values())
-    groups = {key: title for key, title in diagram.groups.items() if key in shapes}
-    return replace(diagram, shapes=shapes, lines=joined, groups=groups)
-
-
-def boxes_alone(diagram: Diagram) -> Diagram:
-    """Nothing but a box for each group, and how much there is between them: for what is too large to draw."""
-    groups = {key: diagram.groups.get(key, OTHERS) for key in diagram.shapes if key[0] == NODE}
-    own = {key: title for key, title in diagram.groups.items() if key not in groups}
-    every = replace(diagram, groups=groups | own)
-    boxes = collapsed(every, {*every.groups.values()})
-    kept = {key: shape for key, shape in boxes.shapes.items() if shape.kind == "group"}
-    return replace(boxes, shapes=kept, lines=tuple(_between(boxes, kept)), groups={})
-
-
-def _between(boxes: Diagram, kept: Mapping[Key, Shape]) -> Iterable[Line]:
-    """A line from box to box with the number of topics, services and actions that it stands for."""
-    into: dict[Key, list[Line]] = {}
-    out: dict[Key, list[Line]] = {}
-    for line in boxes.lines:
-        into.setdefault(line.head, []).append(line)
-        out.setdefault(line.tail, []).append(line)
-    streams: dict[tuple[Key, Key], list[Line]] = {}
-    for key in boxes.shapes.keys() - kept.keys():
-        for source in into.get(key, []):
-            for target in out.get(key, []):
-                if source.tail != target.head:
-                    streams.setdefault((source.tail, target.head), []).append(source)
-    for (tail, head), lines in sorted(streams.items()):
-        kinds = Counter(line.kind for line in lines)
-        labels = tuple(counted(kinds[kind], kind) for kind in ("topic", "service", "action") if kinds[kind])
-        yield Line(tail, head, "topic", labels)
-
-
-def _box(key: Key, members: Sequence[Shape]) -> Shape:
-    holds: Counter[str] = Counter()
-    for shape in members:
-        holds.update(shape.holds or {"helper" if shape.helper else shape.kind: 1})
-    words = [counted(holds[kind], kind) for kind in ("node", "helper", "topic", "service", "action") if holds[kind]]
-    severities: Counter[SeverityLabel] = Counter()
-    for badge in (badge for shape in members for badge in shape.badges):
-        severities[badge.severity] += len(badge.messages)
-    severity_words = [counted(severities[label], label) for label in _SEVERITIES if severities[label]]
-    names = [shape.title for shape in members if shape.kind == NODE]
-    return Shape(
-        key,
-        "group",
-        key[1],
-        (", ".join(words),),
-        tuple(filter(None, [", ".join(severity_words)])),
-        tone="group",
-        details=tuple(names),
-        holds=holds,
-    )
-
-
-_SEVERITIES: tuple[SeverityLabel, ...] = ("error", "warning")
-
-
-def _joined(lines: Sequence[Line]) -> Line:
-    """One line in place of those of several members of a box."""
-    first = lines[0]
-    if len(lines) == 1:
-        return first
-    broken = first.broken if all(line.broken for line in lines) else ""
-    some = () if broken else tuple(dict.fromkeys(line.broken for line in lines if line.broken))
-    whole = next((line for line in lines if not line.broken), first)
-    return replace(
-        whole,
-        broken=broken,
-        held_back=tuple(dict.fromkeys((*some, *(words for line in lines for words in line.held_back)))),
-        labels=tuple(dict.fromkeys(label for line in lines for label in line.labels)),
-        badges=tuple({badge.code: badge for line in lines for badge in line.badges}.values()),
-        cycle=any(line.cycle for line in lines),
-        details=tuple(words for line in lines for words in line.details),
-    )
-
-
-__all__ = ["boxes_alone", "collapsed", "grouped", "titled", "titles_of"]
+__all__ = ["grouped", "titled", "titles_of"]

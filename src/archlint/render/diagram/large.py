@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections import Counter
 from typing import TYPE_CHECKING
 
+from archlint.render.diagram.collapsing import collapsed
 from archlint.render.diagram.gathering import in_tens
-from archlint.render.diagram.grouping import collapsed, grouped, titled
+from archlint.render.diagram.grouping import grouped, titled
 from archlint.render.look import UNOWNED
 from archlint.systems.graph import NODE
 

@@ -6,12 +6,12 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from archlint.finding import Severity
+from archlint.render.diagram.boxes import boxes_alone
 from archlint.render.diagram.captions import captioned, pattern_words
 from archlint.render.diagram.choosing import chosen
 from archlint.render.diagram.crowded import THINNED, thinned
 from archlint.render.diagram.findings import attached
 from archlint.render.diagram.gathering import gathered, without_single_nodes
-from archlint.render.diagram.grouping import boxes_alone
 from archlint.render.diagram.large import OPENED, in_groups
 from archlint.render.diagram.marks import marked
 from archlint.render.diagram.parts import parts_of

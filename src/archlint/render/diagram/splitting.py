@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from archlint.render.diagram.boxes import boxes_alone
 from archlint.render.diagram.choosing import only
-from archlint.render.diagram.grouping import boxes_alone
 from archlint.systems.graph import NODE
 
 if TYPE_CHECKING:

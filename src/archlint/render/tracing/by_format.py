@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Final
 from archlint.render.tracing import json, picture, text
 
 if TYPE_CHECKING:
-    from archlint.dataflow.traces import Trace
+    from archlint.dataflow.trace import Trace
     from archlint.render.tracing.picture import Row, Rows
 
 TRACES: Final[Mapping[str, Callable[[str, Sequence[Trace], bool], str]]] = {

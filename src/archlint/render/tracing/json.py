@@ -15,7 +15,7 @@ from archlint.render.json import shown_file
 if TYPE_CHECKING:
     from archlint.dataflow.model import Flow, Link, Step
     from archlint.dataflow.paths import Branch
-    from archlint.dataflow.traces import Trace, Way
+    from archlint.dataflow.trace import Trace, Way
     from archlint.place import Place
     from archlint.systems.nodes import Endpoint
 

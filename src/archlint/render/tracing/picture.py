@@ -13,7 +13,8 @@ from archlint.render import look
 from archlint.render.dot import quote
 from archlint.render.drawing import layout, tidy_svg
 from archlint.render.mermaid import escape
-from archlint.render.tracing.words import node_words, notes, place_words, title
+from archlint.render.tracing.step_notes import notes
+from archlint.render.tracing.words import node_words, place_words, title
 
 if TYPE_CHECKING:
     from archlint.dataflow.model import Flow

@@ -10,14 +10,16 @@ from archlint.dataflow.latency import ASSUMED, is_known_in_part, total
 from archlint.dataflow.model import Link, Step, StepKind
 from archlint.render import look
 from archlint.render.text import painted_text
-from archlint.render.tracing.words import doubts, node_words, notes, place_words, relation, step_name, title
+from archlint.render.tracing.relations import doubts, relation
+from archlint.render.tracing.step_notes import notes
+from archlint.render.tracing.words import node_words, place_words, step_name, title
 
 if TYPE_CHECKING:
     from archlint.dataflow.latency import Term
     from archlint.dataflow.model import Flow
     from archlint.dataflow.paths import Branch, Direction
     from archlint.dataflow.subjects import SubjectKind
-    from archlint.dataflow.traces import Trace, Way
+    from archlint.dataflow.trace import Trace, Way
     from archlint.render.text import Paint
 
 MOST_ROWS = 150

@@ -16,7 +16,8 @@ from archlint.syntax.cpp.known_names import CALLER
 from archlint.syntax.cpp.lower_packs import PackLowering
 from archlint.syntax.cpp.macros import Macro, expanded, macro
 from archlint.syntax.cpp.names import FunctionScope, Names
-from archlint.syntax.cpp.source import FixedText, SourceText, parse
+from archlint.syntax.cpp.parser import parse
+from archlint.syntax.cpp.source import FixedText, SourceText
 
 if TYPE_CHECKING:
     from tree_sitter import Node

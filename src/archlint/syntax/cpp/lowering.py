@@ -17,7 +17,8 @@ from archlint.syntax.cpp.declared import declared
 from archlint.syntax.cpp.literals import number_of, text_of
 from archlint.syntax.cpp.lower_classes import ClassLowering
 from archlint.syntax.cpp.names import Names
-from archlint.syntax.cpp.source import SourceText, parse
+from archlint.syntax.cpp.parser import parse
+from archlint.syntax.cpp.source import SourceText
 from archlint.syntax.facts import FACTS_VERSION, Facts
 from archlint.syntax.parts import names_in
 

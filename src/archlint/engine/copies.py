@@ -1,0 +1,75 @@
+"""One finding for what copies of a package or of a file show."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from archlint.checks.folding import all_sites
+from archlint.finding import Finding, Related
+
+if TYPE_CHECKING:
+    from archlint.finding import Place
+    from archlint.workspace.model import Package
+
+
+def once_for_copies(
+    findings: Iterable[Finding], packages: Sequence[Package], text_of: Callable[[str], str | None]
+) -> list[Finding]:
+    """The findings with one for what a file of a package and its twin in a copy of that package both show.
+
+    Packages of one name need not be copies: what both show stands in the very same lines of code.
+    """
+    several = {name for name, count in Counter(package.name for package in packages).items() if count > 1}
+    folders = {package.relative: package.name for package in packages if package.name in several}
+    rows: dict[tuple[object, ...], list[Finding]] = {}
+    for number, finding in enumerate(findings):
+        folder = _innermost(folders, finding.place.file)
+        twin: tuple[object, ...] = (number,)
+        if folder is not None:
+            twin = (folders[folder], finding.place.file[len(folder) :], _code_at(finding.place, text_of))
+        rows.setdefault((finding.code, finding.severity, finding.message, *twin), []).append(finding)
+    shown = [finding for row in rows.values() for finding in _of_copies(row, folders)]
+    return sorted(shown, key=lambda finding: finding.sort_key)
+
+
+def _code_at(place: Place, text_of: Callable[[str], str | None]) -> tuple[str, ...]:
+    """The lines that a place is in, wherever they stand in their file."""
+    lines = (text_of(place.file) or "").splitlines()
+    return tuple(line.strip() for line in lines[place.line - 1 : place.end_line])
+
+
+def once_for_twins(findings: Iterable[Finding], contents: Mapping[str, tuple[str, str]]) -> list[Finding]:
+    """The findings with one for what files of a package with the very same content show, in the one with the shortest
+    path; they come in the order of their places.  ``contents`` has the package of each file and a digest."""
+    rows: dict[tuple[object, ...], list[Finding]] = {}
+    for number, finding in enumerate(findings):
+        place, content = finding.place, contents.get(finding.place.file)
+        twin = (number,) if content is None else (content, place.line, place.column, finding.system)
+        rows.setdefault((finding.code, finding.severity, finding.message, *twin), []).append(finding)
+    shown = [_of_twins(row) for row in rows.values()]
+    return sorted(shown, key=lambda finding: finding.sort_key)
+
+
+def _of_twins(row: Sequence[Finding]) -> Finding:
+    first, *others = sorted(row, key=lambda finding: (len(finding.place.file), finding.sort_key))
+    if not others:
+        return first
+    twins = (Related(finding.place, "the same in a copy of this file") for finding in others)
+    return replace(first, related=(*first.related, *twins), sites=all_sites([first, *others]))
+
+
+def _of_copies(row: Sequence[Finding], folders: Mapping[str, str]) -> Sequence[Finding]:
+    """One finding for those of several copies; what one copy says several times stays."""
+    first = row[0]
+    if len({_innermost(folders, finding.place.file) for finding in row}) < len(row) or len(row) == 1:
+        return row
+    copies = (Related(finding.place, "the same in a copy of this package") for finding in row[1:])
+    return [replace(first, related=(*first.related, *copies), sites=all_sites(row))]
+
+
+def _innermost(folders: Mapping[str, str], file: str) -> str | None:
+    """The package folder that a file is in, of those that have copies."""
+    return max((folder for folder in folders if file.startswith(f"{folder}/")), key=len, default=None)

@@ -1,0 +1,93 @@
+"""Commands that code runs: whether they are over at once, or switch the machine off."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from archlint.syntax import facts
+from archlint.syntax.parts import everything_in
+
+if TYPE_CHECKING:
+    from archlint.analysis.source_code import SourceCode
+    from archlint.model import ApiCall
+
+
+_SWITCHES_OFF = frozenset({"shutdown", "poweroff", "reboot", "halt"})
+_IN_FRONT = frozenset({"sudo", "systemctl"})
+
+
+def ends_the_machine(code: SourceCode, call: ApiCall) -> bool:
+    """Whether a command switches the machine off, or starts it anew: nothing that would have to wait goes on."""
+    words = _words(code, call)
+    commands = [word.rpartition("/")[2] for word in words if not word.startswith("-")]
+    command = next((word for word in commands if word not in _IN_FRONT), "")
+    return command in _SWITCHES_OFF and "-c" not in words  # `shutdown -c` calls it off
+
+
+def is_soon_over(code: SourceCode, call: ApiCall) -> bool:
+    """Whether a command only sets something, or asks the state of something, on this machine: milliseconds."""
+    return all(map(_asks_for_a_moment, _commands(code, call)))
+
+
+def _asks_for_a_moment(command_line: Sequence[str]) -> bool:
+    words = [word.rpartition("/")[2] for word in command_line if not word.startswith("-")]
+    match words:
+        case ["systemctl", "is-active" | "is-enabled" | "is-failed", *_]:
+            return True
+        case ["ip", *rest]:
+            return _LASTING.isdisjoint(rest)
+        case ["nmcli", *rest]:
+            return bool({"show", "status"} & set(rest)) and _LASTING.isdisjoint(rest)
+        case [command, *_]:
+            return command in _SHORT
+    return False
+
+
+_SHORT = frozenset(
+    {
+        "amixer",
+        "i2cdetect",
+        "i2cget",
+        "i2cset",
+        "lsblk",
+        "lspci",
+        "lsusb",
+        "pactl",
+        "wpctl",
+        "hostname",
+        "ifconfig",
+        "iw",
+        "iwconfig",
+        "iwgetid",
+        "uname",
+        "vcgencmd",
+    }
+    | {"kill", "killall", "pgrep", "pidof", "pkill"}
+)
+"""Commands that ask the kernel or a service of this machine for something, or set it, and end."""
+_LASTING = frozenset({"event", "exec", "monitor", "rescan", "scan"})
+"""Words that make such a command last."""
+
+
+def _words(code: SourceCode, call: ApiCall) -> list[str]:
+    """The words of a command that are written out."""
+    return _words_in([argument.value for argument in code.arguments(call)[:1]])
+
+
+def _commands(code: SourceCode, call: ApiCall) -> list[list[str]]:
+    """The words of each command that a call may start: of several that a ``for`` goes through, all of them."""
+    variable = next((argument.value.variable for argument in code.arguments(call)[:1]), "")
+    for loop in code.loops(call):
+        if variable and isinstance(loop, facts.For) and loop.target.variable == variable:
+            rows = loop.iterable.elements if isinstance(loop.iterable, facts.Sequence) else []
+            return [_words_in([row]) for row in rows] or [[]]
+    return [_words(code, call)]
+
+
+def _words_in(values: Sequence[facts.Base]) -> list[str]:
+    literals = everything_in(values, facts.Literal)
+    return [word for literal in literals if isinstance(literal.value, str) for word in literal.value.split()]
+
+
+__all__ = ["ends_the_machine", "is_soon_over"]

@@ -1,0 +1,74 @@
+"""Loops that try something again: how they end, and for what their pauses are."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from archlint.execution.future_loops import ends_with_a_future
+from archlint.syntax import facts
+from archlint.syntax.control_flow import graph_of, loop_of
+from archlint.syntax.flow_facts import covers
+from archlint.syntax.parts import names_in
+from archlint.syntax.walk import calls_in, parts_of, statements_of
+
+if TYPE_CHECKING:
+    from archlint.analysis.source_code import Loop, SourceCode
+    from archlint.model import ApiCall
+
+
+def is_retry(code: SourceCode, call: ApiCall) -> bool:
+    """Whether a ``for`` that ends as soon as something has worked is around a call: the pause is the exception."""
+    loop = code.loop(call)
+    return loop is not None and not loop.tests and loop_of(loop).is_left_by_jump
+
+
+def retries_after_errors(code: SourceCode, call: ApiCall) -> bool:
+    """Whether a call is in the ``except`` of a loop that makes some attempts, and that ends as soon as one has worked:
+    the pause is for what rarely fails, and has an end."""
+    loop = code.loop(call)
+    if loop is None or not loop_of(loop).is_left_by_jump or not (not loop.tests or _counts(loop)):
+        return False
+    handlers = [handler for attempt in statements_of(loop.body, facts.Try) for handler in attempt.handlers]
+    return any(covers(handler, call.place.span) for handler in handlers)
+
+
+def _counts(loop: Loop) -> bool:
+    """Whether a ``while`` compares a variable that each of its rounds changes by a number: ``attempts < 10``."""
+    changes = statements_of(loop.body, facts.Augmented)
+    counters = {
+        name for change in changes if isinstance(change.value, facts.Literal) for name in names_in(change.target)
+    }
+    return any(isinstance(test, facts.Compare) and not counters.isdisjoint(names_in(test)) for test in loop.tests)
+
+
+def reads_until_it_has(code: SourceCode, call: ApiCall) -> bool:
+    """Whether the loop around a call is left with what it has just read: ``frame = camera.read()``, and then
+    ``if frame is not None: return frame``.  Then the pauses are for the rare case that nothing comes."""
+    loop = code.loop(call)
+    if loop is None:
+        return False
+    read = {
+        name
+        for assignment in statements_of(loop.body, facts.Assign)
+        if any(True for _ in calls_in(assignment.value))
+        for target in assignment.targets
+        if isinstance(target, (facts.Name, facts.Sequence))
+        for name in names_in(target)
+    }
+    graph = graph_of(loop.body)
+    return any(
+        not read.isdisjoint(names_in(statement.value))
+        and any(not read.isdisjoint(names_in(edge.test)) for edge in graph.outcomes(graph.of(statement)))
+        for statement, _ in graph.returns
+    )
+
+
+def around_future(code: SourceCode, call: ApiCall) -> bool:
+    """A loop around a future: that wait is what is wrong, not its pace."""
+    return any("done" in names_in(loop.tests) or ends_with_a_future(loop) for loop in code.loops(call))
+
+
+def is_retried(code: SourceCode, call: ApiCall) -> bool:
+    """Whether a loop repeats one wait: ``while not future.done()``."""
+    tests = (part for loop in code.loops(call) for part in parts_of(loop.tests, facts.Attribute))
+    return any(part.attr == "done" for part in tests)
