@@ -66,6 +66,57 @@ def test_what_is_known_or_may_be(judge: Judge, tag: str):
     assert judge(tag) == []
 
 
+@pytest.mark.parametrize(
+    ("tag", "help"),
+    [
+        ("<depend>roscpp</depend>", "write 'rclcpp' instead"),
+        ("<build_depend>message_generation</build_depend>", "write 'rosidl_default_generators' instead"),
+        ("<depend>dynamic_reconfigure</depend>", "remove the line"),
+        ("<exec_depend>python-numpy</exec_depend>", "write 'python3-numpy' instead"),
+        ("<exec_depend>opencv-python</exec_depend>", "write 'python3-opencv' instead"),
+        ("<depend>opencv4</depend>", "write 'libopencv-dev' instead"),
+        ("<depend>eigen3</depend>", "write 'eigen' instead"),
+        ("<depend>nlohmann_json</depend>", "write 'nlohmann-json-dev' instead"),
+        ("<test_depend>pytest</test_depend>", "write 'python3-pytest' instead"),
+        ("<depend>rclpy_action</depend>", "write 'rclpy' instead"),
+        ("<depend>sensor_msgs.msg</depend>", "write 'sensor_msgs' instead"),
+        ("<exec_depend>ros-jazzy-nav2-msgs</exec_depend>", "write 'nav2_msgs' instead"),
+    ],
+)
+def test_what_is_known_to_be_no_package_for_ros_2(judge: Judge, tag: str, help: str):
+    (one,) = judge(tag)
+    assert one.help == help
+
+
+def test_a_name_of_debian_that_rosdep_has_no_rule_for(judge: Judge):
+    (one,) = judge("<exec_depend>python3-gripperlib</exec_depend>")
+    assert one.message == "'python3-gripperlib' is no key of rosdep, which stops here"
+
+
+@pytest.mark.parametrize(
+    "tag",
+    [
+        "<exec_depend>python-gripper-pip</exec_depend>",
+        '<depend condition="$ROS_VERSION == 1">roscpp</depend>',
+        '<exec_depend condition="$ROS_PYTHON_VERSION == 2">python-numpy</exec_depend>',
+    ],
+)
+def test_a_rule_of_the_team_and_dependencies_for_others(judge: Judge, tag: str):
+    assert judge(tag, **{"docker/rosdep.yaml": "python-gripper-pip:\n  ubuntu:\n    pip: [gripper]\n"}) == []
+
+
+def test_a_module_that_comes_with_python(judge: Judge):
+    (one,) = judge("<exec_depend>csv</exec_depend>", **{"robot/node.py": "import csv\nimport rclpy\n"})
+    assert one.help == "remove the line"
+    assert judge("<exec_depend>csv</exec_depend>", **{"robot/node.py": "import rclpy\n"}) == []  # it may be a package
+
+
+def test_opencv_is_what_the_code_of_the_package_uses(judge: Judge):
+    (of_python,) = judge("<depend>opencv</depend>", **{"robot/node.py": "import cv2\nimport rclpy\n"})
+    (of_cpp,) = judge("<depend>opencv</depend>", **{"robot/node.py": "import rclpy\n"})
+    assert (of_python.help, of_cpp.help) == ("write 'python3-opencv' instead", "write 'libopencv-dev' instead")
+
+
 def test_a_module_of_python_by_its_own_name(judge: Judge):
     (one,) = judge("<exec_depend>serial</exec_depend>", **{"robot/node.py": "import rclpy\nimport serial\n"})
     assert one.help == "write 'python3-serial' instead"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
@@ -14,6 +15,7 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place
 from archlint.ros import packages, rosdep
+from archlint.ros.mistaken_dependencies import Mistake, Mistaken, mistaken, of_python_2
 from archlint.workspace.manifest import condition_holds
 
 if TYPE_CHECKING:
@@ -51,8 +53,11 @@ def _of_manifests(workspace: WorkspaceIndex, options: Options) -> Iterator[Findi
             continue
         first = {d.name: d for d in reversed(package.dependencies) if condition_holds(d.condition)}
         for dependency in sorted(first.values(), key=lambda d: d.line):
+            outdated = of_python_2(dependency.name)
             if dependency.name not in known:
                 yield from _unknown(workspace, package, dependency, there)
+            elif outdated is not None and dependency.name not in there.union(options.external):
+                yield _mistaken(package, dependency, outdated)
 
 
 def _unknown(
@@ -62,15 +67,18 @@ def _unknown(
     if name == _BUILD_TYPE:
         yield _finding(package, dependency, "", _instead_of_build_type(package))
         return
-    meant = rosdep.meant_by(name, there, is_python=_is_of_python(workspace, package, name))
-    meant = meant or _successor(workspace, name)
+    is_python = _is_of_python(workspace, package, name)
+    meant = rosdep.meant_by(name, there, is_python=is_python) or _successor(workspace, name)
+    wrong = None if meant is not None else mistaken(name, there, is_python=is_python)
+    if wrong is not None and not _has_own_rule(workspace, name):
+        yield _mistaken(package, dependency, wrong)
     if meant is not None:
         own = f", and add find_package({name} REQUIRED) to CMakeLists.txt, which takes its packages from here"
         needed = _is_found_by_name(workspace, package, dependency)
         yield _finding(package, dependency, meant, f"write '{meant}' instead{own if needed else ''}")
 
 
-_SUCCEEDED = frozenset({"rosbag", "rviz", "tf"})
+_SUCCEEDED = frozenset({"rosbag", "rviz"})
 """Packages of ROS 1 whose successors are called like them, with a 2 behind it."""
 
 
@@ -78,6 +86,16 @@ def _successor(workspace: WorkspaceIndex, name: str) -> str | None:
     """The package for ROS 2 that goes by a name with a 2 behind it: of ROS itself, or of the workspace."""
     newer = f"{name}2"
     return newer if name in _SUCCEEDED or newer in workspace.packages else None
+
+
+_OWN_RULES = (".yaml", ".yml")
+
+
+def _has_own_rule(workspace: WorkspaceIndex, name: str) -> bool:
+    """Whether a file of the workspace may be one with rules for rosdep that has a name."""
+    rule = re.compile(rf"^['\"]?{re.escape(name)}['\"]?[ \t]*:", re.MULTILINE)
+    paths = (path for path in workspace.tree.files_below(workspace.tree.top) if path.endswith(_OWN_RULES))
+    return any(rule.search(workspace.tree.text(path) or "") for path in paths)
 
 
 _FINDS_DEPENDENCIES = "ament_auto_find_build_dependencies"
@@ -104,18 +122,42 @@ def _is_of_python(workspace: WorkspaceIndex, package: Package, name: str) -> boo
     installs = workspace.installs.get(package.name)
     if installs is not None and name in installs.words:
         return False
+    words = {name, "cv2"} if "opencv" in name.lower() else {name}
     return name.startswith("python") or any(
-        workspace.code.mentions(path, name) for path in workspace.code.files_of(package.name)
+        workspace.code.mentions(path, word) for path in workspace.code.files_of(package.name) for word in words
     )
 
 
+def _mistaken(package: Package, dependency: Dependency, wrong: Mistaken) -> Finding:
+    """The finding about a name of which it is known what it is."""
+    name, instead = dependency.name, wrong.instead
+    help = f"write '{instead}' instead" if instead else "remove the line"
+    if wrong.mistake is Mistake.OF_ROS_1:
+        message = f"'{name}' is a package of ROS 1, which rosdep does not find for ROS 2"
+    elif wrong.mistake is Mistake.OF_PYTHON_2:
+        message = f"'{name}' is for Python 2, which Ubuntu has no packages of since 22.04: rosdep stops here"
+    elif wrong.mistake is Mistake.OF_PYTHON:
+        message = f"'{name}' is a module of Python itself, and no key of rosdep, which stops here"
+    elif instead:
+        return _finding(package, dependency, instead, help)
+    else:
+        message = f"'{name}' is no key of rosdep, which stops here"
+        help = "remove the line, and install it in another way: rosdep has no rule of that name"
+    return _told(package, dependency, instead, message, help)
+
+
 def _finding(package: Package, dependency: Dependency, meant: str, help: str) -> Finding:
-    file, line = package.manifest.relative, dependency.line
     hint = f": '{meant}' was probably meant" if meant else ": it is a build type"
+    message = f"'{dependency.name}' is neither a ROS package nor a key of rosdep, which stops here{hint}"
+    return _told(package, dependency, meant, message, help)
+
+
+def _told(package: Package, dependency: Dependency, meant: str, message: str, help: str) -> Finding:
+    file, line = package.manifest.relative, dependency.line
     return finding(
         "PKG008",
         Place(file, line, 1, line, 1),
-        f"'{dependency.name}' is neither a ROS package nor a key of rosdep, which stops here{hint}",
+        message,
         help=help,
         identity=(package.name, dependency.name),
         group=(file,),

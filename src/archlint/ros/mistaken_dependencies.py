@@ -1,0 +1,132 @@
+"""Names in a package.xml that rosdep does not find for ROS 2, of which it is known what they are.
+
+Source: ``rosdep/python.yaml`` of rosdistro names Debian's ``python-…`` packages for the keys of that form, and there is
+none of these from Ubuntu 22.04 on; the packages of ROS 1 by ``noetic/distribution.yaml``.
+"""
+
+from __future__ import annotations
+
+import enum
+import re
+import sys
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass
+
+from archlint.ros import rosdep
+from archlint.ros.python_modules import key_of
+
+
+class Mistake(enum.Enum):
+    """What a name is that rosdep does not find."""
+
+    OF_ROS_1 = "a package of ROS 1"
+    OF_PYTHON_2 = "the key of a package for Python 2"
+    OF_PYTHON = "a module of Python itself"
+    NO_NAME = "no name of a package"
+    """One that no package of ROS may have: ``sensor_msgs.msg``, ``python3-keras``."""
+    BY_ANOTHER_NAME = "what rosdep has under another name"
+
+
+@dataclass(frozen=True)
+class Mistaken:
+    """What a name is, and the package or key to write; empty where there is none."""
+
+    mistake: Mistake
+    instead: str = ""
+
+
+_OF_ROS_1: Mapping[str, str] = {
+    "actionlib": "rclcpp_action",
+    "amcl": "nav2_amcl",
+    "catkin": "ament_cmake",
+    "cmake_modules": "",
+    "costmap_2d": "nav2_costmap_2d",
+    "dynamic_reconfigure": "",
+    "eigen_conversions": "tf2_eigen",
+    "map_server": "nav2_map_server",
+    "message_generation": "rosidl_default_generators",
+    "message_runtime": "rosidl_default_runtime",
+    "move_base": "",
+    "move_base_msgs": "nav2_msgs",
+    "nav_core": "nav2_core",
+    "nodelet": "rclcpp_components",
+    "rosbash": "",
+    "rosconsole": "",
+    "roscpp": "rclcpp",
+    "rosgraph": "",
+    "roslaunch": "launch_ros",
+    "roslib": "",
+    "rosmsg": "",
+    "rosnode": "",
+    "rosparam": "",
+    "rospy": "rclpy",
+    "rosservice": "",
+    "rostest": "launch_testing",
+    "rostopic": "",
+    "tf": "tf2_ros",
+    "tf_conversions": "tf2_geometry_msgs",
+}
+"""Packages that only ROS 1 has, with what took their place in ROS 2."""
+
+_SPELLINGS: Mapping[str, str] = {
+    "beautifulsoup4": "python3-bs4",
+    "ceres": "libceres-dev",
+    "ceres-solver": "libceres-dev",
+    "cv2": "python3-opencv",
+    "eigen3": "eigen",
+    "glfw": "libglfw3-dev",
+    "glfw3": "libglfw3-dev",
+    "jsoncpp": "libjsoncpp-dev",
+    "nlohmann_json": "nlohmann-json-dev",
+    "opencv-contrib-python": "python3-opencv",
+    "opencv-python": "python3-opencv",
+    "pcl": "libpcl-all-dev",
+    "pillow": "python3-pil",
+    "pytest": "python3-pytest",
+    "pyyaml": "python3-yaml",
+    "rclpy_action": "rclpy",
+    "scikit-learn": "python3-sklearn",
+}
+"""Names of pip, of CMake and of modules, in lower case, with the package of ROS or the key that is meant."""
+_OPENCV = re.compile(r"opencv[234]?", re.IGNORECASE)
+_DEBIAN_OF_ROS = re.compile(r"ros-[a-z]+-([a-z0-9-]+)")
+_NEVER_OF_ROS = re.compile(r"python3?-.+|lib.+-dev|gir1\.2-.+")
+"""How names of Debian look that nobody gives to a package of ROS."""
+
+
+def mistaken(name: str, packages: Collection[str], *, is_python: bool) -> Mistaken | None:
+    """What an unknown name is; None where it may be somebody's package.
+
+    ``packages`` are the known ones, ``is_python`` says whether a module of Python may be meant."""
+    if name in _OF_ROS_1:
+        return Mistaken(Mistake.OF_ROS_1, _OF_ROS_1[name])
+    instead = _by_another_name(name, packages, is_python=is_python)
+    if instead is not None:
+        return Mistaken(Mistake.BY_ANOTHER_NAME, instead)
+    if is_python and name in sys.stdlib_module_names:
+        return Mistaken(Mistake.OF_PYTHON)
+    head, dot, _ = name.partition(".")
+    if dot and head in packages:
+        return Mistaken(Mistake.NO_NAME, head)
+    return Mistaken(Mistake.NO_NAME) if _NEVER_OF_ROS.fullmatch(name) else None
+
+
+def _by_another_name(name: str, packages: Collection[str], *, is_python: bool) -> str | None:
+    if _OPENCV.fullmatch(name):
+        return "python3-opencv" if is_python else "libopencv-dev"
+    debian = _DEBIAN_OF_ROS.fullmatch(name)
+    if debian is not None and debian[1].replace("-", "_") in packages:
+        return debian[1].replace("-", "_")
+    return _SPELLINGS.get(name.lower()) or (key_of(name) if is_python else None)
+
+
+def of_python_2(key: str) -> Mistaken | None:
+    """What a key of rosdep is whose package went with Python 2; None for any other one."""
+    plain, known = key.removeprefix("python-"), rosdep.keys()
+    newer = f"python3-{plain}"
+    if plain == key or plain.endswith("-pip") or newer not in known:
+        return None
+    return Mistaken(Mistake.OF_PYTHON_2, newer)
+
+
+__all__ = ["Mistake", "Mistaken", "mistaken", "of_python_2"]
