@@ -174,3 +174,28 @@ def test_a_package_that_has_another_name_now(said):
 )
 def test_a_package_that_may_be_elsewhere(said, line: str, files: dict[str, str]):
     assert [told for told in said(line, **files) if "there is no package" in told.message] == []
+
+
+@pytest.mark.parametrize(
+    ("line", "meant"),
+    [
+        ("from geogrpahiclib.geodesic import Geodesic", "geographiclib.geodesic"),
+        ("import matplotib.pyplot as plt", "matplotlib.pyplot"),
+        ("import rlcpy", "rclpy"),
+        ("import robto.camera", "robot.camera"),
+    ],
+)
+def test_a_module_whose_name_is_a_known_one_but_for_a_slip(
+    said: Callable[..., list[Finding]], line: str, meant: str
+) -> None:
+    (finding,) = said(line)
+    assert finding.message.endswith(f": the import fails; did you mean {meant}?")
+
+
+@pytest.mark.parametrize("line", ["import serialx", "import tarantula", "import pygames", "import tensorflow_2"])
+def test_modules_that_may_well_be_called_so(said: Callable[..., list[Finding]], line: str) -> None:
+    assert said(line) == []
+
+
+def test_a_module_that_the_project_asks_pip_for(said: Callable[..., list[Finding]]) -> None:
+    assert said("import matplotlab", **{"requirements.txt": "matplotlab\n"}) == []

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Union
 
 from archlint.analysis.kept import kept_for_each_file, once
 from archlint.packaging.entry_points import is_on_disk
+from archlint.packaging.mistaken_imports import interfaces_of, near_module
 from archlint.packaging.renamed_packages import present_name
 from archlint.place import Place
 from archlint.python_code.absent_imports import forgiving, is_tolerant
@@ -61,10 +62,19 @@ def missing_imports(workspace: WorkspaceIndex) -> Iterator[MissingImport]:
         for module, names, span in _imports(workspace, file.relative) or ():
             place = Place(file.relative, *span)
             missing = _beside(workspace, file, module, place) or _absent(workspace, file, module, place)
-            present = None if missing else present_name(workspace, file, module, names)
-            if present is not None:
-                missing = MissingImport(place, module, present=present)
+            missing = missing or _nowhere(workspace, file, module, names, place)
             yield from [missing] if missing else _absent_names(workspace, file, module, names, place)
+
+
+def _nowhere(
+    workspace: WorkspaceIndex, file: SourceFile, module: str, names: list[str], place: Place
+) -> MissingImport | None:
+    """An import from a package that is nowhere, if it is known what was meant."""
+    present = present_name(workspace, file, module, names) or interfaces_of(workspace, file, module, names)
+    if present is not None:
+        return MissingImport(place, module, present=present)
+    near = near_module(workspace, file, module)
+    return MissingImport(place, module, near=near) if near is not None else None
 
 
 @kept_for_each_file

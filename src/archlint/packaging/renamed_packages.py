@@ -19,7 +19,10 @@ if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
     from archlint.workspace.model import SourceFile
 
-_REQUIREMENTS = re.compile(r"requirements[^/]*\.txt|pyproject\.toml|setup\.(?:py|cfg)|environment\.ya?ml|Dockerfile")
+_REQUIREMENTS = re.compile(
+    r"requirements[^/]*\.txt|pyproject\.toml|setup\.(?:py|cfg)|environment\.ya?ml|[^/]*Dockerfile[^/]*|[^/]*\.(?:repos|sh)"
+    r"|\.gitmodules"
+)
 """Where a project names the Python packages that it wants from elsewhere."""
 
 
@@ -28,7 +31,7 @@ def present_name(workspace: WorkspaceIndex, file: SourceFile, module: str, names
     knows a ``robot_old``, and ``robot.camera`` defines all names that the file imports."""
     top, _, rest = module.partition(".")
     own = (file.module or "").partition(".")[0]
-    if not rest or not names or not own or own == top or not _is_unknown(workspace, file, module):
+    if not rest or not names or not own or own == top or not is_unknown(workspace, file, module):
         return None
     present = f"{own}.{rest}"
     path = workspace.code.file_of_import(file.relative, present)
@@ -41,12 +44,12 @@ def present_name(workspace: WorkspaceIndex, file: SourceFile, module: str, names
 def _is_own(workspace: WorkspaceIndex, top: str, own: str) -> bool:
     """Whether all that anybody imports of a package lies in one of the workspace: else it is another one, of which that
     may be a copy."""
-    imported = _imported(workspace).get(top, ())
+    imported = modules_imported(workspace).get(top, ())
     return all(f"{own}{module.removeprefix(top)}" in workspace.code.modules for module in imported)
 
 
 @once
-def _imported(workspace: WorkspaceIndex) -> dict[str, set[str]]:
+def modules_imported(workspace: WorkspaceIndex) -> dict[str, set[str]]:
     """By package, all modules of it that code of the workspace imports, or imports names from; where it is the package
     itself, each name with it."""
     modules: dict[str, set[str]] = {}
@@ -61,7 +64,7 @@ def _imported(workspace: WorkspaceIndex) -> dict[str, set[str]]:
     return modules
 
 
-def _is_unknown(workspace: WorkspaceIndex, file: SourceFile, module: str) -> bool:
+def is_unknown(workspace: WorkspaceIndex, file: SourceFile, module: str) -> bool:
     """Whether nothing in the workspace, and nothing that is known of elsewhere, has the name of a package."""
     top = module.partition(".")[0]
     if top in workspace.code.modules or workspace.code.path_of_import(file.relative, module) is not None:
@@ -83,4 +86,4 @@ def _wanted_from_elsewhere(workspace: WorkspaceIndex) -> tuple[str, ...]:
     return tuple(workspace.tree.text(path) or "" for path in sorted(paths))
 
 
-__all__ = ["present_name"]
+__all__ = ["is_unknown", "modules_imported", "present_name"]

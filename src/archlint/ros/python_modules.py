@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
+from functools import cache
 
 from archlint.ros import rosdep
 
@@ -52,6 +54,15 @@ def key_of(module: str) -> str | None:
     return next((key for key in spellings if key in known), None)
 
 
+@cache
+def names() -> frozenset[str]:
+    """The top-level modules that rosdep has keys for, as far as the keys have their names, and those that come with
+    ROS."""
+    known = rosdep.keys()
+    of_keys = (re.fullmatch(r"python3-([a-z0-9-]+?)(?:-pip)?", key) for key in known)
+    return _WITH_ROS.union(_ALIASES, (match[1].replace("-", "_") for match in of_keys if match is not None))
+
+
 def is_known(module: str) -> bool:
     """Whether a top-level module comes with ROS, or rosdep knows its package."""
     return module in _WITH_ROS or key_of(module) is not None
@@ -62,4 +73,4 @@ def brought_along_by(module: str) -> frozenset[str]:
     return _BRINGS.get(module, frozenset())
 
 
-__all__ = ["brought_along_by", "is_known", "key_of"]
+__all__ = ["brought_along_by", "is_known", "key_of", "names"]
