@@ -40,6 +40,41 @@ def test_a_package_that_was_renamed(findings):
     assert finding.help == "start it from package 'robot'"
 
 
+OF_TWO_WORDS = {"setup.py": SETUP.replace("talker =", "arm_talker =")}
+
+
+def test_an_executable_of_one_package_that_is_started_from_none(findings):
+    (finding,) = findings("LCH001", node(pkg="old_machine", exec="arm_talker"), **OF_TWO_WORDS)
+    assert finding.message == "there is no package 'old_machine'; did you mean 'robot', which installs 'arm_talker'?"
+
+
+@pytest.mark.parametrize(
+    "files",
+    [
+        {"Dockerfile": "RUN git clone https://example.org/old_machine.git\n"},
+        {"README.md": "First get https://example.org/old_machine\n"},
+        {"robot.repos": "repositories:\n  old_machine:\n    type: git\n"},
+    ],
+)
+def test_a_package_that_the_workspace_takes_from_elsewhere(findings, files):
+    assert findings("LCH001", node(pkg="old_machine", exec="arm_talker"), **OF_TWO_WORDS, **files) == []
+
+
+def test_a_name_with_a_space_behind_it(findings):
+    (finding,) = findings("LCH001", node(pkg="nav2_amcl ", exec="amcl"))
+    assert finding.message == "there is no package 'nav2_amcl ': its name has a space too many"
+    assert finding.help == "start it from package 'nav2_amcl'"
+
+
+@pytest.mark.parametrize("package", ["usb_cam", "camera_of_somebody"])
+def test_a_launch_file_of_a_package_from_elsewhere_is_to_be_included(findings, package):
+    (finding,) = findings("LCH001", node(pkg=package, exec="camera.launch.py"))
+    assert finding.message == (
+        f"'camera.launch.py' is a launch file, and no program: package '{package}' installs no executable of that name"
+    )
+    assert finding.help == 'include it instead: <include file="…"/>'
+
+
 def test_a_name_that_only_stands_for_that_of_a_package(findings):
     (finding,) = findings("LCH001", node(pkg="your_package", exec="listener"))
     assert finding.message == ("there is no package 'your_package': the name only stands for that of a package")

@@ -501,6 +501,14 @@ def test_a_share_folder_of_no_package(findings, package, end):
     )
 
 
+def test_a_share_folder_of_no_package_with_a_file_of_this_one(findings):
+    line = include("$(find-pkg-share old_machine)/config/arm.launch.xml")
+    (finding,) = findings("LCH004", line, **{"config/arm.launch.xml": "<launch/>"})
+    assert finding.help == "write 'robot'"
+    fetched = {"robot.repos": "repositories:\n  old_machine:\n    type: git\n"}
+    assert findings("LCH004", line, **{"config/arm.launch.xml": "<launch/>"}, **fetched) == []
+
+
 @pytest.mark.parametrize("package", ["nav2_bringup", "lighthouse", "rob"])
 def test_a_share_folder_of_a_package_from_elsewhere(findings, package):
     declared = {"package.xml": manifest(more="<depend>rob</depend>")}

@@ -412,6 +412,10 @@ INSTALL = "install(DIRECTORY launch rviz DESTINATION share/${PROJECT_NAME})"
             'rosidl_generate_interfaces(${PROJECT_NAME} "msg/Speed.msg" DEPENDENCIES std_msgs)',
             "rosidl_generate_interfaces() lists a file that is not there: the build stops at 'msg/Speed.msg'",
         ),
+        (
+            "add_subdirectory(drivers)",
+            "add_subdirectory() needs a file that is not there: the build stops at 'drivers/CMakeLists.txt'",
+        ),
     ],
 )
 def test_what_cmake_lists_and_is_not_there(findings, line, message):
@@ -436,10 +440,17 @@ def test_what_cmake_lists_and_is_not_there(findings, line, message):
         (f"exec_program(make_pictures)\n{INSTALL}", {}),
         (INSTALL.replace("rviz", "${CMAKE_CURRENT_BINARY_DIR}/rviz"), {}),
         (INSTALL.replace("rviz", "/usr/share/rviz"), {}),
+        ("add_subdirectory(drivers)", {"drivers/CMakeLists.txt": ""}),
+        ("add_subdirectory(drivers)", {".gitmodules": '[submodule "d"]\n\tpath = drivers\n\turl = https://a.org/d\n'}),
+        ("if(WITH_DRIVERS)\n  add_subdirectory(drivers)\nendif()", {}),
+        ("add_subdirectory(${DRIVERS})", {}),
+        ("add_subdirectory(/usr/src/googletest googletest)", {}),
+        ("file(COPY /opt/drivers DESTINATION .)\nadd_subdirectory(drivers)", {}),
     ],
     ids=[
         *("there", "ignored by git", "a submodule", "one with a space", "a library", "optional", "files by pattern"),
         *("under a condition", "made", "made by a command", "by an old command", "built", "elsewhere"),
+        *("a part", "a submodule as a part", "a part under a condition", "by a variable", "of the system", "copied"),
     ],
 )
 def test_what_cmake_may_find(findings, line, files):

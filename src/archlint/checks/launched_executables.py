@@ -12,7 +12,7 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
 from archlint.launch.kinds import StartedKind
-from archlint.packaging.absent_packages import is_nowhere, is_placeholder, owners_of_component
+from archlint.packaging.absent_packages import is_nowhere, is_placeholder, owners_of_component, package_that_installs
 from archlint.packaging.entry_points import is_empty
 from archlint.suggestions import did_you_mean, listed, nearest
 
@@ -81,13 +81,24 @@ def _from_no_package(workspace: WorkspaceIndex, started: Started, name: str) -> 
     """The finding for a package that is nowhere, if one of almost the same name installs the executable, or its name
     only stands for another one."""
     package = started.package.text
-    if package is None or started.package.resolution != "exact" or not is_nowhere(workspace, package):
+    if package is None or started.package.resolution != "exact":
+        return
+    if name.endswith(_LAUNCH_FILES):
+        yield _launch_file(started, package, name)
+    if not is_nowhere(workspace, package):
         return
     near = nearest(package, [own for own, installs in workspace.installs.items() if name in installs.executables])
+    near = near or _without_spaces(workspace, package) or package_that_installs(workspace, package, name, started.file)
     if near is not None:
         yield _no_package(started, name, near, "installs")
     elif is_placeholder(package):
         yield _no_package(started, name, None, "installs")
+
+
+def _without_spaces(workspace: WorkspaceIndex, package: str) -> str | None:
+    """The known package that a name means which begins or ends with a space."""
+    plain = package.strip()
+    return plain if plain != package and not is_nowhere(workspace, plain) else None
 
 
 def _component_from_no_package(workspace: WorkspaceIndex, started: Started, plugin: str) -> Iterator[Finding]:
@@ -104,12 +115,16 @@ def _component_from_no_package(workspace: WorkspaceIndex, started: Started, plug
 
 def _no_package(started: Started, name: str, right: str | None, verb: str) -> Finding:
     package = started.package.text or ""
-    message = f"there is no package '{package}'"
-    message += "" if right is None else f"; did you mean '{right}', which {verb} '{name}'?"
+    if right is None:
+        reason = ": the name only stands for that of a package"
+    elif right == package.strip():
+        reason = ": its name has a space too many"
+    else:
+        reason = f"; did you mean '{right}', which {verb} '{name}'?"
     return finding(
         "LCH001",
         started.places.get("package", started.place),
-        message if right is not None else f"{message}: the name only stands for that of a package",
+        f"there is no package '{package}'{reason}",
         help=f"write the name of the package that {verb} '{name}'"
         if right is None
         else f"start it from package '{right}'",
@@ -117,6 +132,25 @@ def _no_package(started: Started, name: str, right: str | None, verb: str) -> Fi
         group=(package, name),
         meant=right or "",
     )
+
+
+_LAUNCH_FILES = (".launch.py", "_launch.py", ".launch.xml", ".launch.yaml", ".launch.yml")
+
+
+def _launch_file(started: Started, package: str, name: str) -> Finding:
+    """The finding for a launch file of a package from elsewhere that is started as if it were a program."""
+    return finding(
+        "LCH001",
+        started.places.get("executable", started.place),
+        f"'{name}' is a launch file, and no program: package '{package}' installs no executable of that name",
+        help=f"include it instead: {_include(started)}",
+        identity=(package, name),
+        group=(package, name),
+    )
+
+
+def _include(started: Started) -> str:
+    return _INCLUDE.get(posixpath.splitext(started.file)[1], "include:")
 
 
 _INCLUDE = {".py": "IncludeLaunchDescription(…)", ".xml": '<include file="…"/>'}
@@ -131,8 +165,7 @@ def _included(installs: Installs, started: Started, name: str, workspace: Worksp
     ]
     if len(files) != 1:
         return None
-    include = _INCLUDE.get(posixpath.splitext(started.file)[1], "include:")
-    return f": {files[0]} is a launch file, and no program", f"include it instead: {include}"
+    return f": {files[0]} is a launch file, and no program", f"include it instead: {_include(started)}"
 
 
 def _instead(installs: Installs, name: str, workspace: WorkspaceIndex) -> tuple[str, str]:

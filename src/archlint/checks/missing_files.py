@@ -15,7 +15,7 @@ from archlint.finding import Finding, Related
 from archlint.launch.kinds import FileKind, FileStatus
 from archlint.launch_files.launch_code import writes_files
 from archlint.launch_files.missing_files import is_folder_missing, lies_in, names_beside, namesake
-from archlint.packaging.absent_packages import is_nowhere, is_placeholder, package_meant
+from archlint.packaging.absent_packages import is_nowhere, is_placeholder, package_meant, package_with
 from archlint.packaging.generated_files import has_template, is_generated, is_ignored
 from archlint.suggestions import common_words, did_you_mean, distance, have_same_words, listed, meant
 
@@ -149,10 +149,10 @@ def _absent_packages(system: System) -> Iterator[Finding]:
         if reference.optional or (place, package) in seen or not is_nowhere(workspace, package):
             continue
         seen.add((place, package))
-        near = package_meant(workspace, package)
+        named = _below_package(reference.written or "")
+        near = package_meant(workspace, package) or package_with(workspace, package, named, reference.place.file)
         if near is None and not is_placeholder(package):
             continue
-        named = _below_package(reference.written or "")
         yield finding(
             "LCH004",
             place,

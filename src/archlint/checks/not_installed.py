@@ -210,11 +210,14 @@ def _data(rows: Sequence[DataLeftOut]) -> Finding:
 def _in_vain(row: ListedInVain) -> Finding:
     kind = "folder" if row.folder else "file"
     what = "the marker of the package" if row.marker else f"a {kind}"
+    verb, line = (
+        ("needs", "remove the line") if row.command == "add_subdirectory()" else ("lists", "take it off the list")
+    )
     return finding(
         "PKG004",
         row.place,
-        f"{row.command} lists {what} that is not there: the build stops at '{row.file}'",
-        help=f"add an empty file '{row.file}'" if row.marker else f"add the {kind}, or take it off the list",
+        f"{row.command} {verb} {what} that is not there: the build stops at '{row.file}'",
+        help=f"add an empty file '{row.file}'" if row.marker else f"add the {kind}, or {line}",
         identity=(row.file,),
         group=(row.place.file, row.command),
     )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import posixpath
 import re
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
@@ -43,6 +44,74 @@ def package_meant(workspace: WorkspaceIndex, package: str) -> str | None:
     return near if near is not None and distance(package, near, _SLIP) <= _SLIP else None
 
 
+def package_with(workspace: WorkspaceIndex, package: str, path: str, launch_file: str) -> str | None:
+    """The one package of the workspace that was meant by one which is nowhere: it has a file that the launch file looks
+    for, by its ``path`` below the folder, and is that of the launch file, or has a word of the name."""
+    path = posixpath.normpath(path)
+    if posixpath.dirname(path) in ("", ".") or path.startswith(".."):
+        return None
+    having = [
+        name
+        for name, manifest in workspace.packages.items()
+        if workspace.tree.is_file(posixpath.join(manifest.relative, path))
+    ]
+    return _alone(workspace, package, having, launch_file)
+
+
+def package_that_installs(workspace: WorkspaceIndex, package: str, executable: str, launch_file: str) -> str | None:
+    """The same for one that installs an executable, whose name is more than a word such as ``talker``."""
+    if len(_words(executable)) < _DISTINCT:
+        return None
+    having = [own for own, installs in workspace.installs.items() if executable in installs.executables]
+    return _alone(workspace, package, having, launch_file)
+
+
+_DISTINCT = 2
+_SHORT = 3
+
+
+def _alone(workspace: WorkspaceIndex, package: str, having: Sequence[str], launch_file: str) -> str | None:
+    if len(having) != 1 or is_wanted_from_elsewhere(workspace, package):
+        return None
+    own = having[0]
+    is_like = any(len(word) > _SHORT for word in _words(own) & _words(package))
+    return own if is_like or own == workspace.package_of(launch_file) else None
+
+
+def _words(name: str) -> set[str]:
+    return set(re.split(r"[_.-]", name))
+
+
+_ASKING = re.compile(
+    r"requirements[^/]*\.txt|pyproject\.toml|setup\.(?:py|cfg)|environment\.ya?ml|[^/]*Dockerfile[^/]*"
+    r"|[^/]*\.(?:repos|rosinstall|sh)|\.gitmodules"
+)
+"""Where a project names the packages that it takes from elsewhere."""
+_DOCUMENT = re.compile(r".*\.(?:md|rst)")
+_FETCHED = re.compile(r"^.*(?:://|\bclone\b|\bapt\b).*$", re.MULTILINE)
+"""The lines of a document that say where a package comes from."""
+
+
+def is_wanted_from_elsewhere(workspace: WorkspaceIndex, package: str) -> bool:
+    """Whether the workspace says that it takes a package of that name from elsewhere, or a CMake file asks for it."""
+    word = re.compile(rf"(?<![\w-]){re.escape(package).replace('_', '[_-]')}(?![\w-])")
+    if any(package in installs.words for installs in workspace.installs.values()):
+        return True
+    return any(word.search(text) for text in _asking_texts(workspace))
+
+
+@once
+def _asking_texts(workspace: WorkspaceIndex) -> tuple[str, ...]:
+    texts = []
+    for path in sorted(workspace.tree.files_below(workspace.tree.top)):
+        name = posixpath.basename(path)
+        if _ASKING.fullmatch(name):
+            texts.append(workspace.tree.text(path) or "")
+        elif _DOCUMENT.fullmatch(name):
+            texts.append("\n".join(_FETCHED.findall(workspace.tree.text(path) or "")))
+    return tuple(texts)
+
+
 def owners_of_component(workspace: WorkspaceIndex, plugin: str) -> list[str]:
     """The packages whose CMake files, or C++ sources, register a component under its name."""
     name = rf"(?<![\w:])(?:::)?{re.escape(plugin)}(?![\w:])"
@@ -63,4 +132,12 @@ def _stands_in(workspace: WorkspaceIndex, files: Sequence[str], text: re.Pattern
     return any(text.search(workspace.tree.text(file) or "") for file in files)
 
 
-__all__ = ["is_nowhere", "is_placeholder", "owners_of_component", "package_meant"]
+__all__ = [
+    "is_nowhere",
+    "is_placeholder",
+    "is_wanted_from_elsewhere",
+    "owners_of_component",
+    "package_meant",
+    "package_that_installs",
+    "package_with",
+]

@@ -9,6 +9,7 @@ from functools import cache
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
+from archlint.packaging.absent_packages import is_wanted_from_elsewhere
 from archlint.packaging.renamed_packages import is_unknown, modules_imported
 from archlint.ros import packages, python_modules
 from archlint.suggestions import distance, nearest
@@ -30,7 +31,7 @@ def interfaces_of(workspace: WorkspaceIndex, file: SourceFile, module: str, name
     package, _, kind = module.partition(".")
     if workspace.interfaces is None or kind not in INTERFACE_KINDS or not names:
         return None
-    if not is_unknown(workspace, file, module) or _is_asked_for(workspace, package):
+    if not is_unknown(workspace, file, module) or is_wanted_from_elsewhere(workspace, package):
         return None
     imported = modules_imported(workspace).get(package, set())
     if any(other.partition(".")[2] != kind for other in imported):
@@ -38,11 +39,6 @@ def interfaces_of(workspace: WorkspaceIndex, file: SourceFile, module: str, name
     owners = [workspace.interfaces.packages_with(kind, name) for name in names]
     having = set(owners[0]).intersection(*owners[1:])
     return f"{next(iter(having))}.{kind}" if len(having) == 1 else None
-
-
-def _is_asked_for(workspace: WorkspaceIndex, package: str) -> bool:
-    """Whether a CMake file asks for a package: then another repository has it."""
-    return any(package in installs.words for installs in workspace.installs.values())
 
 
 def near_module(workspace: WorkspaceIndex, file: SourceFile, module: str) -> str | None:

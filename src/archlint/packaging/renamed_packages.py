@@ -19,10 +19,7 @@ if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
     from archlint.workspace.model import SourceFile
 
-_REQUIREMENTS = re.compile(
-    r"requirements[^/]*\.txt|pyproject\.toml|setup\.(?:py|cfg)|environment\.ya?ml|[^/]*Dockerfile[^/]*|[^/]*\.(?:repos|sh)"
-    r"|\.gitmodules"
-)
+_REQUIREMENTS = re.compile(r"requirements[^/]*\.txt|pyproject\.toml|setup\.(?:py|cfg)|environment\.ya?ml|Dockerfile")
 """Where a project names the Python packages that it wants from elsewhere."""
 
 

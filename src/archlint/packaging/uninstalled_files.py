@@ -80,9 +80,15 @@ def understood(workspace: WorkspaceIndex) -> Mapping[str, Installs]:
 
 
 def _is_understood(workspace: WorkspaceIndex, name: str) -> bool:
+    return not workspace.installs[name].open_files and _is_built(workspace, name)
+
+
+def _is_built(workspace: WorkspaceIndex, name: str) -> bool:
+    """Whether a package is one of ROS 2, in use, of which build files were read."""
     installs, package = workspace.installs[name], workspace.manifests.get(workspace.installs[name].folder)
-    known = bool(installs.build_files) and not installs.open_files
-    return known and package is not None and not package.ros1 and not is_aside(workspace, package.manifest.relative)
+    if package is None or package.ros1 or not installs.build_files:
+        return False
+    return not is_aside(workspace, package.manifest.relative)
 
 
 def mended_at(workspace: WorkspaceIndex, installs: Installs) -> Place | None:
@@ -168,8 +174,10 @@ class ListedInVain:
 
 def listed_in_vain(workspace: WorkspaceIndex) -> Iterator[ListedInVain]:
     """Each such file that nothing makes before the build."""
+    for name in sorted(workspace.installs):
+        if _is_built(workspace, name):
+            yield from _needed_in_vain(workspace, workspace.installs[name])
     for installs in understood(workspace).values():
-        yield from _needed_in_vain(workspace, installs)
         at = installs.data_files_at
         if at is None or writes_files(workspace, at.file):
             continue
@@ -244,6 +252,8 @@ _BUILT = (".so", ".a", ".onnx", ".pt", ".pth", ".engine")
 def _needed_in_vain(workspace: WorkspaceIndex, installs: Installs) -> Iterator[ListedInVain]:
     """What CMake files list and is not there; git keeps no empty folder, so that a new clone does not have one."""
     for needed in installs.needed:
+        if installs.open_files and not needed.part:
+            continue
         is_there = workspace.tree.is_folder if needed.folder else workspace.tree.is_file
         inside = installs.folder == "." or needed.path.startswith(f"{installs.folder}/")
         if not inside or needed.path.endswith(_BUILT) or is_there(needed.path):

@@ -86,6 +86,7 @@ def read_cmake(installs: Installs, path: str, tree: CMakeTree) -> None:
         installs.required += [] if "return" in installs.words else _found(step)
         always = step.of_tests or not step.conditional
         installs.needed += _needed(step) if always and not makes_sources else []
+    installs.needed += [] if makes_sources else [row for step in run.without_folder for row in _folder_needed(step)]
     if not installs.executables and any(may_make_anything(step.command) for step in run.steps):
         installs.open_executables = True
     if not run.open:
@@ -176,6 +177,15 @@ def _needed(step: Step) -> Iterator[NeededSource]:
         if not re.search(r"[$<>:]", argument.text) and not posixpath.isabs(without_source(argument.text)):
             place = _place(argument, step.file)
             yield NeededSource(step.path(argument.text), step.command.name, place, folder, step.of_tests)
+
+
+def _folder_needed(step: Step) -> Iterator[NeededSource]:
+    """The CMake file without which the build stops at an ``add_subdirectory`` that always runs."""
+    argument = step.command.arguments[0]
+    always = step.of_tests or not step.conditional
+    if always and not posixpath.isabs(without_source(argument.text)):
+        file = posixpath.join(step.path(argument.text), "CMakeLists.txt")
+        yield NeededSource(file, step.command.name, _place(argument, step.file), of_tests=step.of_tests, part=True)
 
 
 def _found(step: Step) -> Iterator[FoundPackage]:

@@ -107,6 +107,8 @@ class CMakeRun:
         self.words: set[str] = set()
         """Every word of these files, but for their comments."""
         self.open = False
+        self.without_folder: list[Step] = []
+        """The ``add_subdirectory`` of which no ``CMakeLists.txt`` can be read."""
 
     def run(self, file: str, folder: str, project: str | None = None) -> None:
         """Run the CMakeLists.txt of a package; ``project`` is its name until the file gives it one."""
@@ -200,18 +202,22 @@ class CMakeRun:
         if command.name in self._functions:
             self._call(command, arguments, scope, depth)
         elif command.name == "add_subdirectory" and texts:
-            self._subdirectory(step.path(texts[0]), arguments[0], scope, depth)
+            self._subdirectory(step, arguments[0], scope, depth)
         elif command.name == "include" and texts:
             self._include(step, arguments[0], scope, depth)
         else:
             self._assign(step, texts, scope)
             self.steps.append(step)
 
-    def _subdirectory(self, folder: str, argument: Argument, scope: _Scope, depth: int) -> None:
+    def _subdirectory(self, step: Step, argument: Argument, scope: _Scope, depth: int) -> None:
         if argument.open:
             self.open = True
             return
-        self._file(posixpath.normpath(posixpath.join(folder, CMAKE_FILE)), scope.inner(folder), depth + 1)
+        folder = step.path(argument.text)
+        file = posixpath.normpath(posixpath.join(folder, CMAKE_FILE))
+        if self._read(file) is None:
+            self.without_folder.append(step)
+        self._file(file, scope.inner(folder), depth + 1)
 
     def _include(self, step: Step, argument: Argument, scope: _Scope, depth: int) -> None:
         if argument.open:

@@ -61,6 +61,8 @@ class NeededSource:
     folder: bool = False
     of_tests: bool = False
     """Whether the build asks for it unless the tests are left out."""
+    part: bool = False
+    """Whether it is a CMake file that the build goes on with: without it more of the build is not known."""
 
 
 @dataclass(frozen=True)
