@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
@@ -14,6 +13,7 @@ from archlint.checks.packages import workspace_of
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place
+from archlint.packaging.absent_packages import is_a_key_of_some_file
 from archlint.ros import packages, rosdep
 from archlint.ros.mistaken_dependencies import Mistake, Mistaken, mistaken, of_python_2
 from archlint.workspace.manifest import condition_holds
@@ -70,7 +70,7 @@ def _unknown(
     is_python = _is_of_python(workspace, package, name)
     meant = rosdep.meant_by(name, there, is_python=is_python) or _successor(workspace, name)
     wrong = None if meant is not None else mistaken(name, there, is_python=is_python)
-    if wrong is not None and not _has_own_rule(workspace, name):
+    if wrong is not None and not is_a_key_of_some_file(workspace, name):
         yield _mistaken(package, dependency, wrong)
     if meant is not None:
         own = f", and add find_package({name} REQUIRED) to CMakeLists.txt, which takes its packages from here"
@@ -86,16 +86,6 @@ def _successor(workspace: WorkspaceIndex, name: str) -> str | None:
     """The package for ROS 2 that goes by a name with a 2 behind it: of ROS itself, or of the workspace."""
     newer = f"{name}2"
     return newer if name in _SUCCEEDED or newer in workspace.packages else None
-
-
-_OWN_RULES = (".yaml", ".yml")
-
-
-def _has_own_rule(workspace: WorkspaceIndex, name: str) -> bool:
-    """Whether a file of the workspace may be one with rules for rosdep that has a name."""
-    rule = re.compile(rf"^['\"]?{re.escape(name)}['\"]?[ \t]*:", re.MULTILINE)
-    paths = (path for path in workspace.tree.files_below(workspace.tree.top) if path.endswith(_OWN_RULES))
-    return any(rule.search(workspace.tree.text(path) or "") for path in paths)
 
 
 _FINDS_DEPENDENCIES = "ament_auto_find_build_dependencies"

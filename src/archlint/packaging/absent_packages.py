@@ -112,6 +112,13 @@ def _asking_texts(workspace: WorkspaceIndex) -> tuple[str, ...]:
     return tuple(texts)
 
 
+def is_a_key_of_some_file(workspace: WorkspaceIndex, name: str) -> bool:
+    """Whether a YAML file of the workspace has a name for a key: it may be one with rules of the team for rosdep."""
+    rule = re.compile(rf"^['\"]?{re.escape(name)}['\"]?[ \t]*:", re.MULTILINE)
+    paths = (path for path in workspace.tree.files_below(workspace.tree.top) if path.endswith((".yaml", ".yml")))
+    return any(rule.search(workspace.tree.text(path) or "") for path in paths)
+
+
 def owners_of_component(workspace: WorkspaceIndex, plugin: str) -> list[str]:
     """The packages whose CMake files, or C++ sources, register a component under its name."""
     name = rf"(?<![\w:])(?:::)?{re.escape(plugin)}(?![\w:])"
@@ -133,6 +140,7 @@ def _stands_in(workspace: WorkspaceIndex, files: Sequence[str], text: re.Pattern
 
 
 __all__ = [
+    "is_a_key_of_some_file",
     "is_nowhere",
     "is_placeholder",
     "is_wanted_from_elsewhere",
