@@ -350,6 +350,9 @@ def test_a_marker_that_is_not_there_stops_the_build(findings):
     assert findings("PKG004", **{"setup.py": listing("package.xml"), "resource/robot": ""}) == []
 
 
+OF_OLD_NAME = '<launch><node pkg="old_robot" exec="talker"/></launch>'
+
+
 def test_a_marker_with_the_name_of_another_package(findings):
     setup = listing("package.xml").replace("resource/robot", "resource/old_robot")
     (finding,) = findings("PKG004", **{"setup.py": setup, "resource/old_robot": ""})
@@ -358,6 +361,15 @@ def test_a_marker_with_the_name_of_another_package(findings):
         "'old_robot', too"
     )
     assert finding.help == "rename 'resource/old_robot' to 'resource/robot', and write that here"
+
+
+@pytest.mark.parametrize(
+    "start", [{"README.md": "    ros2 launch old_robot all.launch.xml\n"}, {"launch/it.launch.xml": OF_OLD_NAME}]
+)
+def test_the_name_of_a_marker_by_which_the_package_is_started(findings, start: dict[str, str]):
+    setup = listing("package.xml").replace("resource/robot", "resource/old_robot")
+    rows = findings("PKG004", **{"setup.py": setup, "resource/old_robot": "", **start})
+    assert rows[0].help == "write <name>old_robot</name> in package.xml, as it is started by that name"
 
 
 @pytest.mark.parametrize(

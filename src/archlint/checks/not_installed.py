@@ -229,7 +229,9 @@ def _misnamed(row: MisnamedMarker) -> Finding:
         row.place,
         f"the marker that data_files= installs is '{row.name}', and this is package '{row.package}': ROS takes this "
         f"package for '{row.name}', too",
-        help=f"rename '{row.file}' to 'resource/{row.package}', and write that here",
+        help=f"write <name>{row.name}</name> in package.xml, as it is started by that name"
+        if row.used
+        else f"rename '{row.file}' to 'resource/{row.package}', and write that here",
         identity=(row.package, row.name),
         group=(row.place.file, "marker"),
     )

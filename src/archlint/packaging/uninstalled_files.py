@@ -199,6 +199,8 @@ class MisnamedMarker:
     package: str
     file: str
     name: str
+    used: bool
+    """Whether others start it under that name."""
 
 
 def misnamed_markers(workspace: WorkspaceIndex) -> Iterator[MisnamedMarker]:
@@ -211,7 +213,15 @@ def misnamed_markers(workspace: WorkspaceIndex) -> Iterator[MisnamedMarker]:
         names = [row.rename or posixpath.basename(row.source) for row in rows]
         if installs.package not in names and workspace.tree.is_file(rows[0].source):
             [below] = _below(installs, [rows[0].source])
-            yield MisnamedMarker(rows[0].place or at, installs.package, below, names[0])
+            used = names[0] == installs.package.lower() or names[0] in _named_packages(workspace)
+            yield MisnamedMarker(rows[0].place or at, installs.package, below, names[0], used)
+
+
+@once
+def _named_packages(workspace: WorkspaceIndex) -> frozenset[str]:
+    """The packages whose programs and launch files somebody starts: a launch file, a document or a script."""
+    started = {row.package.text for launched in workspace.launched for row in launched.started}
+    return frozenset(filter(None, (*started, *(first for first, second, _ in _commands(workspace) if second))))
 
 
 @dataclass(frozen=True)
