@@ -37,11 +37,23 @@ def unless_uncalled(system: System, diagnostic: Finding) -> Iterator[Finding]:
 
 
 def uncalled_in_program(system: System, place: Place) -> str | None:
-    """The name of the method of a program, or of a file that no installed program uses, that holds a place, where
-    nothing calls it but methods of that kind."""
+    """The name of the method of a program, or of a module that only programs of its own package may use, that holds a
+    place, where nothing calls it but methods of that kind."""
     is_program = any(program.executable and program.file == place.file for program in system.programs)
-    is_program = is_program or is_not_installed(system.workspace, place.file)
+    is_program = is_program or is_not_installed(system.workspace, place.file) or _is_of_programs(system, place.file)
     return uncalled_method(system.workspace, place) if is_program else None
+
+
+def _is_of_programs(system: System, file: str) -> bool:
+    """Whether a module belongs to a package that installs programs, and no other package here declares that it needs
+    that one: it is no library."""
+    workspace = system.workspace
+    name = None if workspace is None else workspace.package_of(file)
+    installs = None if workspace is None or name is None else workspace.installs.get(name)
+    if workspace is None or installs is None or not any(each.module for each in installs.executables.values()):
+        return False
+    others = (package for package in workspace.packages.values() if package.name != name)
+    return not any(dependency.name == name for package in others for dependency in package.dependencies)
 
 
 __all__ = ["uncalled_in_program", "unless_uncalled"]

@@ -1,0 +1,86 @@
+"""Mistakes in methods that nothing calls, of modules that the programs of their own package use."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from archlint.config.settings import load
+from archlint.engine.pipeline import Request, check
+
+BRAKE = """\
+from rclpy.node import Node
+
+
+class Brake:
+    def __init__(self, node: Node):
+        self.node = node
+
+    def press(self):
+        self.node.get_logger().info('pressed')
+
+    def force(self, speed):
+        if self.odometry > speed:
+            return 1.0
+        return 0.0
+"""
+CAR = """\
+import rclpy
+from rclpy.node import Node
+
+from car.brake import Brake
+
+
+class Car(Node):
+    def __init__(self):
+        super().__init__('car')
+        self.brake = Brake(self)
+        self.timer = self.create_timer(1.0, self.drive)
+
+    def drive(self):
+        self.brake.press()
+
+
+def main():
+    rclpy.init()
+    rclpy.spin(Car())
+"""
+SETUP = """\
+from setuptools import setup
+setup(name='car', packages=['car'], entry_points={'console_scripts': ['drive = car.drive:main']})
+"""
+LIBRARY = "from setuptools import setup\nsetup(name='car', packages=['car'])\n"
+
+
+def manifest(name: str, tags: str = "") -> str:
+    return (
+        f"<package format='3'><name>{name}</name><version>0.1.0</version><description>d</description>"
+        f"<maintainer email='kim@example.com'>Kim</maintainer><license>MIT</license><depend>rclpy</depend>{tags}"
+        "<export><build_type>ament_python</build_type></export></package>"
+    )
+
+
+@pytest.mark.parametrize(
+    ("files", "told"),
+    [
+        ({}, False),
+        ({"car/car/drive.py": CAR.replace("press()", "force(3.0)")}, True),
+        ({"car/setup.py": LIBRARY}, True),
+        ({"fleet/package.xml": manifest("fleet", "<depend>car</depend>"), "fleet/setup.py": LIBRARY}, True),
+        ({"fleet/package.xml": manifest("fleet"), "fleet/setup.py": LIBRARY}, False),
+    ],
+    ids=["left over", "called", "a library", "another package needs it", "another package"],
+)
+def test_an_attribute_that_a_method_reads_which_nothing_calls(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, files: dict[str, str], told: bool
+):
+    monkeypatch.chdir(tmp_path)
+    own = {"car/package.xml": manifest("car"), "car/setup.py": SETUP, "car/car/__init__.py": ""}
+    own |= {"car/car/brake.py": BRAKE, "car/car/drive.py": CAR, "archlint.toml": 'select = ["API002"]\n'}
+    others = {f"car/car/drive{n}.py": CAR.replace("class Car(", f"class Car{n}(") for n in range(6)}  # no lesson
+    for name, text in {**own, **others, **files}.items():
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    rows = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+    assert [row.place.line for row in rows if row.place.file == "car/car/brake.py"] == [12] * told
