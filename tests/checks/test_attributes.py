@@ -367,6 +367,104 @@ class Robot(Node):
     )
 
 
+ROBOT = """
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import Float32
+
+class Robot(Node):
+    def __init__(self):
+        super().__init__('robot')
+        self.pub = self.create_publisher(Float32, 'speed', 10)
+        self.limit = self.declare_parameter('brake', 1.0).value
+        self.create_timer(1.0, self.stop)
+
+    def stop(self):
+        self.pub.publish(Float32(data=self.brake)){mark}
+
+class Wheel:
+    def __init__(self):
+        self.brake = None
+
+class Motor:
+    def equip(self, wheel):
+        wheel.brake = 1.0
+
+def main():
+    rclpy.init()
+    node = {make}
+    {use}
+    rclpy.spin(node)
+    if node is not None:
+        node.destroy_node()
+"""
+
+
+def test_what_other_code_gives_to_other_objects(judge: Judge):
+    """Nobody but the program has the node: neither the text of a parameter nor another object's attribute is one of
+    it."""
+    (finding,) = judge("API002", ROBOT.format(mark="  # here", make="Robot()", use="node.get_logger().info('ready')"))
+    assert finding.message == "nothing assigns 'brake' of class Robot: this line fails with an AttributeError"
+
+
+@pytest.mark.parametrize(
+    ("make", "use"),
+    [
+        ("Robot()", "Motor().equip(node)"),
+        ("Robot()", "node.brake = 1.0"),
+        ("Robot()", "Robot.brake = 1.0"),
+        ("Robot()", "setattr(node, 'brake', 1.0)"),
+        ("Robot()", "nodes = [node]"),
+        ("Motor().equipped(Robot())", "pass"),
+    ],
+)
+def test_a_node_that_others_have(judge: Judge, make: str, use: str):
+    judge("API002", ROBOT.format(mark="", make=make, use=use))
+
+
+@pytest.mark.parametrize(
+    "other",
+    [
+        "from node import Robot\n\ndef run():\n    equip(Robot())\n\ndef equip(robot):\n    robot.brake = 1.0",
+        "import node\n\ndef run():\n    equip(node.Robot())\n\ndef equip(robot):\n    robot.brake = 1.0",
+        "from node import *\n\ndef run():\n    equip(Robot())\n\ndef equip(robot):\n    robot.brake = 1.0",
+    ],
+)
+def test_a_node_that_another_file_makes(judge: Judge, other: str):
+    judge("API002", ROBOT.format(mark="", make="Robot()", use="pass"), other)
+
+
+@pytest.mark.parametrize(
+    "given", ["wheel = Motor().equip(self)", "self.wheels = [self]", "hasattr(self, 'brake')", "return self"]
+)
+def test_a_node_that_gives_itself_away(judge: Judge, given: str):
+    robot = ROBOT.replace(
+        "self.create_timer(1.0, self.stop)",
+        f"self.create_timer(1.0, self.stop)\n\n    def give(self):\n        {given}",
+    )
+    judge("API002", robot.format(mark="", make="Robot()", use="pass"))
+
+
+def test_a_text_makes_no_attribute_where_nothing_sets_one_by_its_name(judge: Judge):
+    judge(
+        "API002",
+        """
+        from rclpy.node import Node
+
+        class Robot(Node):
+            def __init__(self):
+                super().__init__('robot')
+                self.declare_parameter('brake', 1.0)
+
+            def stop(self):
+                return self.brake  # here
+
+        def robots():
+            return [Robot()]
+        """,
+    )
+
+
 def test_what_is_called_is_no_data(judge: Judge):
     """``missing_parts`` is a list: what was called is another thing that is not there, as is the other handler."""
     (finding,) = judge(

@@ -101,3 +101,18 @@ def test_a_try_that_expects_it(judge: Judge):
             except AttributeError:
                 pass"""
     judge("API002", NODE.replace("{line}  # here", tried))
+
+
+@pytest.mark.parametrize("other", ["from tree import Node", "from tree import *", "from rclpy.lifecycle import Node"])
+def test_the_last_of_two_classes_of_one_name_is_the_base(judge: Judge, other: str):
+    source = NODE.replace("import rclpy\n", f"{other}\n    import rclpy\n", 1)
+    judge("API002", source.replace("{line}", "self.get_logger.info('checking')"))
+
+
+@pytest.mark.parametrize(
+    "imports",
+    ["from rclpy.node import Node\n    from tree import Node", "from rclpy.node import Node\n    from tree import *"],
+)
+def test_a_class_that_replaces_that_of_rclpy(judge: Judge, imports: str):
+    source = NODE.replace("from rclpy.node import Node", imports, 1)
+    judge("API002", source.replace("{line}  # here", "self.get_logger.info('checking')"))

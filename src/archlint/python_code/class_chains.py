@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import cache, wraps
+from itertools import takewhile
 from typing import TYPE_CHECKING, TypeVar
 
 from archlint.analysis.kept import HasFiles, kept, kept_as, name_of, result_type
@@ -17,6 +18,8 @@ if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
 
 _Result = TypeVar("_Result")
+_MOST_BINDINGS = 3
+"""How many statements that bind one name are told apart: with more of them its meaning is not known."""
 _DEPTH = 8
 """How many files an import is followed through, and how many classes derive from each other."""
 
@@ -118,9 +121,17 @@ def _class_named(workspace: WorkspaceIndex, file: str, name: str, depth: int) ->
             return ClassInFile(file, code)
         case [facts.ImportFrom() as statement]:
             return _imported(workspace, file, statement, head, rest, depth)
+        case [facts.ImportFrom(), facts.ImportFrom() as statement] if _comes_first(file_facts, statement):
+            return _imported(workspace, file, statement, head, rest, depth)
         case [facts.Import(module=module, alias=alias), *_] if _is_foreign(workspace, file, module):
             return canonical(f"{module}.{rest}" if alias else name) if rest else None
     return None
+
+
+def _comes_first(file_facts: facts.Facts, second: facts.ImportFrom) -> bool:
+    """Whether an import that replaces an earlier one is outside of any block, and before all functions and classes."""
+    before = takewhile(lambda statement: not isinstance(statement, (facts.Class, facts.Function)), file_facts.body)
+    return any(statement is second for statement in before)
 
 
 def _imported(
@@ -147,19 +158,19 @@ def _is_foreign(workspace: WorkspaceIndex, file: str, module: str) -> bool:
 
 @once_for
 def _bindings(file_facts: facts.Facts) -> dict[str, list[facts.Base]]:
-    """The first two statements that bind a name, for each name of a file.  A star may bind any of them; those of names
+    """The first three statements that bind each name of a file.  A star may bind any of them; those of names
     that nothing else binds have the key ``*``."""
     bindings: dict[str, list[facts.Base]] = {"*": []}
-    bound_once = {"*"}
+    still_few = {"*"}
     for statement in statements_of(file_facts.body):
         names = _bound_by(statement)
         for name in names - bindings.keys():
             bindings[name] = [*bindings["*"]]
-            bound_once.add(name)
-        for name in bound_once & names if "*" not in names else [*bound_once]:
+            still_few.add(name)
+        for name in still_few & names if "*" not in names else [*still_few]:
             bindings[name].append(statement)
-            if len(bindings[name]) > 1:
-                bound_once.remove(name)
+            if len(bindings[name]) >= _MOST_BINDINGS:
+                still_few.remove(name)
     return bindings
 
 

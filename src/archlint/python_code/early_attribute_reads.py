@@ -24,6 +24,7 @@ from archlint.python_code.class_chains import (
     targets_of,
 )
 from archlint.python_code.unassigned_attributes import may_get, members_of, names_of_body
+from archlint.python_code.unshared_objects import KEEPS_OUT
 from archlint.syntax import facts
 from archlint.syntax.control_flow import graph_of
 from archlint.syntax.flow_blocks import without_exceptions
@@ -37,10 +38,6 @@ if TYPE_CHECKING:
 _INIT = "__init__"
 _CATCH = frozenset({"AttributeError", "Exception", "BaseException"})
 _ASKS = frozenset({"hasattr", "getattr"})
-_KNOWN = frozenset({"super", "ActionClient", "ActionServer", "TransformListener", "TransformBroadcaster"}) | {
-    *("StaticTransformBroadcaster", "Subscriber", "Buffer", "Client", "Publisher", "print", "str", "repr", "id")
-}
-"""What is often given the object, and sets nothing of a node."""
 
 
 @dataclass(frozen=True)
@@ -258,7 +255,7 @@ def _is_given(blocks: Collection[Block]) -> bool:
         known = {
             Itself(argument.value)
             for call in everything_in(parts, facts.Call)
-            if call.func.last_name in _KNOWN
+            if call.func.last_name in KEEPS_OUT
             for argument in call.args
         }
         for name in everything_in(parts, facts.Name):

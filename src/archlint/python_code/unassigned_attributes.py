@@ -24,6 +24,7 @@ from archlint.python_code.class_chains import (
     methods_of,
     targets_of,
 )
+from archlint.python_code.unshared_objects import asked_in, may_be_given
 from archlint.suggestions import distance, nearest
 from archlint.syntax import facts
 from archlint.syntax.parts import Itself, everything_in, once_for
@@ -45,6 +46,8 @@ _SLIP = 2
 """By how many letters a name with one word more may differ from the one that was meant."""
 _ANY_NAME = frozenset({"setattr", "vars", "__dict__", "__getattr__", "__getattribute__"})
 """What may give an object an attribute of any name."""
+_BY_TEXT = ("setattr", "__setattr__", "__dict__", "vars")
+"""What may make an attribute of any text."""
 
 
 @dataclass(frozen=True)
@@ -332,7 +335,8 @@ def _called_in(file_facts: facts.Facts) -> frozenset[str]:
 
 def may_get(workspace: WorkspaceIndex, cls: ClassInFile, name: str) -> bool:
     """Whether a class that derives from one, or another base of such a class, has a name; or any code of the workspace
-    assigns it to an object that is not ``self``, or names it in a text."""
+    assigns it to an object that is not ``self``, or may give it by a text.  Code that
+    cannot have the object is left out."""
     for derived in derived_from(workspace, cls):
         members = members_of(workspace, chain_of(workspace, derived))
         if members is None or any(name in names for names in members):
@@ -340,11 +344,18 @@ def may_get(workspace: WorkspaceIndex, cls: ClassInFile, name: str) -> bool:
     file_facts = workspace.facts_at(cls.file)
     if file_facts is None or cls.code.name in _variables_of(file_facts):
         return True  # another class under its name
-    return any(_gives(workspace.facts_at(file), name) for file in (cls.file, *files_with(workspace, name)))
+    given = may_be_given(workspace, cls, name)
+    if given is not None:
+        return given
+    texts = any(workspace.code.files_that_mention(word) for word in _BY_TEXT)
+    files = (cls.file, *files_with(workspace, name))
+    return any(_gives(workspace.facts_at(file), name, texts) for file in files)
 
 
-def _gives(file_facts: facts.Facts | None, name: str) -> bool:
-    return file_facts is None or name in _given_by(file_facts)
+def _gives(file_facts: facts.Facts | None, name: str, texts: bool) -> bool:
+    if file_facts is None or name in _given_by(file_facts) | asked_in(file_facts):
+        return True
+    return texts and name in _texts_of(file_facts)
 
 
 @once_for
@@ -354,13 +365,15 @@ def _variables_of(file_facts: facts.Facts) -> frozenset[str]:
 
 
 @once_for
+def _texts_of(file_facts: facts.Facts) -> frozenset[str]:
+    literals = everything_in(file_facts.body, facts.Literal)
+    return frozenset(literal.value for literal in literals if isinstance(literal.value, str))
+
+
+@once_for
 def _given_by(file_facts: facts.Facts) -> frozenset[str]:
-    """The attributes that a file assigns to an object that is not ``self``, and all of its texts."""
+    """The attributes that a file assigns to an object that is not ``self``."""
     names: set[str] = set()
-    for part in everything_in(file_facts.body):
-        match part:
-            case facts.Literal(value=str(text)):
-                names.add(text)
     for target in targets_of(file_facts.body):
         match target:
             case facts.Attribute(value=facts.Name(id="self")):
