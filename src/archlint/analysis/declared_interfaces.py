@@ -12,13 +12,13 @@ from archlint.model import EntityKind
 from archlint.place import Place
 from archlint.ros import names
 from archlint.ros.interface_profiles import profile_of
+from archlint.ros.parameter_types import OF_PARAMETER_LIBRARY
 from archlint.ros.well_known import OF_EVERY_NODE
 from archlint.syntax.interface_declarations import FILE_NAME, read_interface_documents
 from archlint.syntax.nodl_declarations import SUFFIX, read_nodl
 
 if TYPE_CHECKING:
     from archlint.model import ParameterDeclaration
-    from archlint.ros.parameter_types import ParameterType
     from archlint.ros.qos import Qos
     from archlint.syntax.interface_declarations import EndEntry, EndKey, InterfaceDocument, ParameterEntry
     from archlint.systems.model import System
@@ -32,17 +32,6 @@ _KINDS: Mapping[EndKey, tuple[EntityKind, str]] = {
     "actions": (EntityKind.ACTION_SERVER, "action server"),
     "action_clients": (EntityKind.ACTION_CLIENT, "action client"),
 }
-_TYPES: Mapping[ParameterType, str] = {
-    "bool": "bool",
-    "integer": "int",
-    "double": "double",
-    "string": "string",
-    "bool_array": "bool_array",
-    "integer_array": "int_array",
-    "double_array": "double_array",
-    "string_array": "string_array",
-}
-"""The types of ``generate_parameter_library``."""
 
 
 @dataclass(frozen=True)
@@ -149,12 +138,12 @@ class _Comparison:
                 yield self._stale(f"the parameter '{name}'", entry)
         unsaid = "parameters" in self.document.open_keys
         for name, parameter in created.items():
-            can_be_declared = parameter.type in _TYPES
+            can_be_declared = parameter.type in OF_PARAMETER_LIBRARY
             if can_be_declared and name not in declared and not parameter.conditional and not unsaid:
                 yield self._undeclared(f"the parameter '{name}'", parameter.place)
 
     def _parameter(self, entry: ParameterEntry, parameter: ParameterDeclaration) -> Iterator[Drift]:
-        type_ = None if parameter.type is None else _TYPES.get(parameter.type)
+        type_ = None if parameter.type is None else OF_PARAMETER_LIBRARY.get(parameter.type)
         differs = None not in (entry.type, type_) and _plain_type(entry.type or "") != type_
         if differs:
             words = f"has the type {entry.type} here and {type_} in the code"

@@ -18,13 +18,10 @@ from archlint.cli.options import (
     add_running,
     add_scheduler,
     add_talking,
-    launch_of,
-    linked_of,
-    paths_of,
     pool_of,
-    settings_of,
 )
 from archlint.cli.progress import Progress
+from archlint.cli.requests import request_of
 
 if TYPE_CHECKING:
     from archlint.config.settings import Settings
@@ -55,11 +52,7 @@ class AskedSystems:
 
         self.progress.note_costs()
         faults = dict.fromkeys(fault for system in self.systems for fault in faults_of(system))
-        for fault in faults:
-            console.note(f"archlint: {fault}")
-        if faults:
-            console.note("This is an error in archlint, not in your code; everything else was analysed.")
-        return exits.FAILED if faults else status
+        return exits.FAILED if console.note_faults(faults) else status
 
 
 def add_asking(parser: argparse.ArgumentParser) -> None:
@@ -74,28 +67,16 @@ def add_asking(parser: argparse.ArgumentParser) -> None:
 
 def asked_systems(arguments: argparse.Namespace) -> AskedSystems:
     """Analyse what the options of :func:`add_asking` ask for.  Raises :class:`UsageError`."""
-    from archlint.engine.pipeline import NothingToDo, Request, asked_for  # as above
+    from archlint.engine.pipeline import NothingToDo, asked_for  # as above
 
-    launch, launch_arguments = launch_of(arguments)
-    linked = linked_of(arguments)
-    paths = paths_of(arguments)
-    settings = settings_of(arguments, paths[0])
-    request = Request(
-        paths if linked is None else tuple(arguments.facts),
-        settings,
-        cached=not arguments.no_cache and linked is None,
-        jobs=arguments.jobs,
-        launch=launch,
-        launch_arguments=launch_arguments,
-        linked=linked,
-    )
+    request = request_of(arguments)
     progress = Progress(sys.stderr, arguments.quiet, arguments.verbose)
     try:
         with pool_of(arguments) as pool, progress as monitor:
             systems = asked_for(replace(request, monitor=monitor, pool=pool))
     except NothingToDo as error:
         raise UsageError(str(error)) from None
-    return AskedSystems(systems, settings, progress)
+    return AskedSystems(systems, request.settings, progress)
 
 
 __all__ = ["AskedSystems", "add_asking", "add_paths", "asked_systems"]

@@ -15,19 +15,16 @@ from archlint.cli.baseline import UsedBaseline, baseline_of, findings_before
 from archlint.cli.check_options import asks_for_fixes, parser, refuse_combinations
 from archlint.cli.exits import UsageError
 from archlint.cli.options import (
-    launch_of,
-    linked_of,
     observed_of,
-    paths_of,
     plugins_of,
     pool_of,
-    settings_of,
 )
 from archlint.cli.progress import Progress
+from archlint.cli.requests import request_of
 from archlint.cli.said import Checked, remarks, written
 from archlint.engine.answers import Answer
 from archlint.engine.keeper import Keeper
-from archlint.engine.pipeline import NothingToDo, Request, check
+from archlint.engine.pipeline import NothingToDo, check
 from archlint.finding import Severity
 from archlint.report.fix_marks import fix_line
 from archlint.report.model import Report
@@ -35,6 +32,7 @@ from archlint.report.paths import folder_in_repository
 from archlint.visible import visible_text
 
 if TYPE_CHECKING:
+    from archlint.engine.request import Request
     from archlint.systems.model import System
 
 
@@ -54,24 +52,16 @@ def run(arguments: argparse.Namespace) -> int:
 
 def checked(arguments: argparse.Namespace) -> Checked:
     """Do what the options say, up to what is printed.  Raises :class:`UsageError`."""
-    launch, launch_arguments = launch_of(arguments)
-    linked = linked_of(arguments)
-    paths = paths_of(arguments)
-    settings = settings_of(arguments, paths[0], plugins_of(arguments))
+    request = request_of(arguments, plugins_of(arguments))
+    settings = request.settings
     baseline = baseline_of(arguments, settings)
-    request = Request(
-        paths if linked is None else tuple(arguments.facts),
-        settings,
-        cached=not arguments.no_cache and linked is None,
-        jobs=arguments.jobs,
-        launch=launch,
-        launch_arguments=launch_arguments,
+    request = replace(
+        request,
         observed=observed_of(arguments),
         fixes=asks_for_fixes(arguments),
         keeper=None if settings.plugins else _keeper(arguments, baseline),  # plugins may depend on anything
         baseline=None if baseline is None else baseline.held,
         occurrences=baseline is not None and baseline.writes,
-        linked=linked,
     )
     progress = Progress(sys.stderr, arguments.quiet, arguments.verbose)
     shown: list[System] = []

@@ -9,6 +9,7 @@ from archlint.cli.exits import UsageError
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:  # the console is there on every start: it imports what it needs when it does
+    from collections.abc import Collection
     from typing import Literal, TextIO
 
     from archlint.engine.answers import Answer
@@ -24,6 +25,15 @@ _COLUMNS = 80
 def note(text: str) -> None:
     """Tell something on standard error; a reader that went away is not an error."""
     _tell(noted(text))
+
+
+def note_faults(faults: Collection[str], done: str = "analysed") -> bool:
+    """Tell of errors in archlint itself, and that everything else was ``done``; returns whether there are any."""
+    for fault in faults:
+        note(f"archlint: {fault}")
+    if faults:
+        note(f"This is an error in archlint, not in your code; everything else was {done}.")
+    return bool(faults)
 
 
 def noted(text: str) -> str:

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
+from archlint.counted import counted
+
 if TYPE_CHECKING:
     from archlint.cli.tally import Tally
 
@@ -15,13 +17,13 @@ MOST = 10
 def costs(tally: Tally) -> Iterator[str]:
     """What was done and what was kept, and the slowest files and programs with their share of the processor time."""
     yield f"processor time: {tally.seconds:.2f} s"
-    yield f"read {_count(len(tally.files), 'file')}{_total(tally.files.values(), tally.seconds)}"
+    yield f"read {counted(len(tally.files), 'file')}{_total(tally.files.values(), tally.seconds)}"
     yield from _slowest(tally.files, tally.seconds)
     if not tally.links:
         yield "analysed no programs: the result of an earlier run was reused"
         return
     seconds = [seconds for _, seconds in tally.programs.values()]
-    followed = f"analysed {_count(len(tally.programs), 'program')}{_total(seconds, tally.seconds)}"
+    followed = f"analysed {counted(len(tally.programs), 'program')}{_total(seconds, tally.seconds)}"
     yield f"{followed}; reused {tally.kept} from an earlier run"
     yield from _slowest(_by_name(tally), tally.seconds)
 
@@ -48,10 +50,6 @@ def _total(every: Iterable[float], all_seconds: float) -> str:
 
 def _share(seconds: float, all_seconds: float) -> str:
     return f"{100 * seconds / all_seconds:.1f} %" if all_seconds > 0 else "-"
-
-
-def _count(number: int, noun: str) -> str:
-    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
 
 
 __all__ = ["MOST", "costs"]

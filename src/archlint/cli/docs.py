@@ -10,6 +10,7 @@ from archlint.cli import console, exits
 from archlint.cli.asked_systems import add_asking, add_paths, asked_systems
 from archlint.cli.exits import UsageError
 from archlint.cli.parser import Parser
+from archlint.counted import counted
 
 _FOLDER = "docs/architecture"
 
@@ -61,9 +62,5 @@ def run(arguments: argparse.Namespace) -> int:
     elif not arguments.quiet:
         changes = len(todo.changed) + len(todo.missing)
         removed = f", {len(todo.unneeded)} removed" if todo.unneeded else ""
-        console.note(f"{_count(len(written))} in {folder.as_posix()}: {changes} written{removed}.")
+        console.note(f"{counted(len(written), 'page')} in {folder.as_posix()}: {changes} written{removed}.")
     return asked.end(exits.FINDINGS if arguments.check and todo else exits.CLEAN)
-
-
-def _count(pages: int) -> str:
-    return "1 page" if pages == 1 else f"{pages} pages"

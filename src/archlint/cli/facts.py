@@ -23,6 +23,7 @@ from archlint.cli.options import (
 )
 from archlint.cli.parser import Parser
 from archlint.cli.progress import Progress
+from archlint.counted import counted
 from archlint.engine.compile_facts import FactsError, write_facts
 from archlint.engine.request import NothingToDo, Request
 
@@ -70,16 +71,7 @@ def run(arguments: argparse.Namespace) -> int:
     except (NothingToDo, FactsError) as error:
         raise UsageError(str(error)) from None
     if not arguments.quiet:
-        what = f"{_count(written.packages, 'package')} and {_count(written.files, 'file')}"
+        what = f"{counted(written.packages, 'package')} and {counted(written.files, 'file')}"
         console.note(f"Wrote the facts of {what} to {arguments.folder}.")
     progress.note_costs()
-    for fault in written.faults:
-        console.note(f"archlint: {fault}")
-    if written.faults:
-        console.note("This is an error in archlint, not in your code; everything else was compiled.")
-        return exits.FAILED
-    return exits.CLEAN
-
-
-def _count(number: int, noun: str) -> str:
-    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
+    return exits.FAILED if console.note_faults(written.faults, "compiled") else exits.CLEAN

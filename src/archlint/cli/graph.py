@@ -19,21 +19,18 @@ from archlint.cli.options import (
     add_running,
     add_scheduler,
     add_talking,
-    launch_of,
-    linked_of,
     observed_of,
-    paths_of,
     pool_of,
-    settings_of,
 )
 from archlint.cli.output_format import add_format, format_of
 from archlint.cli.parser import Parser
 from archlint.cli.progress import Progress
+from archlint.cli.requests import request_of
 from archlint.cli.source_links import add_source_links, source_link_of
 from archlint.cli.view_options import add_view, view_of
 from archlint.engine.answers import Answer
 from archlint.engine.drawn import Drawn
-from archlint.engine.pipeline import NothingToDo, Request, draw
+from archlint.engine.pipeline import NothingToDo, draw
 from archlint.render.errors import CannotDraw
 from archlint.render.selection import NothingOfThatName
 
@@ -60,21 +57,7 @@ def run(arguments: argparse.Namespace) -> int:
     format, view = _format(arguments), view_of(arguments)
     source_link = source_link_of(arguments.source_links, format)
     keeper = keeper_of(arguments, render.FORMATS[format].drawn)
-    launch, launch_arguments = launch_of(arguments)
-    linked = linked_of(arguments)
-    paths = paths_of(arguments)
-    settings = settings_of(arguments, paths[0])
-    request = Request(
-        paths if linked is None else tuple(arguments.facts),
-        settings,
-        cached=not arguments.no_cache and linked is None,
-        jobs=arguments.jobs,
-        launch=launch,
-        launch_arguments=launch_arguments,
-        observed=observed_of(arguments),
-        keeper=keeper,
-        linked=linked,
-    )
+    request = replace(request_of(arguments), observed=observed_of(arguments), keeper=keeper)
     to_terminal = arguments.file in (None, "-")
     color = to_terminal and console.wants_color(arguments.color, sys.stdout)
     progress = Progress(sys.stderr, arguments.quiet, arguments.verbose)
@@ -91,10 +74,7 @@ def run(arguments: argparse.Namespace) -> int:
     answer = Answer(text, "" if arguments.quiet else _warnings(drawn), "", exits.CLEAN)
     console.give(answer)
     progress.note_costs()
-    for fault in drawn.faults:
-        console.note(f"archlint: {fault}")
-    if drawn.faults:
-        console.note("This is an error in archlint, not in your code; everything else was analysed.")
+    if console.note_faults(drawn.faults):
         return exits.FAILED
     if keeper is not None:
         keeper.keep(answer)

@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from archlint.cli.exits import UsageError
+from archlint.counted import counted
 from archlint.disk import lies_in
 from archlint.engine.pipeline import check
 from archlint.fixes import apply as fixes
@@ -62,8 +63,7 @@ def _wanted(report: Report) -> dict[str, dict[int, set[str]]]:
 
 
 def _said(count: int, files: int, report: Report) -> str:
-    findings = "1 finding" if count == 1 else f"{count} findings"
-    said = f"Suppressed {findings} in {'1 file' if files == 1 else f'{files} files'}."
+    said = f"Suppressed {counted(count, 'finding')} in {counted(files, 'file')}."
     left = report.summary.findings
     return said if not left else f"{said} No comment can suppress the {left} that {'is' if left == 1 else 'are'} left."
 

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 from archlint.cli import console
 from archlint.cli.exits import UsageError
+from archlint.counted import counted
 from archlint.engine.looked_at import without_plugins
 from archlint.suggestions import meant
 
@@ -114,8 +115,9 @@ def pool_of(arguments: argparse.Namespace) -> Iterator[ExecutorPool | None]:
     except PoolError as error:
         raise UsageError(f"--scheduler: {error}") from None
     if pool.lost and not arguments.quiet:
-        tasks = "1 task" if pool.lost == 1 else f"{pool.lost} tasks"
-        console.note(f"archlint: warning: {tasks} did not come back from the cluster and ran here instead")
+        console.note(
+            f"archlint: warning: {counted(pool.lost, 'task')} did not come back from the cluster and ran here instead"
+        )
 
 
 def add_launch(parser: argparse.ArgumentParser) -> None:
@@ -138,7 +140,7 @@ def add_facts(parser: argparse.ArgumentParser) -> None:
 
 def linked_of(arguments: argparse.Namespace) -> LinkedFacts | None:
     """The facts in the folders of ``--facts``.  Raises :class:`UsageError` where they cannot be used."""
-    if arguments.facts is None:
+    if getattr(arguments, "facts", None) is None:
         return None
     if arguments.paths:
         raise UsageError("--facts: no PATH can be given with it: what is checked is what the facts are about")

@@ -16,12 +16,10 @@ from archlint.cli.options import (
     add_paths,
     add_running,
     add_talking,
-    launch_of,
-    paths_of,
-    settings_of,
 )
 from archlint.cli.parser import Parser
 from archlint.cli.progress import Progress
+from archlint.cli.requests import request_of
 from archlint.disk import read_regular
 from archlint.engine.answers import Answer
 from archlint.suggestions import name_meant
@@ -53,23 +51,12 @@ def parser() -> Parser:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    from archlint.engine.pipeline import NothingToDo, Request, systems  # wrong words need none of it
+    from archlint.engine.pipeline import NothingToDo, systems  # wrong words need none of it
     from archlint.lookup.by_name import known_names, summaries
     from archlint.render.shown import render_json, render_text
 
     keeper = keeper_of(arguments, drawn=False)
-    launch, launch_arguments = launch_of(arguments)
-    paths = paths_of(arguments)
-    settings = settings_of(arguments, paths[0])
-    request = Request(
-        paths,
-        settings,
-        cached=not arguments.no_cache,
-        jobs=arguments.jobs,
-        launch=launch,
-        launch_arguments=launch_arguments,
-        keeper=keeper,
-    )
+    request = replace(request_of(arguments), keeper=keeper)
     progress = Progress(sys.stderr, arguments.quiet, arguments.verbose)
     try:
         with progress as monitor:

@@ -17,12 +17,10 @@ from archlint.cli.options import (
     add_paths,
     add_running,
     add_talking,
-    launch_of,
-    paths_of,
-    settings_of,
 )
 from archlint.cli.output_format import add_format, format_of
 from archlint.cli.progress import Progress
+from archlint.cli.requests import request_of
 from archlint.engine.answers import Answer
 from archlint.suggestions import name_meant
 
@@ -72,20 +70,10 @@ class Read:
 
 def read(arguments: argparse.Namespace) -> Read:
     """Raises :class:`UsageError`."""
-    from archlint.engine.pipeline import NothingToDo, Request, systems  # wrong words need none of it
+    from archlint.engine.pipeline import NothingToDo, systems  # wrong words need none of it
 
     keeper = keeper_of(arguments, drawn=format_of(arguments, _SUFFIXES) == "svg")
-    launch, launch_arguments = launch_of(arguments)
-    paths = paths_of(arguments)
-    request = Request(
-        paths,
-        settings_of(arguments, paths[0]),
-        cached=not arguments.no_cache,
-        jobs=arguments.jobs,
-        launch=launch,
-        launch_arguments=launch_arguments,
-        keeper=keeper,
-    )
+    request = replace(request_of(arguments), keeper=keeper)
     progress = Progress(sys.stderr, arguments.quiet, arguments.verbose)
     try:
         with progress as monitor:

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from archlint.counted import counted
 from archlint.engine.request import NothingToDo, Request
 from archlint.syntax.summaries import Summaries
 from archlint.workspace.discovery import find
@@ -135,11 +136,11 @@ def refuse_nothing(request: Request, workspace: Workspace, facts: FactsOfFiles) 
     if known_files(request, workspace, facts) or any(map(facts.relevant, workspace.of_kind("cpp"))):
         return
     if not _is_for_ros(workspace):
-        files = len(compiled_files(workspace))
+        files = counted(len(compiled_files(workspace)), "file")
         problems = "".join(f"\n{problem.file}: {problem.message}" for problem in workspace.problems[:3])
         raise NothingToDo(
             f"nothing to check in {', '.join(request.paths)}: no package.xml, no launch file, and nothing that uses "
-            f"rclpy or rclcpp in {files} file{'' if files == 1 else 's'} of Python or C++{problems}"
+            f"rclpy or rclcpp in {files} of Python or C++{problems}"
         )
 
 

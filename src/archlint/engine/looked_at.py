@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Sequence, Set
 from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING
 
+from archlint.counted import counted
 from archlint.workspace.around import is_below
 
 if TYPE_CHECKING:
@@ -27,7 +28,7 @@ def without_node(summary: Summary) -> Iterator[str]:
     """A sentence where no node was found."""
     if summary.nodes:
         return
-    yield f"no node was found in {summary.files} file{'s' if summary.files != 1 else ''}"
+    yield f"no node was found in {counted(summary.files, 'file')}"
 
 
 def around(paths: Sequence[str], workspace: Workspace) -> Iterator[str]:

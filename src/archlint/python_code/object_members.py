@@ -74,9 +74,7 @@ def object_members(system: System) -> Iterator[AbsentMember | CalledProperty]:
     workspace = system.workspace
     if workspace is None:
         return
-    for path in workspace.python_files():
-        if not workspace.code.mentions(path, "rclpy"):
-            continue
+    for path in workspace.python_files(mentioning="rclpy"):
         for row in _of_file(workspace, path):
             by_parameter = row.kind in (Kind.PARAMETER, Kind.VALUE)
             if by_parameter and is_defined_somewhere(system, path, "get_parameter"):

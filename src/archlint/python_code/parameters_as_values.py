@@ -61,9 +61,7 @@ def parameter_uses(system: System) -> Iterator[ParameterUse]:
     workspace = system.workspace
     if workspace is None:
         return
-    for path in workspace.python_files():
-        if not workspace.code.mentions(path, "rclpy"):
-            continue
+    for path in workspace.python_files(mentioning="rclpy"):
         rows = [row for row in _of_file(workspace, path) if _is_of_node(workspace, path, row.cls)]
         if rows and not any(is_defined_somewhere(system, path, name) for name in _GIVE_PARAMETERS):
             yield from (ParameterUse(row.outcome, row.by, Place(path, *row.span)) for row in rows)

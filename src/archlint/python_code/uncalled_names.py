@@ -31,10 +31,9 @@ _FUNCTIONS = frozenset({"rclpy.init", "rclpy.shutdown", "rclpy.spin", "rclpy.spi
 
 def uncalled_names(workspace: WorkspaceIndex) -> Iterator[tuple[str, Place]]:
     """What such lines name, and where, in the files that use rclpy, outside of test code."""
-    for path in workspace.python_files():
-        if workspace.code.mentions(path, "rclpy"):
-            for name, span in _uncalled(workspace, path) or ():
-                yield name, Place(path, *span)
+    for path in workspace.python_files(mentioning="rclpy"):
+        for name, span in _uncalled(workspace, path) or ():
+            yield name, Place(path, *span)
 
 
 @kept_for_each_file

@@ -6,6 +6,7 @@ from collections import Counter
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal
 
+from archlint.counted import counted
 from archlint.model import EntityKind
 from archlint.ros.qos import Qos
 from archlint.systems.graph import NODE
@@ -180,11 +181,6 @@ def is_unowned(data: dict[str, Any]) -> bool:
 def is_aside(node: Node) -> bool:
     """Whether it is drawn in grey: test code, nodes whose source is not here, and what is no node."""
     return node.test or node.external or not node.is_node
-
-
-def counted(number: int, noun: str) -> str:
-    """``1 node``, ``2 nodes``."""
-    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
 
 
 @dataclass(frozen=True)

@@ -10,6 +10,7 @@ from archlint import cells
 from archlint import model as program
 from archlint.architecture import ConnectionKind
 from archlint.connections.unconnected import unconnected_on
+from archlint.counted import counted
 from archlint.model import Creation, ParameterDeclaration, Role
 from archlint.observed.model import DIFFERENT, MISSING, UNEXPECTED, Difference, Status
 from archlint.observed.words import comparison_words
@@ -92,7 +93,7 @@ def painted_text(color: bool, text: str, style: Style) -> str:
 
 def _nodes(system: System, marks: Marks, paint: Paint) -> Iterator[str]:
     if system.nodes:
-        yield paint(look.counted(len(system.nodes), "node"), "title")
+        yield paint(counted(len(system.nodes), "node"), "title")
     for node in system.nodes:
         yield entry(node, paint, [(words, "alarm") for words in marks.of_node(node)])
 
@@ -226,7 +227,7 @@ def _connections(
 ) -> Iterator[str]:
     every = [connection for connection in connections if (kind, connection.name) in marks.keys]
     if every:
-        yield paint(look.counted(len(every), kind), "title")
+        yield paint(counted(len(every), kind), "title")
     for connection in every:
         types = paint(
             " ≠ ".join(connection.types) or "type not known",

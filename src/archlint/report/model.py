@@ -7,6 +7,7 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Literal
 
+from archlint.counted import counted
 from archlint.finding import Finding, Severity
 from archlint.report.occurrence import Occurrence
 
@@ -123,7 +124,7 @@ def recounted(summary: Summary, findings: Sequence[Finding]) -> Summary:
 
 def summary_line(summary: Summary) -> str:
     """The run in one sentence."""
-    where = f"{_count(summary.files, 'file')} with {_count(summary.nodes, 'node')}"
+    where = f"{counted(summary.files, 'file')} with {counted(summary.nodes, 'node')}"
     notes = [
         f"{summary.suppressed} suppressed" if summary.suppressed else "",
         f"{summary.baselined} held by the baseline" if summary.baselined else "",
@@ -134,9 +135,5 @@ def summary_line(summary: Summary) -> str:
     if not summary.findings:
         return f"No findings in {where}{tail}."
     levels = [(summary.errors, "error"), (summary.warnings, "warning"), (summary.infos, "info")]
-    counts = ", ".join(_count(number, word) for number, word in levels if number)
+    counts = ", ".join(counted(number, word) for number, word in levels if number)
     return f"Found {counts} in {where}{tail}."
-
-
-def _count(number: int, word: str) -> str:
-    return f"{number} {word}" if number == 1 else f"{number} {word}s"

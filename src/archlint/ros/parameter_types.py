@@ -19,6 +19,17 @@ ParameterType = Literal[
 
 OF_PYTHON: Final[Mapping[type, ParameterType]] = {bool: "bool", int: "integer", float: "double", str: "string"}
 """What rclpy makes of a value of a class."""
+OF_PARAMETER_LIBRARY: Final[Mapping[ParameterType, str]] = {
+    "bool": "bool",
+    "integer": "int",
+    "double": "double",
+    "string": "string",
+    "bool_array": "bool_array",
+    "integer_array": "int_array",
+    "double_array": "double_array",
+    "string_array": "string_array",
+}
+"""The types of ``generate_parameter_library``, which has no byte arrays."""
 _ARRAYS: Final[Mapping[ParameterType | None, ParameterType]] = {
     "bool": "bool_array",
     "integer": "integer_array",

@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 from archlint import model as program
 from archlint.model import Blueprint, Creation, Text
 from archlint.ros import names, qos
+from archlint.ros.parameter_services import PARAMETER_SERVICES
 from archlint.ros.qos import Qos
 from archlint.systems.model import System
 from archlint.systems.nodes import NamedCreation, Node
@@ -38,17 +39,7 @@ _PARAMETER_EVENTS = _Entity(
     program.EntityKind.PUBLISHER, "/parameter_events", "rcl_interfaces/msg/ParameterEvent", qos.PARAMETERS
 )
 _CLOCK = _Entity(program.EntityKind.SUBSCRIBER, "/clock", "rosgraph_msgs/msg/Clock", qos.CLOCK)
-_PARAMETER_SERVICES = tuple(
-    _service(f"~/{name}", f"rcl_interfaces/srv/{type_}", qos.PARAMETERS)
-    for name, type_ in (
-        ("describe_parameters", "DescribeParameters"),
-        ("get_parameter_types", "GetParameterTypes"),
-        ("get_parameters", "GetParameters"),
-        ("list_parameters", "ListParameters"),
-        ("set_parameters", "SetParameters"),
-        ("set_parameters_atomically", "SetParametersAtomically"),
-    )
-)
+_PARAMETER_SERVICES = tuple(_service(f"~/{name}", type_, qos.PARAMETERS) for name, type_ in PARAMETER_SERVICES)
 _TYPE_DESCRIPTION = _service("~/get_type_description", "type_description_interfaces/srv/GetTypeDescription")
 _LOGGER_SERVICES = (
     _service("~/get_logger_levels", "rcl_interfaces/srv/GetLoggerLevels"),

@@ -238,11 +238,14 @@ class WorkspaceIndex:
         """The facts of a file of the workspace; None where it was not read."""
         return self.code.facts_at(file)
 
-    def python_files(self) -> Iterator[str]:
-        """The Python files that were asked for and that can matter, but for launch files and test code."""
+    def python_files(self, mentioning: str = "") -> Iterator[str]:
+        """The Python files that were asked for and that can matter, but for launch files and test code; with a word,
+        those in which it occurs."""
         for file, _ in self.code.asked_for():
-            if file.kind == "python" and not self.roles.is_test(file.relative):
-                yield file.relative
+            path = file.relative
+            is_code = file.kind == "python" and not self.roles.is_test(path)
+            if is_code and (not mentioning or self.code.mentions(path, mentioning)):
+                yield path
 
     def parameters_of(self, file: str) -> ParameterFacts:
         """What a parameter file sets."""

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final, Literal
 
 from archlint.architecture import ACTION, CONNECTIONS, SERVICE, TOPIC, ConnectionKind
+from archlint.counted import counted
 from archlint.ros.well_known import OF_EVERY_NODE, OF_MANY_PUBLISHERS
 from archlint.systems.shape import connections, plain_graph, splits
 
@@ -165,12 +166,12 @@ def words(figures: Figures) -> list[str]:
     lines = [f"pattern: {figures.pattern or 'none: fewer than three nodes are connected'}"]
     ties = ", ".join(f"{figures.pairs[kind]} by {kind}s" for kind in CONNECTIONS if figures.pairs[kind])
     lines.append(
-        f"connected: {figures.connected} of {_counted(figures.nodes, 'node')}" + (f"; pairs {ties}" if ties else "")
+        f"connected: {figures.connected} of {counted(figures.nodes, 'node')}" + (f"; pairs {ties}" if ties else "")
     )
     if figures.components > 1 or figures.isolated:
         lines.append(
-            f"parts: {_counted(figures.components, 'group')} of connected nodes, "
-            f"{_counted(figures.isolated, 'node')} alone"
+            f"parts: {counted(figures.components, 'group')} of connected nodes, "
+            f"{counted(figures.isolated, 'node')} alone"
         )
     for hub in figures.hubs:
         lines.append(f"hub: {hub.node}, fan-in {hub.fan_in}, fan-out {hub.fan_out}")
@@ -179,7 +180,3 @@ def words(figures: Figures) -> list[str]:
     if figures.bridges:
         lines.append(f"connects the parts: {', '.join(figures.bridges)}")
     return lines
-
-
-def _counted(number: int, word: str) -> str:
-    return f"{number} {word}" if number == 1 else f"{number} {word}s"

@@ -16,19 +16,10 @@ from archlint.libraries.rclpy.entities import create
 from archlint.libraries.tables import Api
 from archlint.libraries.texts import text_of_value
 from archlint.libraries.values import EntityValue
+from archlint.ros.parameter_services import PARAMETER_SERVICES
 
 if TYPE_CHECKING:
     from archlint.libraries.run import Run
-
-
-_PARAMETER_SERVICES = (
-    ("describe_parameters", "DescribeParameters"),
-    ("get_parameter_types", "GetParameterTypes"),
-    ("get_parameters", "GetParameters"),
-    ("list_parameters", "ListParameters"),
-    ("set_parameters", "SetParameters"),
-    ("set_parameters_atomically", "SetParametersAtomically"),
-)
 
 
 def parameter_client(run: Run, call: ApiUse) -> Value:
@@ -40,9 +31,9 @@ def parameter_client(run: Run, call: ApiUse) -> Value:
     if remote is None:
         return EntityValue((), call.api.path, run.store.new_key())
     for blueprint in nodes.given_nodes(run, call.get("node")):
-        for name, type_ in _PARAMETER_SERVICES:
+        for name, type_ in PARAMETER_SERVICES:
             text = text_of_value(join_texts((remote, Known(f"/{name}"))), "no name is given")
             part = ApiUse(row, None, {}, call.expression, False, [], {})
             profile = profiles.resolve(run, call.get("qos_profile"), "services_default", call)
-            clients.append(create(run, part, blueprint, text, f"rcl_interfaces/srv/{type_}", None, profile, None))
+            clients.append(create(run, part, blueprint, text, type_, None, profile, None))
     return EntityValue(tuple(clients), call.api.path, run.store.new_key())

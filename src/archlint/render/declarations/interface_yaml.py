@@ -17,11 +17,11 @@ from archlint.model import EntityKind
 from archlint.render.declarations.interface import OF_MESSAGES
 from archlint.render.declarations.rendered import MADE, Rendered
 from archlint.ros.interface_profiles import profile_of
+from archlint.ros.parameter_types import OF_PARAMETER_LIBRARY
 from archlint.visible import visible
 
 if TYPE_CHECKING:
     from archlint.render.declarations.interface import Declarations, DeclaredEnd, DeclaredParameter, NodeInterface
-    from archlint.ros.parameter_types import ParameterType
 
 KEYS: Mapping[EntityKind, str] = {
     EntityKind.PUBLISHER: "publishers",
@@ -31,17 +31,6 @@ KEYS: Mapping[EntityKind, str] = {
     EntityKind.ACTION_SERVER: "actions",
     EntityKind.ACTION_CLIENT: "action_clients",
 }
-TYPES: Mapping[ParameterType, str] = {
-    "bool": "bool",
-    "integer": "int",
-    "double": "double",
-    "string": "string",
-    "bool_array": "bool_array",
-    "integer_array": "int_array",
-    "double_array": "double_array",
-    "string_array": "string_array",
-}
-"""The types of ``generate_parameter_library``, which has no byte arrays."""
 _NAME = re.compile(r"[A-Za-z]\w*", re.ASCII)
 
 
@@ -105,7 +94,7 @@ def _entry(end: DeclaredEnd, notes: list[str]) -> dict[str, Any] | None:
 
 
 def _can_be_declared(parameter: DeclaredParameter, notes: list[str]) -> bool:
-    known = parameter.type in TYPES
+    known = parameter.type in OF_PARAMETER_LIBRARY
     if not known:
         notes.append(f"the parameter {parameter.name}, for whose type the format has no word")
     return known
@@ -113,7 +102,7 @@ def _can_be_declared(parameter: DeclaredParameter, notes: list[str]) -> bool:
 
 def _parameter(parameter: DeclaredParameter) -> dict[str, Any]:
     assert parameter.type is not None
-    declared: dict[str, Any] = {"type": TYPES[parameter.type]}
+    declared: dict[str, Any] = {"type": OF_PARAMETER_LIBRARY[parameter.type]}
     if parameter.has_default:
         declared["default_value"] = (
             list(parameter.default) if isinstance(parameter.default, tuple) else parameter.default
@@ -142,4 +131,4 @@ def _safe(value: Any) -> Any:
     return value
 
 
-__all__ = ["KEYS", "TYPES", "document", "render"]
+__all__ = ["KEYS", "document", "render"]

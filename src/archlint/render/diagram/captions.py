@@ -6,7 +6,7 @@ from collections import Counter
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.render.look import counted
+from archlint.counted import counted
 from archlint.systems import pattern
 from archlint.systems.graph import NODE
 from archlint.visible import visible

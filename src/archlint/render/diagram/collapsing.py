@@ -6,8 +6,8 @@ from collections import Counter
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from archlint.counted import counted
 from archlint.render.diagram.model import Line, Shape
-from archlint.render.look import counted
 from archlint.systems.graph import NODE
 
 if TYPE_CHECKING:

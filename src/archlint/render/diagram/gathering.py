@@ -5,8 +5,9 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING, TypeVar
 
+from archlint.counted import counted
 from archlint.render.diagram.model import Shape
-from archlint.render.look import UNOWNED, counted
+from archlint.render.look import UNOWNED
 from archlint.systems.graph import NODE
 
 if TYPE_CHECKING:

@@ -6,8 +6,8 @@ from collections import Counter
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from archlint.counted import counted
 from archlint.render.diagram.model import Badge
-from archlint.render.look import counted
 from archlint.systems.graph import NODE, node_keys
 from archlint.systems.pattern import HUB, figures
 from archlint.systems.shape import splits

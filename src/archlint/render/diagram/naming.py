@@ -6,8 +6,8 @@ from collections import Counter
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from archlint.counted import counted
 from archlint.render.diagram.gathering import enough, is_plain, is_plain_line, lines_at
-from archlint.render.look import counted
 from archlint.render.wrapping import SMALL
 from archlint.systems.graph import NODE
 

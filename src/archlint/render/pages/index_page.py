@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
-from archlint.render.look import counted
+from archlint.counted import counted
 from archlint.render.markdown import code, table, text
 from archlint.render.pages.ends import summary
 from archlint.render.pages.site import INDEX

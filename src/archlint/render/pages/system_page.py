@@ -6,9 +6,9 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.connections.delivery import undelivered_on
+from archlint.counted import counted
 from archlint.render import render
 from archlint.render.definitions import launch_arguments
-from archlint.render.look import counted
 from archlint.render.markdown import code, table, text
 from archlint.render.pages.parameters import value_words
 

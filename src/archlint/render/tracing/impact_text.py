@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from functools import partial
 from typing import TYPE_CHECKING
 
-from archlint.render import look
+from archlint.counted import counted
 from archlint.render.text import painted_text
 from archlint.render.tracing.words import place_words
 
@@ -30,7 +30,7 @@ def render_text(impacts: Sequence[Impact], *, color: bool = False) -> str:
 
 def _block(impact: Impact, paint: Paint) -> Iterator[str]:
     systems = impact.systems
-    others = f" and {look.counted(len(systems) - 1, 'more launch file')}" if len(systems) > 1 else ""
+    others = f" and {counted(len(systems) - 1, 'more launch file')}" if len(systems) > 1 else ""
     where = f"  {paint(systems[0] + others, 'quiet')}" if systems else ""
     yield f"{paint(impact.kind, 'plain')}  {paint(impact.name, 'name')}{where}"
     sections: list[tuple[str, list[str]]] = [

@@ -6,9 +6,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 from typing import TYPE_CHECKING
 
+from archlint.counted import counted
 from archlint.dataflow.latency import ASSUMED, is_known_in_part, total
 from archlint.dataflow.model import Link, Step, StepKind
-from archlint.render import look
 from archlint.render.text import painted_text
 from archlint.render.tracing.relations import doubts, relation
 from archlint.render.tracing.step_notes import notes
@@ -38,7 +38,7 @@ def render(traces: Sequence[Trace], *, color: bool = False) -> str:
     shown = list(blocks.items())[:MOST_SYSTEMS]
     parts = ["\n".join([_heading(alike, paint), body]) for body, alike in shown]
     if len(blocks) > len(shown):
-        more = look.counted(len(blocks) - len(shown), "more trace")
+        more = counted(len(blocks) - len(shown), "more trace")
         parts.append(paint(f"… and {more}, in other systems: --launch FILE shows that of one launch file", "quiet"))
     assumed = "\n".join([paint("assumed", "title"), *(f"  {paint(words, 'quiet')}" for words in ASSUMED)])
     return "\n\n".join([*parts, assumed]) + "\n"
@@ -50,7 +50,7 @@ def _heading(alike: Sequence[Trace], paint: Paint) -> str:
     words = [paint(subject.kind, "plain"), paint(subject.name, "name"), paint(types, "plain")]
     names = [trace.system.name for trace in alike if trace.system.name]
     if names:
-        others = f" and {look.counted(len(names) - 1, 'more launch file')}" if len(names) > 1 else ""
+        others = f" and {counted(len(names) - 1, 'more launch file')}" if len(names) > 1 else ""
         words.append(paint(f"{names[0]}{others}", "quiet"))
     return "  ".join(filter(None, words)).replace("   ", "  ")
 
@@ -151,14 +151,14 @@ def _times(trace: Trace, paint: Paint) -> Iterator[str]:
         alike.setdefault(tuple((term.seconds, term.words) for term in way.terms), []).append(way)
     yield paint("takes at most", "title")
     for first, *others in alike.values():
-        more = f", and {look.counted(len(others), 'more way')} like it" if others else ""
+        more = f", and {counted(len(others), 'more way')} like it" if others else ""
         yield f"  {paint(way_words(first), 'name')}{paint(more, 'quiet')}"
         yield f"    {paint(sum_words(first.terms), 'plain')}"
         for term in first.terms:
             seconds = "not known" if term.seconds is None else f"{term.seconds:.3g} s"
             yield f"    {paint(f'{seconds:>9}', 'plain')}  {paint(term.words, 'quiet')}"
     if trace.more_ways:
-        more = look.counted(trace.more_ways, "more way")
+        more = counted(trace.more_ways, "more way")
         yield f"  {paint(f'… and {more}: {_SHORTEN}', 'quiet')}"
 
 
