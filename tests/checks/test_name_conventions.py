@@ -216,6 +216,32 @@ def test_a_large_workspace_hears_of_the_two_ends_of_one_topic(folder: Path):
 
 
 @pytest.mark.parametrize(
+    ("names", "viewer", "told"),
+    [
+        (("/lidar/scan", "user/state"), "viewer/state", True),
+        (("/lidar/scan", "/tf_static"), "viewer/state", True),  # ROS itself makes that one absolute
+        (("/lidar/scan", "/user/state"), "viewer/state", False),  # without one '/', the class stays where it is
+        (("/lidar/scan",), "/viewer/state", False),  # another class that has the name stays
+    ],
+)
+def test_a_slip_is_a_name_whose_class_follows_its_namespace_otherwise(
+    folder: Path, names: tuple[str, ...], viewer: str, told: bool
+):
+    nodes = {
+        "lidar": node("Lidar", "lidar/scan"),
+        "other": subscriber("Other", "lidar/scan"),  # as many have it as a relative name
+        "user": subscriber("User", names[0]).replace(
+            "print, 10)", f"print, 10){''.join(map(CREATES.format, names[1:]))}"
+        ),
+        "viewer": subscriber("Viewer", "/lidar/scan").replace("print, 10)", f"print, 10){CREATES.format(viewer)}"),
+    }
+    assert bool(check(request(folder, **nodes, **many(*ALL_ABSOLUTE))).findings) is told
+
+
+CREATES = "\n        self.create_publisher(String, '{}', 10)"
+
+
+@pytest.mark.parametrize(
     "others",
     [
         {"user": node("User", "/lidar/scan")},  # another version of the same node

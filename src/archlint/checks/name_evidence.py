@@ -22,6 +22,7 @@ from archlint.checks.name_reasons import (
 )
 from archlint.connections.lessons import is_lesson
 from archlint.model import EntityKind
+from archlint.ros.well_known import ABSOLUTE, BY_CLICK
 from archlint.systems.nodes import key_of
 
 if TYPE_CHECKING:
@@ -72,14 +73,35 @@ def told(system: System, names: Sequence[FixedName], everywhere: bool) -> list[t
     """The names that are worth a finding, each with what speaks against the form that it has.
 
     Absolute names are how the robot of a workspace is built: with a bus that a fleet shares, or for a robot that is
-    alone.  Only one whose other end is relative fits no robot: a namespace parts the two.  Who learns, in a small
+    alone.  Only one whose other end is relative fits no robot: a namespace parts the two.  It is a slip where no class
+    that has it has other absolute names; one that has some stays where it is in any namespace.  Who learns, in a small
     workspace that starts nothing but its own nodes, also hears of what else speaks against absolute names, and so does
     who wants to be told of all, ``everywhere``.
     """
     if everywhere or (is_lesson(system) and _starts_each_once(system.workspace)):
         return _told_of_all(system.workspace, names, everywhere)
     parted = _parted(system.workspace, names)
-    return [(name, parted.get(_end_of(name))) for name in names if name.text[:1] != "/" or _end_of(name) in parted]
+    kept = _with_other_absolute_names(names, parted)
+    meant = {_end_of(name) for name in names if name.home in kept}
+    return [
+        (name, parted.get(_end_of(name)))
+        for name in names
+        if name.text[:1] != "/" or (_end_of(name) in parted and _end_of(name) not in meant)
+    ]
+
+
+def _with_other_absolute_names(
+    names: Sequence[FixedName], parted: Mapping[tuple[str, str | None], Reason]
+) -> set[Home]:
+    """The classes with an absolute name whose other end is not relative, be it one that something outside of the code
+    chooses, but for those that ROS itself makes absolute: dropping one '/' leaves the node where it is."""
+    kept: set[Home] = set()
+    for name in names:
+        ends = [end for end in name.endpoint.node.endpoints if end.creation.name.resolution == "exact"]
+        written = {(end.written or "", end.type) for end in ends if end.written not in ABSOLUTE | BY_CLICK}
+        if any(text.startswith("/") and (text, kind) not in parted for text, kind in (_end_of(name), *written)):
+            kept.add(name.home)
+    return kept
 
 
 def _starts_each_once(workspace: WorkspaceIndex | None) -> bool:
