@@ -246,6 +246,41 @@ def test_a_call_of_a_function_that_nothing_calls_is_information(judge: Judge):
     assert script_calls.severity is Severity.WARNING
 
 
+@pytest.mark.parametrize(("config", "expected"), [("", 0), ("[rules.TMO002]\nuncalled = true\n", 1)])
+def test_in_a_large_workspace_a_function_that_nothing_calls_is_for_those_who_ask(
+    judge: Judge, config: str, expected: int
+):
+    """Whoever calls a wrapper may well have set its own limit."""
+    text = f"""
+        import rclpy
+        from rclpy.node import Node
+
+
+        class Asker(Node):
+            def ask(self, client, request):
+                return client.call(request)
+
+
+        class Wrapper:
+            def __init__(self, node, type_, name):
+                self.client = node.create_client(type_, name)
+
+            def call(self, request):
+                return self.client.call(request){"  # here" * expected}
+
+
+        def main():
+            rclpy.init()
+            nodes = [rclpy.create_node('a'), rclpy.create_node('b'), rclpy.create_node('c')]
+            nodes += [rclpy.create_node('d'), rclpy.create_node('e'), rclpy.create_node('f')]
+
+
+        if __name__ == '__main__':
+            main()
+    """
+    assert len(judge("TMO002", text, config=config)) == expected
+
+
 def test_a_script_may_wait_for_what_it_needs(judge: Judge):
     [script_waits] = judge("TMO001", script("client.wait_for_service()  # here"))
     assert script_waits.severity is Severity.INFO

@@ -7,6 +7,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.limit_sites import sites_of_call
+from archlint.analysis.pinned import distros_to_judge
 from archlint.analysis.reach import (
     calls_of,
     endpoint_words,
@@ -21,6 +22,7 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.timeouts import is_uncalled
 from archlint.checks.wait_words import kind_of, name_of, related_path, server_words
+from archlint.connections.lessons import is_lesson
 from archlint.execution.callback_roles import runs_in_executor
 from archlint.execution.deadlock import CALL
 from archlint.execution.joined_threads import stuck_joins
@@ -47,13 +49,16 @@ _UNKNOWN = "nobody knows"
 _SPINS = (_ANOTHER, _UNKNOWN)
 
 
-@rule("TMO002", scope=Scope.CODE, in_use=True)
+@rule("TMO002", scope=Scope.CODE, in_use=True, uncalled=False)
 def call_without_timeout(system: System, options: Options) -> Iterator[Finding]:
-    """Blocking calls that wait for their answer without limit."""
+    """Blocking calls that wait for their answer without limit; those of functions that nothing calls in a lesson and
+    with ``uncalled``."""
+    uncalled = options.flag("uncalled") or is_lesson(system)
+    distros = distros_to_judge(system.workspace, options.distros)
     yield from one_for_each_place(
-        _limitless_call(system, program, call, options.distros)
+        _limitless_call(system, program, call, distros)
         for program, call in _limitless(system, options)
-        if not is_unanswerable(program, call)
+        if not is_unanswerable(program, call) and (uncalled or not is_uncalled(call))
     )
 
 
