@@ -32,7 +32,7 @@ Rule = Callable[[System, Options], Iterator[Finding]]
 
 
 def found(rule: Rule, judged: System) -> list[Finding]:
-    return list(rule(judged, Options()))
+    return list(rule(judged, Options(own={"separate": True})))
 
 
 @pytest.mark.parametrize(
@@ -254,3 +254,22 @@ def test_a_class_that_each_program_gives_another_type(tmp_path: Path, monkeypatc
 
     assert places(START.format("String")) == []
     assert places(both) == ["robot/filter.py"]
+
+
+def test_what_each_has_a_partner_for_is_for_those_who_ask():
+    talker, listener = node("/talker", publisher("x", "p/msg/One")), node("/listener", subscriber("x", "p/msg/One"))
+    spheres = node("/spheres", publisher("x", "p/msg/Two"))
+    others = [node(f"/part{number}") for number in range(6)]
+    quiet = Options(own={"separate": False})
+
+    assert list(topic_type_mismatch(system(talker, listener, spheres, *others), quiet)) == []
+    [launched] = topic_type_mismatch(system(talker, listener, spheres, *others, name="launch/all.launch.py"), quiet)
+    assert launched.severity is Severity.ERROR
+
+
+def test_publishers_to_whom_nobody_listens():
+    one, two = node("/one", publisher("x", "p/msg/One")), node("/two", publisher("x", "p/msg/Two"))
+    listener = node("/listener", subscriber("x", "p/msg/One"))
+
+    assert found(topic_type_mismatch, system(one, two, name="launch/all.launch.py")) == []
+    assert len(found(topic_type_mismatch, system(one, two, listener, name="launch/all.launch.py"))) == 1

@@ -16,6 +16,7 @@ from archlint.analysis.coexistence import (
 from archlint.analysis.kept import once
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
+from archlint.connections.lessons import is_lesson
 from archlint.finding import Finding, Related, Severity
 from archlint.model import (
     EntityKind,
@@ -36,10 +37,13 @@ _DOES = {
 }
 
 
-@rule("TOP001", scope=Scope.SYSTEM)
+@rule("TOP001", scope=Scope.SYSTEM, separate=False)
 def topic_type_mismatch(system: System, options: Options) -> Iterator[Finding]:
-    """Topics that two endpoints use with different types."""
-    yield from _mismatches("TOP001", system, system.topics)
+    """Topics that two endpoints use with different types; where nothing starts the two together and each has a partner,
+    in a lesson and with ``separate``."""
+    separate = options.flag("separate") or is_lesson(system)
+    mismatches = _mismatches("TOP001", system, system.topics)
+    yield from (mismatch for mismatch in mismatches if separate or mismatch.severity is not Severity.INFO)
 
 
 @rule("SRV002", scope=Scope.SYSTEM)
@@ -71,6 +75,8 @@ def _mismatches(code: str, system: System, connections: Mapping[str, Connection]
                 continue
             if endpoint.kind == other.kind and not known_to_coexist(system, endpoint.node, other.node):
                 continue  # of two that do the same job, one runs: nothing is lost between them
+            if endpoint.kind == other.kind == EntityKind.PUBLISHER and not connection.users:
+                continue  # nobody misses what either says
             first, second = sorted((endpoint.type or "", other.type or ""))
             pairs.setdefault((first, second), []).append((endpoint, other))
         for types in sorted(pairs):
