@@ -125,6 +125,18 @@ def test_name_renames_all_nodes_of_an_executable(findings):
     assert findings("NME004", node(), **{"robot/talker.py": two}) == []  # the advice works
 
 
+def test_a_name_that_another_action_has_is_no_way_out(findings):
+    two = TALKER.replace("Talker())", "Talker())\n    rclpy.spin(rclpy.create_node('helper'))")
+    (found,) = findings("NME004", node(name="it") + node(name="helper", exec="other"), **{"robot/talker.py": two})
+    assert found.help == ("remove name=, and create no '/helper' in this executable: this system starts one by itself")
+
+
+@pytest.mark.parametrize(("folder", "told"), [("launch", 1), ("launch/_old", 0)])
+def test_a_launch_file_that_is_put_aside_is_started_by_nobody(findings, folder: str, told: int):
+    twice = f"<launch>{node(name='it') * 2}</launch>"
+    assert len(findings("NME004", "", **{f"{folder}/twice.launch.xml": twice})) == told
+
+
 def test_removing_a_name_needs_another_section_in_the_parameter_file_that_is_for_it(findings):
     two = TALKER.replace("Talker())", "Talker())\n    rclpy.spin(rclpy.create_node('helper'))")
     started = node('<param from="$(find-pkg-share robot)/config/it.yaml"/>', name="it")

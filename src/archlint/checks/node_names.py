@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from archlint.systems.nodes import Node
 
 
-@rule("NME004", scope=Scope.SYSTEM)
+@rule("NME004", scope=Scope.SYSTEM, in_use=True)
 def duplicate_node_name(system: System, options: Options) -> Iterator[Finding]:
     """Nodes of one launched system under one name."""
     if system.launched is None:
@@ -278,6 +278,10 @@ def _of_one_process(system: System, first: Node, other: Node) -> Iterator[Findin
 def _unrenamed(system: System, node: Node) -> str:
     """The advice to remove ``name=``: a section of a parameter file that is for the name would be read by no node."""
     started, workspace = node.started, system.workspace
+    others = {twin.name for twin in system.nodes if twin.started is not started}
+    taken = next((own for own in _names_of_its_own(system, node) if own in others), None)
+    if taken is not None:
+        return f"remove name=, and create no '{taken}' in this executable: this system starts one by itself"
     sections = [] if started is None or workspace is None else settings_of(started, workspace.parameters_of)
     lost = next(
         (row for row in sections if row.written and "*" not in row.key and key_matches(row.key, node.name)), None
@@ -286,6 +290,13 @@ def _unrenamed(system: System, node: Node) -> str:
         return "remove name=, so that each node keeps the name from its code"
     file = posixpath.basename(lost.place.file)
     return f"remove name=, and call the section '{lost.written}' of {file} as the code calls the node that reads it"
+
+
+def _names_of_its_own(system: System, node: Node) -> list[str]:
+    """The full names that the nodes of a process would have without ``name=``."""
+    namespace = (node.name or "").rpartition("/")[0]
+    twins = [twin for twin in system.nodes if twin.started is node.started]
+    return sorted(f"{namespace}/{own}" for own in map(_own_name, twins) if own is not None)
 
 
 def _own_name(node: Node) -> str | None:
