@@ -527,6 +527,55 @@ def test_what_delays_nothing_that_matters_is_told_in_a_lesson_and_on_demand(
     assert codes(run(source(beside, timer(body), large))) == ["EXE003"]
 
 
+@pytest.mark.parametrize(
+    ("lines", "expected"),
+    [
+        (["self.speak('good bye')", "time.sleep(3.0)"], []),
+        (["sounddevice.play(load())", "sounddevice.wait()", "time.sleep(0.5)"], []),
+        (["self.show('good bye')", "time.sleep(3.0)"], ["EXE003"]),
+        (["self.speak('good bye')", "subprocess.run(['make'])"], ["EXE003"]),
+    ],
+)
+def test_a_pause_after_words_that_are_spoken(run: Run, tmp_path: Path, lines: list[str], expected: list[str]):
+    text = source(TIMER, "import sounddevice\n" + timer("\n    ".join(lines)))
+    assert codes(run(text)) == expected
+    (tmp_path / "archlint.toml").write_text("[rules.slow-callback]\nalone = true\n", encoding="utf-8")
+    assert codes(run(text)) == ["EXE003"]
+
+
+@pytest.mark.parametrize(
+    ("lines", "expected"),
+    [
+        (["self.arm.publish(Empty())", "time.sleep(2.0)", "self.arm.publish(Empty())"], []),
+        (["time.sleep(2.0)", "self.arm.publish(Empty())"], ["EXE003"]),
+        (["self.arm.publish(Empty())", "time.sleep(2.0)", "self.hand.publish(Empty())"], ["EXE003"]),
+    ],
+)
+def test_moves_with_pauses_that_delay_nothing_else(run: Run, tmp_path: Path, lines: list[str], expected: list[str]):
+    setup = "self.arm = self.create_publisher(Empty, 'arm', 10)\nself.hand = self.create_publisher(Empty, 'hand', 10)\n"
+    setup += "self.create_subscription(Empty, 'go', self.go, 10)\n"
+    method = "def go(self, message):\n    " + "\n    ".join(lines) + "\n"
+    assert codes(run(source(setup, method))) == expected
+    beside = setup + "self.create_subscription(Empty, 'stop', print, 10)\n"
+    assert codes(run(source(beside, method))) == ["EXE003"]
+    (tmp_path / "archlint.toml").write_text("[rules.slow-callback]\nalone = true\n", encoding="utf-8")
+    assert codes(run(source(setup, method))) == ["EXE003"]
+
+
+@pytest.mark.parametrize(
+    ("pause", "late", "expected"),
+    [
+        ("0.001", "raise TimeoutError", []),
+        ("0.001", "break", ["EXE003"]),
+        ("0.5", "raise TimeoutError", ["EXE003"]),
+    ],
+)
+def test_a_device_that_answers_at_once_or_is_broken(run: Run, pause: str, late: str, expected: list[str]):
+    lines = ["start = time.time()", "while self.port.waiting() < 9:", f"    time.sleep({pause})"]
+    lines += ["    if time.time() - start > 10:", f"        {late}"]
+    assert codes(run(source(TIMER, timer("\n    ".join(lines))))) == expected
+
+
 ATTEMPTS = """
 {loop}:
         try:
@@ -886,6 +935,34 @@ def test_short_pauses_are_for_lessons(run: Run, tmp_path: Path, body: str, expec
     assert codes(run(text)) == expected
     (tmp_path / "archlint.toml").write_text("[rules.long-running-service]\npauses = true\n", encoding="utf-8")
     assert codes(run(text)) == ["SRV008"]
+
+
+DEEP = """
+def handle(self, request, response):
+    self.task()
+    return response
+
+def task(self):
+    self.path()
+
+def path(self):
+    self.pose()
+
+def pose(self):
+    {}
+
+def wait(self):
+    while self.moves():
+        time.sleep(1.0)
+"""
+
+
+@pytest.mark.parametrize(("call", "line"), [("self.wait()", "self.task()"), ("pass", None)])
+def test_a_wait_far_down_is_told_where_the_handler_starts_it(run: Run, call: str, line: str | None):
+    text = source("self.create_service(Trigger, 'home', self.handle)\n", DEEP.format(call))
+    found = [one for one in run(text) if one.code == "SRV008"]
+    assert [text.splitlines()[one.place.line - 1].strip() for one in found] == ([] if line is None else [line])
+    assert all(one.related[-1].message == "it waits here" for one in found)
 
 
 GRAB = """

@@ -8,7 +8,7 @@ import pytest
 
 from api_calls import call_in
 from archlint.execution.loop_times import in_loops, watches_the_clock
-from archlint.execution.retries import is_retry, reads_until_it_has
+from archlint.execution.retries import gives_up_loudly, is_retry, reads_until_it_has
 from archlint.execution.sleeps import Stay
 
 
@@ -77,3 +77,17 @@ def test_a_loop_that_returns_what_it_has_read(body: str, expected: bool) -> None
 @pytest.mark.parametrize(("test", "expected"), [("time.time() < end", True), ("moving()", False), ("now()", False)])
 def test_a_loop_that_compares_the_time(test: str, expected: bool) -> None:
     assert watches_the_clock(*call_in(f"while {test}:\n    sleep()", "sleep")) is expected
+
+
+@pytest.mark.parametrize(
+    ("test", "late", "each", "expected"),
+    [
+        ("time.time() > end", "raise TimeoutError", 0.001, True),
+        ("time.time() > end", "break", 0.001, False),
+        ("port.closed", "raise OSError", 0.001, False),
+        ("time.time() > end", "raise TimeoutError", 0.5, False),
+    ],
+)
+def test_a_loop_that_raises_once_it_is_late(test: str, late: str, each: float, expected: bool) -> None:
+    text = f"while not port.ready:\n    sleep()\n    if {test}:\n        {late}"
+    assert gives_up_loudly(*call_in(text, "sleep"), Stay("sleep", each, "sleeps")) is expected

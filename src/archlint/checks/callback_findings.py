@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
@@ -30,12 +31,13 @@ def finding_in_callback(
     further: Iterable[Related] = (),
     group: Sequence[str] = (),
     in_own_file: bool = False,
+    deep: float = math.inf,
 ) -> Finding:
     """A finding of the node of the callback that comes to a call, at the line that :func:`told_at` chooses.  Related is
     the way there from the callback, with the client that the call waits for, and then ``further``; ``identity`` is what
     sets it apart from others of this callback."""
     callback = call.context
-    place, _ = told_at(system, call, in_own_file)
+    place, _ = told_at(system, call, in_own_file, deep)
     there = [] if place == call.place else [Related(call.place, "it waits here")]
     return finding(
         code,
@@ -49,11 +51,13 @@ def finding_in_callback(
     )
 
 
-def told_at(system: System, call: ApiCall, in_own_file: bool = False) -> tuple[Place, str]:
+def told_at(system: System, call: ApiCall, in_own_file: bool = False, deep: float = math.inf) -> tuple[Place, str]:
     """Where a call of a callback is told, with the function around it: at its own line; where that is in a helper of
-    another package, or in another file (``in_own_file``), at the last line of the callback's own that leads there.  A
-    helper to which callbacks of several packages come is told once."""
+    another package, or in another file (``in_own_file``), at the last line of the callback's own that leads there, and
+    in a helper of ``deep`` calls, at the first.  A helper to which callbacks of several packages come is told once."""
     workspace = system.workspace
+    if len(call.chain) >= deep:
+        return call.chain[0].place, call.chain[0].caller
     if workspace is None or (not in_own_file and len(_packages_that_come_to(system).get(call.place, ())) > 1):
         return call.place, call.function
     home_of = (lambda file: file) if in_own_file else workspace.package_of

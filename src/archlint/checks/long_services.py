@@ -49,6 +49,8 @@ BESIDE = 15.0
 """Seconds that loops with a limit may take beside all other callbacks: what they wait for comes, or they give up."""
 RETRYING = 10.0
 """Seconds of pauses between some attempts, of which the first is to work."""
+DEEP = 4
+"""Calls between a handler and a wait from which on it takes long for all that it does, and not for that wait alone."""
 
 _WHAT_IT_IS_FOR = "wait for what the pause is for, such as a response that an async handler awaits, or a newer message"
 _AN_ACTION = "make it an action: clients then get feedback and a result, and can cancel"
@@ -158,6 +160,7 @@ def _long_service(
         identity=(call.api,),
         group=(callback.place.file, "" if callback.node is None else callback.node.class_name, advice),
         in_own_file=True,
+        deep=DEEP,
     )
     return replace(diagnostic, severity=Severity.INFO) if asked or soon or pause else diagnostic
 

@@ -29,9 +29,10 @@ from archlint.execution.loop_times import in_loops
 from archlint.execution.own_timers import ends_its_timer_after, ends_its_timer_before
 from archlint.execution.present_servers import is_there
 from archlint.execution.processes import is_signalled_to_end
-from archlint.execution.retries import around_future, is_retry, retries_after_errors
+from archlint.execution.retries import around_future, gives_up_loudly, is_retry, retries_after_errors
 from archlint.execution.sleeps import Stay, stay_of
 from archlint.execution.spins import is_spin_call
+from archlint.execution.staged import is_between_moves, speaks_beside
 from archlint.execution.states import leaves_its_state
 from archlint.execution.stuck import clients_of_handlers, functions_that_ask
 from archlint.execution.ways_out import ends_with_the_node, hands_over
@@ -58,8 +59,9 @@ _Row = tuple["Program", "ApiCall", Stay]
 def slow_callback(system: System, options: Options) -> Iterator[Finding]:
     """Sleeps and waits for the world outside that callbacks reach: one finding for the function that holds them.  In a
     lesson, and with ``alone``, also where that delays nothing but the callback's own next turn and slow timers."""
-    code, lesson = source_code(system), is_lesson(system) and not options.flag("alone")
-    alone = lesson or options.flag("alone")
+    code, quiet = source_code(system), not options.flag("alone")
+    lesson = quiet and is_lesson(system)
+    alone = lesson or not quiet
     asked = clients_of_handlers(system, options.distros)
     reported = functions_that_ask(system, options.distros)
     endless = {loop.loop for loop in attribute_loops(system)}
@@ -69,20 +71,18 @@ def slow_callback(system: System, options: Options) -> Iterator[Finding]:
     for program, call, stay in _stays(system):
         if call.context.role == Role.SERVICE and stay.kind == "sleep":
             continue  # SRV008 has a bound of its own for these
-        if call.context.role == Role.LIFECYCLE:
-            continue  # a transition may take its time, and the node does nothing until it is over
+        if call.context.role == Role.LIFECYCLE or call.cleaning:
+            continue  # a transition may take its time; and where something has failed, this is the way out of it
         if not endless.isdisjoint(call.loops):
             continue  # EXE009 says that the loop never ends
         if id(call.context) in (spinning if stay.kind == "discovery" else turning):
             continue  # EXE001 says what is wrong, and its cure is this one's
-        if call.cleaning:
-            continue  # something has failed, and this is the way out of it
         if _is_pause_of_retry(code, call, stay):
             continue  # so it is here, and there are few attempts
         if stay.kind == "sleep" and call.branch_arms and call.place in _at_start(system):
             continue  # a device is opened again as at the start: without it the callback can do nothing
-        if stay.kind == "sleep" and ends_its_timer_after(system, call):
-            continue  # the timer sleeps once
+        if stay.kind == "sleep" and (ends_its_timer_after(system, call) or (quiet and speaks_beside(code, call))):
+            continue  # the timer sleeps once; and beside words that are spoken, a pause is short
         if stay.kind == "lock" or _answers_in_time(call, stay):
             continue  # few processes hold a file for more than a moment, and the answer depends on the server
         if not asked.isdisjoint((call.context.place, client.place) for client in creations_of(call.receiver)):
@@ -164,14 +164,15 @@ def _turns(call: ApiCall) -> bool:
 
 
 def _is_occasional(code: SourceCode, row: _Row) -> bool:
-    """Whether what a callback calls sleeps only under a condition, as where a connection is lost."""
+    """Whether what a callback calls sleeps only under a condition, as where a connection is lost, or between moves."""
     _, call, stay = row
-    return stay.kind == "sleep" and is_called_in_branches(code, call)
+    return stay.kind == "sleep" and (is_called_in_branches(code, call) or is_between_moves(code, call))
 
 
 def _is_pause_of_retry(code: SourceCode, call: ApiCall, stay: Stay) -> bool:
-    """Whether a short sleep comes before the next of a few attempts, each of which is to work."""
-    return stay.kind == "sleep" and (stay.seconds or math.inf) <= PAUSE and retries_after_errors(code, call)
+    """Whether a short sleep comes before the next of some attempts, one of which is to work."""
+    is_short = stay.kind == "sleep" and (stay.seconds or math.inf) <= PAUSE
+    return is_short and (retries_after_errors(code, call) or gives_up_loudly(code, call, stay))
 
 
 _RUNS_AGAIN = frozenset({Role.SUBSCRIPTION, Role.TIMER, Role.EXECUTE, Role.SERVICE})

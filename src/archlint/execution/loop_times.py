@@ -21,7 +21,8 @@ TINY = 0.01
 
 _RUNS_EMPTY = frozenset({"in_waiting", "inWaiting", "out_waiting", "empty", "qsize"})
 """What a loop asks that takes out what is there already: the bytes of a serial port, the items of a queue."""
-_CLOCKS = frozenset({"time", "monotonic", "perf_counter", "now", "time_ns"})
+CLOCKS = frozenset({"time", "monotonic", "perf_counter", "now", "time_ns"})
+"""Functions that say what time it is."""
 
 
 def in_loops(
@@ -76,7 +77,7 @@ def watches_the_clock(code: SourceCode, call: ApiCall) -> bool:
 def clock_tests(loop: Loop) -> list[facts.Compare]:
     """The conditions without which a loop ends that compare the time with something."""
     compares = [test for test in loop.tests if isinstance(test, facts.Compare)]
-    return [test for test in compares if not _CLOCKS.isdisjoint(names_in(test))]
+    return [test for test in compares if not CLOCKS.isdisjoint(names_in(test))]
 
 
 def varies_by_iteration(code: SourceCode, call: ApiCall) -> bool:

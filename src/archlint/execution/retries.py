@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from archlint.execution.future_loops import ends_with_a_future
+from archlint.execution.loop_times import CLOCKS, TINY
 from archlint.syntax import facts
 from archlint.syntax.control_flow import graph_of, loop_of
 from archlint.syntax.flow_facts import covers
@@ -13,6 +14,7 @@ from archlint.syntax.walk import calls_in, parts_of, statements_of
 
 if TYPE_CHECKING:
     from archlint.analysis.source_code import Loop, SourceCode
+    from archlint.execution.sleeps import Stay
     from archlint.model import ApiCall
 
 
@@ -30,6 +32,18 @@ def retries_after_errors(code: SourceCode, call: ApiCall) -> bool:
         return False
     handlers = [handler for attempt in statements_of(loop.body, facts.Try) for handler in attempt.handlers]
     return any(covers(handler, call.place.span) for handler in handlers)
+
+
+def gives_up_loudly(code: SourceCode, call: ApiCall, stay: Stay) -> bool:
+    """Whether a loop looks for something after tiny pauses, and raises once a time has passed: that is rare, and as a
+    rule what a device says is there at once."""
+    loop = code.loop(call)
+    if loop is None or not loop.tests or stay.seconds is None or stay.seconds > TINY:
+        return False
+    return any(
+        not CLOCKS.isdisjoint(names_in(check.test)) and any(True for _ in statements_of(check.body, facts.Raise))
+        for check in statements_of(loop.body, facts.If)
+    )
 
 
 def _counts(loop: Loop) -> bool:
