@@ -225,6 +225,29 @@ def test_a_loop_until_a_done_callback_has_the_response(judge: Judge):
     assert finding.help == "return instead, and go on in Robot.on_answer"
 
 
+def test_an_execute_callback_cannot_go_on_in_another(judge: Judge):
+    goals = (
+        robot("pass")
+        .replace("        {body}", "        pass")
+        .replace(
+            "    def on_data(self, message):",
+            """    def execute(self, goal):
+        while self.data is None:  # here
+            time.sleep(0.1)
+        goal.succeed()
+        return Fibonacci.Result()
+
+    def on_data(self, message):""",
+        )
+    )
+    goals = goals.replace(
+        "self.data = None\n", "self.data = None\n        ActionServer(self, Fibonacci, 'count', self.execute)\n", 1
+    )
+    imports = "from example_interfaces.action import Fibonacci\nfrom rclpy.action import ActionServer\n"
+    [finding] = judge("EXE009", imports + goals.lstrip("\n"))
+    assert finding.help == ("give this callback its own callback group, and spin the node with a MultiThreadedExecutor")
+
+
 @pytest.mark.parametrize(
     ("future", "group", "spin"),
     [

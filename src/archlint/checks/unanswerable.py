@@ -15,6 +15,7 @@ from archlint.execution.attribute_loops import AttributeLoop, attribute_loops
 from archlint.execution.callback_roles import callback_words
 from archlint.execution.queue_waits import QueueWait, queue_waits
 from archlint.finding import Finding, Related
+from archlint.model import Role
 
 if TYPE_CHECKING:
     from archlint.systems.model import System
@@ -73,7 +74,12 @@ _FILLED = {
 """What is done to that which is waited for, and when the wait has no end."""
 
 
+_ANSWERS = (Role.EXECUTE, Role.SERVICE)
+
+
 def _instead(loop: AttributeLoop) -> str:
     if loop.waiting is None:
         return f"spin in the loop: rclpy.spin_once({loop.attribute.partition('.')[0]}, timeout_sec=0.1)"
+    if loop.waiting.role in _ANSWERS:  # what it returns is the answer: it cannot go on elsewhere
+        return "give this callback its own callback group, and spin the node with a MultiThreadedExecutor"
     return f"return instead, and go on in {loop.setter.name}"
