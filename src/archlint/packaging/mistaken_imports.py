@@ -3,8 +3,9 @@ these interfaces, or a known module's of which one letter differs."""
 
 from __future__ import annotations
 
+import re
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from functools import cache
 from typing import TYPE_CHECKING
 
@@ -12,7 +13,7 @@ from archlint.analysis.kept import once
 from archlint.packaging.absent_packages import is_wanted_from_elsewhere
 from archlint.packaging.renamed_packages import is_unknown, modules_imported
 from archlint.ros import packages, python_modules
-from archlint.suggestions import distance, nearest
+from archlint.suggestions import distance
 from archlint.syntax.interfaces import INTERFACE_KINDS
 
 if TYPE_CHECKING:
@@ -46,12 +47,23 @@ def near_module(workspace: WorkspaceIndex, file: SourceFile, module: str) -> str
     top, dot, rest = module.partition(".")
     if len(top) < _SHORTEST or not is_unknown(workspace, file, module):
         return None
-    known = _known_modules() | _of_workspace(workspace)
-    near = nearest(top, known)
-    if near is None or distance(top, near, 1) > 1 or top.replace("_", "") == near.replace("_", ""):
-        return None
-    is_slip = sorted(top) == sorted(near) or len(top) >= _LONG
-    return f"{near}{dot}{rest}" if is_slip else None
+    near = {*_one_letter_off(top), *(own for own in _of_workspace(workspace) if distance(top, own, 1) == 1)}
+    slips = [other for other in sorted(near) if _is_slip(top, other)]
+    return f"{slips[0]}{dot}{rest}" if len(slips) == 1 else None
+
+
+def _is_slip(name: str, other: str) -> bool:
+    """Whether a name is another one by mistake: letters have changed places, or it is long and has one wrong inside.
+    Names of families begin or end otherwise, or have other digits: ``gpytorch``, ``turtlebot3_msgs``."""
+    if name.replace("_", "") == other.replace("_", ""):
+        return False
+    if sorted(name) == sorted(other):
+        return True
+    has_same_ends = (name[0], name[-1]) == (other[0], other[-1])
+    return len(name) >= _LONG and has_same_ends and _DIGIT.findall(name) == _DIGIT.findall(other)
+
+
+_DIGIT = re.compile(r"\d")
 
 
 @once
@@ -59,9 +71,26 @@ def _of_workspace(workspace: WorkspaceIndex) -> frozenset[str]:
     return frozenset(module for module in workspace.code.modules if "." not in module)
 
 
+def _one_letter_off(name: str) -> Iterator[str]:
+    """The known modules of which a letter is wrong, missing or too much in a name, or has changed places with the next:
+    two such names have one in common that has a letter less, or one is that of the other."""
+    known = _by_shortened()
+    for shorter in {name, *_shortened(name)}:
+        yield from (other for other in known.get(shorter, ()) if distance(name, other, 1) == 1)
+
+
 @cache
-def _known_modules() -> frozenset[str]:
-    return sys.stdlib_module_names | python_modules.names() | packages.table().names
+def _by_shortened() -> dict[str, list[str]]:
+    """The known modules by themselves and by what they are with a letter less."""
+    by_shorter: dict[str, list[str]] = {}
+    for module in sys.stdlib_module_names | python_modules.names() | packages.table().names:
+        for shorter in {module, *_shortened(module)} if len(module) >= _SHORTEST else ():
+            by_shorter.setdefault(shorter, []).append(module)
+    return by_shorter
+
+
+def _shortened(name: str) -> set[str]:
+    return {name[:at] + name[at + 1 :] for at in range(len(name))}
 
 
 __all__ = ["interfaces_of", "near_module"]
