@@ -117,12 +117,12 @@ def conflicting_pairs(
             yield endpoint, other
 
 
-def coexist(system: System, end: Endpoint, other: Endpoint) -> bool:
-    """Whether two endpoints are seen to exist at the same time."""
+def coexist(system: System, end: Endpoint, other: Endpoint, any_package: bool = False) -> bool:
+    """Whether two endpoints are seen to exist at the same time; ``any_package`` as for :meth:`System.may_coexist`."""
     if end.node is other.node:
         return True
     return (
-        system.may_coexist(end.node, other.node)
+        system.may_coexist(end.node, other.node, any_package)
         # Two nodes of one name are one node written twice, or a mistake of another kind.
         and end.node.name != other.node.name
         and not exclusive(end.creation.branch_arms, other.creation.branch_arms)

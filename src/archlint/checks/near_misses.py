@@ -18,6 +18,7 @@ from archlint.analysis.left_over import is_left_over
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.sight import in_sight
+from archlint.connections.only_counterparts import OnlyOnes
 from archlint.connections.own_types import is_only_server
 from archlint.finding import Finding, Related
 from archlint.model import EntityKind
@@ -67,6 +68,7 @@ def missed(
         and not _is_made_by_launch(system, connection.name)
     ]
     provided = _by_type(connection for connection in alone if not connection.users)
+    only = OnlyOnes(alone)
     said: set[tuple[Place, ...]] = set()
     pairs = 0
     for connection in alone:
@@ -76,7 +78,7 @@ def missed(
             pairs += len(provided.get(user.type or "", []))
             if pairs > MOST_PAIRS:
                 return
-            candidates = [end for end in provided.get(user.type or "", []) if _misses(system, end, user)]
+            candidates = [end for end in provided.get(user.type or "", []) if _misses(system, only, end, user)]
             lines = user.place, *(end.place for end in candidates)
             if candidates:
                 if lines not in said:  # a line that makes one user in each namespace is wrong once
@@ -122,19 +124,21 @@ def _judged(connection: Connection) -> list[Endpoint]:
     return [end for end in ends if certain(end) and end.type is not None and not named_by_library(end)]
 
 
-def _misses(system: System, provider: Endpoint, user: Endpoint) -> bool:
-    # One node that reads and writes two like names distinguishes them on purpose.
+def _misses(system: System, only: OnlyOnes, provider: Endpoint, user: Endpoint) -> bool:
+    if provider.node is user.node:
+        return False  # one node that reads and writes two like names distinguishes them on purpose
+    slip = (
+        nearly_equal(provider.name or "", user.name or "")
+        or _namespace_slip(system, provider, user)
+        or (is_private_of(provider, user) and not _is_renamed(system, provider, user))
+        or _is_the_one_meant(system, provider, user)
+    )
+    if not slip and not only.are_meant_as_one(system, provider, user):
+        return False
     return (
-        provider.node is not user.node
-        and (
-            nearly_equal(provider.name or "", user.name or "")
-            or _namespace_slip(system, provider, user)
-            or (is_private_of(provider, user) and not _is_renamed(system, provider, user))
-            or _is_the_one_meant(system, provider, user)
-        )
-        and _is_for_us(system, provider, user)
+        _is_for_us(system, provider, user)
         and not is_left_over(system.workspace, provider)  # reads code, where names of most pairs say no
-        and coexist(system, provider, user)
+        and coexist(system, provider, user, any_package=not slip)
     )
 
 

@@ -65,7 +65,7 @@ def _all_ends_known(system: System, workspace: WorkspaceIndex, type_: str) -> bo
     """Whether each file of the workspace that names a type has ends of it, and nothing else that may have some."""
     name = type_.rpartition("/")[2]
     ends, others = _ends_of_system(system), _ends_of_workspace(workspace)
-    files = kept(workspace, (_files_that_name, name), lambda: _files_that_name(workspace, name))
+    files = kept(workspace, (files_that_name, name), lambda: files_that_name(workspace, name))
     return files <= ends.files_of(type_) | others.files_of(type_)
 
 
@@ -145,12 +145,13 @@ def _ends_of_workspace(workspace: WorkspaceIndex) -> _Ends:
     return _Ends(workspace.systems)
 
 
-def _files_that_name(workspace: WorkspaceIndex, name: str) -> frozenset[str]:
-    """The files with code in which a word stands; a package of another workspace does not know this one's types."""
+def files_that_name(workspace: WorkspaceIndex, name: str, endings: tuple[str, ...] = _CODE) -> frozenset[str]:
+    """The files with code, or with other endings, in which a word stands; a package of another workspace does not know
+    this one's types."""
     elsewhere = tuple(f"{folder}/" for folder in workspace.beside)
     every = workspace.tree.files_below(workspace.tree.top)
-    paths = (path for path in every if path.lower().endswith(_CODE) and not path.startswith(elsewhere))
+    paths = (path for path in every if path.lower().endswith(endings) and not path.startswith(elsewhere))
     return frozenset(path for path in paths if workspace.code.mentions(path, name))
 
 
-__all__ = ["has_no_server_here", "is_only_server", "may_be_served_elsewhere"]
+__all__ = ["files_that_name", "has_no_server_here", "is_only_server", "may_be_served_elsewhere"]

@@ -157,17 +157,18 @@ class System:
     def callbacks(self) -> Iterator[Callback]:
         return (callback for run in self.programs for callback in run.callbacks)
 
-    def may_coexist(self, node: Node, other: Node) -> bool:
+    def may_coexist(self, node: Node, other: Node, any_package: bool = False) -> bool:
         """Whether two nodes can run in one system: a launch file starts both, or they are of one package,
-        or one package depends on the other.  Test code never runs together with anything else; opposite
-        branches exclude each other, and nodes of different DDS domains do not see each other."""
+        or one package depends on the other; with ``any_package``, of whichever packages they are.  Test code never
+        runs together with anything else; opposite branches exclude each other, and nodes of different DDS domains do
+        not see each other."""
         if node.test or other.test:
             return False
         if node.domain != other.domain or exclusive(node.alternatives, other.alternatives):
             return False
         if self.name is None and self.in_same_launch(node, other):
             return False  # the launch file's own system judges them, under their final names
-        if self.name is not None or self.closed:
+        if any_package or self.name is not None or self.closed:
             return True
         if node.package is None or other.package is None:
             return node.package is None and other.package is None
