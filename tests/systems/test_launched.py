@@ -507,7 +507,21 @@ def main():
 """
 
 
-def test_a_program_runs_again_only_for_parameters_that_it_asks_for(robot, monkeypatch):
+@pytest.fixture
+def runs(monkeypatch: pytest.MonkeyPatch) -> list[object]:
+    """What each program was followed with, as often as it was."""
+    every: list[object] = []
+    run_entry = Linker._run_entry
+
+    def counted(linker, entry, module, overrides, words):
+        every.append(overrides)
+        return run_entry(linker, entry, module, overrides, words)
+
+    monkeypatch.setattr(Linker, "_run_entry", counted)
+    return every
+
+
+def test_a_program_runs_again_only_for_parameters_that_it_asks_for(robot, runs):
     given = {"a": ("true", "red"), "b": ("true", "blue"), "c": ("false", "blue"), "d": ("false", "red")}
     nodes = [
         f"""<node pkg="robot" exec="talker" namespace="{name}">
@@ -515,14 +529,6 @@ def test_a_program_runs_again_only_for_parameters_that_it_asks_for(robot, monkey
         for name, (loud, color) in given.items()
     ]
     robot("".join(nodes), **{"robot/talker.py": UNDECLARED})
-    runs: list[object] = []
-    run_entry = Linker._run_entry
-
-    def counted(linker, entry, module, overrides, words):
-        runs.append(overrides)
-        return run_entry(linker, entry, module, overrides, words)
-
-    monkeypatch.setattr(Linker, "_run_entry", counted)
     assert topics(system()) == {
         "/a/talker": ["/a/shout"],
         "/b/talker": ["/b/shout"],
@@ -530,6 +536,58 @@ def test_a_program_runs_again_only_for_parameters_that_it_asks_for(robot, monkey
         "/d/talker": [],
     }
     assert len(runs) == 3  # by itself, loud and not loud
+
+
+SPOKEN = """\
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import String
+
+class Talker(Node):
+    def __init__(self):
+        super().__init__('talker')
+        self.color = self.declare_parameter('color', 'grey').value
+        self.loud = self.declare_parameter('loud', False).value
+        name = self.get_name()
+        self.get_logger().info(f'{name} is {self.color}, ' + 'loud: ' + str(self.loud))
+        #HERE
+        if self.declare_parameter('talks', False).value:
+            self.create_publisher(String, 'words', 10)
+
+def main():
+    rclpy.init()
+    rclpy.spin(Talker())
+"""
+ROBOTS = (("a", "true", "red"), ("b", "false", "blue"), ("c", "true", "blue"))
+
+
+@pytest.mark.parametrize(
+    ("uses", "followed"),
+    [
+        ("", 1),  # in what it logs alone
+        ("self.create_timer(1.0, lambda: print(self.color, self.get_name()))", 1),
+        ("self.create_publisher(String, self.get_name() + '/own', 10)", 3),
+        ("self.create_publisher(String, self.color, 10)", 2),
+        ("self.tables = {self.color: String}\n        self.create_publisher(self.tables['red'], 'x', 10)", 2),
+        ("if self.loud:\n            self.create_publisher(String, 'shout', 10)", 2),
+        ("if self.color:\n            self.create_publisher(String, 'paint', 10)", 1),
+        ("if self.color == 'red' and self.loud:\n            self.create_publisher(String, 'red', 10)", 2),
+    ],
+)
+def test_what_a_program_does_nothing_with_is_no_reason_to_follow_it_again(robot, runs, uses, followed):
+    nodes = [
+        f"""<node pkg="robot" exec="talker" name="{name}"><param name="talks" value="true"/>
+        <param name="loud" value="{loud}"/><param name="color" value="{color}"/></node>"""
+        for name, loud, color in ROBOTS
+    ]
+    code = SPOKEN.replace("#HERE", uses)
+    robot("".join(nodes), **{"robot/talker.py": code})
+    together = topics(system())
+    assert len(runs) == 1 + followed  # by itself, and with what each robot gives
+    for node, (name, *_) in zip(nodes, ROBOTS, strict=True):
+        robot(node, **{"robot/talker.py": code})
+        assert topics(system()) == {f"/{name}": together[f"/{name}"]}
+    assert all("/words" in names for names in together.values())
 
 
 @pytest.mark.parametrize(

@@ -90,12 +90,12 @@ def _of_builtin_type(machine: Machine, value: Value, name: str) -> Value:
             return Builtin(f"{kind}.{name}", value)
         case DictValue():
             return Builtin(f"dict.{name}", value)
-        case Known(value=str()) if name == "parent":  # of a pathlib.Path
+        case Known() if name == "parent" and value.is_text:  # of a pathlib.Path
             return path_parts.folder_of(machine, value)
         case Known(kind="path") if name in path_parts.ATTRIBUTES:
             return path_parts.attribute(machine, value, name)
         case Known():
-            return Builtin(f"{type(value.value).__name__}.{name}", value)
+            return Builtin(f"{value.python_type.__name__}.{name}", value)
         case Holed():
             return Builtin(f"str.{name}", value)
         case Builtin():

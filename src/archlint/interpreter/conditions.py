@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.interpreter.narrowing import narrow
@@ -65,7 +64,7 @@ def operands(machine: Machine, e: facts.Boolean) -> tuple[Value, bool | None]:
 
 
 def _chosen_by(parameters: frozenset[str], value: Value) -> Value:
-    return replace(value, via=value.via | parameters) if isinstance(value, Known) else value
+    return value.chosen_by(parameters) if isinstance(value, Known) else value
 
 
 def _with_truth(machine: Machine, value: Value, wanted: bool) -> list[Value]:

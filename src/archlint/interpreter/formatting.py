@@ -175,6 +175,8 @@ def format_one(value: Value, conversion: str | None, spec: str | None) -> Value:
         return Unknown(value.reason, depends_on(value))
     if not isinstance(value, Known):
         return value
+    if value.is_closed and not spec and conversion in (None, "s"):
+        return value.shown
     try:
         shown = CONVERSIONS[conversion](value.value) if conversion in CONVERSIONS else value.value
         text = None if _WIDE.search(spec or "") else format(shown, spec or "")

@@ -18,6 +18,7 @@ from archlint.interpreter.values import (
     External,
     ForeignValue,
     FunctionValue,
+    Given,
     Holed,
     Instance,
     Known,
@@ -82,6 +83,7 @@ def _of_partial(value: Partial, nested: int) -> Key:
 
 _SHAPES: dict[type[Value], Callable[..., Key]] = {
     Known: lambda value, _: (value, value.origin, value.kind),
+    Given: lambda value, _: (Itself(value),),
     Unknown: _of_unknown,
     Holed: lambda value, _: (value, value.origin),
     External: lambda value, _: (value, value.via),

@@ -34,7 +34,7 @@ def narrow(machine: Machine, test: facts.Expr, holds: bool) -> None:
                 for value in test.values:
                     narrow(machine, value, holds)
         case facts.Name() | facts.Attribute():
-            _keep(machine, test, lambda value: _raw_truth(machine, value) in (None, holds))
+            _keep(machine, test, lambda value: _raw_truth(machine, value) in (None, holds), flag=holds)
         case facts.Assigned():
             narrow(machine, test.target, holds)
         case facts.Call():
@@ -74,7 +74,7 @@ def _narrow_class(machine: Machine, test: facts.Call, holds: bool) -> None:
 
 def _raw_truth(machine: Machine, value: Value) -> bool | None:
     """Like :func:`truth`, with a parameter's default taken at its word."""
-    return bool(value.value) if isinstance(value, Known) else value.truth(machine)
+    return value.is_true if isinstance(value, Known) else value.truth(machine)
 
 
 def _keep(
@@ -82,15 +82,18 @@ def _keep(
     target: facts.Name | facts.Attribute,
     wanted: Callable[[Value], bool],
     proven: Known | None = None,
+    flag: bool | None = None,
 ) -> None:
-    """Drop the alternatives that a test rules out."""
+    """Drop the alternatives that a test rules out; ``flag`` is what it proves of a truth value."""
     if isinstance(target, facts.Attribute) and not target.value.variable:
         return
     before = machine.lookup(target.variable) if target.variable else machine.evaluate(target)
     if before is None:
         return
-    after = _narrowed(before, wanted, proven)
-    if after is None or after is before or (isinstance(before, (Unknown, Known)) and after == before):
+    after = _narrowed(before, wanted, proven, flag)
+    if after is None or after is before:
+        return
+    if isinstance(before, (Unknown, Known)) and not before.is_closed and after == before:
         return
     if isinstance(target, facts.Name):
         machine.assign_name(target.id, after)
@@ -101,10 +104,15 @@ def _keep(
         set_attribute(machine, one_of(own), target.attr, after)
 
 
-def _narrowed(before: Value, wanted: Callable[[Value], bool], proven: Known | None) -> Value | None:
+def _narrowed(before: Value, wanted: Callable[[Value], bool], proven: Known | None, flag: bool | None) -> Value | None:
     """What a value is after a test.  Where no alternative is left (a parameter's default that this branch
     contradicts), it is what the test proves, or unknown; None where nothing is known to decide it."""
-    kept = [value for value in alternatives(before) if wanted(value)]
+    kept: list[Value] = []
+    for value in alternatives(before):
+        if flag is not None and value.is_closed and isinstance(value, Known) and value.python_type is bool:
+            kept.append(Known(flag, value.via))  # whatever the launch gives, here it is this
+        elif wanted(value):
+            kept.append(value)
     if kept:
         after = one_of(kept)
         return proven if proven is not None and isinstance(after, Unknown) else after

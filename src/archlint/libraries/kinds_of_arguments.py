@@ -172,8 +172,8 @@ def _is_no_interface(value: Value, section: str) -> bool:
 
 def _is_no_text(value: Value, written: facts.Expr | None) -> bool:
     match value:
-        case Known(value=constant):
-            return constant is not None and not isinstance(constant, str)
+        case Known():
+            return not (value.is_none or value.is_text)
     return _is_class(value) or _is_function(value) or isinstance(value, (MessageValue, NodeValue))
 
 

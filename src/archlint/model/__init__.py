@@ -32,7 +32,7 @@ from archlint.model.nodes import (
     ParameterDeclaration,
     ParameterDescription,
 )
-from archlint.model.overrides import Asked, Overrides, node_key
+from archlint.model.overrides import Asked, Look, Overrides, node_key
 from archlint.model.programs import Program
 from archlint.model.refused import Misuse, RefusedCall
 from archlint.model.texts import Resolution, Text
@@ -60,6 +60,7 @@ __all__ = [
     "Group",
     "GroupKind",
     "GuardKind",
+    "Look",
     "MistakenFuture",
     "Misuse",
     "NodeClass",

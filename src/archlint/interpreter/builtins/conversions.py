@@ -41,6 +41,8 @@ def _plain(value: Value) -> Value:
     match value:
         case Unknown():
             return replace(value, of_class="str")
+        case Known(kind="other", origin=None) if value.is_closed:
+            return value.shown
         case Known():
             return Known(str(value.value), value.via, value.origin, "other" if value.kind == "path" else value.kind)
     return value

@@ -58,6 +58,7 @@ from archlint.interpreter.values.functions import (
     Partial,
     PythonValue,
 )
+from archlint.interpreter.values.given import Given
 from archlint.interpreter.values.objects import AttributeOf, AttributesValue, Instance, SuperValue
 
 __all__ = [
@@ -89,6 +90,7 @@ __all__ = [
     "External",
     "ForeignValue",
     "FunctionValue",
+    "Given",
     "Heap",
     "Holed",
     "Instance",

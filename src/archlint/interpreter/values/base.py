@@ -89,6 +89,11 @@ class Value:
         """What ``str`` makes of it, None for each part that is not known."""
         return (None,)
 
+    @property
+    def is_closed(self) -> bool:
+        """Whether it is a constant that a launch gives: reading it says that something depends on it."""
+        return False
+
     # ----------------------------------------------------------------------------------- where it comes from
 
     @property

@@ -50,7 +50,19 @@ class Known(Value):
         )
 
     def __hash__(self) -> int:
-        return hash((type(self.value), self.value, self.via))
+        if self.via:  # few are like it in that; and one that a launch gives is not looked at
+            return hash((self.python_type, self.via))
+        return hash((type(self.value), self.value))
+
+    @property
+    def python_type(self) -> type:
+        """The type of the constant."""
+        return type(self.value)
+
+    @property
+    def is_true(self) -> bool:
+        """The truth value of the constant, whatever parameters it comes from."""
+        return bool(self.value)
 
     @property
     def constant(self) -> Constant:
@@ -87,13 +99,23 @@ class Known(Value):
     def chosen_by(self, parameters: frozenset[str]) -> Known:
         return replace(self, via=self.via | parameters)
 
+    @property
+    def shown(self) -> Known:
+        """What ``str`` makes of it."""
+        return Known(str(self.value), self.via)
+
+    def joined(self, parts: Sequence[Value], origin: Place | None) -> Known | None:
+        """The text that these constants make, this one among them, without looking at what a launch gives; None where
+        that has to be done."""
+        return None
+
     def as_default(self, kind: OriginKind = "argument_default") -> Known:
         return Known(self.value, self.via, self.origin, kind)
 
     def truth(self, state: State) -> bool | None:
         # A parameter's default is one value of many: the default decides nothing.  What a launch file sets decides
         # while the program starts; callbacks may see what was set later.
-        return bool(self.value) if not self.via or state.are_settled(self.via) else None
+        return self.is_true if not self.via or state.are_settled(self.via) else None
 
     def items(self, state: State) -> Items | None:
         if not isinstance(self.value, str) or len(self.value) > ITERATED_TEXT:
@@ -185,12 +207,17 @@ def file_origin(*parts: Value) -> Place | None:
 
 def join_texts(parts: Sequence[Value], origin: Place | None = None) -> Value:
     """The concatenation of texts and of what ``str`` makes of other constants."""
+    for part in parts:
+        if part.is_closed and isinstance(part, Known):
+            closed = part.joined(parts, origin)
+            if closed is not None:
+                return closed
     pieces = [piece for part in parts for piece in part.pieces]
     if sum(len(piece) for piece in pieces if piece is not None) > TEXT_LIMIT:
         return Unknown("a string too long to follow", next(iter(sorted(via(*parts))), None))
     if None not in pieces:
         kinds = {part.kind for part in parts if isinstance(part, Known)}
-        return Known("".join(piece for piece in pieces if piece is not None), via(*parts), origin, _kind_of_text(kinds))
+        return Known("".join(piece for piece in pieces if piece is not None), via(*parts), origin, kind_of_text(kinds))
     merged: list[str | None] = []
     for known, group in groupby((piece for piece in pieces if piece != ""), key=lambda piece: piece is not None):
         merged.append("".join(piece for piece in group if piece is not None) if known else None)
@@ -198,7 +225,7 @@ def join_texts(parts: Sequence[Value], origin: Place | None = None) -> Value:
     return Unknown(why, of_class="str") if merged == [None] else Holed(tuple(merged), why, via(*parts), origin)
 
 
-def _kind_of_text(kinds: Iterable[OriginKind]) -> OriginKind:
+def kind_of_text(kinds: Iterable[OriginKind]) -> OriginKind:
     """How a text came to be that is made of others."""
     return next((kind for kind in _LASTING if kind in kinds), "format")
 

@@ -81,8 +81,8 @@ def declare_one(
         elif text.text is None or text.resolution not in ("exact", "parameter"):
             value = Unknown("the parameter's name is not known")
         elif from_outside:
-            value = value_from_python(run, from_outside[0])
-            if value.text is not None and not dynamic and _is_of_lists(default, kind):
+            value = value_from_python(run, from_outside[0], run.overrides.look_at_value(known, text.text))
+            if value.is_text and not dynamic and _is_of_lists(default, kind):
                 value = Unknown("it is set to a text, and declared as a list: the node stops there")
             value = from_parameter(run, value, text.text)
         elif has_default:

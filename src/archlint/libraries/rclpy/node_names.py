@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from archlint import model
-from archlint.interpreter.values import Holed, Known, Unknown, Value, join_texts
+from archlint.interpreter.values import Given, Holed, Known, Unknown, Value, join_texts
 from archlint.libraries.rclpy.nodes import known_node
 
 if TYPE_CHECKING:
@@ -13,13 +13,13 @@ if TYPE_CHECKING:
     from archlint.libraries.run import Run
 
 
-def _as_value(text: model.Text) -> Value:
+def _as_value(text: model.Text, look: model.Look) -> Value:
     if text.text is None:
         return Unknown(text.reason or "the name is not known")
     if text.resolution == "exact":
-        return Known(text.text, kind="node_name")
+        return Given(text.text, kind="node_name", look=look, source=look)
     if text.resolution == "parameter":
-        return Known(text.text, frozenset((text.parameter or "").split(",")), kind="node_name")
+        return Given(text.text, frozenset((text.parameter or "").split(",")), kind="node_name", look=look, source=look)
     parts: list[str | None] = []
     for number, piece in enumerate(text.text.split("*")):
         if number:
@@ -33,20 +33,16 @@ def get_name(run: Run, call: ApiUse) -> Value:
     node = known_node(run, call.receiver)
     if node is None:
         return Unknown("the name of a node that is not known")
-    return _as_value(_final_names(run, node)[0])
-
-
-def _final_names(run: Run, node: model.Blueprint) -> tuple[model.Text, model.Text]:
-    """The name and the namespace that a node has in this process."""
     run.program.reads_node_names = True
-    return run.overrides.names(node)
+    return _as_value(*run.overrides.name(node))
 
 
 def get_namespace(run: Run, call: ApiUse) -> Value:
     node = known_node(run, call.receiver)
     if node is None:
         return Unknown("the namespace of a node that is not known")
-    value = _as_value(_final_names(run, node)[1])
+    run.program.reads_node_names = True
+    value = _as_value(*run.overrides.namespace(node))
     if isinstance(value, Known) and isinstance(value.value, str) and not value.value.startswith("/"):
         return Known("/" + value.value, value.via, kind="node_name")
     return value

@@ -8,6 +8,7 @@ from archlint.interpreter import containers
 from archlint.interpreter.values import (
     NONE,
     External,
+    Given,
     Holed,
     Instance,
     Known,
@@ -24,6 +25,7 @@ from archlint.syntax.parameter_files import NotKnown
 if TYPE_CHECKING:
     from archlint.libraries.api_use import ApiUse
     from archlint.libraries.run import Run
+    from archlint.model import Look
 
 _PARAMETER = External("rclpy.parameter.Parameter")
 
@@ -77,7 +79,7 @@ def from_parameter(run: Run, value: Value, name: str) -> Value:
         case External(path=path) if (number := policies.policy_number(path)) is not None:
             return Known(number, frozenset({name}))
         case Known():
-            return Known(value.value, value.via | {name}, value.origin, value.kind)
+            return value.chosen_by(frozenset({name}))
         case Holed():
             return Holed(value.parts, value.reason, value.via | {name}, value.origin)
         case ListValue():
@@ -93,14 +95,16 @@ def from_parameter(run: Run, value: Value, name: str) -> Value:
     return Unknown(f"it depends on the parameter '{name}'", name)
 
 
-def value_from_python(run: Run, value: object) -> Value:
-    """A value of a parameter file or launch file."""
+def value_from_python(run: Run, value: object, look: Look, at: tuple[int, ...] = ()) -> Value:
+    """A value of a parameter file or launch file; ``look`` is called when the program does something that depends on
+    a constant of it."""
     why = "not known here"
     match value:
         case list() | tuple():
-            return containers.new_list(run, [value_from_python(run, item) for item in value])
+            rows = enumerate(value)
+            return containers.new_list(run, [value_from_python(run, row, look, (*at, n)) for n, row in rows])
         case str() | int() | float():
-            return Known(value)
+            return Given(value, look=look, source=(look, at))
         case NotKnown(reason=why):
             pass
     return Unknown(f"it is set to an unknown value: {why}")

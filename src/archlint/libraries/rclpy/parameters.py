@@ -51,8 +51,9 @@ def value_in_reach(run: Run, call: ApiUse, name: str) -> Value | None:
     value = run.store.get(nodes.node_key(run, call.receiver), PARAMETERS[name])
     if value is not None:
         return value
-    for given in run.overrides.value(nodes.known_node(run, call.receiver), name):
-        return from_parameter(run, value_from_python(run, given), name)
+    node = nodes.known_node(run, call.receiver)
+    for given in run.overrides.value(node, name):
+        return from_parameter(run, value_from_python(run, given, run.overrides.look_at_value(node, name)), name)
     return Known(False, frozenset({name})) if name == "use_sim_time" else None
 
 
