@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from textwrap import dedent
 
@@ -424,7 +425,9 @@ def test_a_script_that_nobody_installs_and_whose_import_fails(tmp_path, monkeypa
         (tmp_path / path).write_text(text, encoding="utf-8")
     monkeypatch.chdir(tmp_path)
     found = [
-        one for one in check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings if one.code == "EXE008"
+        one
+        for one in check(Request((".",), replace(load(tmp_path), unused_files=True), cached=False, jobs=1)).findings
+        if one.code == "EXE008"
     ]
     assert [one.severity for one in found] == ([] if fails else [Severity.INFO])
 
@@ -472,7 +475,7 @@ def test_an_error_in_code_that_no_package_installs_is_information(tmp_path, monk
         (tmp_path / name).parent.mkdir(exist_ok=True, parents=True)
         (tmp_path / name).write_text(text, encoding="utf-8")
     monkeypatch.chdir(tmp_path / "ws")
-    rows = check(Request((".",), Settings(), cached=False, jobs=1)).findings
+    rows = check(Request((".",), Settings(unused_files=True), cached=False, jobs=1)).findings
     [sleep] = [finding for finding in rows if finding.code == "EXE004"]
     assert sleep.severity is severity
     assert sleep.message.endswith("; no installed program uses this file") == (severity is Severity.INFO)
@@ -500,7 +503,7 @@ def test_what_a_rule_says_of_such_a_file_is_one_finding(tmp_path, monkeypatch, p
         (tmp_path / path).parent.mkdir(exist_ok=True)
         (tmp_path / path).write_text(f"{again}# {number}\n", encoding="utf-8")
     monkeypatch.chdir(tmp_path)
-    rows = check(Request((".",), Settings(), cached=False, jobs=1)).findings
+    rows = check(Request((".",), Settings(unused_files=True), cached=False, jobs=1)).findings
     undefined = [finding for finding in rows if finding.code == "API005"]
     assert len(undefined) == count
     if count == 1:
@@ -528,7 +531,7 @@ def test_a_module_with_a_main_that_no_entry_point_names(tmp_path, monkeypatch, p
         (tmp_path / name).parent.mkdir(exist_ok=True, parents=True)
         (tmp_path / name).write_text(text, encoding="utf-8")
     monkeypatch.chdir(tmp_path)
-    rows = check(Request((".",), Settings(), cached=False, jobs=1)).findings
+    rows = check(Request((".",), Settings(unused_files=True), cached=False, jobs=1)).findings
     told = [finding.severity for finding in rows if finding.code == "EXE004"]
     assert told == ([] if severity is None else [severity])
 
@@ -644,6 +647,7 @@ if __name__ == '__main__':
     rclpy.init()
     rclpy.spin(Asks())
 """
+INSTALLED = WAITS.replace("if __name__ == '__main__':", "def main():")
 STARTS = """
 from launch import LaunchDescription
 from launch_ros.actions import Node
@@ -658,7 +662,7 @@ INCLUDES = """<launch><include file="$(find-pkg-share robot)/launch/old/up.launc
 @pytest.mark.parametrize(
     ("files", "found"),
     [
-        ({"asks.py": WAITS, "launch/up.launch.py": STARTS}, ["LCH001", "TMO001"]),
+        ({"robot/driver.py": INSTALLED, "launch/up.launch.py": STARTS}, ["LCH001", "TMO001"]),
         ({"asks_backup.py": WAITS, "launch/old/up.launch.py": STARTS}, []),
         ({"robot_backup/asks.py": WAITS, "robot_backup/up.launch.py": STARTS}, []),
         ({"launch/old/up.launch.py": STARTS, "launch/all.launch.xml": INCLUDES}, ["LCH001"]),  # it is in use after all

@@ -863,7 +863,8 @@ def test_a_name_that_an_interface_or_other_code_may_have(judge: Judge, line: str
 def test_a_field_in_a_disused_folder(findings, folder: str, told: int):
     main = "import rclpy\nfrom std_msgs.msg import String\n\nrclpy.init()\nnode = rclpy.create_node('n')\n"
     script = main + "publisher = node.create_publisher(String, 'x', 10)\npublisher.publish(String(date='a'))\n"
-    assert len(findings("MSG001", **{f"{folder}/say.py": script})) == told
+    readme = f"    python3 {folder}/say.py\n"
+    assert len(findings("MSG001", **{f"{folder}/say.py": script, "README.md": readme})) == told
 
 
 OLD = """

@@ -448,6 +448,6 @@ def test_a_file_that_no_program_uses_waits_for_whoever_starts_it(tmp_path: Path,
     )
     for talker, told in (("def main():\n    pass\n", 1), ("from rclpy.node import Node\n\n\n" + others, 0)):
         write_robot(tmp_path, **{"robot/talker.py": talker, "robot/asks.py": asks})
-        (tmp_path / "archlint.toml").write_text('select = ["TMO001"]', encoding="utf-8")
+        (tmp_path / "archlint.toml").write_text('select = ["TMO001"]\nunused-files = true', encoding="utf-8")
         report = check(Request((".",), load(tmp_path), cached=False, jobs=1))
         assert [finding.severity for finding in report.findings] == [Severity.INFO] * told

@@ -125,6 +125,7 @@ def test_config_says_where_each_value_came_from(
         "launch = []": "default",
         "external = []": "default",
         "shared-topics = []": "default",
+        "unused-files = false": "default",
         "rules = {}": "default",
     }
 

@@ -75,6 +75,8 @@ def test_json_is_the_contract():
             "elapsed_s": 0.412,
             "baselined": 0,
             "older": 0,
+            "unused": 0,
+            "unused_files": 0,
         },
     }
 

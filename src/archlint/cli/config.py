@@ -68,6 +68,7 @@ def _values(settings: Settings) -> Iterator[tuple[str, object]]:
     if settings.external_nodes:
         yield "external-nodes", [_external(node) for node in settings.external_nodes]
     yield "shared-topics", settings.shared_topics
+    yield "unused-files", settings.unused_files
     yield from _architecture(settings)
     if settings.baseline is not None:
         yield "baseline", settings.baseline

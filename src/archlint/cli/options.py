@@ -249,6 +249,9 @@ def settings_of(arguments: argparse.Namespace, start: str, plugins: bool | None 
     cache_dir = getattr(arguments, "cache_dir", None)
     if cache_dir is not None:
         settings = _changed(settings, "cache-dir", cache_dir=cache_dir)
+    if getattr(arguments, "all_files", False):
+        origins = {**settings.origins, "unused-files": "command line"}
+        settings = replace(settings, origins=origins, unused_files=True)
     return _with_selection(settings, arguments)
 
 

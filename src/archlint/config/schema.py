@@ -144,6 +144,7 @@ class ConfigurationFile(Table, frozen=True):
     select: Texts | None = None
     severity: dict[str, Level] | None = None
     shared_topics: Texts | None = None
+    unused_files: bool | None = None
 
 
 _OPTIONS: dict[type, Any] = {bool: bool, str: str, tuple: Texts, int: Number, float: Number}

@@ -23,12 +23,12 @@ from archlint.engine.kept_summaries import keep_summaries, kept_summaries
 from archlint.engine.known import Sieve
 from archlint.engine.languages import for_their_languages
 from archlint.engine.launched_code import launched_files
-from archlint.engine.left_alone import without_left_alone
 from archlint.engine.loading import as_asked_for, systems_of
 from archlint.engine.looked_at import followed_in_part, for_ros1, started_elsewhere, without_start
 from archlint.engine.merging import folded, merged
 from archlint.engine.request import NothingToDo, Request
 from archlint.engine.stale_entries import Judgement, stale_entry
+from archlint.engine.unused_files import apart, count_of_files, unused_files
 from archlint.faults import Faults
 from archlint.finding import Place, Related
 from archlint.observed.words import comparison_notices, comparison_words
@@ -112,6 +112,8 @@ def _joined(judged: Sequence[Judged], inputs: Inputs) -> Judged:
         elapsed_s=0.0,
         baselined=sum(part.summary.baselined for part in judged),
         older=sum(part.summary.older for part in judged),
+        unused=sum(part.summary.unused for part in judged),
+        unused_files=sum(part.summary.unused_files for part in judged),
     )
     notices = list(dict.fromkeys(notice for part in judged for notice in part.notices))
     return Judged(findings, summary, notices, launched=[file for part in judged for file in part.launched])
@@ -137,7 +139,8 @@ def _judged(
     candidates.extend(failure(fault) for fault in faults.by_place())
     skipped = {file.relative for file in python_files(workspace) if facts.is_ros1(file)}
     read = (candidate for candidate in candidates if candidate.place.file not in skipped)
-    candidates = without_left_alone(index, read, request.paths)
+    candidates = list(read)
+    unused = unused_files(index, candidates, request)
     old = half_ported(workspace, known, facts)
     aside = uninstalled.files_of(index, candidates)
     candidates = uninstalled.as_information(as_information(candidates, old), aside)
@@ -147,7 +150,8 @@ def _judged(
     about = _wanted([*stale, *suppressions.without_reason(by_file)], request.settings, workspace)
     kept = [*outcome.kept, *suppressions.apply(about, by_file).kept]
     sifted = sieve.part(dict.fromkeys(kept), {file.relative for file in workspace.files})
-    explained = uninstalled.once_for_a_file(with_reason(folded(sifted.new), old), aside)
+    new, hidden = apart(index, sifted.new, unused)
+    explained = uninstalled.once_for_a_file(with_reason(folded(new), old), aside)
     findings = once_for_twins(explained, _contents(workspace, facts))
     shown = as_asked_for(request, systems[0], workspace)
     summary = summarise(
@@ -159,19 +163,25 @@ def _judged(
         elapsed_s=0.0,
         baselined=len(folded(sifted.baselined)),
         older=len(folded(sifted.older)),
+        unused=len(folded(hidden)),
+        unused_files=count_of_files(hidden, unused),
     )
     refused = [suppressions.refusal(file, suppression) for file, suppression in outcome.refused]
-    notices = [*_passed_over(inputs, facts, launch_files)]
-    if request.launch is not None:
-        notices.extend(argument_notices(systems[0]))
-        notices.extend(started_elsewhere(request, systems[0], workspace))
-    notices.extend(comparison_notices(systems[0].compared))
-    notices.extend(without_start(systems, {file.relative for file in workspace.files if file.context}))
+    notices = [*_passed_over(inputs, facts, launch_files), *_of_systems(request, workspace, systems)]
     notices.extend(followed_in_part(index.cut_short()))
     remarks = [*comparison_words(systems[0].compared)]
     judged = Judged(findings, summary, [*refused, *notices, *_idle(request.settings, systems)], remarks)
     judged = replace(judged, launched=launched_files(systems, findings))
     return judged, shown, systems
+
+
+def _of_systems(request: Request, workspace: Workspace, systems: Sequence[System]) -> Iterator[str]:
+    """What is to be said of the systems beside the findings."""
+    if request.launch is not None:
+        yield from argument_notices(systems[0])
+        yield from started_elsewhere(request, systems[0], workspace)
+    yield from comparison_notices(systems[0].compared)
+    yield from without_start(systems, {file.relative for file in workspace.files if file.context})
 
 
 def _contents(workspace: Workspace, facts: FactsOfFiles) -> dict[str, tuple[str, str]]:

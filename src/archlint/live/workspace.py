@@ -206,7 +206,7 @@ class LiveWorkspace:
         tree = LiveTree(Path(self.root), Path(workspace.root), readable.held, self._disk)
         request = Request(
             asked.paths,
-            asked.settings,
+            replace(asked.settings, unused_files=True),  # who opens a file asks for it
             cached=False,
             jobs=1,
             folder=self.root,

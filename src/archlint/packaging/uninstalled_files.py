@@ -145,6 +145,35 @@ def _commands(workspace: WorkspaceIndex) -> list[tuple[str, str, Place]]:
     return rows
 
 
+_PROGRAM = re.compile(r"(?:\bpython[\d.]*[ \t]+(?:-m[ \t]+|-\w+[ \t]+)*|(?<![\w./~])\./)([\w./~${}-]+)")
+
+
+@once
+def _programs(workspace: WorkspaceIndex) -> frozenset[str]:
+    """The names of the scripts and modules that documents and scripts of a workspace give to Python."""
+    names: set[str] = set()
+    for path in workspace.tree.files_below(workspace.tree.top):
+        text = workspace.tree.text(path) if _TEXTS.fullmatch(posixpath.basename(path)) else None
+        for call in _PROGRAM.finditer(text or ""):
+            names.add(posixpath.basename(call[1]).removesuffix(".py").rpartition(".")[2])
+    return frozenset(names)
+
+
+def is_told_to_run(workspace: WorkspaceIndex, file: str) -> bool:
+    """Whether a document or a script of the workspace says to run a file of Python: ``python3 tools/calibrate.py``."""
+    return posixpath.basename(file).removesuffix(".py") in _programs(workspace)
+
+
+def is_meant_to_start(workspace: WorkspaceIndex, file: str) -> bool:
+    """Whether anything asks for a launch file, be it installed or not: a command of CMake that is not known here,
+    another launch file, or a text that says to start it, by its package or by its path."""
+    package = workspace.package_of(file) or ""
+    installs = workspace.installs.get(package)
+    given = installs is not None and any(map(installs.may_install, _below(installs, [file])))
+    told = any(_told_at(workspace, package, file)) or _is_started_by_path(workspace, file)
+    return given or told or file in _told_already(workspace)
+
+
 def _told_at(workspace: WorkspaceIndex, package: str, file: str) -> Iterator[Place]:
     """The places that say to start a launch file by the name of its package."""
     name = posixpath.basename(file)

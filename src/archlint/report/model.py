@@ -34,6 +34,10 @@ class Summary:
     """Findings that the baseline holds back."""
     older: int = 0
     """Findings that the revision of ``--new-only`` has, too."""
+    unused: int = 0
+    """Findings that are not shown, for they are in files that nothing runs."""
+    unused_files: int = 0
+    """How many files these are in."""
 
     @property
     def findings(self) -> int:
@@ -99,6 +103,8 @@ def summarise(
     elapsed_s: float,
     baselined: int = 0,
     older: int = 0,
+    unused: int = 0,
+    unused_files: int = 0,
 ) -> Summary:
     count = Counter(finding.severity for finding in findings)
     return Summary(
@@ -112,6 +118,8 @@ def summarise(
         elapsed_s=elapsed_s,
         baselined=baselined,
         older=older,
+        unused=unused,
+        unused_files=unused_files,
     )
 
 
@@ -137,3 +145,13 @@ def summary_line(summary: Summary) -> str:
     levels = [(summary.errors, "error"), (summary.warnings, "warning"), (summary.infos, "info")]
     counts = ", ".join(counted(number, word) for number, word in levels if number)
     return f"Found {counts} in {where}{tail}."
+
+
+def unused_line(summary: Summary) -> str:
+    """What is not shown, in one sentence; empty where all is shown."""
+    if not summary.unused:
+        return ""
+    where = counted(summary.unused_files, "file")
+    if summary.unused == 1:
+        return f"1 finding in {where} that nothing runs is not shown; --all-files shows it."
+    return f"{summary.unused} findings in {where} that nothing runs are not shown; --all-files shows them."

@@ -15,7 +15,7 @@ from archlint.workspace.words import WORD
 if TYPE_CHECKING:
     from archlint.syntax.facts import Facts
     from archlint.workspace.installed import Installs
-    from archlint.workspace.model import SourceFile
+    from archlint.workspace.model import SourceFile, SourceKind
 
 
 class WorkspaceCode:
@@ -57,6 +57,11 @@ class WorkspaceCode:
         """The packages, None for files outside of them, with a C++ file of which part was not understood."""
         sources = (file for file in self._files if file.kind == "cpp" and self._relevant(file))
         return frozenset(file.package for file in sources if (read := self._facts_of(file)) and read.problems)
+
+    def kind_of(self, path: str) -> SourceKind | None:
+        """What a file of the workspace is; None for one that is not among them."""
+        file = self._by_path.get(path)
+        return None if file is None else file.kind
 
     def mentions(self, path: str, word: str) -> bool:
         """Whether a word stands anywhere in a file, be it of Python or not."""

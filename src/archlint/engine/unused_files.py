@@ -1,0 +1,71 @@
+"""Findings in files that nothing runs: they are counted and not shown, for nobody mends what nobody starts."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Set
+from typing import TYPE_CHECKING
+
+from archlint.analysis.aside import is_disused
+from archlint.checks.registry import registered
+from archlint.checks.scope import Scope
+from archlint.packaging.unbuilt_files import runs_nowhere
+from archlint.packaging.unused_files import nothing_runs
+
+if TYPE_CHECKING:
+    from archlint.engine.request import Request
+    from archlint.finding import Finding
+    from archlint.systems.model import WorkspaceIndex
+
+
+def unused_files(index: WorkspaceIndex, findings: Iterable[Finding], request: Request) -> frozenset[str]:
+    """The files of findings that nothing runs, but for those that the run was asked about by their names; none where
+    the settings want all files shown."""
+    if request.settings.unused_files:
+        return frozenset()
+    named = {os.path.abspath(path) for path in request.paths}
+    told = [finding for finding in findings if _is_of_what_runs(finding)]
+    files = {file for finding in told for file in (finding.place.file, *_others_of(finding))}
+    unread = {finding.place.file for finding in told if finding.code == "LNT002"}
+    unused = (file for file in files if nothing_runs(index, file) or (file in unread and runs_nowhere(index, file)))
+    return frozenset(file for file in unused if os.path.abspath(file) not in named)
+
+
+def apart(index: WorkspaceIndex, findings: Iterable[Finding], files: Set[str]) -> tuple[list[Finding], list[Finding]]:
+    """The findings that are shown, and those that are not, for they are in these files.  One about nodes that run
+    together is shown if one of them is in another file, unless all others are put aside."""
+    shown: list[Finding] = []
+    hidden: list[Finding] = []
+    for finding in findings:
+        own, others = finding.place.file, _others_of(finding)
+        unused = own in files and (others <= files or is_disused(index, own))
+        alone = bool(others) and others <= files and all(is_disused(index, other) for other in others)
+        (hidden if _is_of_what_runs(finding) and (unused or alone) else shown).append(finding)
+    return shown, hidden
+
+
+def count_of_files(findings: Iterable[Finding], files: Set[str]) -> int:
+    """How many of some files findings are about."""
+    return len(files & {file for finding in findings for file in (finding.place.file, *_others_of(finding))})
+
+
+def _others_of(finding: Finding) -> set[str]:
+    """The files of the other nodes that a finding is about."""
+    check = registered().get(finding.code)
+    together = check is not None and check.scope is Scope.SYSTEM
+    return {related.place.file for related in finding.related if together}
+
+
+_OF_DECLARATIONS = ("ARC", "OWN003")
+"""Rules about what a team declares: they are shown wherever they are."""
+
+
+def _is_of_what_runs(finding: Finding) -> bool:
+    check = registered().get(finding.code)
+    if check is None:
+        return finding.code == "LNT002"
+    of_code = check.scope not in (Scope.WORKSPACE, Scope.RUNNING)
+    return of_code and not finding.code.startswith(_OF_DECLARATIONS)
+
+
+__all__ = ["apart", "count_of_files", "unused_files"]

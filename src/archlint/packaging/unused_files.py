@@ -1,0 +1,69 @@
+"""Files that nothing of a workspace runs: not installed, started, imported, included or built, while their package
+installs others.
+
+Whether a file runs is asked of the build, of launch files, of imports and of the commands in documents and scripts.
+Where any of these says more than can be read, a file counts as run.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from archlint.analysis.aside import is_disused, is_left_alone, is_not_installed
+from archlint.analysis.kept import once
+from archlint.packaging.unbuilt_files import runs_nowhere
+from archlint.packaging.uninstalled_files import is_meant_to_start, is_told_to_run
+from archlint.workspace.model import LAUNCH_TEXT_KINDS
+
+if TYPE_CHECKING:
+    from archlint.systems.model import WorkspaceIndex
+
+
+def nothing_runs(workspace: WorkspaceIndex, file: str) -> bool:
+    """Whether nothing of the workspace runs a file of code or a launch file; False for all others, which are judged
+    where something in use reads them."""
+    if _is_launch_file(workspace, file):
+        # One that is not installed may be forgotten: PKG004 and whoever starts it by its path ask for it.
+        return _is_put_aside(workspace, file)
+    kind = workspace.code.kind_of(file)
+    if kind == "cpp":
+        return _is_put_aside(workspace, file) or runs_nowhere(workspace, file)
+    if kind == "interface":
+        return _is_put_aside(workspace, file)
+    return kind == "python" and (_is_put_aside(workspace, file) or _is_spare_program(workspace, file))
+
+
+def _is_put_aside(workspace: WorkspaceIndex, file: str) -> bool:
+    """Whether a file is put aside and no code names it, such as ``driver copy.py``."""
+    if _is_launch_file(workspace, file):
+        return is_disused(workspace, file) and not is_meant_to_start(workspace, file)
+    return is_left_alone(workspace, file) and is_disused(workspace, file)
+
+
+def _is_launch_file(workspace: WorkspaceIndex, file: str) -> bool:
+    """Whether launch may be given a file, be it one that cannot be read."""
+    kind = workspace.code.kind_of(file)
+    return kind in ("launch_python", *LAUNCH_TEXT_KINDS) or file in _launch_files(workspace)
+
+
+@once
+def _launch_files(workspace: WorkspaceIndex) -> frozenset[str]:
+    return frozenset(workspace.launch_files.all())
+
+
+def _is_spare_program(workspace: WorkspaceIndex, file: str) -> bool:
+    """Whether a script lies in a package that installs other programs, no test imports it, and no document says to run
+    it.  One beside the packages is for who works on them."""
+    if workspace.package_of(file) is None or not is_not_installed(workspace, file):
+        return False
+    return not (file in _tested(workspace) or is_told_to_run(workspace, file))
+
+
+@once
+def _tested(workspace: WorkspaceIndex) -> frozenset[str]:
+    """The tests, and all that they import."""
+    python = (file.relative for file, _ in workspace.code.asked_for() if file.kind == "python")
+    return workspace.code.reached_from(path for path in python if workspace.roles.is_test(path))
+
+
+__all__ = ["nothing_runs"]

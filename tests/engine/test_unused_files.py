@@ -1,0 +1,158 @@
+"""Findings in files that nothing runs: what a run says of them, and how to see them."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from archlint.cli import main
+
+MANIFEST = """<package format="3"><name>robot</name><version>0.0.1</version><description>d</description>
+<maintainer email="a@b.org">a</maintainer><license>MIT</license><exec_depend>rclpy</exec_depend>
+<exec_depend>std_msgs</exec_depend><export><build_type>ament_python</build_type></export></package>
+"""
+SETUP = """
+from setuptools import setup
+
+setup(name='robot', packages=['robot'], entry_points={'console_scripts': ['driver = robot.driver:main']})
+"""
+DRIVER = """
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import String
+
+
+class Driver(Node):
+    def __init__(self):
+        super().__init__('driver')
+        self.words = self.create_publisher(String, 'state', 10)
+
+
+def main():
+    rclpy.init()
+    rclpy.spin(Driver())
+"""
+PROBE = """
+import rclpy
+
+
+def main():
+    rclpy.init()
+    rclpy.create_node('probe').get_logger().info(missing)
+
+
+main()
+"""
+LISTENER = """
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import Int32
+
+
+class Listener(Node):
+    def __init__(self):
+        super().__init__('listener')
+        self.create_subscription(Int32, 'state', print, 10)
+
+
+rclpy.init()
+rclpy.spin(Listener())
+"""
+
+
+@pytest.fixture(autouse=True)
+def workspace(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A package with a program, and a script that it does not install."""
+    monkeypatch.chdir(tmp_path)
+    write("robot/package.xml", MANIFEST)
+    write("robot/setup.py", SETUP)
+    write("robot/setup.cfg", "[develop]\nscript_dir=$base/lib/robot\n[install]\ninstall_scripts=$base/lib/robot\n")
+    write("robot/robot/__init__.py")
+    write("robot/robot/driver.py", DRIVER)
+    write("robot/tools/probe.py", PROBE)
+
+
+def write(path: str, text: str = "") -> None:
+    file = Path(path)
+    file.parent.mkdir(parents=True, exist_ok=True)
+    file.write_text(text, encoding="utf-8")
+
+
+def checked(capsys: pytest.CaptureFixture[str], *arguments: str, cached: bool = False) -> tuple[dict[str, Any], str]:
+    """The JSON of a check, and what it says beside it."""
+    assert main(["check", *([] if cached else ["--no-cache"]), "--format", "json", "-o", "it.json", *arguments]) in (
+        0,
+        1,
+    )
+    return json.loads(Path("it.json").read_text(encoding="utf-8")), capsys.readouterr().err
+
+
+def files_of(document: dict[str, Any]) -> list[str]:
+    return [row["file"] for row in document["diagnostics"]]
+
+
+def test_they_are_counted_and_not_shown(capsys: pytest.CaptureFixture[str]) -> None:
+    document, said = checked(capsys)
+    assert files_of(document) == []
+    assert (document["summary"]["unused"], document["summary"]["unused_files"]) == (1, 1)
+    assert "1 finding in 1 file that nothing runs is not shown; --all-files shows it." in said
+
+
+@pytest.mark.parametrize("wanted", [("--all-files",), ("robot/tools/probe.py",)], ids=["all files", "by its name"])
+def test_they_are_shown_to_who_asks(capsys: pytest.CaptureFixture[str], wanted: tuple[str, ...]) -> None:
+    document, said = checked(capsys, *wanted)
+    assert files_of(document) == ["robot/tools/probe.py"]
+    assert (document["summary"]["unused"], document["summary"]["unused_files"]) == (0, 0)
+    assert "nothing runs" not in said
+
+
+def test_the_configuration_may_ask_for_them(capsys: pytest.CaptureFixture[str]) -> None:
+    write("archlint.toml", "unused-files = true\n")
+    assert files_of(checked(capsys)[0]) == ["robot/tools/probe.py"]
+
+
+def test_a_kept_result_is_that_of_what_was_asked(capsys: pytest.CaptureFixture[str]) -> None:
+    few, many = checked(capsys, cached=True)[0], checked(capsys, "--all-files", cached=True)[0]
+    assert (files_of(few), files_of(many)) == ([], ["robot/tools/probe.py"])
+    assert files_of(checked(capsys, cached=True)[0]) == []
+
+
+def test_several_are_counted_with_their_files(capsys: pytest.CaptureFixture[str]) -> None:
+    write("robot/tools/other.py", PROBE.replace("missing", "absent") + "lost\n")
+    document, said = checked(capsys)
+    assert (document["summary"]["unused"], document["summary"]["unused_files"]) == (3, 2)
+    assert "3 findings in 2 files that nothing runs are not shown; --all-files shows them." in said
+
+
+def test_a_baseline_holds_them_whether_they_are_shown_or_not(capsys: pytest.CaptureFixture[str]) -> None:
+    checked(capsys, "--all-files", "--baseline", "known.txt", "--write-baseline")
+    document, _ = checked(capsys, "--baseline", "known.txt")
+    assert files_of(document) == []
+    assert (document["summary"]["baselined"], document["summary"]["unused"]) == (1, 0)
+
+
+def test_a_suppression_there_is_not_unused(capsys: pytest.CaptureFixture[str]) -> None:
+    write("robot/tools/probe.py", PROBE.replace("info(missing)", "info(missing)  # archlint: ignore[API005] later"))
+    document, _ = checked(capsys)
+    assert (files_of(document), document["summary"]["suppressed"]) == ([], 1)
+
+
+def test_two_nodes_that_run_together_are_told_if_one_of_them_runs(capsys: pytest.CaptureFixture[str]) -> None:
+    write("robot/tools/probe.py", LISTENER)
+    document, _ = checked(capsys, "--select", "TOP001")
+    assert files_of(document) == ["robot/tools/probe.py"]
+
+
+def test_what_is_put_aside_is_no_partner_of_what_runs(capsys: pytest.CaptureFixture[str]) -> None:
+    Path("robot/tools/probe.py").unlink()
+    write("robot/old/driver.py", LISTENER)
+    document, _ = checked(capsys, "--select", "TOP001")
+    assert files_of(document) == []
+
+
+def test_why_nothing_runs_a_file_is_told(capsys: pytest.CaptureFixture[str]) -> None:
+    write("robot/setup.py", SETUP.replace("robot.driver:main", "robot.drivers:main"))
+    assert [row["code"] for row in checked(capsys)[0]["diagnostics"]] == ["PKG002"]

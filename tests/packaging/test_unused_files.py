@@ -1,0 +1,188 @@
+"""Files that nothing of a workspace runs, and files that look alike and are run."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from archlint.config.settings import load
+from archlint.engine.pipeline import Request, check
+
+Told = Callable[[dict[str, str], str], "list[str]"]
+
+MANIFEST = """<package format="3"><name>robot</name><version>0.0.1</version><description>d</description>
+<maintainer email="a@b.org">a</maintainer><license>MIT</license><exec_depend>rclpy</exec_depend>
+<exec_depend>rclcpp</exec_depend><exec_depend>std_msgs</exec_depend>
+<export><build_type>{build}</build_type></export></package>
+"""
+SETUP = """
+from setuptools import setup
+
+setup(
+    name='robot',
+    packages=['robot'],
+    data_files=[('share/robot/launch', ['launch/robot.launch.py'])],
+    entry_points={'console_scripts': [
+        'driver = robot.driver:main',
+        # 'probe = robot.probe:main',
+    ]},
+)
+"""
+FAILS = """#!/usr/bin/env python3
+import rclpy
+
+
+def main():
+    rclpy.init()
+    node = rclpy.create_node('probe')
+    node.get_logger().info(missing)
+
+
+if __name__ == '__main__':
+    main()
+"""
+LAUNCH = """
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    return LaunchDescription([Node(package='robot', executable='gone')])
+"""
+STARTS = LAUNCH.replace("gone", "driver")
+INCLUDES = """
+import os
+from launch import LaunchDescription
+from launch.actions import IncludeLaunchDescription
+from launch.launch_description_sources import PythonLaunchDescriptionSource
+
+
+def generate_launch_description():
+    spare = os.path.join(os.path.dirname(__file__), 'old', 'spare.launch.py')
+    return LaunchDescription([IncludeLaunchDescription(PythonLaunchDescriptionSource(spare))])
+"""
+
+
+@pytest.fixture
+def told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Told:
+    """``told({path: text}, code)`` gives the files of a workspace in which a rule says something.  Its package
+    ``robot`` installs the program ``robot/driver.py`` and the launch file ``launch/robot.launch.py``."""
+
+    def files_told(files: dict[str, str], code: str) -> list[str]:
+        texts = {
+            "robot/package.xml": MANIFEST.replace("{build}", "ament_python"),
+            "robot/setup.py": SETUP,
+            "robot/robot/__init__.py": "",
+            "robot/robot/driver.py": "def main():\n    pass\n",
+            "robot/launch/robot.launch.py": STARTS,
+            "archlint.toml": f'select = ["{code}"]\n',
+        }
+        for path, text in {**texts, **files}.items():
+            (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
+            (tmp_path / path).write_text(text, encoding="utf-8")
+        monkeypatch.chdir(tmp_path)
+        report = check(Request((".",), load(tmp_path), cached=False, jobs=1))
+        return [finding.place.file for finding in report.findings]
+
+    return files_told
+
+
+@pytest.mark.parametrize(
+    "files",
+    [
+        pytest.param({"robot/robot/probe.py": FAILS}, id="its entry point is commented out"),
+        pytest.param({"robot/tools/probe.py": FAILS}, id="a tool that nothing installs"),
+        pytest.param({"robot/robot/old/probe.py": FAILS, "robot/robot/old/__init__.py": ""}, id="put aside"),
+        pytest.param({"robot/robot/2024_back_up/driver.py": FAILS}, id="an old copy of what runs"),
+    ],
+)
+def test_a_script_that_nothing_runs(told: Told, files: dict[str, str]):
+    assert told(files, "API005") == []
+
+
+@pytest.mark.parametrize(
+    "files",
+    [
+        pytest.param({"robot/robot/driver.py": FAILS}, id="the program"),
+        pytest.param(
+            {"robot/robot/driver.py": "from robot.probe import main\n", "robot/robot/probe.py": FAILS}, id="imported"
+        ),
+        pytest.param({"robot/robot/probe.py": FAILS, "README.md": "    python3 robot/robot/probe.py\n"}, id="README"),
+        pytest.param({"robot/robot/probe.py": FAILS, "run.sh": "python3 -m robot.probe &\n"}, id="a script starts it"),
+        pytest.param(
+            {"robot/robot/probe.py": FAILS, "robot/test/test_it.py": "import rclpy\nfrom robot import probe\n"},
+            id="tested",
+        ),
+        pytest.param({"robot/robot/probe.py": FAILS, "robot/setup.py": "import setuptools\n"}, id="nothing installed"),
+        pytest.param({"tools/probe.py": FAILS}, id="beside the packages"),
+    ],
+)
+def test_a_script_that_something_runs(told: Told, files: dict[str, str]):
+    assert len(told(files, "API005")) == 1
+
+
+SPARE = "robot/launch/spare.launch.py"
+OLD = "robot/launch/old/spare.launch.py"
+
+
+@pytest.mark.parametrize(
+    ("files", "expected"),
+    [
+        pytest.param({"robot/launch/_old/spare.launch.py": LAUNCH}, [], id="put aside"),
+        pytest.param({"robot/launch/spare_backup.launch.py": LAUNCH}, [], id="a copy"),
+        pytest.param({"robot/launch/robot.launch.py": LAUNCH}, ["robot/launch/robot.launch.py"], id="installed"),
+        pytest.param({SPARE: LAUNCH}, [SPARE], id="perhaps forgotten in setup.py"),
+        pytest.param({OLD: LAUNCH, "robot/launch/robot.launch.py": INCLUDES}, [OLD], id="included"),
+    ],
+)
+def test_launch_files(told: Told, files: dict[str, str], expected: list[str]):
+    assert told(files, "LCH001") == expected
+
+
+CMAKE = """
+cmake_minimum_required(VERSION 3.8)
+project(robot)
+find_package(ament_cmake REQUIRED)
+find_package(rclcpp REQUIRED)
+add_executable(driver src/driver.cpp)
+# add_executable(probe src/probe.cpp)
+{more}
+install(TARGETS driver DESTINATION lib/${PROJECT_NAME})
+ament_package()
+"""
+NODE = """
+#include <rclcpp/rclcpp.hpp>
+
+int main(int argc, char ** argv)
+{
+  rclcpp::init(argc, argv);
+  auto node = std::make_shared<rclcpp::Node>("1probe");
+  rclcpp::spin(node);
+}
+"""
+IN_A_BRANCH = "if(WITH_PROBE)\n  add_executable(probe src/probe.cpp)\nendif()"
+BY_PATTERN = "file(GLOB ALL src/*.cpp)\nadd_library(all ${ALL})"
+IN_A_LOOP = "foreach(name probe)\n  add_executable(${name} src/${name}.cpp)\nendforeach()"
+
+
+@pytest.mark.parametrize(
+    ("more", "driver", "count"),
+    [
+        pytest.param("", "int main() {}\n", 0, id="its target is commented out"),
+        pytest.param(IN_A_BRANCH, "int main() {}\n", 1, id="built if somebody wants it"),
+        pytest.param(BY_PATTERN, "int main() {}\n", 1, id="built with all of its folder"),
+        pytest.param(IN_A_LOOP, "int main() {}\n", 1, id="built in a loop"),
+        pytest.param("", '#include "probe.cpp"\n', 1, id="included by another source"),
+    ],
+)
+def test_sources_of_cpp(told: Told, more: str, driver: str, count: int):
+    files = {
+        "robot/package.xml": MANIFEST.replace("{build}", "ament_cmake"),
+        "robot/setup.py": "",
+        "robot/CMakeLists.txt": CMAKE.replace("{more}", more),
+        "robot/src/driver.cpp": driver,
+        "robot/src/probe.cpp": NODE,
+    }
+    assert told(files, "NME002") == ["robot/src/probe.cpp"] * count
