@@ -239,8 +239,15 @@ def _said(wrong: WrongDescription) -> tuple[str, str]:
             return text, f"write def {wrong.given}(context)"
         case Wrong.NO_LIST:
             return f"{wrong.of} is given {wrong.given}, and launch wants {wrong.wanted}", "put it into a list: […]"
-    advice = f"write {wrong.wanted}" if wrong.wanted != "actions" else "put the actions themselves into the list"
+    advice = _IN_LIST.get(wrong.wanted, f"write {wrong.wanted}")
     return f"{wrong.given} stands in {wrong.of}, where launch wants {wrong.wanted}", advice
+
+
+_IN_LIST = {
+    "actions": "put the actions themselves into the list",
+    "each file by itself": "remove the braces, so that each file is an item of the list",
+}
+"""What to do about an item of a list, by what is wanted instead: otherwise it is an expression to write."""
 
 
 def _without_context(failing: WithoutContext) -> Finding:

@@ -246,6 +246,23 @@ def _display(value: facts.Expr) -> str:
     return ""
 
 
+def _may_be_a_path(items: Sequence[facts.Expr]) -> bool:
+    """Whether launch_ros takes a set as a parameter file: it joins the texts and substitutions of any iterable to one
+    path.  Those of a set of several come in any order."""
+    match items:
+        case [facts.Literal(value=value)]:
+            return isinstance(value, str)
+        case [facts.Sequence() | facts.Mapping()]:
+            return False
+    return len(items) == 1 or any(isinstance(item, facts.Starred) for item in items)
+
+
+def _instead_of_set(items: Sequence[facts.Expr]) -> str:
+    """What is meant: files where one of the items is the name of one, otherwise a parameter and its value."""
+    texts = (item.value for item in items if isinstance(item, facts.Literal) and isinstance(item.value, str))
+    return "each file by itself" if any(text.endswith((".yaml", ".yml")) for text in texts) else "{'name': value}"
+
+
 def _argument_of_node(class_name: str, keyword: str, value: facts.Expr) -> Iterator[WrongDescription]:
     """What a node is given as a list of parameters, remappings or arguments that is none."""
     what, of = _display(value), f"{keyword}= of {class_name}"
@@ -253,8 +270,8 @@ def _argument_of_node(class_name: str, keyword: str, value: facts.Expr) -> Itera
         case "parameters", facts.Sequence(kind="list", elements=elements):
             for element in elements:
                 match element:
-                    case facts.Sequence(kind="set"):
-                        yield WrongDescription(Wrong.IN_LIST, element.span, "a set", of, "{'name': value}")
+                    case facts.Sequence(kind="set", elements=items) if not _may_be_a_path(items):
+                        yield WrongDescription(Wrong.IN_LIST, element.span, "a set", of, _instead_of_set(items))
         case "parameters", facts.Sequence() | facts.Mapping() | facts.Literal(value=str()):
             yield WrongDescription(Wrong.NO_LIST, value.span, what, of, "a list")
         case "remappings", facts.Sequence(elements=elements):
