@@ -35,6 +35,22 @@ def test_a_text_that_launch_passes_on_without_quotes(findings, given: str, told:
     assert [one.help for one in reported] == ["set it in a parameter file, where quotes keep it a string"] * len(told)
 
 
+@pytest.mark.parametrize(
+    ("readme", "declared", "given", "told"),
+    [
+        ("For ROS 2 Foxy.", "1.0", "2", 0),
+        ("For ROS 2 Foxy and Humble.", "1.0", "2", 1),
+        ("", "1.0", "2", 1),
+        ("For ROS 2 Foxy.", "True", "'False'", 1),  # a text that is not empty is true
+        ("For ROS 2 Foxy.", "True", "'True'", 0),
+    ],
+)
+def test_foxy_takes_a_value_of_any_type(findings, readme: str, declared: str, given: str, told: int):
+    files = {"robot/talker.py": TALKER.replace("1.0)", f"{declared})"), "README.md": readme}
+    launch = node(f'<param name="rate" value="{given}"/>')
+    assert len(findings("PRM002", launch, **files)) == told
+
+
 def test_dynamic_typing_takes_anything(findings):
     text = TALKER.replace("1.0)", "1.0, ParameterDescriptor(dynamic_typing=True))")
     assert findings("PRM002", node('<param name="rate" value="2"/>'), **{"robot/talker.py": text}) == []
@@ -185,6 +201,7 @@ install(TARGETS lidar DESTINATION lib/${PROJECT_NAME})
         ('declare_parameter("range", 20)', 1),
         ('declare_parameter<int>("range", range_)', 1),
         ('declare_parameter<double>("range", 20)', 0),
+        ('declare_parameter<std::vector<double>>("range", {20, 30})', 1),  # an array all the same
     ],
 )
 def test_a_type_that_cpp_takes_from_a_variable(findings, declaration: str, told: int):

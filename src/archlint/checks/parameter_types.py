@@ -8,6 +8,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.declarations import is_of_variable, may_be_dynamic
+from archlint.analysis.pinned import is_from_before_galactic
 from archlint.checks.folding import folds
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -26,6 +27,7 @@ if TYPE_CHECKING:
 @rule("PRM002", scope=Scope.SYSTEM)
 def parameter_type_mismatch(system: System, options: Options) -> Iterator[Finding]:
     """Values from outside whose type is not the declared one."""
+    is_any_type_taken = is_from_before_galactic(system.workspace)
     for node, settings in set_nodes(system):
         if may_be_dynamic(system.workspace, node.parameters):
             continue
@@ -42,11 +44,19 @@ def parameter_type_mismatch(system: System, options: Options) -> Iterator[Findin
                 continue
             if given == "double" and rows[0].type == "integer" and is_of_variable(system.workspace, rows[0]):
                 continue
+            if is_any_type_taken:
+                if rows[0].type == "bool" and str(setting.value).lower() == "false":
+                    yield replace(_of_another_type(node, setting, rows[0], given), help=_NOT_FALSE)
+                continue
             template = _placeholder(setting)
             if template is None:
                 yield _of_another_type(node, setting, rows[0], given)
             else:
                 yield _not_filled_in(node, setting, template)
+
+
+_NOT_FALSE = "set a bool: a text is true, whatever it says"
+"""What is wrong before Galactic, where an override may be of any type and changes that of the parameter."""
 
 
 def _of_another_type(node: Node, setting: Setting, declared: ParameterDeclaration, given: ParameterType) -> Finding:

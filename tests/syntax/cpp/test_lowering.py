@@ -91,6 +91,11 @@ def test_what_creates_an_endpoint_has_the_arguments_of_rclpy(written: str, expec
     [
         ('auto t = declare_parameter<std::string>("t", "x");', "t = self.declare_parameter('t', 'x').value"),
         ('declare_parameter<double>("rate", 10);', "self.declare_parameter('rate', 10.0).value"),
+        ('declare_parameter<std::vector<double>>("t", {0, 1});', "self.declare_parameter('t', [0.0, 1.0]).value"),
+        ('declare_parameter<std::vector< float >>("t", {0});', "self.declare_parameter('t', [0.0]).value"),
+        ('declare_parameter<std::vector<int64_t>>("t", {0});', "self.declare_parameter('t', [0]).value"),
+        ('declare_parameter("t", std::vector<double>{0, 1});', "self.declare_parameter('t', [0.0, 1.0]).value"),
+        ('declare_parameter("t", std::vector<int>{0, 1});', "self.declare_parameter('t', [0, 1]).value"),
         ('declare_parameter<int>("n");', "self.declare_parameter('n', rclcpp::Parameter.Type.INTEGER).value"),
         ('auto t = get_parameter("t").as_string();', "t = self.get_parameter('t').value"),
         ('auto t = get_parameter("t").get_value<std::string>();', "t = self.get_parameter('t').value"),

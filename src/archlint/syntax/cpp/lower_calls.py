@@ -192,7 +192,7 @@ class CallLowering(MethodLowering):
 
         Source: ``rclcpp/node_impl.hpp``, ``declare_parameter<ParameterT>``.
         """
-        of_type = self.source.text(part.arguments[0]).removeprefix("std::") if part.arguments else ""
+        of_type = "".join(self.source.text(part.arguments[0]).split()).removeprefix("std::") if part.arguments else ""
         if not values:
             word = _PARAMETER_TYPES.get(of_type)
             kind = self.names.library("rclcpp.Parameter", span)
@@ -205,6 +205,8 @@ class CallLowering(MethodLowering):
         match values[0]:
             case facts.Call(func=constructor, args=[]) if constructor.last_name in SEQUENCES:
                 return [facts.Sequence("list", [], span)]  # std::vector<std::string>()
+            case facts.Sequence(kind=display, elements=elements) if of_type in _OF_DOUBLES:
+                return [facts.Sequence(display, [_as_double(element, span) for element in elements], span)]
         return [values[0]]
 
     def _function_call(self, parts: list[Part], function: Node, arguments: Node, span: Span) -> Expr:
@@ -353,6 +355,12 @@ _OF_NODE = frozenset(
 """Other methods of a node, and one of a node of a behaviour tree, whose arguments are changed here."""
 
 
+def _as_double(element: Expr, span: Span) -> Expr:
+    """An item of a ``std::vector<double>``, which takes whole numbers as doubles, too."""
+    return element if element.number is None else facts.Literal(element.number, span)
+
+
+_OF_DOUBLES = frozenset({"vector<double>", "vector<float>"})
 _PARAMETER_TYPES = {
     **{"string": "STRING", "bool": "BOOL", "float": "DOUBLE", "double": "DOUBLE"},
     **dict.fromkeys(("int", "int64_t", "int32_t", "long", "uint16_t", "uint32_t", "size_t"), "INTEGER"),

@@ -80,8 +80,11 @@ class ObjectLowering(MacroLowering):
         return facts.Sequence("list", [self._item(kind, child, span) for child in nodes], span)
 
     def _item(self, kind: list[Part], node: Node, span: Span) -> Expr:
-        is_object = node.type == "initializer_list" and bool(kind) and self.is_class(kind)
-        return self.construct_parts(kind, node, span) if is_object else self.lower(node)
+        if node.type == "initializer_list" and bool(kind) and self.is_class(kind):
+            return self.construct_parts(kind, node, span)
+        item = self.lower(node)
+        is_double = len(kind) == 1 and kind[0].name in ("double", "float")
+        return item if item.number is None or not is_double else facts.Literal(item.number, span)
 
     def is_class(self, parts: list[Part]) -> bool:
         """Whether a type may be a class of the workspace: not one of a library, a message or a pointer."""
