@@ -360,6 +360,24 @@ def test_a_path_that_need_not_be_there(findings, action):
     assert findings("LCH004", **{"launch/py.launch.py": IN_PYTHON.format(action=action)}) == []
 
 
+@pytest.mark.parametrize(
+    ("written", "told"),
+    [
+        ("path", []),
+        ("os.path.join(share, 'urdf', 'arm.urdf')", ["urdf/robot.urdf"]),  # it writes another one
+    ],
+)
+def test_a_file_that_the_launch_file_writes_with_xacro(findings, written: str, told: list[str]):
+    read = "Node(package='robot', executable='talker', arguments=[path])"
+    world = "ExecuteProcess(cmd=['gz', 'sim', os.path.join(share, 'worlds', 'hall.world')])"
+    made = (
+        f"import xacro\n    xacro.open_output({written}).write(xacro.process_file('robot.xacro').toxml())\n    return"
+    )
+    launch = IN_PYTHON.format(action=f"{read}, {world}").replace("return", made)
+    messages = [each.message for each in findings("LCH004", **{"launch/py.launch.py": launch})]
+    assert messages == [f"package 'robot' has no file '{file}'" for file in [*told, "worlds/hall.world"]]
+
+
 def test_a_file_that_is_made_on_each_machine(findings):
     launch = {"launch/py.launch.py": IN_PYTHON.format(action=EVERYWHERE[0])}
     assert findings("LCH004", **launch, **{".gitignore": "*.urdf\n"}) == []

@@ -10,7 +10,7 @@ import posixpath
 from abc import abstractmethod
 from collections.abc import Callable, Hashable, Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, TypeVar
 
 from archlint import model
@@ -24,7 +24,7 @@ from archlint.launch.argument_names import AGAIN, ArgumentNames
 from archlint.launch.context import Context
 from archlint.launch.domains import Domains
 from archlint.launch.given_arguments import GivenArguments
-from archlint.launch.kinds import FileKind, GapKind
+from archlint.launch.kinds import FileKind, FileStatus, GapKind
 from archlint.launch.mistakes import (
     AbsentKey,
     IdleGroup,
@@ -259,7 +259,9 @@ class LaunchRun(Run):
 
     def resolve(self, kind: FileKind, path: Value, place: Place) -> FileReference:
         """Which file of the workspace a path means."""
-        return self.paths.resolve(kind, path, place, self.file, self.asked_files, self.is_conditional)
+        reference = self.paths.resolve(kind, path, place, self.file, self.asked_files, self.is_conditional)
+        is_made_here = reference.source is None and reference.written in self.written_files
+        return replace(reference, status=FileStatus.UNKNOWN) if is_made_here else reference
 
     # ------------------------------------------------------------------------------------------- values
 

@@ -33,6 +33,12 @@ def _temporary(run: LaunchRun, site: CallSite) -> Instance:
     return written_file(run, path_made_by_launch(len(run.written_files) + len(run.made_files) + 1))
 
 
+def _opened_output(run: LaunchRun, site: CallSite) -> Value:
+    """``xacro.open_output(path)``: the file, open for writing."""
+    path = known_text(site.args[0]) if site.args else None
+    return Unknown("a file") if path is None else written_file(run, path)
+
+
 def _folder(run: LaunchRun, site: CallSite) -> Value:
     """``tempfile.gettempdir()``: which folder it is, the machine says; what is written there is known."""
     return Known(path_made_by_launch())
@@ -90,6 +96,7 @@ PLAIN = {
     "tempfile.NamedTemporaryFile": _temporary,
     "tempfile.mkstemp": _descriptor_and_path,
     "os.fdopen": _opened_descriptor,
+    "xacro.open_output": _opened_output,
 }
 METHODS = {
     f"{WRITTEN_FILE}.write": _write,
