@@ -56,6 +56,29 @@ def test_an_except_that_goes_on_to_the_read(judge: Judge):
     assert [row.place.line for row in finding.related] == [15, 16]
 
 
+@pytest.mark.parametrize(
+    ("handler", "told"),
+    [
+        ("except NameError:", 0),
+        ("except (UnboundLocalError, ValueError):", 0),
+        ("except:", 0),
+        ("except Exception:", 0),
+        ("except ValueError:", 1),
+    ],
+)
+def test_a_read_in_a_try_that_expects_no_value(judge: Judge, handler: str, told: int):
+    lines = (
+        "try:",
+        "    value = float(message.data)",
+        "except ValueError:",
+        "    try:",
+        "        print(value)",
+        f"    {handler}",
+        "        pass",
+    )
+    assert len(judge("API005", _node(*lines).replace("print(value)", f"print(value){'  # here' * told}"))) == told
+
+
 def test_all_that_one_except_leaves_without_a_value(judge: Judge):
     lines = (
         "try:",

@@ -17,7 +17,7 @@ from archlint.python_code.offered_names import MAKES_NAMES, bound_in, own_names,
 from archlint.syntax import facts
 from archlint.syntax.control_flow import graph_of
 from archlint.syntax.flow_blocks import Block, Edge, Kind, reach, without_exceptions
-from archlint.syntax.parts import everything_in, parts_of
+from archlint.syntax.parts import Itself, everything_in, parts_of
 
 if TYPE_CHECKING:
     from archlint.syntax.flow_graph import Graph
@@ -71,9 +71,11 @@ def _in_function(function: facts.Function, known: frozenset[str] | None) -> Iter
     graph = graph_of(function.body)
     bound = _bound(function, graph)
     reads: dict[str, list[tuple[Block, facts.Name, bool]]] = {}
+    attempts = parts_of(function.body, facts.Try) if bound else ()
+    expected = {part for attempt in attempts for part in _expected(attempt)}
     for block in graph.blocks if bound else ():
         for part, surely in read_at(block):
-            if isinstance(part, facts.Name) and part.id in bound:
+            if isinstance(part, facts.Name) and part.id in bound and Itself(part) not in expected:
                 reads.setdefault(part.id, []).append((block, part, surely))
     for name, rows in reads.items():
         blocks = [block for block, _ in bound[name]]
@@ -89,6 +91,21 @@ def _in_function(function: facts.Function, known: frozenset[str] | None) -> Iter
                 assigned = next(span for block, span in bound[name] if block in tried)
                 yield _Row(name, caught[0].span, assigned, caught[1].span)
                 break
+
+
+def _expected(attempt: facts.Try) -> Iterator[Itself[facts.Base]]:
+    """What is tried by somebody who expects that a variable has no value, or to whom all is one."""
+    if any(handler.caught & _OF_NAMES or _is_silent(handler) for handler in attempt.handlers):
+        yield from map(Itself, everything_in(attempt.body))
+
+
+_OF_NAMES = frozenset({"NameError", "UnboundLocalError"})
+
+
+def _is_silent(handler: facts.Handler) -> bool:
+    """``except: pass``, be it for ``Exception``."""
+    does_nothing = all(isinstance(statement, facts.Jump) and statement.kind == "pass" for statement in handler.body)
+    return does_nothing and (handler.type is None or not handler.caught.isdisjoint({"Exception", "BaseException"}))
 
 
 def _bound(function: facts.Function, graph: Graph) -> dict[str, list[tuple[Block, facts.Span]]]:
