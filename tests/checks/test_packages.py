@@ -242,6 +242,20 @@ def test_a_module_that_does_its_work_when_it_is_imported_fails_at_its_end(findin
 
 
 @pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        ("from http.server import HTTPServer\nhttpd = HTTPServer(('', 8000), None)\nhttpd.serve_forever()\n", 0),
+        ("from flask import Flask\napp = Flask('page')\napp.run(port=5000)\n", 0),
+        ("from tasks import job\njob.run()\n", 1),
+        ("from http.server import HTTPServer\ndef serve(httpd):\n    httpd.serve_forever()\n", 1),
+        ("from flask import Flask\napp = Flask('page')\nif __name__ == '__main__':\n    app.run()\n", 1),
+    ],
+)
+def test_a_module_that_serves_when_it_is_imported_does_start(findings, text: str, told: int):
+    assert len(findings("PKG002", **{"robot/talker.py": text})) == told
+
+
+@pytest.mark.parametrize(
     "text",
     [
         "def look():\n    while True:\n        pass\n",

@@ -77,6 +77,8 @@ def broken_target(workspace: WorkspaceIndex, executable: Executable) -> NoModule
     names = _bound_names(file_facts.body)
     if head in names or _binds_more(file_facts.body):
         return None
+    if _serves_on_import(file_facts):
+        return None
     return NoFunction(module, head, names, _works_on_import(file_facts), ros1_module(file_facts) or "")
 
 
@@ -103,6 +105,18 @@ def _works_on_import(file_facts: facts.Facts) -> bool:
     if any(True for loop in statements_of(body, facts.For) for _ in calls_in(loop.body)):
         return True
     return any(called_name(call) == "spin" for call in calls_in(body))
+
+
+def _serves_on_import(file_facts: facts.Facts) -> bool:
+    """Whether importing a module starts a server that serves until Ctrl-C, so that nothing after it is asked for."""
+    guard = main_guard(file_facts)
+    for call in calls_in([statement for statement in file_facts.body if statement is not guard]):
+        match call.func:
+            case facts.Attribute(attr="serve_forever" | "run_forever"):
+                return True
+            case facts.Attribute(value=facts.Name(id="app" | "uvicorn"), attr="run"):
+                return True
+    return False
 
 
 def is_on_disk(workspace: WorkspaceIndex, package: str, module: str) -> bool:
