@@ -141,6 +141,33 @@ def test_a_build_type_is_no_package(judge: Judge):
     assert "'ament_cmake_python'" in (by_cmake.help or "")
 
 
+@pytest.mark.parametrize(
+    ("declared", "tag", "help"),
+    [
+        (
+            "<depend>rclpy</depend>",
+            "<exec_depend>rclpy_action</exec_depend>",
+            "remove the line: 'rclpy' is declared already",
+        ),
+        ("<depend>nav_msgs</depend>", "<depend>nav_msg</depend>", "remove the line: 'nav_msgs' is declared already"),
+        (
+            "<exec_depend>nav_msgs</exec_depend>",
+            "<exec_depend>nav_msg</exec_depend>",
+            "remove the line: 'nav_msgs' is declared already",
+        ),
+        ("<build_depend>nav_msgs</build_depend>", "<exec_depend>nav_msg</exec_depend>", "write 'nav_msgs' instead"),
+        (
+            '<depend condition="$ROS_VERSION == 1">nav_msgs</depend>',
+            "<depend>nav_msg</depend>",
+            "write 'nav_msgs' instead",
+        ),
+    ],
+)
+def test_what_was_meant_is_declared_already(judge: Judge, declared: str, tag: str, help: str):
+    (one,) = judge(declared, tag)
+    assert one.help == help
+
+
 def test_one_finding_for_a_package(judge: Judge):
     (one,) = judge("<depend>Eigen3</depend>", "<depend>nav_msg</depend>")
     assert [related.place.line for related in one.related] == [4]

@@ -72,10 +72,18 @@ def _unknown(
     wrong = None if meant is not None else mistaken(name, there, is_python=is_python)
     if wrong is not None and not is_a_key_of_some_file(workspace, name):
         yield _mistaken(package, dependency, wrong)
-    if meant is not None:
+    if meant is not None and _has_already(package, dependency, meant):
+        yield _finding(package, dependency, meant, f"remove the line: '{meant}' is declared already")
+    elif meant is not None:
         own = f", and add find_package({name} REQUIRED) to CMakeLists.txt, which takes its packages from here"
         needed = _is_found_by_name(workspace, package, dependency)
         yield _finding(package, dependency, meant, f"write '{meant}' instead{own if needed else ''}")
+
+
+def _has_already(package: Package, dependency: Dependency, name: str) -> bool:
+    """Whether package.xml declares a name for the same use: catkin_pkg refuses to read one that does so twice."""
+    kinds = {other.kind for other in package.dependencies if other.name == name and condition_holds(other.condition)}
+    return bool(kinds) and (dependency.kind == "depend" or not kinds.isdisjoint({"depend", dependency.kind}))
 
 
 _SUCCEEDED = frozenset({"rosbag", "rviz"})
@@ -122,6 +130,8 @@ def _mistaken(package: Package, dependency: Dependency, wrong: Mistaken) -> Find
     """The finding about a name of which it is known what it is."""
     name, instead = dependency.name, wrong.instead
     help = f"write '{instead}' instead" if instead else "remove the line"
+    if instead and _has_already(package, dependency, instead):
+        help = f"remove the line: '{instead}' is declared already"
     if wrong.mistake is Mistake.OF_ROS_1:
         message = f"'{name}' is a package of ROS 1, which rosdep does not find for ROS 2"
     elif wrong.mistake is Mistake.OF_PYTHON_2:
