@@ -385,6 +385,28 @@ def test_several_files_of_one_list(findings):
     assert finding.message.endswith("another file of the list is not there, either")
 
 
+def of_launch_file(listed: str, **files: str) -> dict[str, str]:
+    """A package that lists one launch file, and whose launch files are others."""
+    setup = f"from setuptools import setup\nsetup(name='robot', data_files=[('share/robot/launch', ['{listed}'])],\n"
+    setup += "      entry_points={'console_scripts': ['talker = robot.talker:main']})\n"
+    return {"setup.py": setup, "launch/it.launch.xml": OF_OLD_NAME, **files}
+
+
+def test_a_launch_file_that_is_listed_under_a_wrong_name_is_one_finding(findings):
+    (finding,) = findings("PKG004", **of_launch_file("launch/it_launch.xml"))
+    assert finding.message == (
+        "data_files= lists a file that is not there: the build stops at 'launch/it_launch.xml'; did you mean "
+        "'launch/it.launch.xml'?"
+    )
+    assert finding.help == "write 'launch/it.launch.xml'"
+
+
+def test_a_launch_file_that_is_not_installed_beside_one_that_is_not_there(findings):
+    vain, left_out = findings("PKG004", **of_launch_file("launch/follow_me.launch.xml"))[::-1]
+    assert vain.help == "add the file, or take it off the list"
+    assert "does not install the launch file 'it.launch.xml'" in left_out.message
+
+
 @pytest.mark.parametrize(
     "files",
     [
@@ -406,6 +428,23 @@ ament_package()
 """
 OF_CMAKE = {"package.xml": CMAKE, "launch/it.launch.xml": "<launch/>"}
 INSTALL = "install(DIRECTORY launch rviz DESTINATION share/${PROJECT_NAME})"
+
+
+LIBRARY = "add_library(map src/map/map.cpp)\nadd_executable(mapper src/{}/main.cpp)"
+
+
+def test_files_of_one_folder_that_is_not_there_are_one_finding(findings):
+    (finding,) = findings("PKG004", **OF_CMAKE, **{"CMakeLists.txt": BUILD.format(LIBRARY.format("map"))})
+    assert finding.message == (
+        "add_library() lists a file that is not there: the build stops at 'src/map/map.cpp'; "
+        "another file is not there, either"
+    )
+    assert [related.place.line for related in finding.related] == [4]
+
+
+def test_files_of_two_folders_that_are_not_there(findings):
+    other = {"CMakeLists.txt": BUILD.format(LIBRARY.format("mapper")), "src/other.cpp": ""}
+    assert len(findings("PKG004", **OF_CMAKE, **other)) == 2
 
 
 @pytest.mark.parametrize(

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from archlint.checks.folding import folds, with_others
@@ -26,7 +26,7 @@ from archlint.packaging.uninstalled_files import (
     misnamed_markers,
     understood,
 )
-from archlint.suggestions import listed
+from archlint.suggestions import listed, meant, nearest
 
 if TYPE_CHECKING:
     from archlint.finding import Place
@@ -50,12 +50,19 @@ def not_installed(system: System, options: Options) -> Iterator[Finding]:
         if _absent_folder(workspace, package) is None:
             yield _code(workspace, package, rows)
     yield from _packages_nowhere(workspace)
-    yield from map(_launch_files, launch_files_left_out(workspace))
+    in_vain = list(listed_in_vain(workspace))
+    left_out = list(launch_files_left_out(workspace))
+    misspelt = {(row.place.file, row.file): right for row in in_vain if (right := _right_name(row, left_out))}
+    spelt = {(file, right) for (file, _), right in misspelt.items()}
+    for launch_row in left_out:
+        files = tuple(file for file in launch_row.files if (launch_row.place.file, file) not in spelt)
+        if files:
+            yield _launch_files(replace(launch_row, files=files))
     named: dict[str, list[DataLeftOut]] = {}
     for named_row in data_left_out(workspace):
         named.setdefault(named_row.package, []).append(named_row)
     yield from map(_data, named.values())
-    yield from map(_in_vain, listed_in_vain(workspace))
+    yield from _all_in_vain(in_vain, misspelt)
     yield from map(_folder, folders_listed(workspace))
     yield from map(_misnamed, misnamed_markers(workspace))
     yield from map(_interfaces, not_generated(workspace))
@@ -207,19 +214,38 @@ def _data(rows: Sequence[DataLeftOut]) -> Finding:
     )
 
 
-def _in_vain(row: ListedInVain) -> Finding:
+def _right_name(row: ListedInVain, left_out: Sequence[LaunchFilesLeftOut]) -> str | None:
+    """The launch file beside a listed one that is not there, which is not installed and has almost its name."""
+    folder = posixpath.dirname(row.file)
+    rows = [other for other in left_out if other.place.file == row.place.file]
+    beside = [file for other in rows for file in other.files if posixpath.dirname(file) == folder]
+    return nearest(row.file, beside)
+
+
+def _all_in_vain(rows: Sequence[ListedInVain], misspelt: Mapping[tuple[str, str], str]) -> Iterator[Finding]:
+    """Each of these, those of one list and those of one folder that is not there with one group."""
+    groups: dict[tuple[str, str], tuple[str, str]] = {}
+    for row in rows:
+        file, own = row.place.file, (row.place.file, row.command)
+        group = groups.setdefault((file, row.within), own) if row.within else own
+        yield replace(_in_vain(row, misspelt.get((file, row.file))), group=group)
+
+
+def _in_vain(row: ListedInVain, right: str | None) -> Finding:
     kind = "folder" if row.folder else "file"
     what = "the marker of the package" if row.marker else f"a {kind}"
     verb, line = (
         ("needs", "remove the line") if row.command == "add_subdirectory()" else ("lists", "take it off the list")
     )
+    cure = f"add an empty file '{row.file}'" if row.marker else f"add the {kind}, or {line}"
     return finding(
         "PKG004",
         row.place,
-        f"{row.command} {verb} {what} that is not there: the build stops at '{row.file}'",
-        help=f"add an empty file '{row.file}'" if row.marker else f"add the {kind}, or {line}",
+        f"{row.command} {verb} {what} that is not there: the build stops at '{row.file}'"
+        + (meant(f"'{right}'") if right else ""),
+        help=f"write '{right}'" if right else cure,
         identity=(row.file,),
-        group=(row.place.file, row.command),
+        meant=right or "",
     )
 
 
@@ -271,7 +297,9 @@ def _of_one_list(findings: Sequence[Finding]) -> Finding:
     folders that patterns match."""
     if len(findings) > 1 and findings[0].group[-1] == "folder":
         return with_others(findings, "another pattern of the file does", "more patterns of the file do", "the same")
-    return with_others(findings, "another file of the list is", "more files of the list are", "not there, either")
+    commands = {diagnostic.message.partition(" ")[0] for diagnostic in findings}
+    of_list = " of the list" if len(commands) == 1 else ""
+    return with_others(findings, f"another file{of_list} is", f"more files{of_list} are", "not there, either")
 
 
 __all__ = ["not_installed"]

@@ -199,6 +199,8 @@ class ListedInVain:
     command: str = "data_files="
     """What lists it: ``data_files=`` of a setup.py, or a command of CMake."""
     folder: bool = False
+    within: str = ""
+    """The outermost folder of its path that is not there either, from the folder of the package on."""
 
 
 def listed_in_vain(workspace: WorkspaceIndex) -> Iterator[ListedInVain]:
@@ -217,7 +219,10 @@ def listed_in_vain(workspace: WorkspaceIndex) -> Iterator[ListedInVain]:
                 and not is_ignored(workspace, row.source)
             ):
                 [below] = _below(installs, [row.source])
-                yield ListedInVain(row.place or at, below, posixpath.normpath(row.destination) == MARKERS)
+                within = _absent_folder(workspace, installs, below)
+                yield ListedInVain(
+                    row.place or at, below, posixpath.normpath(row.destination) == MARKERS, within=within
+                )
 
 
 @dataclass(frozen=True)
@@ -299,7 +304,15 @@ def _needed_in_vain(workspace: WorkspaceIndex, installs: Installs) -> Iterator[L
             continue
         if not is_ignored(workspace, needed.path) and submodule_around(workspace, needed.path) is None:
             [below] = _below(installs, [needed.path])
-            yield ListedInVain(needed.place, below, command=f"{needed.command}()", folder=needed.folder)
+            within = _absent_folder(workspace, installs, f"{below}/" if needed.folder else below)
+            yield ListedInVain(needed.place, below, command=f"{needed.command}()", folder=needed.folder, within=within)
+
+
+def _absent_folder(workspace: WorkspaceIndex, installs: Installs, below: str) -> str:
+    """The outermost folder of a path below a package that is not there; empty where all are."""
+    folders = [below[:at] for at, letter in enumerate(below) if letter == "/"]
+    paths = ((folder, posixpath.normpath(posixpath.join(installs.folder, folder))) for folder in folders)
+    return next((folder for folder, path in paths if not workspace.tree.is_folder(path)), "")
 
 
 def _is_pattern(row: InstalledFiles) -> bool:
