@@ -59,6 +59,16 @@ def test_a_message_that_is_annotated_as_another(judge: Judge, annotation: str, s
     assert says in finding.message
 
 
+def test_a_request_and_a_response_of_another_service_are_one_finding(judge: Judge):
+    request = ": SetBool.Request, response: SetBool.Response):  # here"
+    [finding] = judge("MSG004", NODE.format(message="):", request=request))
+    assert finding.message == (
+        "'request' is annotated as std_srvs/srv/SetBool.Request, but the service of 'stop' passes "
+        "std_srvs/srv/Trigger.Request; another parameter is of that service, too"
+    )
+    assert finding.help == "annotate it as Trigger.Request if the service is right, else give the service SetBool"
+
+
 def test_a_request_that_is_annotated_as_the_response(judge: Judge):
     request = ": Trigger.Response, response: Trigger.Response):  # here"
     [finding] = judge("MSG004", NODE.format(message="):", request=request))

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.reach import node_name
+from archlint.checks.folding import folds, with_others
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
@@ -79,7 +80,14 @@ def _finding(system: System, row: _Annotated) -> Finding:
         related=[Related(row.creation.place, f"{gets} comes from here")],
         node=node_name(system, row.callback.node),
         identity=(row.callback.name, row.message.name, says, gets),
+        group=(row.message.place.file, row.callback.name, row.message.interface, row.type),
     )
+
+
+@folds("MSG004")
+def _of_one_signature(findings: Sequence[Finding]) -> Finding:
+    """One finding for the request and the response of one service."""
+    return with_others(findings, "another parameter is", "more parameters are", "of that service, too")
 
 
 def _words(interface: str, section_name: MessageClass) -> str:
