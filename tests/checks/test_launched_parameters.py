@@ -35,6 +35,18 @@ def test_a_text_that_launch_passes_on_without_quotes(findings, given: str, told:
     assert [one.help for one in reported] == ["set it in a parameter file, where quotes keep it a string"] * len(told)
 
 
+def test_what_several_nodes_of_one_class_are_given_is_one_finding(findings):
+    speed, frame = '<param name="speed" value="1.0"/>', '<param name="frame" value="map"/>'
+    (same,) = findings("PRM004", node(speed, name="left") + node(speed, name="right"))
+    assert same.message == "/left declares no parameter 'speed', so this value has no effect"
+    assert [row.message for row in same.related] == ["it is set here, too", "the node is defined here"]
+    (other,) = findings("PRM004", node(speed, name="left") + node(frame, name="right"))
+    assert other.message == (
+        "/left and another node of its class declare none of these 2 parameters, so their values have no effect: "
+        "speed, frame"
+    )
+
+
 @pytest.mark.parametrize(
     ("readme", "declared", "given", "told"),
     [

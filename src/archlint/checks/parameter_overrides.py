@@ -215,7 +215,7 @@ def _never_used(
         node=node.name,
         identity=(node.name or "", setting.name),
         # A misspelt name has advice of its own.
-        group=(setting.name if meant else f"{called(node)} declares none of", *_cause(setting, blueprint)),
+        group=(setting.name if meant else _NOTHING_OF_IT, *_cause(setting, blueprint)),
     )
 
 
@@ -272,14 +272,23 @@ def _one_for_a_node(several: Sequence[Finding]) -> Finding:
     rows = [Related(other.place, _set_here(other, len(names))) for other in list(others)[:SHOWN]]
     if len(names) == 1:
         return replace(first, related=(*rows, *first.related))
+    nodes = len({diagnostic.identity[0] for diagnostic in several})
+    subject = first.group[0]
+    if subject == _NOTHING_OF_IT:
+        node = first.message.partition(" declares no parameter ")[0]
+        more = "another node" if nodes == 2 else f"{nodes - 1} more nodes"
+        subject = f"{node} declares none of" if nodes == 1 else f"{node} and {more} of its class declare none of"
     under = f" (with {first.condition})" if first.condition else ""
     return replace(
         first,
-        message=f"{first.group[0]} these {len(names)} parameters, so their values have no effect: "
-        f"{listed(names)}{under}",
+        message=f"{subject} these {len(names)} parameters, so their values have no effect: {listed(names)}{under}",
         related=(*rows, *first.related),
         identity=(first.identity[0], *names),
     )
+
+
+_NOTHING_OF_IT = "none of"
+"""The group of what nodes of one class do not declare."""
 
 
 def _set_here(other: Finding, names: int) -> str:
