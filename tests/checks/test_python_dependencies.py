@@ -44,6 +44,15 @@ def judge(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Judge:
 
 
 @pytest.mark.parametrize(
+    ("readme", "told"),
+    [("For ROS 2 Foxy.", 0), ("For Galactic.", 0), ("For Foxy and Humble.", 1), ("For Humble.", 1), ("", 1)],
+)
+def test_a_key_that_ubuntu_has_only_since_22_04(judge: Judge, readme: str, told: int):
+    assert len(judge("import torch\ntorch.zeros(3)", **{"README.md": readme})) == told
+    assert len(judge("import serial\nserial.Serial()", **{"README.md": readme})) == 1
+
+
+@pytest.mark.parametrize(
     ("imports", "key"),
     [
         ("import serial\nserial.Serial()", "python3-serial"),

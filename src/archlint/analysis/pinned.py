@@ -65,6 +65,12 @@ def is_from_before_galactic(workspace: WorkspaceIndex | None) -> bool:
     return bool(named & _BEFORE_GALACTIC) and named.isdisjoint((*DISTROS, "galactic", "iron"))
 
 
+def is_on_focal(workspace: WorkspaceIndex) -> bool:
+    """Whether a workspace is for a distribution on Ubuntu 20.04 and for none that came later, by the same evidence."""
+    named = named_distros(workspace) or _in_readmes(workspace)
+    return bool(named & {"foxy", "galactic"}) and named.isdisjoint((*DISTROS, "iron"))
+
+
 @once
 def _in_readmes(workspace: WorkspaceIndex) -> frozenset[str]:
     tree = workspace.tree

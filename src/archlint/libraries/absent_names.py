@@ -58,6 +58,7 @@ _INSTEAD = {
     "rclpy.executors.Executor.submit": "create_task()",
     "rclpy.node.Node.create_server": "create_service()",
     "rclpy.node.Node.create_subscriber": "create_subscription()",
+    "rclpy.node.Node.destroy": "destroy_node()",
     "rclpy.node.Node.destroy_server": "destroy_service()",
     "rclpy.node.Node.destroy_subscriber": "destroy_subscription()",
     "rclpy.node.Node.get_name_space": "get_namespace()",

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_aside, is_not_installed
 from archlint.analysis.kept import once
+from archlint.analysis.pinned import is_on_focal
 from archlint.packaging.imports import imports_at_start
 from archlint.packaging.manifests import package_around
 from archlint.ros import packages, python_modules, rosdep
@@ -25,6 +26,10 @@ if TYPE_CHECKING:
 _LETTERS = re.compile(r"[^a-z0-9]+")
 _BUILT_BY = ("setup.py", "setup.cfg", "pyproject.toml", "requirements.txt", "CMakeLists.txt")
 """Files beside a package.xml that may ask pip for a module."""
+
+
+_NOT_ON_FOCAL = frozenset({"python3-torch"})
+"""Keys without a package on Ubuntu 20.04: rosdep stops at them there.  Source: ``rosdep/python.yaml`` of rosdistro."""
 
 
 @dataclass(frozen=True, order=True)
@@ -47,6 +52,8 @@ def modules_to_declare(
     for statement in imports_at_start(workspace):
         module = statement.module.partition(".")[0]
         key = None if module in sys.stdlib_module_names else python_modules.key_of(module)
+        if key in _NOT_ON_FOCAL and is_on_focal(workspace):
+            continue
         if key is None or not _is_judged(workspace, statement.file):
             continue
         path = statement.file.relative
