@@ -14,7 +14,7 @@ from archlint.checks.misspelt_parameters import is_told_otherwise, misspelt_for_
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related
-from archlint.launch_files.chosen_names import executable_is_chosen, executable_is_picked
+from archlint.launch_files.chosen_names import executable_is_chosen, executable_is_picked, has_another_choice
 from archlint.launch_files.files_read_in_code import is_read_in_code
 from archlint.launch_files.set_parameters import (
     called,
@@ -56,7 +56,7 @@ def unknown_parameter_override(system: System, options: Options) -> Iterator[Fin
         for setting in settings:
             if setting.name in declared or always_declared(setting.name) or setting.shared:
                 continue
-            if _for_another_choice(setting.name, declared, settings) or _by_default(system, node, setting.name):
+            if has_another_choice(setting.name, declared, settings) or _by_default(system, node, setting.name):
                 continue
             if any(names is None or setting.name in names for names in others):
                 continue
@@ -338,25 +338,6 @@ def _split_dict(node: Node, name: str, place: Place, parts: Sequence[Setting]) -
         node=node.name,
         identity=(node.name or "", name),
     )
-
-
-def _for_another_choice(
-    name: str, declared: Mapping[str, Sequence[ParameterDeclaration]], settings: Sequence[Setting]
-) -> bool:
-    """Whether a node would declare a parameter if another one had another value: of ``devices.a.ip``, where ``a`` is
-    such a value, ``devices.b.ip`` differs in that part alone."""
-    parts = name.split(".")
-    for known, rows in declared.items():
-        chosen_by = rows[0].name.parameter if rows[0].name.resolution == "parameter" else None
-        others = known.split(".")
-        if chosen_by is None or len(others) != len(parts):
-            continue
-        values = {str(row.default) for row in declared.get(chosen_by, ())}
-        values |= {str(setting.value) for setting in settings if setting.name == chosen_by}
-        differing = [other for part, other in zip(parts, others, strict=True) if part != other]
-        if len(differing) == 1 and differing[0] in values:
-            return True
-    return False
 
 
 def _every_declared(system: System, file: str, key: str) -> set[str] | None:

@@ -17,9 +17,13 @@ from archlint.syntax import facts
 from archlint.syntax.parts import everything_in
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+
     from archlint.launch.model import Launched
     from archlint.launch.started import Started
+    from archlint.model import ParameterDeclaration
     from archlint.systems.model import WorkspaceIndex
+    from archlint.systems.overrides import Setting
 
 _BETWEEN = re.compile(r"[,;\s]+")
 
@@ -79,3 +83,22 @@ def may_get_any_file(launched: Launched, started: Started) -> bool:
     defaults = {argument.default.text for argument in launched.declared if argument.default is not None}
     references = [use.reference for use in files_among(started.parameters)]
     return any(reference.status == FileStatus.UNKNOWN or reference.written in defaults for reference in references)
+
+
+def has_another_choice(
+    name: str, declared: Mapping[str, Sequence[ParameterDeclaration]], settings: Sequence[Setting]
+) -> bool:
+    """Whether a node would declare a parameter if another one had another value: of ``devices.a.ip``, where ``a`` is
+    such a value, ``devices.b.ip`` differs in that part alone."""
+    parts = name.split(".")
+    for known, rows in declared.items():
+        chosen_by = rows[0].name.parameter if rows[0].name.resolution == "parameter" else None
+        others = known.split(".")
+        if chosen_by is None or len(others) != len(parts):
+            continue
+        values = {str(row.default) for row in declared.get(chosen_by, ())}
+        values |= {str(setting.value) for setting in settings if setting.name == chosen_by}
+        differing = [other for part, other in zip(parts, others, strict=True) if part != other]
+        if len(differing) == 1 and differing[0] in values:
+            return True
+    return False
