@@ -382,7 +382,7 @@ def test_a_package_with_a_marker_of_its_own_or_perhaps_one(findings, markers: st
 
 def test_several_files_of_one_list(findings):
     (finding,) = findings("PKG004", **{"setup.py": listing("package.xml", "a.yaml", "b.yaml"), "resource/robot": ""})
-    assert finding.message.endswith("another file of the list is not there, either")
+    assert finding.message.endswith("another file is not there, either")
 
 
 def of_launch_file(listed: str, **files: str) -> dict[str, str]:

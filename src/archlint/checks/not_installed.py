@@ -297,9 +297,7 @@ def _of_one_list(findings: Sequence[Finding]) -> Finding:
     folders that patterns match."""
     if len(findings) > 1 and findings[0].group[-1] == "folder":
         return with_others(findings, "another pattern of the file does", "more patterns of the file do", "the same")
-    commands = {diagnostic.message.partition(" ")[0] for diagnostic in findings}
-    of_list = " of the list" if len(commands) == 1 else ""
-    return with_others(findings, f"another file{of_list} is", f"more files{of_list} are", "not there, either")
+    return with_others(findings, "another file is", "more files are", "not there, either")
 
 
 __all__ = ["not_installed"]

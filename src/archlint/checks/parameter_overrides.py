@@ -275,7 +275,7 @@ def _one_for_a_node(several: Sequence[Finding]) -> Finding:
     nodes = len({diagnostic.identity[0] for diagnostic in several})
     subject = first.group[0]
     if subject == _NOTHING_OF_IT:
-        node = first.message.partition(" declares no parameter ")[0]
+        node = first.identity[0] or first.group[-1]
         more = "another node" if nodes == 2 else f"{nodes - 1} more nodes"
         subject = f"{node} declares none of" if nodes == 1 else f"{node} and {more} of its class declare none of"
     under = f" (with {first.condition})" if first.condition else ""
