@@ -769,3 +769,37 @@ def test_a_path_that_another_file_passes_on_is_told_in_that_file(lint):
     assert [(one.place.file, missing([one])) for one in lint(files)] == [
         ("robot/launch/it.launch.xml", ["turtlebot3_bringup"])
     ]
+
+
+STARTS_WITH = """\
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch.substitutions import LaunchConfiguration
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    config = LaunchConfiguration('config', default='')
+    own = get_package_share_directory('turtlebot3_bringup') + '/param/waffle.yaml'
+    return LaunchDescription([Node(package='base', executable='drive', parameters=[{{'config': {value}}}])])
+"""
+
+
+@pytest.mark.parametrize(("value", "files_told"), [("config", ["robot"]), ("own", ["base"])])
+def test_a_parameter_that_is_an_argument_needs_what_the_including_file_names(lint, value, files_told):
+    """A file that hands its own argument on names no package, whichever kind of value the argument is for."""
+    passes = (
+        '<launch>\n<include file="$(find-pkg-share base)/launch/drive.launch.py">\n'
+        '<arg name="config" value="$(find-pkg-share turtlebot3_bringup)/param/burger.yaml"/>\n</include>\n</launch>'
+    )
+    files = {
+        "base/package.xml": manifest("base", *depends("launch_ros")),
+        "base/CMakeLists.txt": "install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})",
+        "base/launch/drive.launch.py": STARTS_WITH.format(value=value),
+        "robot/package.xml": manifest("robot", *depends("base")),
+        "robot/CMakeLists.txt": "install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})",
+        "robot/launch/robot.launch.xml": passes,
+    }
+    assert [(found.place.file.split("/")[0], missing([found])) for found in lint(files)] == [
+        (package, ["turtlebot3_bringup"]) for package in files_told
+    ]

@@ -31,12 +31,18 @@ def packages_of_includes(workspace: WorkspaceIndex) -> Iterator[tuple[Place, str
 
 
 def packages_of_files(workspace: WorkspaceIndex) -> Iterator[tuple[Place, str]]:
-    """The packages in whose share folders launch files name files whatever the arguments are, each with its place."""
+    """The packages in whose share folders launch files name files whatever the arguments are, each with its place: that
+    of the path in the file that passes it as a launch argument, not where another file hands its argument on."""
     for launched in workspace.launched:
+        arguments = {
+            file.written: file.given or file.place for file in launched.references if file.kind is FileKind.ARGUMENT
+        }
         for file in launched.references:
             known = file.package is not None and file.status is not FileStatus.UNKNOWN
             if known and file.kind is not FileKind.ARGUMENT and not file.conditional and not file.optional:
-                yield file.given or file.place, file.package or ""
+                passed = arguments.get(file.written, file.place)
+                in_place = file.place if passed.file == file.place.file else passed
+                yield file.given or in_place, file.package or ""
 
 
 def runs_of_xacro(workspace: WorkspaceIndex) -> Iterator[tuple[Place, str]]:
