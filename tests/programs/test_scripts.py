@@ -86,6 +86,6 @@ def test_the_nodes_of_one_script_run_together(workspace):
         + NODE.format(name="Two").replace("rclpy.spin(Two())", "one, two = One(), Two()\n    rclpy.spin(two)")
     )
     folder = workspace(**{"robot/automatic.py": "def main():\n    pass\n", "robot/pair.py": two})
-    (folder / "archlint.toml").write_text('select = ["OWN001"]')
+    (folder / "archlint.toml").write_text('select = ["OWN001"]\nunused-files = true')
     [found] = check(Request((".",), load(folder), cached=False, jobs=1)).findings
     assert found.message == "/one and /two both publish the topic '/cmd_vel'"
