@@ -137,6 +137,7 @@ def test_what_the_workspace_says_to_install(judge: Judge, file: str, text: str):
         "Talks to a motor by pyserial.\n",
         "    pip install numpy\n\nIt needs pyserial.\n",
         "    source install/setup.bash\n",
+        "    conda activate poses\n",  # for a program beside ROS
     ],
 )
 def test_a_word_in_a_readme_installs_nothing(judge: Judge, text: str):

@@ -158,7 +158,7 @@ def _is_in_own_environment(workspace: WorkspaceIndex) -> bool:
     return any(_ACTIVATES.search(tree.text(path) or "") for path in told)
 
 
-_ACTIVATES = re.compile(r"(?:source|\.)\s+\S*/bin/activate\b|\bconda activate\b")
+_ACTIVATES = re.compile(r"(?:source|\.)\s+\S*/bin/activate\b")
 
 
 __all__ = ["ModuleUse", "modules_to_declare"]
