@@ -27,7 +27,6 @@ if TYPE_CHECKING:
 @rule("PRM002", scope=Scope.SYSTEM)
 def parameter_type_mismatch(system: System, options: Options) -> Iterator[Finding]:
     """Values from outside whose type is not the declared one."""
-    is_any_type_taken = is_from_before_galactic(system.workspace)
     for node, settings in set_nodes(system):
         if may_be_dynamic(system.workspace, node.parameters):
             continue
@@ -44,7 +43,7 @@ def parameter_type_mismatch(system: System, options: Options) -> Iterator[Findin
                 continue
             if given == "double" and rows[0].type == "integer" and is_of_variable(system.workspace, rows[0]):
                 continue
-            if is_any_type_taken:
+            if is_from_before_galactic(system.workspace):
                 if rows[0].type == "bool" and str(setting.value).lower() == "false":
                     yield replace(_of_another_type(node, setting, rows[0], given), help=_NOT_FALSE)
                 continue
