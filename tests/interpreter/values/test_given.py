@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from archlint.interpreter.values import Given, Holed, Known, Unknown, join_texts, one_of
+from archlint.model.overrides import SHORT
 
 SPEED = frozenset({"speed"})
 
@@ -19,7 +20,7 @@ class Looks:
         self.count += 1
 
     def given(self, value: str | int | float | bool, source: object = "speed", via: frozenset[str] = SPEED) -> Given:
-        return Given(value, via, look=self, source=source)
+        return Given(value, via, look=self, source=source, longest=SHORT)
 
 
 @pytest.fixture

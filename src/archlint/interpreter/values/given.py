@@ -12,16 +12,14 @@ if TYPE_CHECKING:
     from archlint.finding import Place
     from archlint.origins import OriginKind
 
-LONGEST = 1000
-"""How many characters a text that a launch gives may have, as far as those know who do not look at it."""
-
 
 class Given(Known):
     """A constant that stays closed until something depends on it: who reads :attr:`value` calls ``look``.
 
     A program that never looks does the same with any other constant of the same type.  So what can be said by the type
     alone, by whether a text is empty, by the parameters that the constant comes from, or because it comes from the same
-    ``source``, is said here without a look.
+    ``source``, is said here without a look.  ``longest`` is how many characters it may have as far as those know who do
+    not look at it.
     """
 
     __slots__ = ("_held", "longest", "look", "source")
@@ -38,7 +36,7 @@ class Given(Known):
         kind: OriginKind = "other",
         look: Callable[[], object] = bool,
         source: Hashable = None,
-        longest: int = LONGEST,
+        longest: int = TEXT_LIMIT,
     ) -> None:
         fields = {"_held": value, "via": via, "origin": origin, "kind": kind}
         for name, held in {**fields, "look": look, "source": source, "longest": longest}.items():

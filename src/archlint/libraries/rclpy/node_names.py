@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from archlint import model
 from archlint.interpreter.values import Given, Holed, Known, Unknown, Value, join_texts
 from archlint.libraries.rclpy.nodes import known_node
+from archlint.model.overrides import SHORT
 
 if TYPE_CHECKING:
     from archlint.libraries.api_use import ApiUse
@@ -16,10 +17,9 @@ if TYPE_CHECKING:
 def _as_value(text: model.Text, look: model.Look) -> Value:
     if text.text is None:
         return Unknown(text.reason or "the name is not known")
-    if text.resolution == "exact":
-        return Given(text.text, kind="node_name", look=look, source=look)
-    if text.resolution == "parameter":
-        return Given(text.text, frozenset((text.parameter or "").split(",")), kind="node_name", look=look, source=look)
+    if text.resolution in ("exact", "parameter"):
+        names = (text.parameter or "").split(",") if text.resolution == "parameter" else ()
+        return Given(text.text, frozenset(names), kind="node_name", look=look, source=look, longest=SHORT)
     parts: list[str | None] = []
     for number, piece in enumerate(text.text.split("*")):
         if number:

@@ -19,6 +19,7 @@ from archlint.interpreter.values import (
     one_of,
 )
 from archlint.libraries.rclpy import policies
+from archlint.model.overrides import SHORT
 from archlint.ros.parameter_types import OF_PYTHON, ParameterType, array_of
 from archlint.syntax.parameter_files import NotKnown
 
@@ -104,7 +105,7 @@ def value_from_python(run: Run, value: object, look: Look, at: tuple[int, ...] =
             rows = enumerate(value)
             return containers.new_list(run, [value_from_python(run, row, look, (*at, n)) for n, row in rows])
         case str() | int() | float():
-            return Given(value, look=look, source=(look, at))
+            return Given(value, look=look, source=(look, at), longest=SHORT)
         case NotKnown(reason=why):
             pass
     return Unknown(f"it is set to an unknown value: {why}")
