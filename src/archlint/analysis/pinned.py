@@ -45,30 +45,38 @@ def named_distros(workspace: WorkspaceIndex | None) -> frozenset[str]:
 
 def is_for_older_ros(workspace: WorkspaceIndex | None) -> bool:
     """Whether a workspace is plainly for a distribution of ROS 2 that is older than all whose interfaces are known."""
-    named = named_distros(workspace)
-    return bool(named & _OLDER) and named.isdisjoint(DISTROS)
-
-
-_README = re.compile(r"README(?:\.(?:md|rst|txt))?", re.IGNORECASE)
-
-
-_BEFORE_GALACTIC = frozenset({"dashing", "eloquent", "foxy"})
-"""The distributions whose ``Node`` of launch took ``node_name`` and the like."""
+    return _is_among(named_distros(workspace), _OLDER, but_not=DISTROS)
 
 
 def is_from_before_galactic(workspace: WorkspaceIndex | None) -> bool:
     """Whether a workspace is for such a distribution, by its files or, where they say nothing, by its README, which
     names one, and none that came later."""
-    if workspace is None:
-        return False
-    named = named_distros(workspace) or _in_readmes(workspace)
-    return bool(named & _BEFORE_GALACTIC) and named.isdisjoint((*DISTROS, "galactic", "iron"))
+    return workspace is not None and _is_among(
+        _named_or_told(workspace), _BEFORE_GALACTIC, but_not=("galactic", *_SINCE_HUMBLE)
+    )
 
 
 def is_on_focal(workspace: WorkspaceIndex) -> bool:
     """Whether a workspace is for a distribution on Ubuntu 20.04 and for none that came later, by the same evidence."""
-    named = named_distros(workspace) or _in_readmes(workspace)
-    return bool(named & {"foxy", "galactic"}) and named.isdisjoint((*DISTROS, "iron"))
+    return _is_among(_named_or_told(workspace), _ON_FOCAL, but_not=_SINCE_HUMBLE)
+
+
+_BEFORE_GALACTIC = frozenset({"dashing", "eloquent", "foxy"})
+"""The distributions whose ``Node`` of launch took ``node_name`` and the like, and whose parameters have no type."""
+_ON_FOCAL = frozenset({"foxy", "galactic"})
+_SINCE_HUMBLE = (*DISTROS, "iron")
+
+
+def _is_among(named: frozenset[str], distros: frozenset[str], *, but_not: Sequence[str]) -> bool:
+    return not named.isdisjoint(distros) and named.isdisjoint(but_not)
+
+
+def _named_or_told(workspace: WorkspaceIndex) -> frozenset[str]:
+    """The distributions that the files of a workspace name or, where they name none, its README."""
+    return named_distros(workspace) or _in_readmes(workspace)
+
+
+_README = re.compile(r"README(?:\.(?:md|rst|txt))?", re.IGNORECASE)
 
 
 @once
