@@ -32,9 +32,24 @@ LATER = (
     ("Rules of your own", "docs/plugins.md"),
     ("Compile and link", "docs/facts.md"),
 )
+FIGURES = (
+    ("Figures", "accuracy.md"),
+    ("The graph", (("Figures", "figures/graph.md"), ("What is counted", "accuracy-of-graphs.md"))),
+    ("What a text search finds", "figures/coverage.md"),
+    ("C++", "figures/cpp.md"),
+    ("Launch files", "figures/launch-files.md"),
+    ("Pictures", "figures/pictures.md"),
+    ("Findings", "figures/findings.md"),
+    ("What is missed", "figures/faults.md"),
+    ("Fixes", "figures/fixes.md"),
+    ("Speed", "figures/speed.md"),
+    ("Robustness", "figures/robustness.md"),
+    ("Structure", "figures/structure.md"),
+    ("Adoption", "figures/adoption.md"),
+)
 LAST = (
     ("How it works", "how-it-works.md"),
-    ("Accuracy and speed", (("Figures", "accuracy.md"), ("The graph", "accuracy-of-graphs.md"))),
+    ("Accuracy and speed", FIGURES),
     ("Security", "security.md"),
     ("Contributing", "contributing.md"),
     ("Changelog", "changelog.md"),

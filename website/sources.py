@@ -40,9 +40,14 @@ class Source:
 def sources() -> list[Source]:
     """All that becomes a page, in the order in which one page follows from several."""
     parts = [*_of_readme()]
-    files = {**DOCUMENTS, **{f"docs/{path.name}": f"docs/{path.name}" for path in sorted((ROOT / "docs").glob("*.md"))}}
+    files = {**DOCUMENTS, **_pages_of("docs", "docs"), **_pages_of("benchmarks/figures", "figures")}
     parts += [Source(path, _written((ROOT / path).read_text("utf-8")), page) for path, page in files.items()]
     return [*parts, *_of_rules()]
+
+
+def _pages_of(folder: str, pages: str) -> dict[str, str]:
+    """Each document of a folder of the repository, and its page in a folder of the site."""
+    return {f"{folder}/{path.name}": f"{pages}/{path.name}" for path in sorted((ROOT / folder).glob("*.md"))}
 
 
 def _written(text: str) -> str:

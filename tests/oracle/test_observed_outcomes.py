@@ -22,7 +22,7 @@ from benchmarks.executors.verdicts import NO_SLEEP, RACES, STARVES, TIMEOUT, agr
 _T = TypeVar("_T")
 
 KNOWN = ("slow_rate-timer-multi2-callback_reentrant", "spin_here-feedback-multi4-reentrant")
-"""The cells that still do not agree, as benchmarks/README.md says."""
+"""The cells that still do not agree, as benchmarks/figures/graph.md says."""
 
 
 def sample(things: Iterable[_T], name: Callable[[_T], str], number: int) -> list[_T]:
