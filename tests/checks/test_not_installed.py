@@ -411,7 +411,8 @@ def test_a_launch_file_that_is_not_installed_beside_one_that_is_not_there(findin
     "files",
     [
         {".gitignore": "*.yaml\n"},
-        {".gitignore": "config/a.yaml\n"},
+        {".gitignore": "a.yaml\n"},
+        {".gitignore": "/a.*\n"},
         {"setup.py": "open('a.yaml', 'w').write('')\n" + listing("a.yaml")},
         {"setup.py": listing("a*.yaml")},
         {"setup.py": listing("a.yaml").replace("['a.yaml']", "files_of('.')")},
@@ -480,6 +481,8 @@ def test_what_cmake_lists_and_is_not_there(findings, line, message):
     [
         (INSTALL, {"rviz/robot.rviz": ""}),
         (INSTALL, {".gitignore": "rviz/\n"}),
+        (INSTALL, {".gitignore": "rviz/*\n"}),
+        (INSTALL.replace("rviz", "meshes"), {".gitignore": "*.stl\n"}),
         (INSTALL, {".gitmodules": '[submodule "r"]\n\tpath = rviz\n\turl = https://example.org/r\n'}),
         (INSTALL.replace("rviz", '"our maps"'), {".gitmodules": '[submodule "m"]\n\tpath = our maps\n'}),
         (INSTALL.replace("DIRECTORY launch rviz", "FILES librobot.so"), {}),
@@ -499,13 +502,29 @@ def test_what_cmake_lists_and_is_not_there(findings, line, message):
         ("file(COPY /opt/drivers DESTINATION .)\nadd_subdirectory(drivers)", {}),
     ],
     ids=[
-        *("there", "ignored by git", "a submodule", "one with a space", "a library", "optional", "files by pattern"),
+        *("there", "ignored by git", "in it all ignored", "its meshes ignored"),
+        *("a submodule", "one with a space", "a library", "optional", "files by pattern"),
         *("under a condition", "made", "made by a command", "by an old command", "built", "elsewhere"),
         *("a part", "a submodule as a part", "a part under a condition", "by a variable", "of the system", "copied"),
     ],
 )
 def test_what_cmake_may_find(findings, line, files):
     assert findings("PKG004", **OF_CMAKE, **{"CMakeLists.txt": BUILD.format(line)}, **files) == []
+
+
+@pytest.mark.parametrize(
+    "pattern", [".vscode/*", "/planning/rviz", "rviz/old/", "*.stl", "*.rviz", "rviz/\n!rviz/", "# rviz", ""]
+)
+def test_a_pattern_of_git_that_is_for_something_else(findings, pattern):
+    files = {**OF_CMAKE, "CMakeLists.txt": BUILD.format(INSTALL), ".gitignore": f"{pattern}\n"}
+    assert [row.place.line for row in findings("PKG004", **files)] == [3]
+
+
+def test_a_program_of_a_folder_that_is_misspelt(findings):
+    line = "install(PROGRAMS scipts/walk.py DESTINATION lib/${PROJECT_NAME})"
+    (finding,) = findings("PKG004", **OF_CMAKE, **{"CMakeLists.txt": BUILD.format(line), "scripts/walk.py": ""})
+    assert "the build stops at 'scipts/walk.py'; did you mean 'scripts/walk.py'?" in finding.message
+    assert (finding.place.line, finding.help) == (3, "write 'scripts/walk.py'")
 
 
 # --------------------------------------------------------------------------------------- files that nodes open

@@ -12,6 +12,7 @@ from archlint.checks.packages import workspace_of
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
+from archlint.launch_files.missing_files import namesake
 from archlint.packaging.interface_dependencies import NotGenerated, not_generated
 from archlint.packaging.left_out_code import LeftOut, has_init, left_out_code
 from archlint.packaging.uninstalled_data import DataLeftOut, data_left_out
@@ -62,7 +63,7 @@ def not_installed(system: System, options: Options) -> Iterator[Finding]:
     for named_row in data_left_out(workspace):
         named.setdefault(named_row.package, []).append(named_row)
     yield from map(_data, named.values())
-    yield from _all_in_vain(in_vain, misspelt)
+    yield from _all_in_vain(workspace, in_vain, misspelt)
     yield from map(_folder, folders_listed(workspace))
     yield from map(_misnamed, misnamed_markers(workspace))
     yield from map(_interfaces, not_generated(workspace))
@@ -222,13 +223,24 @@ def _right_name(row: ListedInVain, left_out: Sequence[LaunchFilesLeftOut]) -> st
     return nearest(row.file, beside)
 
 
-def _all_in_vain(rows: Sequence[ListedInVain], misspelt: Mapping[tuple[str, str], str]) -> Iterator[Finding]:
+def _all_in_vain(
+    workspace: WorkspaceIndex, rows: Sequence[ListedInVain], misspelt: Mapping[tuple[str, str], str]
+) -> Iterator[Finding]:
     """Each of these, those of one list and those of one folder that is not there with one group."""
     groups: dict[tuple[str, str], tuple[str, str]] = {}
     for row in rows:
         file, own = row.place.file, (row.place.file, row.command)
         group = groups.setdefault((file, row.within), own) if row.within else own
-        yield replace(_in_vain(row, misspelt.get((file, row.file))), group=group)
+        right = misspelt.get((file, row.file)) or _elsewhere(workspace, row)
+        yield replace(_in_vain(row, right), group=group)
+
+
+def _elsewhere(workspace: WorkspaceIndex, row: ListedInVain) -> str | None:
+    """The only file of the package with the name of a listed one that is not there, in another folder."""
+    package = workspace.package_of(row.place.file)
+    if package is None or row.folder or row.marker or row.command == "add_subdirectory()":
+        return None
+    return namesake(workspace, package, row.file)
 
 
 def _in_vain(row: ListedInVain, right: str | None) -> Finding:

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import posixpath
 import re
-from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING
 
 from archlint.workspace.folders import folders_above
+from archlint.workspace.ignore import GITIGNORE, Ignores, Patterns, patterns_of
 from archlint.workspace.submodules import paths_of_submodules
 from archlint.workspace.words import WORD
 
@@ -43,11 +43,36 @@ def has_template(workspace: WorkspaceIndex, package: str, path: str) -> bool:
     return any(posixpath.basename(file) in made_of for file in files)
 
 
+_HOLD_BINARIES = frozenset(
+    {"assets", "bag", "bags", "data", "images", "maps", "mesh", "meshes", "models", "rosbags", "textures", "weights"}
+)
+"""Folders of files that are large, and often kept out of a repository by their endings."""
+_BINARIES = ("bag", "bt", "dae", "db3", "engine", "jpg", "mcap", "obj", "onnx", "pcd", "pgm", "ply", "png", "pt", "stl")
+
+
 def is_ignored(workspace: WorkspaceIndex, path: str) -> bool:
-    """Whether a pattern of some ``.gitignore`` above a file may be for it: it is made on each machine then."""
-    texts = (workspace.tree.text(posixpath.join(folder, ".gitignore")) for folder in (*folders_above(path), ""))
-    patterns = {line.strip("/ ").rpartition("/")[2] for text in texts for line in (text or "").splitlines()}
-    return any(fnmatchcase(part, pattern) for part in path.split("/") for pattern in patterns if pattern)
+    """Whether git ignores a missing file, or all that a missing folder would have: it is made on each machine then."""
+    inside = [f"{path}/file"]
+    if posixpath.basename(path) in _HOLD_BINARIES:
+        inside += [f"{path}/file.{ending}" for ending in _BINARIES]
+    return any(_ignores(workspace, file) for file in (path, *inside))
+
+
+def _ignores(workspace: WorkspaceIndex, path: str) -> bool:
+    """Whether git ignores a file, or a folder around it."""
+    top = "/"  # shown paths may begin with '..'; here all folders are below one
+    around = [*folders_above(path)][::-1]
+    patterns: tuple[Patterns, ...] = ()
+    for folder, entry in zip(["", *around], [*around, path], strict=True):
+        patterns += _gitignore(workspace, folder, posixpath.join(top, folder))
+        if Ignores(patterns).ignored(posixpath.join(top, entry), is_folder=entry != path):
+            return True
+    return False
+
+
+def _gitignore(workspace: WorkspaceIndex, folder: str, base: str) -> tuple[Patterns, ...]:
+    text = workspace.tree.text(posixpath.join(folder, GITIGNORE))
+    return () if text is None else patterns_of(base, text)
 
 
 def submodule_around(workspace: WorkspaceIndex, path: str) -> str | None:

@@ -175,10 +175,20 @@ def _is_repository(folder: str) -> bool:
     return os.path.lexists(os.path.join(folder, ".git"))
 
 
+def patterns_of(folder: str, text: str) -> tuple[Patterns, ...]:
+    """The patterns of a ``.gitignore`` in a folder; none where it has none."""
+    return _patterns(folder, _lines_of(text))
+
+
 def _read(folder: str, path: str) -> tuple[Patterns, ...]:
-    """The patterns of a file; none where it cannot be read.  What git would not take as a pattern is left out."""
+    """The patterns of a file; none where it cannot be read."""
+    return _patterns(folder, _lines(path))
+
+
+def _patterns(folder: str, lines: list[str]) -> tuple[Patterns, ...]:
+    """What git would not take as a pattern is left out."""
     rules = []
-    for line in _lines(path):
+    for line in lines:
         if len(line) > _LONGEST:
             continue
         try:
@@ -196,5 +206,9 @@ def _lines(path: str) -> list[str]:
             text = stream.read(_MAX_CHARACTERS)
     except OSError:
         return []
+    return _lines_of(text)
+
+
+def _lines_of(text: str) -> list[str]:
     lines = (line.removesuffix("\r") for line in text.split("\n"))
     return [line for line in lines if line.strip() and not line.startswith("#")]
