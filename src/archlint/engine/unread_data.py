@@ -1,0 +1,53 @@
+"""Files that no code reads here, but a tool of ROS does at run time, and cannot: descriptions that are no XML, and
+parameter files that are no YAML."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from archlint.analysis.aside import is_aside
+from archlint.checks.registry import unreadable
+from archlint.syntax.descriptions import is_description, malformed_description
+from archlint.syntax.parameter_structure import ROOT
+
+if TYPE_CHECKING:
+    from archlint.finding import Finding
+    from archlint.systems.model import WorkspaceIndex
+    from archlint.workspace.model import Workspace
+
+_TEMPLATE = re.compile(r"\{\{|\{%|<%|\$\{")
+"""What a program fills in before a node reads the file."""
+
+
+def unread_data(index: WorkspaceIndex, workspace: Workspace) -> Iterator[Finding]:
+    """What is found of the descriptions; of the parameter files what is wrong is known to the launch files."""
+    _read_parameter_files(index, workspace)
+    yield from _malformed_descriptions(index, workspace)
+
+
+def _read_parameter_files(index: WorkspaceIndex, workspace: Workspace) -> None:
+    """Read the parameter files that no launch file loads, too, so that what is wrong with their YAML is known."""
+    old = {package.name for package in workspace.packages if package.ros1}
+    for file in workspace.of_kind("parameters"):
+        if file.context or file.package is None or file.package in old or is_aside(index, file.relative):
+            continue
+        text = index.tree.text(file.relative) or ""
+        if ROOT in text and not _TEMPLATE.search(text):
+            index.launch_files.parameters(file.relative)
+
+
+def _malformed_descriptions(index: WorkspaceIndex, workspace: Workspace) -> Iterator[Finding]:
+    """One LNT002 for each such description of a package that was asked for."""
+    asked = {package.name for package in workspace.packages if not package.ros1 and not package.manifest.context}
+    for file in index.tree.files_below(index.tree.top):
+        name = posixpath.basename(file)
+        if not is_description(name) or index.package_of(file) not in asked or is_aside(index, file):
+            continue
+        problem = malformed_description(name, index.tree.text(file) or "")
+        if problem is not None:
+            finding = unreadable(file, problem.line, problem.column, problem.message)
+            yield replace(finding, help="correct it: whatever reads this file stops there")

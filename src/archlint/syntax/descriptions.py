@@ -1,0 +1,54 @@
+"""Descriptions of robots, worlds and plugins, which ROS and Gazebo read at run time: whether they are XML.
+
+xacro reads its files with Python's expat and wants all of XML.  tinyxml2, which reads the others, passes over more:
+what is inside of a comment, blanks in front of the declaration, and what stands behind the document.
+"""
+
+from __future__ import annotations
+
+import re
+from xml.parsers import expat
+
+from archlint.syntax.facts import FileProblem
+
+_XACRO = ".xacro"
+ENDINGS = (_XACRO, ".urdf", ".srdf", ".sdf", ".world")
+_PLUGINS = re.compile(r"[\w-]*plugins?(?:_description)?s?\.xml")
+"""What the files are called that say which classes a library has for pluginlib."""
+_LARGEST = 500_000
+"""Characters of what people write by hand."""
+_COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
+_TEMPLATE = re.compile(r"\{\{|\{%|<%|@\(|@\[|<!DOCTYPE")
+"""What a program fills in before anybody reads the file; what a document type declares is not followed here."""
+_BEHIND = "junk after document element"
+
+
+def is_description(name: str) -> bool:
+    """Whether a file of this name is such a description."""
+    return name.endswith(ENDINGS) or _PLUGINS.fullmatch(name) is not None
+
+
+def malformed_description(name: str, text: str) -> FileProblem | None:
+    """Where the reader of a description stops; None where it does not, or that is not known."""
+    if not text.strip() or len(text) > _LARGEST or _TEMPLATE.search(text):
+        return None
+    strict = name.endswith(_XACRO)
+    parser = expat.ParserCreate(namespace_separator=" " if strict else None)
+    read = text if strict else _COMMENT.sub(_blank, text)
+    before = len(read) - len(read.lstrip())
+    first = 0 if strict else read.count("\n", 0, before)
+    try:
+        parser.Parse(read if strict else read.lstrip(), True)
+    except expat.ExpatError as error:
+        words = expat.errors.messages.get(error.code, str(error))
+        if words == _BEHIND and not strict:
+            return None
+        return FileProblem(error.lineno + first, error.offset + 1, f"malformed XML: {words}")
+    except (ValueError, LookupError):  # an encoding that nobody knows
+        return None
+    return None
+
+
+def _blank(comment: re.Match[str]) -> str:
+    """As many lines as a comment has."""
+    return "\n" * comment[0].count("\n")

@@ -1,0 +1,111 @@
+"""LNT002 of what tools of ROS read at run time: descriptions that are no XML, parameter files that are no YAML."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from archlint.config.settings import load
+from archlint.engine.pipeline import Request, check
+
+MANIFEST = """\
+<package format="3">
+  <name>robot</name><version>0.1.0</version><description>d</description><license>MIT</license>
+  <maintainer email="a@example.org">A</maintainer>
+  <export><build_type>ament_cmake</build_type></export>
+</package>
+"""
+CMAKE = "cmake_minimum_required(VERSION 3.8)\nproject(robot)\nfind_package(ament_cmake REQUIRED)\nament_package()\n"
+XACRO = '<?xml version="1.0"?>\n<robot xmlns:xacro="http://www.ros.org/wiki/xacro" name="r">\n  {}\n</robot>\n'
+SDF = '<?xml version="1.0"?>\n<sdf version="1.7">\n  {}\n</sdf>\n'
+PLUGINS = '<library path="robot">\n  <class type="robot::Arm" base_class_type="base::Base">\n    {}\n</library>\n'
+
+
+@pytest.fixture
+def told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    """The places of LNT002 in a package with one more file."""
+    monkeypatch.chdir(tmp_path)
+
+    def run(path: str, text: str, asked: str = ".", **files: str) -> list[tuple[str, int]]:
+        for name, content in {"package.xml": MANIFEST, "CMakeLists.txt": CMAKE, path: text, **files}.items():
+            file = tmp_path / "robot" / name
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_text(content, encoding="utf-8")
+        findings = check(Request((asked,), load(Path()), False, 1)).findings
+        return [(row.place.file, row.place.line) for row in findings if row.code == "LNT002"]
+
+    return run
+
+
+@pytest.mark.parametrize(
+    ("path", "text", "line"),
+    [
+        ("urdf/arm.xacro", XACRO.format('<link name="base">'), 4),
+        ("urdf/arm.urdf.xacro", XACRO.format("<!-- a <!-- nested --> comment -->"), 3),
+        ("urdf/arm.xacro", "\n" + XACRO.format(""), 2),
+        ("urdf/arm.xacro", XACRO.replace(' xmlns:xacro="http://www.ros.org/wiki/xacro"', "").format("<xacro:a/>"), 3),
+        ("urdf/arm.xacro", XACRO.format("") + "<robot/>\n", 5),
+        ("urdf/arm.urdf", XACRO.format('<link name="base" name="other"/>'), 3),
+        ("config/arm.srdf", XACRO.format('<link name="a"/-->'), 3),
+        ("worlds/hall.sdf", SDF.format('<world name="a"></wrold>'), 3),
+        ("worlds/hall.world", "# a world\n" + SDF.format(""), 1),
+        ("plugins.xml", PLUGINS.format("<description>An arm.</description>"), 4),
+        ("robot_plugin.xml", PLUGINS.format("<description>An arm.</class>"), 3),
+    ],
+)
+def test_a_description_that_is_no_xml(told, path, text, line):
+    assert told(path, text) == [(f"robot/{path}", line)]
+
+
+@pytest.mark.parametrize(
+    ("path", "text"),
+    [
+        ("urdf/arm.xacro", XACRO.format('<xacro:include filename="b.xacro"/>')),
+        ("urdf/arm.urdf", "\n" + XACRO.format('<link name="base"/>')),
+        ("worlds/hall.sdf", SDF.format("<!-- --- the floor --- -->")),
+        ("worlds/hall.sdf", SDF.format("") + "\nnotes\n"),
+        ("worlds/hall.sdf", SDF.format('<world name="{{ name }}">')),
+        ("worlds/hall.sdf", SDF.format("@[if indoors]<world>@[end if]")),
+        ("urdf/arm.xacro", '<!DOCTYPE robot [<!ENTITY a "b">]>\n' + XACRO.format("&a;")),
+        ("urdf/arm.xacro", ""),
+        ("test/broken.xacro", XACRO.format('<link name="base">')),
+        ("old/arm.xacro", XACRO.format('<link name="base">')),
+        ("data/list.xml", "<list>"),
+        ("plugins.xml", PLUGINS.format("<description>An arm.</description>\n  </class>")),
+    ],
+)
+def test_a_description_that_its_reader_takes_or_that_is_not_in_use(told, path, text):
+    assert told(path, text) == []
+
+
+def test_a_package_that_was_not_asked_for(told):
+    other = MANIFEST.replace("robot", "other")
+    files = {"../other/package.xml": other, "../other/CMakeLists.txt": CMAKE.replace("robot", "other")}
+    assert told("urdf/arm.xacro", XACRO.format("<link>"), "other", **files) == []
+
+
+@pytest.mark.parametrize(
+    ("text", "line"),
+    [
+        ("talker:\n  ros__parameters:\n    topics: [a, # the first\n    rate: 10\n", 5),  # YAML gives up at the end
+        ("About the talker. It is slow.\ntalker:\n  ros__parameters:\n    rate: 10\n", 2),
+        ("talker:\n  ros__parameters:\n    rate: 10\n   name: a\n", 4),
+    ],
+)
+def test_a_parameter_file_that_is_no_yaml_and_that_no_launch_file_loads(told, text, line):
+    assert told("config/talker.yaml", text) == [("robot/config/talker.yaml", line)]
+
+
+@pytest.mark.parametrize(
+    ("path", "text"),
+    [
+        ("config/talker.yaml", "talker:\n  ros__parameters:\n    rate: 10\n"),
+        ("config/talker.yaml", "talker:\n  ros__parameters:\n    rate: {{ rate }}\n"),
+        ("config/talker.yaml", "talker:\n  ros__parameters:\n    {% if fast %}\n    rate: 10\n    {% endif %}\n"),
+        ("config/notes.yaml", "a: [b\n"),
+        ("test/talker.yaml", "talker:\n  ros__parameters:\n    rate: [1\n"),
+    ],
+)
+def test_a_parameter_file_that_is_yaml_or_a_template_or_no_parameter_file(told, path, text):
+    assert told(path, text) == []
