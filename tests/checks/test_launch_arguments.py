@@ -209,6 +209,26 @@ def test_a_declaration_that_is_made_and_never_added(findings):
     assert (found.place.line, [one.place.line for one in found.related]) == (8, [7])
 
 
+def test_declarations_of_one_list_that_is_never_added_are_told_once(findings):
+    both = NEVER_ADDED.replace(
+        "    talker", "    pace = DeclareLaunchArgument('pace', default_value='1')\n    talker", 1
+    )
+    both = both.replace(
+        "name=LaunchConfiguration('name')",
+        "name=LaunchConfiguration('name'),\n        namespace=LaunchConfiguration('pace')",
+    )
+    (told,) = findings("LCH003", **{"launch/a.launch.py": both})
+    assert (
+        told.message
+        == "the launch arguments 'name', 'pace' are read, but their declarations are not in the LaunchDescription"
+    )
+    assert told.place.line == 9
+    assert [(row.place.line, row.message) for row in told.related] == [
+        (7, "it is created here and never added"),
+        (10, "it is read here"),
+    ]
+
+
 def test_a_declaration_that_only_an_included_file_adds_later(findings):
     inner = '<arg name="name" default="bob"/>'
     include = (
@@ -388,6 +408,26 @@ def test_a_file_that_takes_no_argument_is_told_once_for_all_that_hand_it_over(fi
     assert one.place.file == "launch/first.launch.xml"
     assert [related.place.file for related in one.related] == ["launch/second.launch.xml", "launch/third.launch.xml"]
     assert one.severity.label == "warning"
+
+
+def test_a_file_that_hands_the_same_to_all_its_includes_is_told_once(findings):
+    names = ("arm", "base", "camera")
+    inner = {f"launch/{name}.launch.xml": f'<launch><arg name="{name}" default="1"/></launch>' for name in names}
+    include = '<include file="$(find-pkg-share robot)/launch/{}.launch.xml"><arg name="fake" value="1"/></include>\n'
+    (told,) = findings("LCH003", "".join(map(include.format, names)), **inner)
+    assert told.message == ("arm.launch.xml declares no launch argument 'fake'; the same holds for 2 more launch files")
+    assert [(row.place.line, row.message) for row in told.related] == [
+        (2, "base.launch.xml declares no launch argument 'fake'"),
+        (3, "camera.launch.xml declares no launch argument 'fake'"),
+    ]
+
+
+def test_what_a_file_hands_to_one_include_is_apart_from_what_it_hands_to_another(findings):
+    names = ("arm", "base")
+    inner = {f"launch/{name}.launch.xml": f'<launch><arg name="{name}" default="1"/></launch>' for name in names}
+    include = '<include file="$(find-pkg-share robot)/launch/{0}.launch.xml"><arg name="x{0}" value="1"/></include>\n'
+    told = findings("LCH003", "".join(map(include.format, names)), **inner)
+    assert [row.place.line for row in told] == [1, 2]
 
 
 def test_use_sim_time_handed_over_as_a_matter_of_course_is_information(findings):

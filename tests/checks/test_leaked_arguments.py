@@ -39,6 +39,13 @@ def test_a_default_that_the_next_include_gets(findings):
     assert finding.place.file == "launch/it.launch.xml"
 
 
+def test_an_argument_that_each_include_sets_anew_is_told_once(findings):
+    launch = OWN + include("driver", rviz="false") + include("driver", rviz="$(var rviz)x") + include("panel")
+    (finding,) = findings("LCH009", launch, **FILES)
+    assert finding.place.line == 2
+    assert 3 in [row.place.line for row in finding.related]
+
+
 @pytest.mark.parametrize(
     "launch",
     [

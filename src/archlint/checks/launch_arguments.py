@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import posixpath
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import groupby
@@ -38,16 +39,29 @@ def undeclared_launch_argument(system: System, options: Options) -> Iterator[Fin
     yield from told
     if not told:
         yield from map(_misread, misread_arguments(system.workspace, launched.file))
+    yield from _handed_on(system.workspace, _of_includes(system.workspace, launched))
+
+
+def _of_includes(workspace: WorkspaceIndex, launched: Launched) -> list[Finding]:
     # One include may be of one of several files, or of all of them: an argument is for the one that takes it.
     reported: dict[tuple[object, ...], Finding] = {}
     for place, includes in groupby(launched.included, key=lambda include: include.place):
-        for unknown_argument in _unknown_arguments(system.workspace, launched, list(includes)):
+        for unknown_argument in _unknown_arguments(workspace, launched, list(includes)):
             first = reported.setdefault((place.file, unknown_argument.message), unknown_argument)
             if first.place != unknown_argument.place:  # the same file is included with the same arguments again
                 reported[place.file, unknown_argument.message] = replace(
                     first, related=(*first.related, Related(unknown_argument.place, "and here"))
                 )
-    yield from reported.values()
+    return list(reported.values())
+
+
+def _handed_on(workspace: WorkspaceIndex, findings: Sequence[Finding]) -> Iterator[Finding]:
+    """Findings about includes; those of a file that hands the same arguments to several others are one mistake."""
+    rows = [(told, tuple(part for part in told.identity if part not in workspace.launched_alone)) for told in findings]
+    counts = Counter((told.place.file, names) for told, names in rows if told.severity is not Severity.INFO)
+    for told, names in rows:
+        many = told.severity is not Severity.INFO and counts[told.place.file, names] > 1
+        yield replace(told, group=(told.place.file, *names, "handed on")) if many else told
 
 
 def _misread(row: MisreadArgument) -> Finding:
@@ -227,7 +241,12 @@ def _never_added(use: UndeclaredUse, declaration: Place) -> Finding:
         help="add the declaration to the LaunchDescription, before what reads it",
         related=[Related(declaration, "it is created here and never added")],
         identity=(use.file, use.name),
+        group=(use.file, _NEVER_ADDED),
     )
+
+
+_NEVER_ADDED = "never added"
+"""The group of the declarations that a file makes and leaves out: mostly of one list that it does not return."""
 
 
 _MANY = 3
@@ -322,6 +341,13 @@ def _of_one_cause(findings: Sequence[Finding]) -> Finding:
     """One finding for an included file that does not take an argument, however many others hand it over; and for the
     launch files of a folder that all have the same habit."""
     first, *others = findings
+    if _NEVER_ADDED in first.group and others:
+        names = listed([f"'{diagnostic.identity[-1]}'" for diagnostic in findings])
+        message = f"the launch arguments {names} are read, but their declarations are not in the LaunchDescription"
+        told = with_places(findings, "it is read here")
+        return replace(
+            told, message=message, help="add the declarations to the LaunchDescription, before what reads them"
+        )
     alike = len({diagnostic.identity for diagnostic in findings}) - 1
     if not alike:
         return with_places(findings, "it is set here, too")

@@ -59,7 +59,7 @@ def _finding(leak: LeakedArgument) -> Finding:
         help=f"put the include into a {group}, which gives the arguments back at its end",
         related=related,
         identity=(name, leak.file),
-        group=(str(place), name, leak.file),
+        group=(leak.include.file, name, "default" if leak.default else "given"),
     )
 
 
@@ -69,7 +69,7 @@ def _shown(text: str) -> str:
 
 @folds("LCH009", across_systems=True)
 def _of_one_argument(findings: Sequence[Finding]) -> Finding:
-    """One finding for an argument, wherever it is read."""
+    """One finding for an argument of a file, whichever of its includes set it and wherever it is read."""
     return with_other_places(findings, "it is set here, too")
 
 
