@@ -125,8 +125,10 @@ def test_what_to_do_about_a_float_for_an_int(judge: Judge, line: str, help: str)
         "message.linear.x = np.float64(1)",
         "message.linear.x = self.get_parameter('rate').value",
         "message.linear.x = self.speed",
-        "message.linear.x = min(1, message.linear.x)",
-        "message.linear.x = 1 if message.linear.y else message.linear.z",
+        "message.linear.x = min(1.0, message.linear.x)",
+        "message.linear.x = min(0, message.linear.x)",  # 0 is sent as 0.0
+        "message.linear.x = float(min(1, message.linear.x))",
+        "message.linear.x = 1.0 if message.linear.y else message.linear.z",
         "message.linear = Point()",  # has the same fields
         "message.linear = Vector3(x=1.0)",
         "Int32(data=True)",
@@ -279,9 +281,11 @@ class Robot(Node):
         self.send(2)
 
     def send(self, speed):
-        self.publisher.publish(Float64(data=speed))
+        self.publisher.publish(Float64(data=speed))  # here
 """
-    assert not judge("MSG003", source)
+    [finding] = judge("MSG003", source)
+    assert [(row.place.line, row.message) for row in finding.related] == [(10, "this call gives it the value")]
+    assert not judge("MSG003", source.replace("(2)", "(2.0)").replace("  # here", ""))
 
 
 GUARDED = """
@@ -310,6 +314,93 @@ def test_humble_checks_what_is_assigned(judge: Judge, value: str):
     source = GUARDED.format(line=f"message.data = {value}  # here")
     [finding] = judge("MSG003", source, config='distro = "humble"')
     assert finding.message.endswith(f"takes a float, not the int {value}: this line raises AssertionError")
+
+
+@pytest.mark.parametrize(
+    "value",
+    [
+        "1 if message.linear.y else message.linear.z",
+        "min(1, message.linear.x)",
+        "max(-1, min(message.linear.x, 1.0))",
+    ],
+)
+def test_a_whole_number_that_a_float_field_gets_in_one_branch(judge: Judge, value: str):
+    [finding] = judge("MSG003", NODE.format(line=f"message.linear.x = {value}  # here", of_joy="pass"))
+    assert "takes a float, not the int" in finding.message
+    assert "that it gets in one branch: something else is sent" in finding.message
+
+
+DRIVER = """
+import rclpy
+from geometry_msgs.msg import Twist
+from rclpy.node import Node
+from sensor_msgs.msg import LaserScan
+
+
+class Robot(Node):
+    def __init__(self):
+        super().__init__('robot')
+        self.turns = 0
+        self.nearest = -1
+        self.pub = self.create_publisher(Twist, 'cmd_vel', 10)
+        self.create_subscription(LaserScan, 'scan', self.on_scan, 10)
+        self.create_timer(1.0, self.tick)
+
+    def on_scan(self, scan):
+        self.nearest = scan.ranges[0]
+        nearest = 100
+        for distance in scan.ranges:
+            if distance < nearest:
+                nearest = distance
+        if nearest < 100:
+            self.drive(nearest)
+
+    def tick(self):
+        if self.nearest >= 0:
+            self.drive(self.nearest)
+        self.turns += 1
+{line}
+
+    def drive(self, speed):
+        message = Twist()
+        message.linear.x = speed{here}
+        self.pub.publish(message)
+
+
+rclpy.init()
+rclpy.spin(Robot())
+"""
+
+
+def test_a_number_that_one_call_gives_a_field(judge: Judge):
+    """The other calls give it floats."""
+    [finding] = judge("MSG003", DRIVER.format(line="        self.drive(2)", here="  # here"))
+    assert "takes a float, not the int 2: something else is sent" in finding.message
+    [counted] = judge("MSG003", DRIVER.format(line="        Twist().linear.y = self.turns  # here", here=""))
+    assert "takes a float, not an int" in counted.message
+
+
+def test_calls_that_give_floats(judge: Judge):
+    """A number that stands for nothing yet is ruled out by the test before the call."""
+    for line in ("self.drive(2.0)", "self.drive(float(self.turns))", "self.drive(self.turns / 10)"):
+        assert not judge("MSG003", DRIVER.format(line=f"        {line}", here=""))
+
+
+@pytest.mark.parametrize(
+    ("readme", "files", "told"),
+    [
+        ("# Robot\n\nFor ROS 2 Humble on Ubuntu 22.04.\n", {}, True),
+        ("# Robot\n\nFor ROS 2 Humble and Jazzy.\n", {}, False),
+        ("# Robot\n", {}, False),
+        ("# Robot\n\nFor ROS 2 Humble.\n", {"Dockerfile": "FROM ros:jazzy\n"}, False),
+    ],
+)
+def test_a_readme_that_names_humble_alone(judge: Judge, readme: str, files: dict[str, str], told: bool):
+    for name, text in {"README.md": readme, **files}.items():
+        (judge.folder / name).write_text(text, encoding="utf-8")
+    mark = "  # here" if told else ""
+    findings = judge("MSG003", DRIVER.format(line=f"        Twist().linear.y = 0{mark}", here=""))
+    assert ["this line raises AssertionError on humble" in finding.message for finding in findings] == [True] * told
 
 
 def test_fields_of_one_type_that_get_the_same_wrong_kind_are_one_finding(judge: Judge):

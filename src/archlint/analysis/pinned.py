@@ -56,6 +56,14 @@ def is_from_before_galactic(workspace: WorkspaceIndex | None) -> bool:
     )
 
 
+def is_for_humble(workspace: WorkspaceIndex | None) -> bool:
+    """Whether a workspace is for humble: its files name that, or its README does, and none that came later."""
+    if workspace is None:
+        return False
+    named = named_distros(workspace)
+    return "humble" in named or (not named and _is_among(_in_readmes(workspace), _HUMBLE, but_not=_SINCE_IRON))
+
+
 def is_on_focal(workspace: WorkspaceIndex) -> bool:
     """Whether a workspace is for a distribution on Ubuntu 20.04 and for none that came later, by the same evidence."""
     return _is_among(_named_or_told(workspace), _ON_FOCAL, but_not=_SINCE_HUMBLE)
@@ -64,7 +72,9 @@ def is_on_focal(workspace: WorkspaceIndex) -> bool:
 _BEFORE_GALACTIC = frozenset({"dashing", "eloquent", "foxy"})
 """The distributions whose ``Node`` of launch took ``node_name`` and the like, and whose parameters have no type."""
 _ON_FOCAL = frozenset({"foxy", "galactic"})
+_HUMBLE = frozenset({"humble"})
 _SINCE_HUMBLE = (*DISTROS, "iron")
+_SINCE_IRON = tuple(name for name in _SINCE_HUMBLE if name not in _HUMBLE)
 
 
 def _is_among(named: frozenset[str], distros: frozenset[str], *, but_not: Sequence[str]) -> bool:

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.analysis.pinned import named_distros
+from archlint.analysis.pinned import is_for_humble
 from archlint.analysis.reach import judged_notes
 from archlint.checks.field_operations import operations_on_fields
 from archlint.checks.folding import folds, with_others
@@ -48,7 +48,7 @@ def _consequence(system: System, value: WrongValue, distros: Sequence[str]) -> s
     """What comes of it, in words; empty where it works in a distribution that the workspace may be meant for."""
     checked, others = _CHECKED in distros and value.checked, any(distro != _CHECKED for distro in distros)
     if value.effect is ValueEffect.NONE:
-        works = others and _CHECKED not in named_distros(system.workspace)
+        works = others and not is_for_humble(system.workspace)
         return f"this line raises AssertionError{f' on {_CHECKED}' if others else ''}" if checked and not works else ""
     asserted = checked and not others
     if asserted or value.effect is ValueEffect.SET:
@@ -64,6 +64,7 @@ def _finding(value: WrongValue, consequence: str) -> Finding:
         value.place,
         f"{subject} takes {value.wanted}, not {value.given}: {consequence}",
         help=value.cure,
+        related=[] if value.called_at is None else [Related(value.called_at, "this call gives it the value")],
         node=None if value.node is None else value.node.name.text,
         identity=(value.type, value.section_name, value.name, value.wanted),
         group=(value.place.file, of, value.wanted, consequence),

@@ -30,7 +30,7 @@ def augmented(machine: Machine, s: facts.Augmented) -> Status:
     value = operators.binary(machine, s.op, before, operand, s.span)
     counted = s.target.attribute and machine.phase is Phase.LATER
     if counted and isinstance(value, Known) and not value.is_text:
-        value = Unknown(Uninformative("the value changes at run time"))
+        value = Unknown(Uninformative("the value changes at run time"), of_class=value.number_class)
     assign(machine, s.target, value)
     return None
 

@@ -233,4 +233,4 @@ def _leave_function(
         values.append(NONE)
     if not values:
         return Unknown(f"'{activation.qualified}' raises")
-    return chosen_for(one_of(values), activation.open_test)
+    return chosen_with(chosen_for(one_of(values), activation.open_test), *values)

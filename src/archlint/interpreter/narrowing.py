@@ -53,7 +53,7 @@ def _narrow_compared(
     if op in _OPPOSITE:
         op, holds = _OPPOSITE[op], not holds
     plain = isinstance(other, (facts.Literal, facts.Name, facts.Attribute, facts.Sequence))
-    if op not in ("is", "==", "in") or not plain:
+    if op not in ("is", "==", "in", "<", "<=", ">", ">=") or not plain:
         return
     right = machine.evaluate(other)
     proven = right if holds and op == "==" and isinstance(right, Known) else None

@@ -198,6 +198,8 @@ class Messages:
     uses: set[tuple[Any, ...]] = field(default_factory=set)
     """The uses of fields that are noted."""
     values: dict[tuple[Place, str], model.WrongValue | None] = field(default_factory=dict)
+    wrong_arguments: set[tuple[Place, str]] = field(default_factory=set)
+    """Those of them that a call of the function around decides, whatever other calls give it."""
     """What fields are given that do not take it, by where and the field; None where it is not always wrong."""
 
 

@@ -104,3 +104,5 @@ class WrongValue:
     node: Blueprint | None = None
     checked: bool = True
     """Whether humble's messages raise AssertionError, too."""
+    called_at: Place | None = None
+    """The call of the function around that gives it the value, where others may give it another."""

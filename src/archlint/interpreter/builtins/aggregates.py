@@ -15,6 +15,7 @@ from archlint.interpreter.values import (
     OneOf,
     Unknown,
     Value,
+    chosen_for,
     constant,
     constants_of,
     one_of,
@@ -50,13 +51,28 @@ def extreme(pick: Callable[[Any], Any]) -> Handler:
             return Unknown(reason(*site.args))
         constants = constants_of(items.values)
         if not constants:
-            return Unknown(reason(*items.values), of_class=_one_class(items.values))
+            return _clamped(items.values) or Unknown(reason(*items.values), of_class=_one_class(items.values))
         try:
             return constant(pick(constants), via(*items.values))
         except (TypeError, OverflowError):
             return Unknown("an operation that fails")
 
     return handler
+
+
+def _clamped(values: Sequence[Value]) -> Value | None:
+    """``min(speed, 1)``: the limit, or a number of which nothing is known; None of other values.
+
+    A limit that is a whole number is one among floats, which a message does not take.
+    """
+    match values:
+        case (Known(value=int() as limit, via=via_) as known, other) | (
+            other,
+            Known(value=int() as limit, via=via_) as known,
+        ):
+            if limit and not via_ and other.number_class != "int" and not isinstance(other, Known):
+                return chosen_for(one_of((other, known)), "which of two numbers is larger")
+    return None
 
 
 def _one_class(values: Sequence[Value]) -> str | None:

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from archlint.interpreter.values import Known
 from archlint.libraries.rclpy.message_uses import is_certain, may_be_of_another_type
 from archlint.libraries.rclpy.messages import of_value
 from archlint.libraries.rclpy.wrong_values import Misfit, misfit, misfit_of_argument
 from archlint.model import ValueEffect, WrongValue
+from archlint.syntax import facts
 
 if TYPE_CHECKING:
     from archlint.finding import Place
@@ -30,7 +32,18 @@ def note_value(run: Run, value: Value, name: str, span: Span, content: Value, *,
         return
     judge = misfit_of_argument if argument else misfit
     wrong = None if may_be_of_another_type(run, message) else judge(run, kind, content)
-    _keep(run, message, name, span, wrong)
+    _keep(run, message, name, span, wrong, by_call=wrong is not None and _is_argument(run, content))
+
+
+def _is_argument(run: Run, content: Value) -> bool:
+    """Whether a value is a number that the function is called with: this call is wrong, whatever others give it."""
+    activation = run.activation
+    function = None if activation.function is None else activation.function.ir
+    if activation.call_place is None or not isinstance(function, facts.Function):
+        return False
+    if not isinstance(content, Known) or content.via or not isinstance(content.value, (int, float)):
+        return False
+    return any(run.lookup(param.name) is content for param in function.params)
 
 
 def note_positional(run: Run, message: MessageValue, span: Span) -> None:
@@ -44,20 +57,28 @@ def _is_certain(run: Run) -> bool:
     return is_certain(run) and not any(activation.expecting_refusals for activation in run.activations)
 
 
-def _keep(run: Run, message: MessageValue, name: str, span: Span, wrong: Misfit | None) -> None:
-    """Note it, once a place; what is right in one run of the code is not wrong each time."""
+def _keep(
+    run: Run, message: MessageValue, name: str, span: Span, wrong: Misfit | None, *, by_call: bool = False
+) -> None:
+    """Note it, once a place; what is right in one run of the code is not wrong each time, unless it is given by the
+    call."""
     place = run.place(span)
     key = place, name
     noted = run.messages.values
-    if key in noted and wrong is not None:
+    if key in run.messages.wrong_arguments or (key in noted and wrong is not None and not by_call):
         return
+    if by_call:
+        run.messages.wrong_arguments.add(key)
     before = noted.get(key)
-    noted[key] = None if wrong is None else _wrong_value(run, message, name, place, wrong)
+    called_at = run.activation.call_place if by_call else None
+    noted[key] = None if wrong is None else _wrong_value(run, message, name, place, wrong, called_at)
     if noted[key] is not before:
         run.program.wrong_values[:] = [value for value in noted.values() if value is not None]
 
 
-def _wrong_value(run: Run, message: MessageValue, name: str, place: Place, wrong: Misfit) -> WrongValue:
+def _wrong_value(
+    run: Run, message: MessageValue, name: str, place: Place, wrong: Misfit, called_at: Place | None
+) -> WrongValue:
     return WrongValue(
         place,
         message.type,
@@ -69,6 +90,7 @@ def _wrong_value(run: Run, message: MessageValue, name: str, place: Place, wrong
         wrong.cure,
         run.context.node,
         wrong.checked,
+        called_at,
     )
 
 

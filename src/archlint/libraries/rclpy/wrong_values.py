@@ -100,7 +100,22 @@ def misfit(run: Run, kind: FieldType, value: Value) -> Misfit | None:
     among others stands for what is not there yet."""
     options = [option for option in alternatives(value) if not option.is_none]
     misfits = [_misfit(run, kind, option) for option in options]
-    return misfits[0] if misfits and all(misfits) else None
+    if misfits and all(misfits):
+        return misfits[0]
+    return _on_some_paths(kind, value, options, misfits)
+
+
+def _on_some_paths(
+    kind: FieldType, value: Value, options: Sequence[Value], misfits: Sequence[Misfit | None]
+) -> Misfit | None:
+    """A whole number among others that a float field gets in one branch of the code: ``speed = 1 if near else 0.5``."""
+    if kind.array or kind.name not in _FLOATS or value.why_open is None:
+        return None
+    for option, wrong in zip(options, misfits, strict=True):
+        whole = isinstance(option, Known) and type(option.value) is int and not option.via
+        if whole and wrong is not None and wrong.effect is ValueEffect.CHANGED:
+            return replace(wrong, given=f"{wrong.given} that it gets in one branch")
+    return None
 
 
 def _misfit(run: Run, kind: FieldType, value: Value) -> Misfit | None:
