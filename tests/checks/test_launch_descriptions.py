@@ -192,6 +192,43 @@ def test_an_action_that_may_be_added_or_is_put_aside(findings, rest):
     assert findings("LCH008", **_file(rest)) == []
 
 
+def test_what_is_made_beside_an_action_that_is_put_aside(findings):
+    made = "planner = Node(package='robot', executable='planner')\n    return LaunchDescription([{}])"
+    assert findings("LCH008", **_file(made.format("\n        # talker,\n    "))) == []
+    (told,) = findings("LCH008", **_file(made.format("talker")))
+    assert told.message.startswith("nothing adds 'planner'")
+
+
+DECLARED = """\
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument
+from launch.substitutions import LaunchConfiguration
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    gui = LaunchConfiguration('gui')
+    declare_gui = DeclareLaunchArgument('gui', default_value='true')
+    talker = Node(package='robot', executable='talker', arguments=[{read}])
+    return LaunchDescription([talker])
+"""
+
+
+@pytest.mark.parametrize(
+    ("read", "codes"),
+    [
+        ("", []),  # nothing would read it if it were added
+        ("gui", ["LCH003"]),  # LCH003 says so where it is read
+        (
+            "LaunchConfiguration('gui', default='no')",
+            ["LCH008"],
+        ),  # nothing fails, but the value that is meant is not used
+    ],
+)
+def test_a_declaration_that_nothing_adds_is_told_once(findings, read, codes):
+    file = {"launch/it.launch.py": DECLARED.format(read=read)}
+    assert [told.code for code in ("LCH003", "LCH008") for told in findings(code, **file)] == codes
+
+
 # ------------------------------------------------------------------------------ the name that launch looks for
 
 

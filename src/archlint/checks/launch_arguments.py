@@ -85,6 +85,16 @@ def places_of_unknown_arguments(workspace: WorkspaceIndex, launched: Launched) -
     return places
 
 
+def told_as_left_out(system: System) -> set[tuple[str, str]]:
+    """The files and names of the arguments of which LCH003 says that their declaration is not added."""
+    launched = system.launched
+    if launched is None or launched.gaps or _meant_to_be_included(launched):
+        return set()
+    told = {(diagnostic.place, diagnostic.identity) for diagnostic in _undeclared_uses(system, launched)}
+    left_out = (use for use in launched.undeclared if _left_out(launched, use) is not None)
+    return {(use.file, use.name) for use in left_out if (use.place, (use.file, use.name)) in told}
+
+
 def _undeclared_uses(system: System, launched: Launched) -> Iterator[Finding]:
     reported: set[str] = set()
     plain: dict[str, list[UndeclaredUse]] = {}

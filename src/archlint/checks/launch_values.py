@@ -7,6 +7,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.checks.folding import folds, with_other_places
+from archlint.checks.launch_arguments import told_as_left_out
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related, Severity
@@ -59,8 +60,10 @@ def launch_description(system: System, options: Options) -> Iterator[Finding]:
     for no_choice in system.launched.no_choices if system.launched is not None else ():
         yield _no_choice(no_choice)
     yield from map(_foreign, foreign_launch_files(system))
+    left_out = told_as_left_out(system)
     for file, wrong in wrong_descriptions(system):
-        yield _of_description(file, wrong)
+        if (file, wrong.argument) not in left_out:  # LCH003 tells it, where the argument is read
+            yield _of_description(file, wrong)
     if system.launched is None and system.workspace is not None:
         for file, wrong in misnamed_functions(system.workspace):
             yield _of_description(file, wrong)

@@ -16,12 +16,14 @@ from archlint.analysis.kept import once_for_each_file
 from archlint.launch.files import GENERATE
 from archlint.launch_files.launch_code import names_from_launch
 from archlint.launch_files.opaque_functions import wrong_functions
+from archlint.launch_files.unread_arguments import first_text, may_be_read
 from archlint.launch_files.wrong_launch_descriptions import Wrong, WrongDescription
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in, parts_of
 from archlint.syntax.walk import is_none
 
 if TYPE_CHECKING:
+    from archlint.launch.model import Launched
     from archlint.systems.model import System, WorkspaceIndex
 
 
@@ -31,9 +33,10 @@ def wrong_descriptions(system: System) -> Iterator[tuple[str, WrongDescription]]
     if launched is None or workspace is None:
         return
     for file in launched.sources:
-        rows = _of_file(workspace, file) if file.endswith(".py") else None
-        for wrong in rows or ():
-            if wrong.kind != Wrong.NOT_ADDED or not _is_put_aside(workspace, file, wrong.given):
+        rows = (_of_file(workspace, file) if file.endswith(".py") else None) or []
+        aside = {wrong.of for wrong in rows if _is_put_aside(workspace, file, wrong)}
+        for wrong in rows:
+            if wrong.kind != Wrong.NOT_ADDED or not (wrong.of in aside or _is_idle(workspace, launched, wrong)):
                 yield file, wrong
 
 
@@ -92,10 +95,21 @@ def _wanted(function: facts.Function) -> list[str]:
     return [p.name for p in function.params if p.default is None and p.kind not in ("star", "double_star")]
 
 
-def _is_put_aside(workspace: WorkspaceIndex, file: str, name: str) -> bool:
-    """Whether a comment of a file says the name, or a string that stands there as one: somebody has taken the action
-    out of the list, or offers it there."""
-    word = re.compile(rf"(?<!\w){re.escape(name)}(?!\w)", re.IGNORECASE)
+def _is_idle(workspace: WorkspaceIndex, launched: Launched, wrong: WrongDescription) -> bool:
+    """Whether a declaration is of an argument that nothing would read if it were added."""
+    return (
+        bool(wrong.argument)
+        and wrong.argument not in launched.read
+        and not may_be_read(workspace, launched, wrong.argument)
+    )
+
+
+def _is_put_aside(workspace: WorkspaceIndex, file: str, wrong: WrongDescription) -> bool:
+    """Whether a comment of a file names an action that nothing adds, or a string that stands there as one: somebody has
+    taken it out of the list, or offers it there.  Others of its kind are left out with it."""
+    if wrong.kind != Wrong.NOT_ADDED:
+        return False
+    word = re.compile(rf"(?<!\w){re.escape(wrong.given)}(?!\w)", re.IGNORECASE)
     text = workspace.tree.text(file) or ""
     comments = [line[line.find("#") :] for line in text.split("\n") if "#" in line]
     return any(word.search(comment) for comment in (*comments, *(block[2] for block in _TEXT_BLOCK.finditer(text))))
@@ -122,7 +136,8 @@ _SETS = frozenset(
     | {"SetParametersFromFile", "SetRemap", "SetUseSimTime", "UnsetEnvironmentVariable", "UnsetLaunchConfiguration"}
 )
 """The actions that say something of those behind them."""
-_ADDED = _STARTS | _SETS | {"DeclareLaunchArgument"}
+_DECLARATION = "DeclareLaunchArgument"
+_ADDED = _STARTS | _SETS | {_DECLARATION}
 _NODES = frozenset({"Node", "LifecycleNode", "ComposableNodeContainer"})
 
 
@@ -229,7 +244,13 @@ class _Code:
             for assign in rows:
                 match assign.targets:
                     case [facts.Name(id=name, span=span)] if names[name] == 1 and not name.startswith("_"):
-                        yield WrongDescription(Wrong.NOT_ADDED, span, name, self.made(assign.value))
+                        declared = _declared(assign.value) if self.made(assign.value) == _DECLARATION else ""
+                        yield WrongDescription(Wrong.NOT_ADDED, span, name, self.made(assign.value), argument=declared)
+
+
+def _declared(call: facts.Expr) -> str:
+    """The argument that a declaration declares; empty where its name is not written there."""
+    return next(iter(first_text(call)), "") if isinstance(call, facts.Call) else ""
 
 
 def _display(value: facts.Expr) -> str:

@@ -54,7 +54,7 @@ def unread_arguments(system: System) -> Iterator[DeclaredArgument]:
             continue  # LCH003 says by which name it is read
         if _is_of_library(launched, argument):
             continue
-        if not any(_may_read(workspace, file, argument.name) for file in launched.sources):
+        if not may_be_read(workspace, launched, argument.name):
             yield argument
 
 
@@ -71,6 +71,11 @@ def _read_where_included(workspace: WorkspaceIndex) -> dict[str, frozenset[str]]
         for file in launched.sources[1:]:
             read.setdefault(file, set()).update(launched.read)
     return {file: frozenset(names) for file, names in read.items()}
+
+
+def may_be_read(workspace: WorkspaceIndex, launched: Launched, name: str) -> bool:
+    """Whether any code of a launch may read an argument, be it where the run did not come to."""
+    return any(_may_read(workspace, file, name) for file in launched.sources)
 
 
 def _may_read(workspace: WorkspaceIndex, file: str, name: str) -> bool:
@@ -102,9 +107,9 @@ def _without_effect(file_facts: facts.Facts) -> Counter[str]:
     spare: Counter[str] = Counter()
     for call in everything_in(file_facts.body, facts.Call):
         if called_name(call) == "DeclareLaunchArgument":
-            spare.update(_first_text(call))
+            spare.update(first_text(call))
     for _, call in _kept_for_nothing(file_facts):
-        spare.update(_first_text(call))
+        spare.update(first_text(call))
     return spare
 
 
@@ -122,16 +127,16 @@ def kept_for_nothing(workspace: WorkspaceIndex, argument: DeclaredArgument) -> t
     """The variable of a launch file that holds an argument and that nothing uses, and where it is."""
     file_facts = workspace.facts_at(argument.file) if argument.file.endswith(".py") else None
     for variable, call in () if file_facts is None else _kept_for_nothing(file_facts):
-        if argument.name in _first_text(call):
+        if argument.name in first_text(call):
             return variable.id, Place(argument.file, *variable.span)
     return None
 
 
-def _first_text(call: facts.Call) -> list[str]:
+def first_text(call: facts.Call) -> list[str]:
     """The name that a call is given first, or by name."""
     values = [argument.value for argument in call.args if argument.keyword in ("name", "variable_name")]
     values = values or [argument.value for argument in call.args[:1] if argument.keyword is None]
     return [value.text for value in values if value.text is not None]
 
 
-__all__ = ["all_readers_are_known", "kept_for_nothing", "unread_arguments"]
+__all__ = ["all_readers_are_known", "first_text", "kept_for_nothing", "may_be_read", "unread_arguments"]

@@ -39,13 +39,15 @@ class Wrong(StringEnum):
 
 @dataclass(frozen=True)
 class WrongDescription:
-    """One place: ``given`` is what is there, ``wanted`` what launch takes, ``of`` the argument or class it is for."""
+    """One place: ``given`` is what is there, ``wanted`` what launch takes, ``of`` the argument or class it is for.
+    Of a declaration that is not added, ``argument`` is what it declares."""
 
     kind: Wrong
     span: facts.Span
     given: str
     of: str = ""
     wanted: str = ""
+    argument: str = ""
 
 
 __all__ = ["Wrong", "WrongDescription"]
