@@ -47,3 +47,16 @@ def test_all_packages_of_one_template_are_one_finding(tmp_path, monkeypatch):
 )
 def test_underscores_and_other_tools(findings, text):
     assert findings("PKG010", **{"setup.cfg": text}) == []
+
+
+@pytest.mark.parametrize(
+    ("files", "told"),
+    [
+        ({"README.md": "For ROS 2 Foxy."}, 0),  # setuptools 45 of Ubuntu 20.04 takes dashes without a word
+        ({"install/setup.sh": 'COLCON_CURRENT_PREFIX="/opt/ros/foxy"\n'}, 0),
+        ({"README.md": "Now for Humble.", "install/setup.sh": 'COLCON_CURRENT_PREFIX="/opt/ros/foxy"\n'}, 1),
+        ({"install/setup.sh": 'COLCON_CURRENT_PREFIX="/opt/ros/humble"\n'}, 1),
+    ],
+)
+def test_a_workspace_on_ubuntu_20_04(findings, files, told):
+    assert len(findings("PKG010", **{"setup.cfg": OLD}, **files)) == told

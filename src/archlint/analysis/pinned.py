@@ -25,6 +25,8 @@ PINNING_FILES = (
     ".vscode/settings.json",
     *_COMPOSE,
 )
+BUILT_FILES = ("install/setup.sh",)
+"""What colcon writes at the top of a workspace, where it is kept with the sources: it names what it was built with."""
 PINNING_FOLDERS = (".github/workflows", ".devcontainer", "docker", "Docker", "DOCKER")
 _READ = re.compile(r"(?:^|/)(?:[^/]*\.ya?ml|[^/]*[Dd]ockerfile[^/]*|devcontainer\.json)$")
 _OLDER = frozenset({"dashing", "eloquent", "foxy", "galactic"})
@@ -49,8 +51,8 @@ def is_for_older_ros(workspace: WorkspaceIndex | None) -> bool:
 
 
 def is_from_before_galactic(workspace: WorkspaceIndex | None) -> bool:
-    """Whether a workspace is for such a distribution, by its files or, where they say nothing, by its README, which
-    names one, and none that came later."""
+    """Whether a workspace is for such a distribution, by its files or, where they say nothing, by its README and by
+    what it was last built with, which name one, and none that came later."""
     return workspace is not None and _is_among(
         _named_or_told(workspace), _BEFORE_GALACTIC, but_not=("galactic", *_SINCE_HUMBLE)
     )
@@ -82,8 +84,18 @@ def _is_among(named: frozenset[str], distros: frozenset[str], *, but_not: Sequen
 
 
 def _named_or_told(workspace: WorkspaceIndex) -> frozenset[str]:
-    """The distributions that the files of a workspace name or, where they name none, its README."""
-    return named_distros(workspace) or _in_readmes(workspace)
+    """The distributions that the files of a workspace name or, where they name none, its README and its last build."""
+    return named_distros(workspace) or _in_readmes(workspace) | _built_with(workspace)
+
+
+_SOURCED = re.compile(r"/opt/ros/([a-z]+)")
+
+
+@once
+def _built_with(workspace: WorkspaceIndex) -> frozenset[str]:
+    tree = workspace.tree
+    texts = (tree.text(posixpath.normpath(f"{tree.top}/{name}")) or "" for name in BUILT_FILES)
+    return frozenset(match[1] for text in texts for match in _SOURCED.finditer(text))
 
 
 _README = re.compile(r"README(?:\.(?:md|rst|txt))?", re.IGNORECASE)

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from archlint.analysis.pinned import is_on_focal
 from archlint.checks.folding import folds, with_others, with_places
 from archlint.checks.packages import workspace_of
 from archlint.checks.registry import Options, finding, rule
@@ -21,7 +22,9 @@ if TYPE_CHECKING:
 def dashed_option(system: System, options: Options) -> Iterator[Finding]:
     """``script-dir`` and ``install-scripts``, as old templates write them."""
     workspace = workspace_of(system)
-    for option in dashed_options(workspace) if workspace is not None else ():
+    if workspace is None or is_on_focal(workspace):  # its setuptools says nothing
+        return
+    for option in dashed_options(workspace):
         right = option.name.replace("-", "_")
         yield finding(
             "PKG010",

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from archlint.analysis.pinned import PINNING_FILES, PINNING_FOLDERS
+from archlint.analysis.pinned import BUILT_FILES, PINNING_FILES, PINNING_FOLDERS
 from archlint.disk import read_regular, walk
 from archlint.engine.facts_file import CodeRow, FileRow, ProblemRow, Shard
 from archlint.engine.facts_folder import FactsError
@@ -43,12 +43,12 @@ def shards_of(
     packages = {owner for file in asked if (owner := owners.of(file.path)) != ""}
     files = [file for file in workspace.files if whole or not file.context or owners.of(file.path) in packages]
     collecting = _Collecting(base, Path(workspace.root), {file.path for file in files})
+    collecting.add_pinning()  # first: of what a build left behind only names are written down otherwise
     asked_folders = [os.path.abspath(path) for path in paths if os.path.isdir(path)]
     for folder in (*asked_folders, *sorted(os.path.join(base, package) for package in packages)):
         collecting.add_folder(folder)
     for path in (*(file.path for file in files), *(link.path for file in files for link in file.links)):
         collecting.add(path)
-    collecting.add_pinning()
     naming = _Naming(base, prefix)
     shards: dict[str, Shard] = {}
     encoded = _encoded(files, facts)
@@ -164,7 +164,7 @@ class _Collecting:
             folder = self.base / name
             if folder.is_dir() and self._is_inside(str(folder)):
                 self.add_folder(str(folder))
-        for name in PINNING_FILES:
+        for name in (*PINNING_FILES, *BUILT_FILES):
             if os.path.isfile(self.base / name):
                 self.add(str(self.base / name))
 
