@@ -207,6 +207,10 @@ ACTION = "Node(package='robot', executable='talker', {})"
         ("parameters=[{'once': lc == 'false'}]", "use EqualsSubstitution(…, …)"),
         ("parameters=[{'once': 'false' != lc}]", "use NotEqualsSubstitution(…, …)"),
         ("arguments=['--once', lc == 'false']", "use EqualsSubstitution(…, …)"),
+        (
+            "arguments=['--once' if lc == 'true' else '']",
+            """use PythonExpression(["'…' if '", …, "' == '…' else '…'"])""",
+        ),
         ("condition=IfCondition(lc == 'false')", "use EqualsSubstitution(…, …)"),
         ("condition=lc == 'false'", "use IfCondition(EqualsSubstitution(…, …))"),
     ],

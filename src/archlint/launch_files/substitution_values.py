@@ -7,7 +7,7 @@ makes ``<launch.substitutions.… object at 0x…>`` of it; ``+`` raises a TypeE
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -54,6 +54,8 @@ class Misused:
     operator: str = ""
     is_given: bool = False
     """Whether the result is an argument, or an item of what is one: a parameter's value, say."""
+    chooses: bool = False
+    """Whether it decides between two texts, as in ``'a' if … else 'b'``."""
 
 
 def misused_substitutions(system: System) -> Iterator[tuple[str, Misused]]:
@@ -163,6 +165,11 @@ def _argument(call: facts.Call, position: int, keyword: str) -> str:
 def _misused(code: _Code) -> Iterator[Misused]:
     printed = {id(argument.value) for argument in _printed(code.body)}
     given = {id(value) for value in _given(code.body)}
+    choosing = {
+        id(choice.test)
+        for choice in everything_in(code.body, facts.Conditional)
+        if choice.body.text is not None and choice.orelse.text is not None
+    }
     decided = {id(choice) for choice in _decided_by_condition(code)}
     for part in everything_in(code.body):
         match part:
@@ -184,7 +191,8 @@ def _misused(code: _Code) -> Iterator[Misused]:
                 pass  # it asks whether there is a substitution
             case facts.Compare(ops=[op], comparators=[right]) if op in ("==", "!=", "in", "not in"):
                 sides = [part.left] if "in" in op else [part.left, right]
-                yield from _each(code, Misuse.COMPARED, sides, part.span, op, is_given=id(part) in given)
+                for misused in _each(code, Misuse.COMPARED, sides, part.span, op):
+                    yield replace(misused, is_given=id(part) in given, chooses=id(part) in choosing)
             case facts.Boolean(values=values, op=op):
                 yield from (m for v in values[:-1] for m in _each(code, Misuse.COMBINED, [v], part.span, op))
             case facts.Unary(op="not", operand=operand):
@@ -206,12 +214,10 @@ def _each(
     values: Iterable[facts.Expr],
     span: facts.Span,
     operator: str = "",
-    *,
-    is_given: bool = False,
 ) -> Iterator[Misused]:
     classes = [name for name in map(code.substitution, values) if name]
     if classes:
-        yield Misused(kind, classes[0], span, operator, is_given)
+        yield Misused(kind, classes[0], span, operator)
 
 
 def _tested(code: _Code, test: facts.Expr) -> Iterator[Misused]:
