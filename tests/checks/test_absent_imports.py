@@ -106,6 +106,16 @@ def test_what_no_distribution_has(judge: Judge, line: str, message: str, help: s
     assert (finding.message, finding.help) == (message, help)
 
 
+def test_a_class_that_only_an_except_names(judge: Judge):
+    """It is looked up once something has been raised."""
+    lines = "try:\n    rclpy.init()\nexcept rclpy.ServiceException:  # here\n    pass"
+    [finding] = judge("API002", FILE.format(line=lines))
+    assert finding.message == "rclpy has no 'ServiceException'"
+    assert finding.help == (
+        "the except fails, too, as soon as something is raised in its try: name a class that there is"
+    )
+
+
 def test_an_import_in_a_function(judge: Judge):
     [finding] = judge("API002", FILE.format(line="def later():\n    from rclpy import teleport  # here"))
     assert finding.help == "the import fails when that function runs"

@@ -79,7 +79,7 @@ main()
         (
             "self.timer.destroy_timer()",
             "Timer has no destroy_timer()",
-            "it is a method of the node: write node.destroy_timer(…)",
+            "it is a method of the node: write self.destroy_timer(…)",
         ),
         (
             "front = Motor(); front.brake()",

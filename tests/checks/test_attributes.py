@@ -139,6 +139,29 @@ def test_a_near_name_that_was_hardly_meant(judge: Judge):
     assert finding.help == "assign self.obstacle_velocity_threshold in __init__(), or define it"
 
 
+def test_a_node_that_looks_for_its_node(judge: Judge):
+    (finding,) = judge(
+        "API002",
+        """
+        import rclpy
+        from rclpy.node import Node
+
+        class Trainer(Node):
+            def __init__(self):
+                super().__init__('trainer')
+                self.create_timer(1.0, self.step)
+
+            def step(self):
+                self.node.get_logger().info('not there yet')  # here
+
+        rclpy.init()
+        rclpy.spin(Trainer())
+        """,
+    )
+    assert finding.message == "nothing assigns 'node' of class Trainer: this line fails with an AttributeError"
+    assert finding.help == "write self instead of self.node: the object is the node itself"
+
+
 def test_private_names_and_methods(judge: Judge):
     first, second = judge(
         "API002",

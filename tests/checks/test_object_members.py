@@ -43,7 +43,7 @@ def main():
     [
         ("print(now.nanosec)", "Time has no 'nanosec': this line fails", "write to_msg().nanosec"),
         ("print(now.to_sec())", "Time has no 'to_sec'", "write nanoseconds / 1e9"),
-        ("print(self.limit.seconds)", "Duration has no 'seconds'", "write nanoseconds / 1e9"),
+        ("print(self.limit.seconds)", "Duration has no 'seconds'", "write nanoseconds / 1e9; the whole"),
         ("print(Time.now())", "Time has no 'now'", "write get_clock().now() of a node"),
         ("print(now.nanoseconds())", "'nanoseconds' of a Time is a value, no method", "without parentheses"),
         ("print(self.get_parameter('speed').value())", "'value' of a Parameter is a value", "without parentheses"),
@@ -53,7 +53,7 @@ def main():
             "ParameterValue has no 'float_value'",
             "write double_value",
         ),
-        ("print(goal_handle.order)", "ServerGoalHandle has no 'order'", "correct the name"),
+        ("print(goal_handle.order)", "ServerGoalHandle has no 'order'", "write request.order if it is a field"),
         ("goal_handle.set_succeeded()", "ServerGoalHandle has no 'set_succeeded'", "write succeed"),
     ],
 )

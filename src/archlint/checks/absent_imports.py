@@ -78,6 +78,8 @@ def _cure(absent: Absent, module: str, name: str) -> str:
 
 
 def _failing(absent: Absent) -> str:
+    if absent.in_except:
+        return "the except fails, too, as soon as something is raised in its try: name a class that there is"
     what = "the import" if absent.is_import else "the line"
     return f"{what} fails when {'that function runs' if absent.in_function else 'the file is loaded'}"
 

@@ -105,6 +105,9 @@ def _absent(row: AbsentMember) -> Finding:
     )
 
 
+_SECONDS = "seconds"
+"""What ``datetime`` calls the whole seconds, and ROS 2 nothing."""
+_GOAL_HANDLE = "ServerGoalHandle"
 _FEW = 4
 """So many methods of a class are named where another one is called."""
 
@@ -115,7 +118,12 @@ def _cure(row: AbsentMember) -> str:
     if row.of_message:
         return f"write the variable that holds the message: {row.owner.rpartition('/')[2]} is its class"
     if row.near:
-        return f"write {row.near}"
+        whole = (
+            "; the whole seconds alone are to_msg().sec" if row.name == _SECONDS and not row.near.isidentifier() else ""
+        )
+        return f"write {row.near}{whole}"
+    if row.owner == _GOAL_HANDLE:
+        return f"write request.{row.name} if it is a field of the goal, else correct the name"
     if not row.called:
         return "correct the name"
     cure = f"define {row.name}() in {row.owner}"
@@ -161,6 +169,8 @@ def _unassigned(read: Unassigned) -> Finding:
     elif near is not None and read.is_slip:
         message += meant(f"'{near}'")
         help = f"write self.{near}"
+    elif read.is_node:
+        help = f"write self instead of self.{name}: the object is the node itself"
     elif read.of_node:
         message = f"class {read.cls} has no '{name}', which only a node has: this line fails with an AttributeError"
         help = f"derive the class from Node, or call {name}() of a node"

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from archlint.analysis.completeness import enclosing_class
 from archlint.analysis.own_names import is_defined_somewhere
 from archlint.analysis.reach import judged_notes
 from archlint.checks.absent_imports import OF_MODULE, absent_import_findings
@@ -71,7 +72,11 @@ def unknown_attribute(system: System, options: Options) -> Iterator[Finding]:
             "API002",
             call.place,
             f"{call.given.rpartition('.')[2]} has no {name}()",
-            help=LOG_WITH.format(name) if logs else f"use {call.wanted}" if call.wanted else _define(call, name),
+            help=LOG_WITH.format(name)
+            if logs
+            else f"use {call.wanted}"
+            if call.wanted
+            else _define(system, call, name),
             identity=(call.api,),
             group=_group(call, logs),
             meant=call.wanted,
@@ -104,13 +109,21 @@ _NODE = "rclpy.node.Node"
 _GOAL_HANDLE = "rclpy.action.client.ClientGoalHandle"
 
 
-def _define(call: RefusedCall, name: str) -> str:
+def _define(system: System, call: RefusedCall, name: str) -> str:
     """What to do about a method that no distribution has and that has no near name."""
     if call.given.rpartition(".")[2] == "Future" and name in (attributes_of(_GOAL_HANDLE) or ()):
         return "keep the future apart from the goal handle, which is its result()"
     if not _is_of_node(call) and name in (attributes_of(_NODE) or ()):
-        return f"it is a method of the node: write node.{name}(…)"
+        return f"it is a method of the node: write {_node_around(system, call)}.{name}(…)"
     return f"define {name}() in the class of the node, or remove the call" if _is_of_node(call) else "remove the call"
+
+
+def _node_around(system: System, call: RefusedCall) -> str:
+    """What the code at a call has for its node: itself in the class of one."""
+    cls = enclosing_class(system.workspace, call.place)
+    blueprints = (blueprint for node in system.nodes for blueprint in node.blueprints)
+    is_node = any((row.place.file, row.class_name) == (call.place.file, cls) for row in blueprints)
+    return "self" if is_node else "node"
 
 
 def _is_of_node(call: RefusedCall) -> bool:

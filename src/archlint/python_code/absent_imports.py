@@ -31,6 +31,8 @@ class Absent:
     """Whether an import asks for it, and not an attribute of the module: ``rclpy.name``."""
     in_function: bool
     span: facts.Span
+    in_except: bool = False
+    """Whether an ``except`` names it, which is looked at only once something has been raised."""
 
     @property
     def is_module(self) -> bool:
@@ -75,6 +77,8 @@ class _Code:
         self._forgiven = {Itself(part) for block in forgiving(file_facts) for part in everything_in(block)}
         functions = everything_in(file_facts.body, facts.Function)
         self._in_functions = {Itself(part) for function in functions for part in everything_in(function.body)}
+        caught = [h.type for t in everything_in(file_facts.body, facts.Try) for h in t.handlers if h.type is not None]
+        self._caught = {Itself(part) for part in everything_in(caught)}
         self._never_run = {Itself(part) for hint in _unread_hints(file_facts) for part in everything_in([hint])}
         self._bound: dict[str, set[str]] = {}
 
@@ -96,7 +100,8 @@ class _Code:
             module = self._module(part.value.dotted)
             left_out = Itself(part) in self._forgiven or Itself(part) in self._never_run
             if module and lacks(module, part.attr) and not left_out:
-                yield Absent(module, part.attr, False, Itself(part) in self._in_functions, part.span)
+                in_function, in_except = (Itself(part) in parts for parts in (self._in_functions, self._caught))
+                yield Absent(module, part.attr, False, in_function, part.span, in_except)
 
     def _module(self, path: str) -> str:
         """The module that a dotted name means; empty where it is none, or perhaps something else."""

@@ -72,6 +72,8 @@ class Unassigned:
     local: bool = False
     of_node: bool = False
     """Whether it is a method of a node, and this class is none."""
+    is_node: bool = False
+    """Whether the class is a node, and the attribute that of a class that has one."""
 
     @property
     def is_slip(self) -> bool:
@@ -113,10 +115,11 @@ def unassigned_attributes(workspace: WorkspaceIndex) -> Iterator[Unassigned]:
             if (near is None and not _is_made(workspace, cls)) or may_get(workspace, cls, read.name):
                 continue
             at = None if near is None else assigned[near].place
-            of_node = (
-                read.called and read.name in (attributes_of(_NODE) or ()) and NODE_CLASSES.isdisjoint(chain.foreign)
-            )
-            yield Unassigned(Place(cls.file, *read.span), cls.code.name, read.name, near, at, read.local, of_node)
+            in_node = not NODE_CLASSES.isdisjoint(chain.foreign)
+            of_node = read.called and read.name in (attributes_of(_NODE) or ()) and not in_node
+            is_node = in_node and read.name in ("_node", "node")
+            place = Place(cls.file, *read.span)
+            yield Unassigned(place, cls.code.name, read.name, near, at, read.local, of_node, is_node)
 
 
 @once_for
