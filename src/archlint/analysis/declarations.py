@@ -49,7 +49,7 @@ def may_be_dynamic(workspace: WorkspaceIndex | None, declarations: Iterable[Para
 def is_of_variable(workspace: WorkspaceIndex | None, declared: ParameterDeclaration) -> bool:
     """Whether C++ takes the type from a variable, which may be a ``double`` that was given a whole number."""
     place = declared.place
-    if workspace is None or place.file.endswith(".py"):
+    if workspace is None or place.file.endswith((".py", ".yaml", ".yml")):
         return False
     lines = (workspace.tree.text(place.file) or "").splitlines()[place.line - 1 : place.end_line]
     return not any(re.search(rf"(?<![\w.]){declared.default}(?![\w.])|<\s*(?:\w+::)*u?int", line) for line in lines)

@@ -36,6 +36,8 @@ def unused_parameter(system: System, options: Options) -> Iterator[Finding]:
             name = declaration.name.text
             if name is None or declaration.name.resolution != "exact" or name in reads:
                 continue
+            if declaration.place.file.endswith((".yaml", ".yml")):  # its code reads all of them into one object
+                continue
             if is_named_again(system.workspace, declaration, name):
                 continue
             if is_named_elsewhere(system.workspace, node, declaration, name):

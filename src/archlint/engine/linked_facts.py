@@ -14,12 +14,11 @@ from msgspec import structs
 from archlint.engine.facts_file import CodeRow, FileRow, ProblemRow, Shard
 from archlint.engine.facts_folder import FactsError, read
 from archlint.syntax.cache import NullStore, Stamp, digest_of
-from archlint.syntax.files import source_digest
+from archlint.syntax.files import language_of, source_digest
 from archlint.syntax.python.gate import Refusal
 from archlint.workspace.discovery import Excluder
-from archlint.workspace.kinds import is_cpp
 from archlint.workspace.membership import place
-from archlint.workspace.model import Link, Problem, SourceFile, Workspace
+from archlint.workspace.model import Link, Problem, SourceFile, SourceKind, Workspace
 from archlint.workspace.snapshot import Entry, Snapshot
 
 _Row = TypeVar("_Row")
@@ -46,7 +45,9 @@ class LinkedFacts:
         code = _merged({name: shard.code for name, shard in shards.items()})
         folders = [folder for shard in self._shards for folder in shard.folders]
         self.tree = Snapshot(self._base, self._entries, folders)
-        self.cache = FactsCache({self._path(path): (self._digest(path, row), row) for path, row in code.items()})
+        self.cache = FactsCache(
+            {self._path(path): (self._digest(files[path].kind, path, row), row) for path, row in code.items()}
+        )
 
     @classmethod
     def of_folders(cls, folders: Sequence[str]) -> LinkedFacts:
@@ -81,10 +82,12 @@ class LinkedFacts:
             raise OSError(number, os.strerror(number), file.relative)
         return entry.data
 
-    def _digest(self, path: str, row: CodeRow) -> str:
+    def _digest(self, kind: SourceKind, path: str, row: CodeRow) -> str:
         """That of the source, which is the same wherever it is compiled."""
         data = self._entries[path].data
-        return digest_of(row.screened + b"\0" + row.facts) if data is None else source_digest(data, is_cpp(path))
+        if data is None:
+            return digest_of(row.screened + b"\0" + row.facts)
+        return source_digest(data, language_of(kind))
 
     def _path(self, path: str) -> str:
         return os.path.normpath(self._base / path)

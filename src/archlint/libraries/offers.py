@@ -11,6 +11,7 @@ from archlint.libraries.rclcpp import (
     filters,
     macros,
     node_options,
+    parameter_libraries,
     profiles,
     sub_nodes,
     transports,
@@ -23,10 +24,11 @@ OFFERS = Offers(
     tables.find,
     {**EFFECTS, **effects.EFFECTS},
     {**argument_parsers.METHODS, **clocks.METHODS}
-    | {**profiles.METHODS, **transports.METHODS, **node_options.METHODS, **filters.METHODS, **sub_nodes.METHODS},
+    | {**profiles.METHODS, **transports.METHODS, **node_options.METHODS, **filters.METHODS, **sub_nodes.METHODS}
+    | parameter_libraries.METHODS,
     {**effects.PLAIN, **setup_run.PLAIN, **command_line.PLAIN}
     | {**profiles.PLAIN, **transports.PLAIN, **node_options.PLAIN, **filters.PLAIN, **collections.PLAIN}
-    | {**filled.PLAIN, **macros.PLAIN},
+    | {**filled.PLAIN, **macros.PLAIN, **parameter_libraries.PLAIN},
     frozenset({"endpoint"}),
 )
 

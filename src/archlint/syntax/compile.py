@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from archlint.syntax.pools import Pool
     from archlint.syntax.workers import Answer, Job, OnDone
 
-Language = Literal["python", "cpp"]
+Language = Literal["python", "cpp", "parameter_library"]
 
 CRASHED = "crashes the parser"
 """The message for a file that kills the process that parses it."""
@@ -86,6 +86,8 @@ def _prepared(language: Language) -> Job:
         import archlint.syntax.cpp.lowering
 
         return encoded_cpp
+    if language == "parameter_library":
+        return encoded_parameter_library
     import archlint.syntax.python.lowering  # noqa: F401
 
     return encoded
@@ -144,6 +146,15 @@ def encoded_cpp(data: bytes) -> bytes:
         return _LASTING + encode(_failed("nested too deeply to analyse"))
     except Exception as error:
         return _PASSING + encode(_broken(f"{type(error).__name__}: {error}"))
+
+
+def encoded_parameter_library(data: bytes) -> bytes:
+    """As :func:`encoded`, of the parameters that code is generated from."""
+    from archlint.syntax.parameter_library import lower
+
+    text = gate.decode(data)
+    facts = _refused(text) if isinstance(text, gate.Refusal) else lower(text)
+    return _LASTING + encode(facts)
 
 
 def _compile_text(text: str) -> Facts:

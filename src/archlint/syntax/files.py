@@ -16,7 +16,7 @@ from archlint.syntax.walk import statements_of
 
 if TYPE_CHECKING:
     from archlint.syntax.pools import Pool
-    from archlint.workspace.model import SourceFile
+    from archlint.workspace.model import SourceFile, SourceKind
 
 _CPP_WORD = b"rclcpp"
 """A C++ file without it is read only where another includes it."""
@@ -241,13 +241,13 @@ class FactsOfFiles:
             self._monitor.compiled(files[number].relative, seconds)
 
         self._monitor.compiling(len(files))
-        of_cpp = [number for number, file in enumerate(files) if file.kind == "cpp"]
-        if not of_cpp:
+        by_language: dict[Language, list[int]] = {}
+        for number, file in enumerate(files):
+            by_language.setdefault(language_of(file.kind), []).append(number)
+        if by_language.keys() == {"python"}:
             return compile_sources(sources, self._jobs, on_done=on_done, pool=self._pool)
-        others = [number for number, file in enumerate(files) if file.kind != "cpp"]
         results: dict[int, Compiled] = {}
-        languages: tuple[tuple[Language, list[int]], ...] = (("python", others), ("cpp", of_cpp))
-        for language, numbers in languages:
+        for language, numbers in sorted(by_language.items(), reverse=True):
             results.update(zip(numbers, self._compile_part(files, sources, language, numbers), strict=True))
         return [results[number] for number in range(len(files))]
 
@@ -277,16 +277,18 @@ class FactsOfFiles:
         data = self._bytes_of(file)
         if isinstance(data, gate.Refusal):
             words = (_CPP_WORD,) if file.kind == "cpp" else self._words()
-            if data.is_large and not gate.mentions_any(file.path, words):
+            if data.is_large and file.kind != "parameter_library" and not gate.mentions_any(file.path, words):
                 self._payloads[file.path] = _IRRELEVANT
             else:
                 self._refuse(file, data)
             return None
-        digest = source_digest(data, file.kind == "cpp")
+        digest = source_digest(data, language_of(file.kind))
         payload = self._cache.get(digest)
         if payload is not None:
             self._keep(file, digest, payload)
             return None
+        if file.kind == "parameter_library":
+            return digest, data
         if file.kind == "cpp" and _CPP_WORD not in data:
             payload = b"\n".join((_IRRELEVANT, *included(data)))
             self._cache.put(digest, payload)
@@ -320,7 +322,8 @@ class FactsOfFiles:
                 self._cache.put(digest, result.payload)
         for file, digest, data in waiting:
             self._keep(file, digest, results[digest].payload)
-            self._fresh_imports |= self._targets(file, included(data) if file.kind == "cpp" else imported(data))
+            if file.kind != "parameter_library":  # what is generated of it imports nothing of the workspace
+                self._fresh_imports |= self._targets(file, included(data) if file.kind == "cpp" else imported(data))
 
     def _on_demand(self, files: Iterable[SourceFile]) -> dict[str, bytes]:
         """Compile files that the screen left out, because imports lead to them; payloads by path."""
@@ -351,9 +354,17 @@ class FactsOfFiles:
         return decode(payload)
 
 
-def source_digest(data: bytes, is_cpp: bool = False) -> str:
+def language_of(kind: SourceKind) -> Language:
+    """What a file is written in, as it is compiled."""
+    match kind:
+        case "cpp" | "parameter_library":
+            return kind
+    return "python"
+
+
+def source_digest(data: bytes, language: Language = "python") -> str:
     """What the facts of a source are kept under."""
-    return digest_of(data, f"{'cpp' if is_cpp else 'python'} {FACTS_VERSION}")
+    return digest_of(data, f"{language} {FACTS_VERSION}")
 
 
 def _include_name(path: str) -> str:
@@ -381,6 +392,8 @@ def _names_of(files: Iterable[SourceFile]) -> set[str]:
         if file.kind == "cpp":
             names.add(_include_name(path))
             continue
+        if file.kind == "parameter_library":
+            names.update(_include_name(f"{module.rpartition('.')[2]}.hpp") for module in file.modules)
         names.add(path.removesuffix(".py").removesuffix("/__init__"))
-        names.update(name for name in (file.module, *(link.module for link in file.links)) if name)
+        names.update(file.modules)
     return names

@@ -41,8 +41,9 @@ class Importable:
                 continue
             path = file.path.replace("\\", "/")
             self._by_path[path] = file
-            if file.kind == "cpp":
+            if file.kind in ("cpp", "parameter_library"):
                 self.includes.add(file)
+            if file.kind == "cpp":
                 continue
             for named in _names_of(file):
                 self._by_path.setdefault(named.path.replace("\\", "/"), file)

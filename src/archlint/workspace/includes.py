@@ -25,8 +25,16 @@ class Includes:
     def __init__(self) -> None:
         self._by_name: dict[str, list[SourceFile]] = {}
         self._sources: dict[str, list[SourceFile]] = {}
+        self._generated: dict[str, list[SourceFile]] = {}
+        """What headers are generated from, by their names as they are included: with the package, and without."""
 
     def add(self, file: SourceFile) -> None:
+        if file.kind == "parameter_library":
+            for module in file.modules:
+                package, _, target = module.rpartition(".")
+                for name in (f"{package}/{target}.hpp", f"{target}.hpp"):
+                    self._generated.setdefault(name, []).append(file)
+            return
         path = file.path.replace("\\", "/")
         self._by_name.setdefault(path.rpartition("/")[2], []).append(file)
         if path.rpartition(".")[2] in CPP_SOURCES:
@@ -36,6 +44,18 @@ class Includes:
         """The file that an include in another means; None for what is not here."""
         if name.startswith(SOURCE):
             return self._source(importer, name.removeprefix(SOURCE))
+        return self._written(importer, name) or self._generated_from(importer, name)
+
+    def _generated_from(self, importer: SourceFile, name: str) -> SourceFile | None:
+        """What a header is generated from; without its package in front, that of the own package counts."""
+        files = self._generated.get(name, [])
+        own = [file for file in files if file.package == importer.package]
+        if not own and "/" not in name:
+            return None
+        return min(own or files, key=lambda file: file.path, default=None)
+
+    def _written(self, importer: SourceFile, name: str) -> SourceFile | None:
+        """The header that is there."""
         candidates = self._by_name.get(name.rpartition("/")[2], [])
         if not candidates:
             return None

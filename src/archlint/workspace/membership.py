@@ -13,6 +13,7 @@ from archlint.workspace.manifest import read_manifest
 from archlint.workspace.model import PYTHON_KINDS, Link, Package, Problem, SourceFile, SourceKind, Workspace
 from archlint.workspace.module_names import ModuleNames
 from archlint.workspace.package_folders import package_folders
+from archlint.workspace.parameter_libraries import generated_by_cmake, generated_by_setup
 
 MAX_BYTES = 1_000_000
 """Nobody writes a package.xml or a CMakeLists.txt of this size."""
@@ -47,6 +48,7 @@ def place(
     setups = _build_files(packages, files, "setup_py", read)
     names, beside = _names_by_root(packages, files, texts, setups)
     homes: dict[str, str | None] = {}
+    libraries = _parameter_libraries(packages, files, setups, read)
     placed = []
     for file in files:
         folder = os.path.dirname(file.path)
@@ -59,6 +61,9 @@ def place(
             around = names[_innermost(packages, os.path.dirname(link.path))]
             links.append(Link(link.path, around.package, around.module(link.path)))
         links.extend(_other_name(file, module, beside.get(homes[folder])))
+        if file.path in libraries:
+            placed.append(_generating(file, owner.package, libraries[file.path]))
+            continue
         placed.append(_member(file, owner.package, module, tuple(links)))
     known = [package for package in packages.values() if package is not None]
     return Workspace(
@@ -74,6 +79,35 @@ def _member(file: SourceFile, package: str | None, module: str | None, links: tu
     # dataclasses.replace takes four times as long.
     status = file.size, file.mtime_ns, file.inode, file.context, file.ctime_ns
     return SourceFile(file.path, file.relative, file.kind, package, module, *status, links)
+
+
+def _parameter_libraries(
+    packages: Mapping[str, Package | None], files: Iterable[SourceFile], setups: Mapping[str, str], read: Read
+) -> dict[str, list[str]]:
+    """The files that code is generated from, each with the names of what is generated."""
+    libraries: dict[str, list[str]] = {}
+    for file in files:
+        folder = os.path.dirname(file.path)
+        package = packages.get(_innermost(packages, folder) or "") if file.kind in ("cmake", "setup_py") else None
+        if package is None:
+            continue
+        if file.kind == "cmake":
+            text = ""
+            with suppress(OSError):
+                text = read(file).decode("utf-8", "replace")
+            rows = generated_by_cmake(text, package.name)
+        else:
+            rows = generated_by_setup(setups.get(folder, ""), package.name)
+        for path, module in rows:
+            libraries.setdefault(os.path.normpath(os.path.join(folder, path)), []).append(module)
+    return libraries
+
+
+def _generating(file: SourceFile, package: str | None, modules: Iterable[str]) -> SourceFile:
+    """A file of parameters, by the names of the headers and modules that are generated from it."""
+    first, *others = dict.fromkeys(modules)
+    links = tuple(Link(file.path, package, module) for module in others)
+    return replace(file, kind="parameter_library", package=package, module=first, links=links)
 
 
 def _other_name(file: SourceFile, module: str | None, beside: ModuleNames | None) -> Iterator[Link]:

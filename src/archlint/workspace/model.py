@@ -20,12 +20,13 @@ SourceKind = Literal[
     "pyproject",
     "cmake",
     "cpp",
+    "parameter_library",
 ]
 """What a file is taken for."""
 PYTHON_KINDS: tuple[SourceKind, ...] = ("python", "launch_python", "setup_py")
 CODE_KINDS: tuple[SourceKind, ...] = ("python", "launch_python")
 """Python that nodes and launches run."""
-COMPILED_KINDS: tuple[SourceKind, ...] = (*PYTHON_KINDS, "cpp")
+COMPILED_KINDS: tuple[SourceKind, ...] = (*PYTHON_KINDS, "cpp", "parameter_library")
 """What is lowered to facts."""
 LAUNCH_TEXT_KINDS: tuple[SourceKind, ...] = ("launch_xml", "launch_yaml")
 
@@ -80,6 +81,11 @@ class SourceFile:
     ctime_ns: int = 0
     links: tuple[Link, ...] = ()
     """The other names that a Python file has in this workspace."""
+
+    @property
+    def modules(self) -> list[str]:
+        """All its dotted names; those of a parameter library are what is generated from it."""
+        return [module for module in (self.module, *(link.module for link in self.links)) if module is not None]
 
     @property
     def stamp(self) -> tuple[int, int, int, int]:

@@ -48,33 +48,27 @@ def declare_one(
     ignore_override: bool = False,
     span_place: Place | None = None,
     descriptor: Value | None = None,
+    description: model.ParameterDescription | None = None,
+    of_type: ParameterType | None = None,
 ) -> Value:
-    """Declare a parameter on the node of a call; returns the Parameter object."""
+    """Declare a parameter on the node of a call; returns the Parameter object.  ``of_type`` says more than a default
+    can, such as what an empty list holds."""
     place = span_place or (run.place(call.expression.span) if call.expression is not None else Place("", 1, 1, 1, 1))
     parameters = []
     known = nodes.known_node(run, call.receiver)
     for option in alternatives(name):
         text = text_of_value(option, "no name is given")
         dynamic = _is_dynamic(run, descriptor)
-        kind = None if dynamic else type_name(run, default)
+        kind = None if dynamic else of_type or type_name(run, default)
         typed = is_type(default)
         has_default = default is not None and not typed and default != NONE
         from_outside = () if text.text is None or ignore_override else run.overrides.value(known, text.text)
         override = run.store.get(nodes.node_key(run, call.receiver), OVERRIDES[text.text or ""])
         given = override if override is not None and not ignore_override else None
+        said = description or description_of(run, descriptor)
+        value_there = default if has_default else None
         for blueprint in nodes.nodes_of(run, call.receiver):
-            _note_declaration(
-                run,
-                blueprint,
-                text,
-                kind,
-                default if has_default else None,
-                place,
-                ignore_override,
-                dynamic,
-                given,
-                description_of(run, descriptor),
-            )
+            _note_declaration(run, blueprint, text, kind, value_there, place, ignore_override, dynamic, given, said)
         value: Value
         if override is not None and text.text is not None and not ignore_override:
             value = from_parameter(run, override, text.text)
