@@ -608,19 +608,20 @@ def test_old_launch_and_parameter_files_that_something_uses(tmp_path, monkeypatc
     ("change", "places"),
     [
         ("", [("robot/robot/driver.py", 1)]),
-        ("\n", [("robot/robot/driver.py", 0), ("robot/robot/driver_two.py", 0)]),
+        ("  # again", [("robot/robot/driver.py", 0), ("robot/robot/driver_two.py", 0)]),
     ],
     ids=["the very same", "another text"],
 )
 def test_one_finding_for_copies_of_a_file(tmp_path, monkeypatch, change, places):
     files = {"robot/package.xml": MANIFEST.strip(), "robot/robot/__init__.py": ""}
-    files |= {"robot/robot/driver.py": SLEEPS, "robot/robot/driver_two.py": SLEEPS + change}
+    files |= {"robot/robot/driver.py": SLEEPS}
+    files["robot/robot/driver_two.py"] = SLEEPS.replace("self.rate.sleep()", f"self.rate.sleep(){change}")
     for name, text in files.items():
         (tmp_path / name).parent.mkdir(exist_ok=True, parents=True)
         (tmp_path / name).write_text(text, encoding="utf-8")
     monkeypatch.chdir(tmp_path)
     rows = [row for row in check(Request((".",), Settings(), cached=False, jobs=1)).findings if row.code == "EXE004"]
-    again = "the same in a copy of this file"
+    again = "the same in a copy of this code"
     assert [(row.place.file, [one.message for one in row.related].count(again)) for row in rows] == places
 
 

@@ -1,13 +1,14 @@
-"""One finding for what copies of a package or of a file show."""
+"""One finding for what copies of a package, of a file or of a function show."""
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.checks.folding import all_sites
+from archlint.checks.folding import all_sites, with_others
 from archlint.finding import Finding, Related
 
 if TYPE_CHECKING:
@@ -59,6 +60,56 @@ def _of_twins(row: Sequence[Finding]) -> Finding:
         return first
     twins = (Related(finding.place, "the same in a copy of this file") for finding in others)
     return replace(first, related=(*first.related, *twins), sites=all_sites([first, *others]))
+
+
+_NUMBER = re.compile(r"\d+(?:\.\d+)?")
+"""What the copies of a program that is there for each of several robots differ in, as a rule."""
+
+
+def once_for_copied_code(
+    findings: Iterable[Finding],
+    package_of: Callable[[str], str | None],
+    code_around: Callable[[Place], tuple[str, int] | None],
+) -> list[Finding]:
+    """The findings with one for what several files of a package show in the same function, but for numbers in it, in
+    the one with the shortest path; they come in the order of their places.
+
+    ``code_around`` gives the text of the function around a place and the line where it begins: of the file, where the
+    place is in none; None for what cannot be read.
+    """
+    alike: dict[tuple[object, ...], list[Finding]] = {}
+    for finding in sorted(findings, key=lambda finding: finding.sort_key):
+        said, file = _NUMBER.sub("0", finding.message), finding.place.file
+        alike.setdefault((finding.code, finding.severity, said, package_of(file) or file), []).append(finding)
+    shown: list[Finding] = []
+    for several in alike.values():
+        if len({finding.place.file for finding in several}) == 1:
+            shown += several
+        else:
+            shown += (_of_copied_code(row) for row in _by_code(several, code_around))
+    return sorted(shown, key=lambda finding: finding.sort_key)
+
+
+def _by_code(
+    findings: Sequence[Finding], code_around: Callable[[Place], tuple[str, int] | None]
+) -> Iterable[Sequence[Finding]]:
+    """Findings by the line of their function, wherever that stands; what one file shows several times there is the
+    same in another file in that order."""
+    rows: dict[tuple[object, ...], list[Finding]] = {}
+    times: Counter[tuple[object, ...]] = Counter()
+    for finding in findings:
+        text, begin = code_around(finding.place) or ("", 0)
+        code = (_NUMBER.sub("0", text), finding.place.line - begin) if text else (finding.place.file, 0)
+        times[code, finding.place.file] += 1
+        rows.setdefault((code, times[code, finding.place.file]), []).append(finding)
+    return rows.values()
+
+
+def _of_copied_code(row: Sequence[Finding]) -> Finding:
+    if len(row) == 1:
+        return row[0]
+    ordered = sorted(row, key=lambda finding: (len(finding.place.file), finding.sort_key))
+    return with_others(ordered, "another file has", "more files have", "the same", "the same in a copy of this code")
 
 
 def _of_copies(row: Sequence[Finding], folders: Mapping[str, str]) -> Sequence[Finding]:

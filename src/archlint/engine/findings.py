@@ -7,6 +7,7 @@ from dataclasses import replace
 from functools import cache, partial
 from typing import TYPE_CHECKING
 
+from archlint.analysis.source_code import code_of
 from archlint.checks.idle_contracts import idle_patterns
 from archlint.checks.launch_notices import argument_notices
 from archlint.checks.registry import failure, registered, unreadable, unreadable_interface
@@ -15,7 +16,7 @@ from archlint.config.filters import Filters
 from archlint.config.options import options_for
 from archlint.engine import suppressions, uninstalled
 from archlint.engine.broken_packages import broken_packages
-from archlint.engine.copies import once_for_copies, once_for_twins
+from archlint.engine.copies import once_for_copied_code, once_for_copies, once_for_twins
 from archlint.engine.half_ported import as_information, half_ported, with_reason
 from archlint.engine.inputs import Inputs, is_input, is_of_package, known_files, parts_of, python_files
 from archlint.engine.judging import judge_alternatives
@@ -37,6 +38,7 @@ from archlint.render.json import unresolved
 from archlint.report.model import Judged, recounted, summarise
 from archlint.syntax.interfaces import interface_problems
 from archlint.syntax.launch_xml import suppressions_of_xml
+from archlint.syntax.statements import Function
 from archlint.systems.model import WorkspaceIndex
 
 if TYPE_CHECKING:
@@ -154,7 +156,7 @@ def _judged(
     sifted = sieve.part(dict.fromkeys(kept), {file.relative for file in workspace.files})
     new, hidden = apart(index, sifted.new, unused)
     explained = uninstalled.once_for_a_file(with_reason(folded(new), old), aside)
-    findings = once_for_twins(explained, _contents(workspace, facts))
+    findings = _without_copies(inputs, facts, index, explained)
     shown = as_asked_for(request, systems[0], workspace)
     summary = summarise(
         findings,
@@ -184,6 +186,27 @@ def _of_systems(request: Request, workspace: Workspace, systems: Sequence[System
         yield from started_elsewhere(request, systems[0], workspace)
     yield from comparison_notices(systems[0].compared)
     yield from without_start(systems, {file.relative for file in workspace.files if file.context})
+
+
+def _without_copies(
+    inputs: Inputs, facts: FactsOfFiles, index: WorkspaceIndex, findings: Iterable[Finding]
+) -> list[Finding]:
+    """The findings with one for what copies show; who wants to see all files wants to see those that were changed."""
+    if inputs.request.settings.unused_files:
+        return once_for_twins(findings, _contents(inputs.workspace, facts))
+    return once_for_copied_code(findings, index.package_of, partial(_code_around, index, inputs.tree))
+
+
+def _code_around(index: WorkspaceIndex, tree: SourceTree, place: Place) -> tuple[str, int] | None:
+    """The text of the function around a place and the line where it begins; of the file, where it is in none."""
+    code = code_of(index)
+    statement = code.statement_at(place)
+    function = statement if isinstance(statement, Function) else code.function_at(place)
+    text = tree.text(place.file)
+    if text is None or function is None:
+        return None if text is None else (text, 1)
+    first, last = function.span[0], function.span[2]
+    return "\n".join(text.splitlines()[first - 1 : last]), first
 
 
 def _contents(workspace: Workspace, facts: FactsOfFiles) -> dict[str, tuple[str, str]]:
