@@ -79,6 +79,9 @@ def test_what_is_known_or_may_be(judge: Judge, tag: str):
         ("<depend>nlohmann_json</depend>", "write 'nlohmann-json-dev' instead"),
         ("<test_depend>pytest</test_depend>", "write 'python3-pytest' instead"),
         ("<depend>rclpy_action</depend>", "write 'rclpy' instead"),
+        ("<exec_depend>pyserial</exec_depend>", "write 'python3-serial' instead"),
+        ("<exec_depend>RPi.GPIO</exec_depend>", "write 'python-rpi.gpio-pip' instead"),
+        ("<depend>glog</depend>", "write 'libgoogle-glog-dev' instead"),
         ("<depend>sensor_msgs.msg</depend>", "write 'sensor_msgs' instead"),
         ("<exec_depend>ros-jazzy-nav2-msgs</exec_depend>", "write 'nav2_msgs' instead"),
     ],
@@ -120,6 +123,27 @@ def test_opencv_is_what_the_code_of_the_package_uses(judge: Judge):
 def test_a_module_of_python_by_its_own_name(judge: Judge):
     (one,) = judge("<exec_depend>serial</exec_depend>", **{"robot/node.py": "import rclpy\nimport serial\n"})
     assert one.help == "write 'python3-serial' instead"
+
+
+@pytest.mark.parametrize(
+    ("name", "module", "key"),
+    [
+        ("python-can", "can", "python3-can"),
+        ("simple-pid", "simple_pid", "python3-simple-pid-pip"),
+        ("pyaudio", "pyaudio", "python3-pyaudio"),
+    ],
+)
+def test_a_package_of_pip_whose_module_the_code_imports(judge: Judge, name: str, module: str, key: str):
+    files = {"robot/node.py": f"import rclpy\nimport {module}\n"}
+    (one,) = judge(f"<exec_depend>{name}</exec_depend>", **files)
+    assert one.help == f"write '{key}' instead"
+
+
+def test_a_package_of_pip_for_which_rosdep_has_no_key(judge: Judge):
+    tag = "<exec_depend>tensorflow</exec_depend>"
+    (one,) = judge(tag, **{"robot/node.py": "import rclpy\nimport tensorflow as tf\n"})
+    assert one.message == "'tensorflow' is no key of rosdep, which stops here"
+    assert judge(tag) == []  # perhaps somebody's package with this name
 
 
 def test_what_may_be_a_package_with_the_name_of_a_module(judge: Judge):

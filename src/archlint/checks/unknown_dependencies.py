@@ -15,7 +15,7 @@ from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place
 from archlint.packaging.absent_packages import is_a_key_of_some_file
 from archlint.ros import packages, rosdep
-from archlint.ros.mistaken_dependencies import Mistake, Mistaken, mistaken, of_python_2
+from archlint.ros.mistaken_dependencies import Mistake, Mistaken, mistaken, modules_of_pip, of_python_2
 from archlint.workspace.manifest import condition_holds
 
 if TYPE_CHECKING:
@@ -120,7 +120,7 @@ def _is_of_python(workspace: WorkspaceIndex, package: Package, name: str) -> boo
     installs = workspace.installs.get(package.name)
     if installs is not None and name in installs.words:
         return False
-    words = {name, "cv2"} if "opencv" in name.lower() else {name}
+    words = {name, "cv2"} if "opencv" in name.lower() else modules_of_pip(name)
     return name.startswith("python") or any(
         workspace.code.mentions(path, word) for path in workspace.code.files_of(package.name) for word in words
     )

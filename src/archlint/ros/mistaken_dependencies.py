@@ -74,20 +74,38 @@ _SPELLINGS: Mapping[str, str] = {
     "ceres-solver": "libceres-dev",
     "cv2": "python3-opencv",
     "eigen3": "eigen",
+    "gflags": "libgflags-dev",
     "glfw": "libglfw3-dev",
     "glfw3": "libglfw3-dev",
+    "glog": "libgoogle-glog-dev",
     "jsoncpp": "libjsoncpp-dev",
+    "libserial": "libserial-dev",
+    "libudev": "libudev-dev",
+    "nlohmann-json": "nlohmann-json-dev",
     "nlohmann_json": "nlohmann-json-dev",
     "opencv-contrib-python": "python3-opencv",
     "opencv-python": "python3-opencv",
+    "opencv-python-headless": "python3-opencv",
     "pcl": "libpcl-all-dev",
     "pillow": "python3-pil",
+    "pyserial": "python3-serial",
     "pytest": "python3-pytest",
+    "pyusb": "python3-usb",
     "pyyaml": "python3-yaml",
+    "pyzmq": "python3-zmq",
+    "qt5": "qtbase5-dev",
     "rclpy_action": "rclpy",
+    "rpi.gpio": "python-rpi.gpio-pip",
+    "scikit-image": "python3-skimage",
     "scikit-learn": "python3-sklearn",
+    "yamlcpp": "yaml-cpp",
 }
 """Names of pip, of CMake and of modules, in lower case, with the package of ROS or the key that is meant."""
+_OF_PIP_ALONE = frozenset(
+    {"bluepy", "brping", "dronekit", "h3", "keras", "mavsdk", "pyquaternion", "pyttsx3", "stable_baselines3", "tensorflow"}
+    | {"vosk", "webrtcvad"}
+)
+"""Packages of pip for which rosdep has no key, by the name of their module."""
 _OPENCV = re.compile(r"opencv[234]?", re.IGNORECASE)
 _DEBIAN_OF_ROS = re.compile(r"ros-[a-z]+-([a-z0-9-]+)")
 _NEVER_OF_ROS = re.compile(r"python3?-.+|lib.+-dev|gir1\.2-.+")
@@ -105,6 +123,8 @@ def mistaken(name: str, packages: Collection[str], *, is_python: bool) -> Mistak
         return Mistaken(Mistake.BY_ANOTHER_NAME, instead)
     if is_python and name in sys.stdlib_module_names:
         return Mistaken(Mistake.OF_PYTHON)
+    if is_python and name in _OF_PIP_ALONE:
+        return Mistaken(Mistake.NO_NAME)
     head, dot, _ = name.partition(".")
     if dot and head in packages:
         return Mistaken(Mistake.NO_NAME, head)
@@ -120,6 +140,12 @@ def _by_another_name(name: str, packages: Collection[str], *, is_python: bool) -
     return _SPELLINGS.get(name.lower()) or (key_of(name) if is_python else None)
 
 
+def modules_of_pip(name: str) -> set[str]:
+    """What the module of a package of pip may be called: ``usb`` of ``pyusb``, ``simple_pid`` of ``simple-pid``."""
+    plain = re.sub(r"^python3?-|-python$", "", name.lower())
+    return {name, plain.replace("-", "_"), *({plain[2:]} if re.fullmatch(r"py[a-z0-9]{3,}", plain) else ())}
+
+
 def of_python_2(key: str) -> Mistaken | None:
     """What a key of rosdep is whose package went with Python 2; None for any other one."""
     plain, known = key.removeprefix("python-"), rosdep.keys()
@@ -129,4 +155,4 @@ def of_python_2(key: str) -> Mistaken | None:
     return Mistaken(Mistake.OF_PYTHON_2, newer)
 
 
-__all__ = ["Mistake", "Mistaken", "mistaken", "of_python_2"]
+__all__ = ["Mistake", "Mistaken", "mistaken", "modules_of_pip", "of_python_2"]
