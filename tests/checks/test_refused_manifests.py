@@ -43,6 +43,41 @@ def test_manifests_that_are_taken(findings, files):
     assert findings("PKG011", **files) == []
 
 
+AMENT = "project(robot)\nfind_package(ament_cmake REQUIRED)\nament_package()\n"
+
+
+@pytest.mark.parametrize(
+    ("files", "build_type"),
+    [({"CMakeLists.txt": AMENT}, "ament_cmake"), ({"setup.py": SETUP}, "ament_python")],
+)
+def test_a_package_without_a_build_type(findings, full, files, build_type):
+    (finding,) = findings("PKG011", **{"package.xml": full.format("<depend>rclpy</depend>"), **files})
+    assert finding.message == (
+        "colcon takes 'robot' for a package of catkin, the build system of ROS 1: there is no <build_type>"
+    )
+    assert finding.help == f"add <export><build_type>{build_type}</build_type></export>"
+
+
+@pytest.mark.parametrize(
+    ("more", "files"),
+    [
+        ("", {"CMakeLists.txt": "project(robot)\n"}),  # it is not known what this is for
+        ("<build_depend>catkin</build_depend>", {"CMakeLists.txt": AMENT}),
+        ("<export><build_type>catkin</build_type></export>", {"CMakeLists.txt": AMENT}),
+        ('<export><build_type condition="$ROS_VERSION == 1">catkin</build_type></export>', {"setup.py": SETUP}),
+        ("", {"CMakeLists.txt": "project(robot)\nfind_package(catkin REQUIRED)\n", "setup.py": SETUP}),
+    ],
+)
+def test_a_package_that_may_be_for_ros_1(findings, full, more, files):
+    assert findings("PKG011", **{"package.xml": full.format(more), **files}) == []
+
+
+def test_a_build_type_in_an_element_that_is_not_export(findings, full):
+    text = full.format("<ament_cmake><build_type>ament_cmake</build_type></ament_cmake>")
+    (finding,) = findings("PKG011", **{"package.xml": text, "CMakeLists.txt": AMENT})
+    assert finding.help == "write <export>"
+
+
 def test_a_package_of_ros_1(findings, full):
     text = full.replace(MAIL, "").format("<buildtool_depend>catkin</buildtool_depend>")
     assert findings("PKG011", **{"package.xml": text}) == []

@@ -11,7 +11,7 @@ from archlint.checks.packages import workspace_of
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related
-from archlint.packaging.refused_manifests import RefusedManifest, refused_manifests
+from archlint.packaging.refused_manifests import RefusedManifest, Untyped, refused_manifests, untyped_manifests
 
 if TYPE_CHECKING:
     from archlint.systems.model import System
@@ -24,6 +24,7 @@ def refused_manifest(system: System, options: Options) -> Iterator[Finding]:
     if workspace is None:
         return
     yield from map(_refused, refused_manifests(workspace))
+    yield from map(_untyped, untyped_manifests(workspace))
 
 
 def _refused(row: RefusedManifest) -> Finding:
@@ -35,6 +36,19 @@ def _refused(row: RefusedManifest) -> Finding:
         f"colcon does not take '{row.package.name}' for a package of ROS, {therefore}: {row.refusal.what}",
         help=row.refusal.help,
         identity=(row.package.name, row.refusal.what),
+        group=(manifest,),
+    )
+
+
+def _untyped(row: Untyped) -> Finding:
+    manifest, line = row.package.manifest.relative, row.package.name_line
+    what = "there is no <build_type>"
+    return finding(
+        "PKG011",
+        Place(manifest, line, 1, line, 1),
+        f"colcon takes '{row.package.name}' for a package of catkin, the build system of ROS 1: {what}",
+        help=f"add <export><build_type>{row.build_type}</build_type></export>",
+        identity=(row.package.name, what),
         group=(manifest,),
     )
 

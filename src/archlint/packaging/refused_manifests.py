@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import posixpath
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -28,6 +29,40 @@ class RefusedManifest:
     builds: str
 
 
+@dataclass(frozen=True)
+class Untyped:
+    """A package without a ``<build_type>``, which colcon takes for one of catkin, and the type that it has."""
+
+    package: Package
+    build_type: str
+
+
+def untyped_manifests(workspace: WorkspaceIndex) -> Iterator[Untyped]:
+    """Each package of ROS 2 whose manifest says nothing of how it is built.
+
+    Source: ``Package.get_build_type`` of catkin_pkg, which says ``catkin`` then.
+    """
+    for package in _judged(workspace):
+        text = workspace.tree.text(package.manifest.relative) or ""
+        build_type = _built_with(workspace, package)
+        says_nothing = package.build_type == "catkin" and "<build_type" not in text and "catkin" not in text
+        if says_nothing and build_type and not refusals(text):
+            yield Untyped(package, build_type)
+
+
+_AMENT = re.compile(r"^\s*ament_(?:auto_)?package\s*\(", re.MULTILINE)
+
+
+def _built_with(workspace: WorkspaceIndex, package: Package) -> str:
+    """How the build files of a folder want to be built; empty where that is not certain."""
+    cmake, setup = (
+        workspace.tree.text(posixpath.normpath(posixpath.join(package.relative, file))) for file in _PROJECTS
+    )
+    if cmake is not None:
+        return "ament_cmake" if _AMENT.search(cmake) and "find_package(catkin" not in cmake else ""
+    return "ament_python" if setup is not None and "catkin_pkg" not in setup else ""
+
+
 def refused_manifests(workspace: WorkspaceIndex) -> Iterator[RefusedManifest]:
     """Each mistake in the manifests of ROS 2."""
     for package in _judged(workspace):
@@ -48,4 +83,4 @@ def _judged(workspace: WorkspaceIndex) -> Iterator[Package]:
             yield package
 
 
-__all__ = ["RefusedManifest", "refused_manifests"]
+__all__ = ["RefusedManifest", "Untyped", "refused_manifests", "untyped_manifests"]

@@ -102,7 +102,18 @@ _SPELLINGS: Mapping[str, str] = {
 }
 """Names of pip, of CMake and of modules, in lower case, with the package of ROS or the key that is meant."""
 _OF_PIP_ALONE = frozenset(
-    {"bluepy", "brping", "dronekit", "h3", "keras", "mavsdk", "pyquaternion", "pyttsx3", "stable_baselines3", "tensorflow"}
+    {
+        "bluepy",
+        "brping",
+        "dronekit",
+        "h3",
+        "keras",
+        "mavsdk",
+        "pyquaternion",
+        "pyttsx3",
+        "stable_baselines3",
+        "tensorflow",
+    }
     | {"vosk", "webrtcvad"}
 )
 """Packages of pip for which rosdep has no key, by the name of their module."""

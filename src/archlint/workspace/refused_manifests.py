@@ -149,9 +149,7 @@ def _of_tags(number: int, elements: Sequence[_Element]) -> Iterator[Refusal]:
     for element in elements:
         attributes = known.get(element.tag)
         if attributes is None:
-            yield Refusal(
-                element.line, f"there is no <{element.tag}> in format {number}", _instead_of(element.tag, number)
-            )
+            yield Refusal(element.line, f"there is no <{element.tag}> in format {number}", _instead_of(element, number))
             continue
         wrong = [name for name in element.attributes if name not in attributes and name != "xmlns" and ":" not in name]
         if wrong:
@@ -174,7 +172,10 @@ def _known(number: int) -> dict[str, frozenset[str]]:
     return known
 
 
-def _instead_of(tag: str, number: int) -> str:
+def _instead_of(element: _Element, number: int) -> str:
+    tag = element.tag
+    if "build_type" in element.children:
+        return "write <export>"
     if tag == "run_depend":
         return "write <exec_depend>"
     if tag in _known(3):
