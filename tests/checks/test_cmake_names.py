@@ -97,3 +97,31 @@ def test_one_finding_for_a_name(names):
 )
 def test_what_is_there_or_may_be(names, text):
     assert names(text) == []
+
+
+@pytest.mark.parametrize(
+    ("text", "line"),
+    [
+        ("project(robot_arm)\nfind_package(ament_cmake REQUIRED)\nament_package()\n", 1),
+        ("set(NAME arm)\nproject(${NAME} CXX)\nfind_package(ament_cmake_auto REQUIRED)\nament_auto_package()\n", 2),
+        ("project(robot)\nproject(arm)\ninclude(more.cmake)\nament_package()\n", 2),
+    ],
+)
+def test_a_project_that_is_not_called_like_its_package(findings, text, line):
+    (finding,) = findings("PKG012", **{"package.xml": CMAKE, "CMakeLists.txt": text})
+    assert "and this is package 'robot': ament_package() stops the build" in finding.message
+    assert (finding.place.line, finding.help) == (line, "write project(robot)")
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "project(robot)\nament_package()\nproject(parts)\n",
+        "project(robot VERSION 1.0.0)\nament_package()\n",
+        "project(robot_arm)\n",
+        "project(${NAME})\nament_package()\n",
+        "if(ALONE)\n  project(arm)\nendif()\nament_package()\n",
+    ],
+)
+def test_a_project_of_the_right_name_or_one_that_is_not_known(findings, text):
+    assert findings("PKG012", **{"package.xml": CMAKE, "CMakeLists.txt": text}) == []

@@ -65,7 +65,6 @@ def test_a_package_without_a_build_type(findings, full, files, build_type):
         ("<build_depend>catkin</build_depend>", {"CMakeLists.txt": AMENT}),
         ("<export><build_type>catkin</build_type></export>", {"CMakeLists.txt": AMENT}),
         ('<export><build_type condition="$ROS_VERSION == 1">catkin</build_type></export>', {"setup.py": SETUP}),
-        ("", {"CMakeLists.txt": "project(robot)\nfind_package(catkin REQUIRED)\n", "setup.py": SETUP}),
     ],
 )
 def test_a_package_that_may_be_for_ros_1(findings, full, more, files):

@@ -51,6 +51,7 @@ def told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
         ("worlds/hall.sdf", SDF.format('<world name="a"></wrold>'), 3),
         ("worlds/hall.world", "# a world\n" + SDF.format(""), 1),
         ("plugins.xml", PLUGINS.format("<description>An arm.</description>"), 4),
+        ("controllers.xml", PLUGINS.format("<description>An arm.</description>"), 4),
         ("robot_plugin.xml", PLUGINS.format("<description>An arm.</class>"), 3),
     ],
 )

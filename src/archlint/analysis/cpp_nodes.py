@@ -30,6 +30,11 @@ _STORED = re.compile(r"(\w+)\s*=\s*(?:this\s*->\s*|\w+(?:->|\.))?create_publishe
 _COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
 
 
+def without_cpp_comments(text: str) -> str:
+    """C++ with blanks for its comments, so that everything else stands where it stood."""
+    return _COMMENT.sub(lambda comment: re.sub(r"[^\n]", " ", comment[0]), text)
+
+
 def is_never_used(workspace: WorkspaceIndex, place: Place) -> bool:
     """Whether a publisher of C++ is kept in a variable that the sources of its package do nothing else with but declare
     it: nothing is published with it."""

@@ -43,7 +43,9 @@ def _of_build(workspace: WorkspaceIndex, installs: Installs, options: Options) -
     lacking = known - there - {*options.external} if there <= _SYSTEM | known else frozenset[str]()
     for named in installs.names_of_nothing:
         halves = _halves(named.name, known)
-        if not named.package:
+        if named.command == _PROJECT:
+            yield _project(installs, named)
+        elif not named.package:
             yield _target(installs, named)
         elif named.name in installs.targets and named.command == _TAKES_A_TARGET:
             yield _target_as_package(installs, named)
@@ -63,8 +65,15 @@ def _found_with(workspace: WorkspaceIndex, name: str) -> set[str]:
 
 _SYSTEM = frozenset({"Boost", "Eigen3", "GTest", "OpenCV", "OpenMP", "PkgConfig", "Python3", "Threads"})
 """What CMake finds that finds no package of ROS with it."""
+_PROJECT = "project"
 _TAKES_A_TARGET = "ament_target_dependencies"
 _KINDS = frozenset({"action", "msg", "srv"})
+
+
+def _project(installs: Installs, named: NameInCMake) -> Finding:
+    names = f"the project is called '{named.name}', and this is package '{installs.package}'"
+    message = f"{names}: ament_package() stops the build"
+    return _finding(installs, named, message, f"write project({installs.package})", "project")
 
 
 def _target(installs: Installs, named: NameInCMake) -> Finding:

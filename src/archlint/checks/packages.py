@@ -8,6 +8,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.checks.folding import folds
+from archlint.checks.plugin_classes import plugin_classes
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related, Severity
@@ -42,6 +43,7 @@ def broken_entry_point(system: System, options: Options) -> Iterator[Finding]:
                 yield _wrong(executable)
             elif executable.module is not None and not _never_run(workspace, executable):
                 yield from _broken(workspace, executable)
+    yield from plugin_classes(workspace)
 
 
 def _never_run(workspace: WorkspaceIndex, executable: Executable) -> bool:

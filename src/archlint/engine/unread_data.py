@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_aside
 from archlint.checks.registry import unreadable
-from archlint.syntax.descriptions import is_description, malformed_description
+from archlint.syntax.descriptions import malformed_description, may_be_description
 from archlint.syntax.parameter_structure import ROOT
 
 if TYPE_CHECKING:
@@ -45,7 +45,7 @@ def _malformed_descriptions(index: WorkspaceIndex, workspace: Workspace) -> Iter
     asked = {package.name for package in workspace.packages if not package.ros1 and not package.manifest.context}
     for file in index.tree.files_below(index.tree.top):
         name = posixpath.basename(file)
-        if not is_description(name) or index.package_of(file) not in asked or is_aside(index, file):
+        if not may_be_description(name) or index.package_of(file) not in asked or is_aside(index, file):
             continue
         problem = malformed_description(name, index.tree.text(file) or "")
         if problem is not None:

@@ -52,6 +52,27 @@ def read_names(installs: Installs, steps: Sequence[Step]) -> None:
     ]
 
 
+_AMENT_PACKAGES = frozenset({"ament_package", "ament_package_xml", "ament_auto_package"})
+
+
+def misnamed_project(installs: Installs, steps: Sequence[Step]) -> Iterator[NameInCMake]:
+    """The name of a project that is not that of its package: ``ament_package()`` stops there.
+
+    Source: ``ament_package_xml`` of ament_cmake_core.
+    """
+    named: Step | None = None
+    for step in steps:
+        if step.conditional or step.folder != installs.folder:
+            continue
+        if step.command.name == "project" and step.command.arguments:
+            named = step
+        elif step.command.name in _AMENT_PACKAGES:
+            name = None if named is None else named.command.arguments[0]
+            if named is not None and name is not None and not name.open and name.text != installs.package:
+                yield NameInCMake(name.text, "project", _place(name, named))
+            return
+
+
 def _of_targets(step: Step) -> Iterator[NameInCMake]:
     for argument in _targets_of(step.command):
         if not argument.open and "::" not in argument.text:
@@ -131,4 +152,4 @@ def _place(argument: Argument, step: Step) -> Place:
     return Place(step.file, argument.line, argument.column, argument.line, argument.column + len(argument.text))
 
 
-__all__ = ["may_make_anything", "read_names"]
+__all__ = ["may_make_anything", "misnamed_project", "read_names"]

@@ -15,6 +15,7 @@ _XACRO = ".xacro"
 ENDINGS = (_XACRO, ".urdf", ".srdf", ".sdf", ".world")
 _PLUGINS = re.compile(r"[\w-]*plugins?(?:_description)?s?\.xml")
 """What the files are called that say which classes a library has for pluginlib."""
+_OF_PLUGINS = "base_class_type="
 _LARGEST = 500_000
 """Characters of what people write by hand."""
 _COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
@@ -23,14 +24,18 @@ _TEMPLATE = re.compile(r"\{\{|\{%|<%|@\(|@\[|<!DOCTYPE")
 _BEHIND = "junk after document element"
 
 
-def is_description(name: str) -> bool:
-    """Whether a file of this name is such a description."""
-    return name.endswith(ENDINGS) or _PLUGINS.fullmatch(name) is not None
+def may_be_description(name: str) -> bool:
+    """Whether a file of this name is such a description, or XML of any kind."""
+    return name.endswith((*ENDINGS, ".xml")) and name != "package.xml"
+
+
+def _is_description(name: str, text: str) -> bool:
+    return name.endswith(ENDINGS) or _PLUGINS.fullmatch(name) is not None or _OF_PLUGINS in text
 
 
 def malformed_description(name: str, text: str) -> FileProblem | None:
     """Where the reader of a description stops; None where it does not, or that is not known."""
-    if not text.strip() or len(text) > _LARGEST or _TEMPLATE.search(text):
+    if not text.strip() or len(text) > _LARGEST or _TEMPLATE.search(text) or not _is_description(name, text):
         return None
     strict = name.endswith(_XACRO)
     parser = expat.ParserCreate(namespace_separator=" " if strict else None)
