@@ -576,6 +576,100 @@ def test_a_file_that_may_be_elsewhere(findings, lines):
     assert findings("PKG004", **{"robot/words.py": OPENS.format(lines=lines), "data/words.json": "{}"}) == []
 
 
+OF_LAUNCH = """\
+import os
+import yaml
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch.actions import ExecuteProcess
+
+def generate_launch_description():
+    name = 'robot'
+    share = os.path.join(get_package_share_directory(name))
+    {line}
+    return LaunchDescription([])
+"""
+OPENED = "open(os.path.join(share, 'data', 'a.json'))"
+LISTED = "os.listdir(os.path.join(share, 'bags'))"
+PLAYED = "ExecuteProcess(cmd=['ros2', 'bag', 'play', os.path.join(share, 'bags', 'fast')])"
+CMAKE_INSTALLS = "install(DIRECTORY launch{} DESTINATION share/${{PROJECT_NAME}})"
+
+
+def of_launch_code(line: str, installed: str = CMAKE_INSTALLS.format(""), **more: str) -> dict[str, str]:
+    """A package of CMake with a launch file that says a line, a parameter file and a bag."""
+    files = {
+        "data/a.json": "{}",
+        "urdf/a.urdf": "<robot/>",
+        "bags/fast/metadata.yaml": "{}",
+        "bags/fast/fast_0.db3": "",
+    }
+    cmake = {"CMakeLists.txt": BUILD.format(installed), "launch/up.launch.py": OF_LAUNCH.format(line=line)}
+    return {**OF_CMAKE, **files, **cmake, **more}
+
+
+@pytest.mark.parametrize(
+    ("line", "folder", "help"),
+    [
+        (PLAYED, "bags/fast", "write install(DIRECTORY bags/fast DESTINATION share/${PROJECT_NAME}/bags)"),
+        (LISTED, "bags", "write install(DIRECTORY bags DESTINATION share/${PROJECT_NAME})"),
+    ],
+)
+def test_a_folder_that_a_launch_file_looks_for(findings, line, folder, help):
+    (finding,) = findings("PKG004", **of_launch_code(line))
+    assert f"does not install the folder '{folder}', which launch/up.launch.py looks for" in finding.message
+    assert (finding.place.file, finding.help) == ("CMakeLists.txt", help)
+    assert [(row.place.file, row.place.line) for row in finding.related] == [("launch/up.launch.py", 10)]
+
+
+def test_a_file_that_a_launch_file_opens_is_told_once(findings):
+    files = of_launch_code(OPENED)
+    told = [*findings("PKG004", **files), *findings("LCH004", **files)]
+    assert ["does not install the" in row.message and "data/a.json" in row.message for row in told] == [True]
+
+
+def test_a_file_that_a_launch_file_gives_to_a_node_is_told_there(findings):
+    given = "Node(package='robot', executable='talker', parameters=[os.path.join(share, 'data', 'a.yaml')])"
+    line = f"from launch_ros.actions import Node; return LaunchDescription([{given}])"
+    files = of_launch_code(line, **{"data/a.yaml": "talker:\n  ros__parameters:\n    rate: 1.0\n"})
+    assert findings("PKG004", **files) == []
+    assert [row.place.file for row in findings("LCH004", **files)] == ["launch/up.launch.py"]
+
+
+def test_a_folder_that_a_setup_file_leaves_out(findings):
+    files = {"robot/words.py": OPENS.format(lines="return " + JOINED[12:].replace(", 'words.json')", ""))}
+    (finding,) = findings("PKG004", **files, **{"data/words.json": "{}"})
+    assert finding.help == "add ('share/robot/data', glob('data/*')) to data_files="
+
+
+@pytest.mark.parametrize(
+    ("line", "more"),
+    [
+        (OPENED, {"installed": CMAKE_INSTALLS.format(" data")}),
+        (PLAYED, {"installed": CMAKE_INSTALLS.format(" bags")}),
+        (
+            PLAYED,
+            {"installed": CMAKE_INSTALLS.format("") + "\ninstall(DIRECTORY urdf/ DESTINATION share/robot/bags/fast)"},
+        ),
+        (
+            PLAYED,
+            {"installed": CMAKE_INSTALLS.format("") + "\ninstall(FILES bags/fast/metadata.yaml DESTINATION bags)"},
+        ),
+        (PLAYED, {"installed": CMAKE_INSTALLS.format("") + "\ninstall_bags(bags)"}),
+        (PLAYED.replace("'fast'", "'slow'"), {}),
+        (OPENED.replace("share,", "share, LaunchConfiguration('a'),"), {}),
+        ("if os.path.exists('x'): " + OPENED, {}),
+        ("name = 'other'; " + OPENED, {}),
+    ],
+)
+def test_what_is_installed_or_may_be(findings, line, more):
+    assert findings("PKG004", **of_launch_code(line, **more)) == []
+
+
+def test_a_folder_in_which_only_its_place_is_kept(findings):
+    files = of_launch_code(PLAYED.replace("'fast'", "'slow'"), **{"bags/slow/.gitkeep": ""})
+    assert findings("PKG004", **files) == []
+
+
 # ------------------------------------------------------------------------------- folders among what a pattern matches
 
 WORLDS = """from glob import glob

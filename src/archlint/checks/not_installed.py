@@ -199,20 +199,32 @@ def _to_data_files(place: Place, folder: str, files: Sequence[str], more: str = 
 def _data(rows: Sequence[DataLeftOut]) -> Finding:
     [first, *_] = rows
     files = list(dict.fromkeys(row.file for row in rows))
-    folder = posixpath.dirname(first.file)
-    alike = [file for file in files if posixpath.dirname(file) == folder][:_SHOWN]
-    below = f"share/{first.package}/{folder}".rstrip("/")
-    what = f"the file '{first.file}'" if len(files) == 1 else f"these {len(files)} files: {listed(files)}"
-    cmake = f"write install(FILES {' '.join(alike)} DESTINATION share/${{PROJECT_NAME}}/{folder})"
-    setup = _to_data_files(first.place, below, alike)
+    kind = "folder" if all(row.folder for row in rows) else "file"
+    what = f"the {kind} '{first.file}'" if len(files) == 1 else f"these {len(files)} {kind}s: {listed(files)}"
     return finding(
         "PKG004",
         first.place,
         f"package '{first.package}' does not install {what}, which {first.named_at.file} looks for in its share folder",
-        help=cmake if first.place.file.endswith("CMakeLists.txt") else setup,
+        help=_installed_data(first, rows),
         related=[Related(row.named_at, f"'{row.file}' is named here") for row in rows[:_SHOWN]],
         identity=(first.package, *files),
     )
+
+
+def _installed_data(first: DataLeftOut, rows: Sequence[DataLeftOut]) -> str:
+    """How to install a folder, or a file and those beside it."""
+    folder = posixpath.dirname(first.file)
+    below, cmake = f"share/{first.package}", first.place.file.endswith("CMakeLists.txt")
+    if first.folder and cmake:
+        return f"write install(DIRECTORY {first.file} DESTINATION share/${{PROJECT_NAME}}/{folder}".rstrip("/") + ")"
+    if first.folder and not first.place.file.endswith("setup.cfg"):
+        return f"add ('{below}/{first.file}', glob('{first.file}/*')) to data_files="
+    if first.folder:
+        return _to_data_files(first.place, f"{below}/{first.file}", [f"{first.file}/*"])
+    alike = [*dict.fromkeys(row.file for row in rows if posixpath.dirname(row.file) == folder)][:_SHOWN]
+    if cmake:
+        return f"write install(FILES {' '.join(alike)} DESTINATION share/${{PROJECT_NAME}}/{folder})"
+    return _to_data_files(first.place, f"{below}/{folder}".rstrip("/"), alike)
 
 
 def _right_name(row: ListedInVain, left_out: Sequence[LaunchFilesLeftOut]) -> str | None:

@@ -45,7 +45,9 @@ def launch_files_left_out(workspace: WorkspaceIndex) -> Iterator[LaunchFilesLeft
     for installs in understood(workspace).values():
         place = mended_at(workspace, installs)
         own = _launch_files(workspace, installs)
-        missing = [file for file in own if not any(installs.places_of(file)) and file not in _told_already(workspace)]
+        missing = [
+            file for file in own if not any(installs.places_of(file)) and file not in files_told_already(workspace)
+        ]
         missing = [file for file in missing if not any(map(installs.may_install, _below(installs, [file])))]
         if place is None or not missing:
             continue
@@ -121,7 +123,7 @@ def _is_of_ros1(workspace: WorkspaceIndex, file: str) -> bool:
 
 
 @once
-def _told_already(workspace: WorkspaceIndex) -> frozenset[str]:
+def files_told_already(workspace: WorkspaceIndex) -> frozenset[str]:
     """The files that a launch file names in vain, each of which has a finding of its own there."""
     references = (file for launched in workspace.launched for file in launched.references)
     return frozenset(file.source or "" for file in references if file.status == FileStatus.NOT_INSTALLED)
@@ -171,7 +173,7 @@ def is_meant_to_start(workspace: WorkspaceIndex, file: str) -> bool:
     installs = workspace.installs.get(package)
     given = installs is not None and any(map(installs.may_install, _below(installs, [file])))
     told = any(_told_at(workspace, package, file)) or _is_started_by_path(workspace, file)
-    return given or told or file in _told_already(workspace)
+    return given or told or file in files_told_already(workspace)
 
 
 def _told_at(workspace: WorkspaceIndex, package: str, file: str) -> Iterator[Place]:
@@ -324,6 +326,7 @@ __all__ = [
     "LaunchFilesLeftOut",
     "ListedInVain",
     "MisnamedMarker",
+    "files_told_already",
     "folders_listed",
     "is_left_out_launch_file",
     "launch_files_left_out",
