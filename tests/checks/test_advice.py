@@ -99,6 +99,28 @@ def test_an_execute_callback_that_returns_has_ended_its_goal(judge: Judge):
     assert "await send_goal_async(…)" in goal.help
 
 
+A_GOAL = """
+            sent = self.goals.send_goal_async(Fibonacci.Goal())
+            rclpy.spin_until_future_complete(self, sent)
+            self.goal = sent.result()
+            {}"""
+CANCEL = "rclpy.spin_until_future_complete(self, self.goal.cancel_goal_async())  # here"
+RESULT = "rclpy.spin_until_future_complete(self, self.goal.get_result_async())  # here"
+
+
+@pytest.mark.parametrize(("body", "sends"), [(CANCEL, "cancel_goal_async()"), (RESULT, "get_result_async()")])
+def test_what_a_handler_awaits_is_what_it_has_asked(judge: Judge, body: str, sends: str):
+    """Whoever cancels a goal is not told to send one."""
+    [found] = judge("SRV003", program(SERVICE, body).replace(SERVICE, A_GOAL.format(SERVICE)))
+    assert found.help == f"make the handler async, give the client its own callback group, and await {sends}"
+
+
+def test_who_cancels_a_goal_in_a_callback_continues_in_another(judge: Judge):
+    """A done callback gets the answer: nothing else has to be sent."""
+    [found] = judge("EXE001", program(A_GOAL.format("self.create_timer(1.0, lambda: self.execute(None))"), CANCEL))
+    assert found.help == "cancel_goal_async().add_done_callback(…), return, and continue there"
+
+
 @pytest.mark.parametrize("made", [SERVICE, ACTION], ids=["service", "action"])
 def test_a_handler_must_have_heard_before_it_returns(judge: Judge, made: str):
     [found] = judge("EXE002", program(made, "self.heard.wait()  # here"))

@@ -44,7 +44,7 @@ def handle(goal: Value) -> Instance:
         (Known(2, frozenset({"rate"}), PLACE, "literal"), given.Constant(2, frozenset({"rate"}), PLACE, "literal")),
         (OneOf((Known(None), Unknown("no"))), given.OneOf((given.Constant(None), given.UNKNOWN))),
         (EntityValue((CLIENT,), "rclpy.client.Client", 1), given.Entity((CLIENT,))),
-        (FutureValue((CLIENT,), "call_async"), given.Future((CLIENT,))),
+        (FutureValue((CLIENT,), "call_async"), given.Future((CLIENT,), "call_async")),
         (NodeValue(NODE, 1), given.Node(NODE)),
         (ExecutorValue(SPUN, "rclpy.executors.SingleThreadedExecutor", 1), given.Executor(SPUN)),
         (MessageValue("std_srvs/srv/Trigger", "Request"), given.Message("std_srvs/srv/Trigger", "Request")),

@@ -84,7 +84,8 @@ def _stuck(code: str, system: System, wait: Wait, verdict: Verdict, options: Opt
     call, callback = wait.call, wait.call.context
     several = threads_of(callback.node, wait.program) == blocking.SEVERAL
     one_group = group_relation(callback.group, wait.client.group) == blocking.SAME
-    help_ = _GROUP_HELP if (wait.kind == blocking.AWAIT or several) and one_group else when_done(callback, wait.client)
+    same_group = (wait.kind == blocking.AWAIT or several) and one_group
+    help_ = _GROUP_HELP if same_group else when_done(callback, call, wait.client)
     return finding_in_callback(
         code,
         system,

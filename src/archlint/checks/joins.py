@@ -58,7 +58,7 @@ def _finding(code: str, system: System, row: JoinedWait, message: str) -> Findin
         code,
         join.place,
         message,
-        help=when_done(join.context, wait.client) if in_callback else _AT_START,
+        help=when_done(join.context, wait.call, wait.client) if in_callback else _AT_START,
         related=[
             *(related_to(join, row.program) if in_callback else ()),
             Related(row.thread.registered or join.place, "the thread is made here"),

@@ -21,6 +21,7 @@ from archlint.checks.nested_spins import OWN_EXECUTOR
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.service_cycles import Edge, waits_behind
+from archlint.checks.wait_words import to_await
 from archlint.connections.lessons import is_lesson
 from archlint.execution.blocking import ONE
 from archlint.execution.callback_roles import runs_in_executor
@@ -30,11 +31,7 @@ from archlint.execution.spins import is_spun_for_moments
 from archlint.execution.stuck import nested_waits
 from archlint.execution.waits import BLOCKING_CALLS, DONE, Wait, waits
 from archlint.finding import Finding, Related, Severity
-from archlint.model import (
-    EntityKind,
-    GroupKind,
-    Role,
-)
+from archlint.model import GroupKind, Role
 
 if TYPE_CHECKING:
     from archlint.finding import Place
@@ -45,7 +42,7 @@ _OTHERS_SHOWN = 5
 
 _NAMES_SHOWN = 3
 
-_GO_ON = "send the request with call_async(), return, and publish the outcome from the done callback"
+_GO_ON = "send the request with {}, return, and publish the outcome from the done callback"
 _AWAIT = "make the handler async, give the client its own callback group, and await {}"
 _ONLY_AWAIT = "make the handler async, and await {}: no thread is blocked then"
 _OWN_GROUP = "give {} its own callback group, so that the other callbacks keep running"
@@ -234,7 +231,7 @@ def _help(
         return _IF_IT_CAN if verdict.safe else _GROUP
     resumes = _resumes(wait, verdict)
     if wait.kind == CALL and _thrown_away(system, wait) and (wait.bounded or not resumes):
-        return _GO_ON
+        return _GO_ON.format(to_await(wait.call, wait.client).replace("(…)", "()"))
     service = endpoint_words(wait.call.context.creation)
     if verdict.safe and wait.bounded and wait.kind != SPIN:
         if behind:
@@ -251,7 +248,7 @@ def _help(
     if verdict.safe and not blocked and wait.call.api in _WITHOUT_LIMIT:
         return _WITHOUT_LIMIT[wait.call.api]
     advice = _ONLY_AWAIT if resumes else _AWAIT
-    return advice.format("send_goal_async(…)" if wait.client.kind == EntityKind.ACTION_CLIENT else "call_async(…)")
+    return advice.format(to_await(wait.call, wait.client))
 
 
 def _resumes(wait: Wait, verdict: Verdict) -> bool:

@@ -80,7 +80,7 @@ def _instead_of_spinning(program: Program, call: ApiCall, spun: Blueprint | None
     if is_left_to(call, spun, program):
         return OWN_EXECUTOR.format(call.api.rpartition(".")[2])
     if argument(call, "future") is not None:
-        return when_done(call.context, client)
+        return when_done(call.context, call, client)
     several = threads_of(call.context.node, program) == blocking.SEVERAL
     if call.looped and call.context.role == Role.EXECUTE:
         return _PAUSE if several else f"spin the node with a MultiThreadedExecutor, and {_PAUSE}"

@@ -13,9 +13,10 @@ from archlint.analysis.reach import (
     related_creation,
 )
 from archlint.execution.callback_roles import runs_in_executor
+from archlint.execution.waits import BLOCKING_CALLS
 from archlint.finding import Related
 from archlint.model import EntityKind, Role
-from archlint.model.given import Constant
+from archlint.model.given import Constant, Future
 
 if TYPE_CHECKING:
     from archlint.analysis.reach import AskedKind
@@ -28,17 +29,32 @@ WAIT_FOR_MESSAGE = "rclpy.wait_for_message.wait_for_message"
 READY = ("rclpy.client.Client.service_is_ready", "rclpy.action.client.ActionClient.server_is_ready")
 MAKE_IT_EARLIER = "create the client in the constructor, and check here without waiting whether its server is available"
 
+_CALL, _SEND_GOAL = "call_async(…)", "send_goal_async(…)"
+_OF_A_GOAL = frozenset({"cancel_goal_async", "get_result_async"})
+"""Methods of the handle of a goal, without arguments."""
 CONTINUE_WHEN_DONE = "send the request with call_async(), return, and continue in a done callback"
+_ADD_CALLBACK = "{}.add_done_callback(…), return, and continue there"
 _AWAIT = "make the execute callback async, and await {}: the goal continues with the response"
 
 
-def when_done(callback: Callback, client: Creation | None) -> str:
-    """How to get an answer without waiting for it.  An execute callback that returns has ended its goal; it holds no
-    callback group, so that it may await."""
-    if callback.role != Role.EXECUTE:
-        return CONTINUE_WHEN_DONE
-    action = client is not None and client.kind == EntityKind.ACTION_CLIENT
-    return _AWAIT.format("send_goal_async(…)" if action else "call_async(…)")
+def when_done(callback: Callback, call: ApiCall, client: Creation | None) -> str:
+    """How to get the answer that a call waits for without waiting.  An execute callback that returns has ended its
+    goal; it holds no callback group, so that it may await."""
+    if callback.role == Role.EXECUTE:
+        return _AWAIT.format(to_await(call, client))
+    sends = to_await(call, client)
+    return CONTINUE_WHEN_DONE if sends == _CALL else _ADD_CALLBACK.format(sends)
+
+
+def to_await(call: ApiCall, client: Creation | None) -> str:
+    """The call whose future has the answer that a call waits for, as it is written."""
+    future = argument(call, "future") or call.receiver
+    sent = {option.api for option in future.alternatives if isinstance(option, Future)} if future is not None else set()
+    method = f"{call.api}_async" if call.api in BLOCKING_CALLS else sent.pop() if len(sent) == 1 else ""
+    name = method.rpartition(".")[2]
+    if name in _OF_A_GOAL:
+        return f"{name}()"
+    return _SEND_GOAL if client is not None and client.kind == EntityKind.ACTION_CLIENT else _CALL
 
 
 def made_here(call: ApiCall) -> bool:

@@ -31,7 +31,7 @@ def given_by(value: Value, process: given.Process) -> given.Given:
         case EntityValue():
             return given.Entity(value.creations)
         case FutureValue():
-            return given.Future(value.creations)
+            return given.Future(value.creations, value.api)
         case Instance():
             return _object(value, process)
         case MessageValue():

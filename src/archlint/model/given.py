@@ -95,6 +95,8 @@ class Future(Given):
     """The future of an answer, and the clients that it is awaited from."""
 
     clients: tuple[Creation, ...]
+    api: str = ""
+    """The full name of the method that gave it; empty where none is known."""
 
     @property
     def creations(self) -> tuple[Creation, ...]:
