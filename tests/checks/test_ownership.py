@@ -535,7 +535,8 @@ if __name__ == '__main__':
         ("String", "door/alerts", "String(data='open')", "message.data = 'shut'", 0),
         ("Bool", "obstacle_detected", "Bool(data=True)", "message.data = self.sees()", 1),
         ("Bool", "obstacle_detected", "Bool(data=False)", "message.data = True", 1),
-        ("Bool", "motors_enabled", "Bool(data=True)", "message.data = True", 1),
+        ("Bool", "motors_enabled", "Bool(data=True)", "message.data = True", 0),
+        ("Bool", "motors_enabled", "Bool(data=True)", "message.data = self.sees()", 1),
         ("Float64", "goal_reached", "Float64(data=1.0)", "message.data = 2.0", 1),
     ],
 )
@@ -654,6 +655,33 @@ def test_json_may_say_whose_it_is(judge: Judge, text: str, before: str, told: bo
         .replace("tick(self):", f"tick(self):\n        {before}")
     )
     judge("OWN001", "import json\n" + (code if told else code.replace("  # here", "")))
+
+
+@pytest.mark.parametrize(
+    ("given", "told"),
+    [
+        pytest.param("self.ID", False, id="its own number"),
+        pytest.param("int(self.robot_id)", False, id="its own number, converted"),
+        pytest.param("ID", False, id="a constant"),
+        pytest.param("self.goal.id", True, id="the number of something else"),
+        pytest.param("identity", True, id="a variable"),
+        pytest.param("self.level", True, id="a value"),
+    ],
+)
+def test_a_message_may_say_whose_it_is(judge: Judge, given: str, told: bool):
+    """Trucks that tell one excavator who of them has arrived."""
+    code = CANCELLING.replace("{body}", "self.goal = message").replace("{more}", "").replace("{classes}", "")
+    code = code.replace("(Bool, ", "(Int16, ").replace("import Bool", "import Int16, Bool")
+    code = code.replace("self.out.publish(Bool(data=load()))", f"self.out.publish(Int16(data={given}))")
+    filled = f"message = Int16()\n        message.data = {given}\n        self.keys.publish(message)"
+    code = code.replace("self.keys.publish(Bool(data=load()))", filled)
+    judge("OWN001", code if told else code.replace("  # here", ""))
+
+
+def test_a_text_may_name_its_sender(judge: Judge):
+    code = CANCELLING.replace("{body}", "self.goal = message").replace("{more}", "").replace("{classes}", "")
+    code = code.replace("(Bool, ", "(String, ").replace("Bool(data=load())", "String(data=f'{self.robot_name}: full')")
+    judge("OWN001", code.replace("  # here", ""))
 
 
 ASKING = """

@@ -29,9 +29,9 @@ _HAPPENED = frozenset(
 
 
 def are_events(system: System, publishers: Sequence[Endpoint]) -> bool:
-    """Whether publishers of one topic signal events: its name says so, and no Bool takes one back with false, which
-    makes it a state."""
-    if any(end.type not in _SIGNALS or not _is_event(end.name) for end in publishers):
+    """Whether publishers of one topic signal events: its name says so, or it is a Bool; and no Bool takes one back with
+    false, which makes it a state."""
+    if any(end.type != _BOOL and (end.type not in _SIGNALS or not _is_event(end.name)) for end in publishers):
         return False
     said: dict[Place, list[bool]] = {}
     for call in system.calls:
@@ -58,18 +58,22 @@ def _is_event(topic: str | None) -> bool:
 
 def _only_true(code: SourceCode, call: ApiCall) -> bool:
     """Whether a message of one field that is published is true, whichever way led there."""
+    values = values_published(code, call)
+    return bool(values) and all(value.is_true for value in values)
+
+
+def values_published(code: SourceCode, call: ApiCall) -> list[facts.Expr]:
+    """What the fields of the message that a call publishes are given, in the call or around it in its function."""
     given = code.arguments(call)
     if len(given) != 1:
-        return False
-    message = given[0].value
-    match message:
+        return []
+    match given[0].value:
         case facts.Call(args=args):
-            return [arg.value.is_true for arg in args if arg.keyword == "data"] == [True]
+            return [arg.value for arg in args if arg.keyword]
         case facts.Name(id=name):
             assigned = statements_of(code.body(call), facts.Assign)
-            values = [value for assignment in assigned for value in _values_of(assignment, name)]
-            return bool(values) and all(value.is_true for value in values)
-    return False
+            return [value for assignment in assigned for value in _values_of(assignment, name)]
+    return []
 
 
 def _values_of(statement: facts.Assign, name: str) -> list[facts.Expr]:

@@ -5,20 +5,20 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from archlint.analysis.source_code import source_code
+from archlint.analysis.source_code import SourceCode, source_code
 from archlint.connections.arbitration import publishes_of
-from archlint.connections.sharing import SENDERS
+from archlint.connections.happenings import values_published
+from archlint.connections.sharing import COMMANDS, SENDERS
 from archlint.syntax import facts
 from archlint.syntax.control_flow import graph_of
 from archlint.syntax.walk import called_name, calls_in, statements_of
 
 if TYPE_CHECKING:
-    from archlint.model import Callback
+    from archlint.model import ApiCall, Callback
     from archlint.systems.model import System
     from archlint.systems.nodes import Connection, Endpoint
 
 _BOOL = "std_msgs/msg/Bool"
-_STRING = "std_msgs/msg/String"
 _IN_JSON = frozenset(SENDERS) | {"robot"}
 """Keys that say whose a text in JSON is."""
 
@@ -63,12 +63,28 @@ def _is_true(test: facts.Expr, holds: bool, flag: str) -> bool:
 
 
 def say_whose(system: System, owners: Sequence[Endpoint]) -> bool:
-    """Whether all that several nodes publish on a topic is JSON with a key that says whose it is."""
-    if any(end.type != _STRING for end in owners):
+    """Whether all that several nodes publish on a topic says whose it is: a field is given the sender's own name or
+    number, or a text is JSON with such a key.  Of commands that is never so."""
+    if any(end.type in COMMANDS for end in owners):
         return False
     code = source_code(system)
-    bodies = [[code.body(call) for call in publishes_of(system, end)] for end in owners]
-    return all(some and all(map(_writes_whose, some)) for some in bodies)
+    calls = [publishes_of(system, end) for end in owners]
+    return all(some and all(_says_whose(code, call) for call in some) for some in calls)
+
+
+def _says_whose(code: SourceCode, call: ApiCall) -> bool:
+    return any(map(_is_own_name, values_published(code, call))) or _writes_whose(code.body(call))
+
+
+def _is_own_name(value: facts.Expr) -> bool:
+    """Whether a value is an attribute of the node, or a constant, that names the node: ``self.ID``, also in a text."""
+    match value:
+        case facts.FormatString(parts=parts):
+            return any(_is_own_name(part.value) for part in parts if not isinstance(part, str))
+        case facts.Call(args=[only]) if called_name(value) in ("int", "str"):
+            return _is_own_name(only.value)
+    own = value.dotted.removeprefix("self.")
+    return "." not in own and own.lower() in SENDERS and (own != value.dotted or own.isupper())
 
 
 def _writes_whose(body: Sequence[facts.Stmt]) -> bool:
