@@ -1825,6 +1825,21 @@ def test_the_next_program_takes_over(run: Run, then: str, expected: list[str]):
     assert codes(run(source(TIMER, timer(body)))) == expected
 
 
+@pytest.mark.parametrize(
+    ("then", "expected"),
+    [
+        ("self.get_logger().info('bye')\n    exit()", []),
+        ("if read():\n        sys.exit(0)", ["EXE003"]),
+        ("self.get_logger().info('again')", ["EXE003"]),
+    ],
+)
+def test_a_pause_before_the_end_of_the_program(run: Run, then: str, expected: list[str]):
+    """Nothing is left that would have to wait."""
+    others = TIMER + "self.create_subscription(Empty, 'stop', print, 10)\n"
+    body = f"import sys\n    if read():\n        self.end()\n\ndef end(self):\n    time.sleep(0.4)\n    {then}"
+    assert codes(run(source(others, timer(body)))) == expected
+
+
 GOAL = """
 def go(self):
     self.client.send_goal_async(Fibonacci.Goal()).add_done_callback(self.on_answer)

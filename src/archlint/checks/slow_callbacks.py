@@ -196,12 +196,16 @@ def _stays(system: System) -> Iterator[_Row]:
             or (stay.kind == "discovery" and is_there(system, call))
             or ends_with_the_node(code, call, stay)
             or ends_the_machine(code, call)
-            or (stay.kind == "process" and hands_over(code, call))
+            or ((stay.kind == "process" or _is_once(call, stay)) and hands_over(code, call))
             or (stay.kind == "process" and (not call.looped or is_retry(code, call)) and is_soon_over(code, call))
             or _is_no_program(system, call.context)
         ):
             continue
         yield program, call, stay
+
+
+def _is_once(call: ApiCall, stay: Stay) -> bool:
+    return stay.kind == "sleep" and not call.looped
 
 
 def _is_long(system: System, call: ApiCall, stay: Stay) -> bool:

@@ -27,7 +27,8 @@ def ends_with_the_node(code: SourceCode, call: ApiCall, stay: Stay) -> bool:
 
 
 def hands_over(code: SourceCode, call: ApiCall) -> bool:
-    """Whether every way on from a process ends the program: it was started in its place, or as the last step."""
+    """Whether every way on from a wait ends the program: a process was started in its place or as the last step, or
+    there is a pause before the end."""
     return _ends_in(code, call, _ENDS_OF_PROGRAM)
 
 
