@@ -21,6 +21,7 @@ DEFAULT = ("keep_last", 10, "reliable", "volatile")
         ("rclcpp::QoS{rclcpp::KeepLast(3)}.best_effort()", ("keep_last", 3, "best_effort", "volatile")),
         ("rclcpp::QoS(1).transient_local().reliable()", ("keep_last", 1, "reliable", "transient_local")),
         ("rclcpp::QoS(rclcpp::KeepAll())", ("keep_all", 10, "reliable", "volatile")),
+        ("rclcpp::QoS(1000).keep_all()", ("keep_all", 0, "reliable", "volatile")),
         ("rclcpp::SensorDataQoS()", ("keep_last", 5, "best_effort", "volatile")),
         ("rclcpp::SensorDataQoS().keep_last(1).reliable()", ("keep_last", 1, "reliable", "volatile")),
         (
@@ -122,3 +123,9 @@ def test_a_member_that_is_set_in_statements_of_their_own(files: dict[str, str]) 
         (end["qos"]["depth"], end["qos"]["reliability"], end["qos"]["durability"]) for end in node["publishers"]
     ]
     assert policies == [(3, "best_effort", "transient_local"), (4, "reliable", "volatile"), (5, "reliable", "volatile")]
+
+
+def test_what_keeps_all_has_no_depth_left() -> None:
+    """``keep_all()`` sets the depth to 0, so that nothing contradicts it (QOS004)."""
+    [node] = graph_of('create_publisher<std_msgs::msg::String>("a", rclcpp::QoS(1000).keep_all());')
+    assert node["publishers"][0]["qos"]["depth"] == 0

@@ -50,8 +50,13 @@ def _keep_last(run: Run, site: CallSite) -> Value:
 
 def _keep_all(run: Run, site: CallSite) -> Value:
     profile = _new(run, site)
-    run.store.set(profile.key, "history", Known("keep_all"))
+    _keep_everything(run, profile)
     return profile
+
+
+def _keep_everything(run: Run, profile: Instance) -> None:
+    run.store.set(profile.key, "history", Known("keep_all"))
+    run.store.set(profile.key, "depth", Known(0))  # whatever it was before: ``QoS::keep_all()`` of rclcpp's qos.cpp
 
 
 def _profile(run: Run, site: CallSite) -> Value:
@@ -162,6 +167,12 @@ def _set_keep_last(run: Run, receiver: Value, site: CallSite) -> Value:
     return _sets("depth")(run, receiver, site)
 
 
+def _set_keep_all(run: Run, receiver: Value, site: CallSite) -> Value:
+    if isinstance(receiver, Instance):
+        _keep_everything(run, receiver)
+    return receiver
+
+
 def _unchanged(run: Run, receiver: Value, site: CallSite) -> Value:
     return receiver
 
@@ -183,7 +194,7 @@ METHODS: dict[str, Method] = {
     f"{PROFILE}.{name}": method
     for name, method in {
         "keep_last": _set_keep_last,
-        "keep_all": _sets("history", "keep_all"),
+        "keep_all": _set_keep_all,
         "reliable": _sets("reliability", "reliable"),
         "best_effort": _sets("reliability", "best_effort"),
         "reliability_best_available": _sets("reliability", "best_available"),
