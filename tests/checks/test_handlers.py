@@ -231,6 +231,18 @@ OUTCOMES = {
         return Fibonacci.Result()
     """,
     "handed to somebody who is not here": "count(goal_handle)\nreturn Fibonacci.Result()",
+    "a helper may have ended it before it raised": """
+        done = False
+        try:
+            done = count(goal_handle)
+        except RuntimeError as error:
+            self.get_logger().error(str(error))
+        if done:
+            goal_handle.succeed()
+        elif not goal_handle.is_cancel_requested:
+            goal_handle.abort()
+        return Fibonacci.Result()
+    """,
     "a name of ROS 1, at which it fails": "self.server.set_succeeded([])\nreturn Fibonacci.Result()",
 }
 
@@ -249,6 +261,8 @@ def test_a_goal_with_an_outcome_on_every_path(run: Run, body: str):
         "order = goal_handle.request.order\nif order:\n    goal_handle.succeed()\nreturn Fibonacci.Result()",
         "self.goal = goal_handle\nif self.ready:\n    self.goal.succeed()\nreturn Fibonacci.Result()",
         "print(goal_handle)\nif self.ready:\n    goal_handle.succeed()\nreturn Fibonacci.Result()",
+        "try:\n    self.go()\nexcept RuntimeError:\n    return Fibonacci.Result()\n"
+        "goal_handle.succeed()\nreturn Fibonacci.Result()",
         "if self.ready:\n    self.server.set_succeeded([])\nreturn Fibonacci.Result()",
         "ready = self.go()\nif ready:\n    goal_handle.succeed()\nready = self.go()\n"
         "if not ready:\n    goal_handle.abort()\nreturn Fibonacci.Result()",

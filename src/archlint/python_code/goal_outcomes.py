@@ -72,12 +72,20 @@ def _undecided(system: System, callback: Callback, function: facts.Function) -> 
         known = within(state[1], test, truth, followed)
         return None if known is None else (state[0], known)
 
+    if _may_be_ended_and_raise(function, goal):
+        return
     ends = graph_of(function.body).ends((False, NOTHING), step, branch)
     undecided = [end for end, states in ends.returns if any(not decided for decided, _ in states)]
     for end in {id(end): end for end in undecided}.values():
         yield HandlerEnd(callback, Place.of(callback.file, end.span), "return")
     if any(not decided for decided, _ in ends.falls):
         yield HandlerEnd(callback, callback.place, "end")
+
+
+def _may_be_ended_and_raise(function: facts.Function, goal: _Goal) -> bool:
+    """Whether code that is given the goal in a ``try`` may have ended it before it raises what is caught here."""
+    attempts = [attempt for attempt in statements_of(function.body, facts.Try) if attempt.handlers]
+    return any(_passes_on(fact, goal) for attempt in attempts for fact in statements_of(attempt.body))
 
 
 def _says_it_is_down(test: facts.Expr, truth: bool) -> bool:
