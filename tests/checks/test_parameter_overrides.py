@@ -506,6 +506,24 @@ def test_the_nodes_of_one_process_are_told_once(findings, helper: str, told: lis
     assert all(row.help == "it declares gain" for row in rows)
 
 
+TWO_NODES = """\
+import rclpy
+from rclpy.executors import SingleThreadedExecutor
+
+def main():
+    rclpy.init()
+    executor = SingleThreadedExecutor()
+    executor.add_node(rclpy.create_node('camera'))
+    executor.add_node(rclpy.create_node('lamp'))
+    executor.spin()
+"""
+
+
+def test_of_two_nodes_that_declare_nothing_neither_is_named(findings):
+    (told,) = findings("{'gain': 1.0}", talker=TWO_NODES)
+    assert told.message == "'talker' declares no parameter 'gain', so this value has no effect"
+
+
 CONTROLLER = """\
 import rclpy
 from rclpy.node import Node

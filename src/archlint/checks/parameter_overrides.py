@@ -85,7 +85,7 @@ def unknown_parameter_override(system: System, options: Options) -> Iterator[Fin
             said.add(line)
             declared_dict = _declared_dict(setting, declared)
             if declared_dict is None:
-                yield _never_used(system, node, node.blueprint, setting, declared, settings)
+                yield _never_used(system, node, node.blueprint, bool(siblings), setting, declared, settings)
             else:
                 name, place = declared_dict
                 split_dicts.setdefault((node.name, setting.place.file, name, place), (node, []))[1].append(setting)
@@ -196,10 +196,13 @@ def _never_used(
     system: System,
     node: Node,
     blueprint: Blueprint,
+    is_one_of_several: bool,
     setting: Setting,
     declared: Mapping[str, Sequence[ParameterDeclaration]],
     settings: Sequence[Setting],
 ) -> Finding:
+    by_program = is_one_of_several and setting.written is None and not declared
+    subject = _process(node) if by_program else called(node)
     meant = did_you_mean(setting.name, declared.keys() - {other.name for other in settings})
     if setting.name.rpartition(".")[2] in declared:
         meant = ""  # it is the prefix that is wrong, most often of all names beside it
@@ -209,14 +212,20 @@ def _never_used(
     return finding(
         "PRM004",
         setting.place,
-        f"{called(node)} declares no parameter '{setting.name}', so this value has no effect{meant}",
+        f"{subject} declares no parameter '{setting.name}', so this value has no effect{meant}",
         help=f"it declares {listed(_surely(declared))}" if declared else "declare it in the node, or remove it",
         related=[Related(blueprint.place, "the node is defined here")],
         node=node.name,
-        identity=(node.name or "", setting.name),
+        identity=(subject, setting.name),
         # A misspelt name has advice of its own.
         group=(setting.name if meant else _NOTHING_OF_IT, *_cause(setting, blueprint)),
     )
+
+
+def _process(node: Node) -> str:
+    """What a launch file sets a value on that reaches several nodes, none of which declares anything: their program."""
+    executable = None if node.started is None else node.started.executable.text
+    return called(node) if executable is None else f"'{executable}'"
 
 
 def _cause(setting: Setting, blueprint: Blueprint) -> tuple[str, ...]:
