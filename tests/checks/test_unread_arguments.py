@@ -129,3 +129,27 @@ def test_what_a_library_declares_is_not_for_the_launch_file_to_read(findings, to
     files = {"launch/it.launch.py": OF_MOVEIT.format(top=top, more=more), "robot/helper.py": HELPER}
     files |= {"config/arm.urdf.xacro": "<robot/>", "config/arm.srdf": "<robot name='arm'/>"}
     assert [told.message.split("'")[1] for told in findings("LCH011", **files)] == names
+
+
+def test_the_same_argument_of_copied_launch_files_is_one_finding(findings):
+    files = {f"launch/{name}.launch.py": text for name in ("a", "b", "c") for text in _file().values()}
+    (told,) = findings("LCH011", **files)
+    assert told.message.endswith("setting it has no effect; 2 more launch files of the package have it, too")
+    assert [row.place.file for row in (told, *told.related)] == list(files)
+
+    other = _file()["launch/it.launch.py"].replace("speed", "colour")
+    assert len(findings("LCH011", **files, **{"launch/d.launch.py": other})) == 2
+
+
+@pytest.mark.parametrize(
+    ("name", "told"),
+    [("navsat_example.launch.py", 0), ("example.launch.py", 0), ("template.launch.py", 0), ("exemplary.launch.py", 1)],
+)
+def test_a_launch_file_that_is_there_to_be_copied(findings, name, told):
+    assert len(findings("LCH011", **{f"launch/{name}": _file()["launch/it.launch.py"]})) == told
+
+
+def test_an_example_that_another_launch_file_starts(findings):
+    outer = '<include file="$(find-pkg-share robot)/launch/example.launch.py"/>'
+    (told,) = findings("LCH011", outer, **{"launch/example.launch.py": _file()["launch/it.launch.py"]})
+    assert told.place.file == "launch/example.launch.py"

@@ -12,6 +12,7 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
 from archlint.launch.kinds import StartedKind
+from archlint.launch_files.shown_files import is_shown_only
 from archlint.packaging.absent_packages import is_nowhere, is_placeholder, owners_of_component, package_that_installs
 from archlint.packaging.entry_points import is_empty
 from archlint.suggestions import did_you_mean, listed, nearest
@@ -37,7 +38,7 @@ def unknown_executable(system: System, options: Options) -> Iterator[Finding]:
         if started.kind not in (StartedKind.NODE, StartedKind.CONTAINER):
             continue
         if installs is None:
-            yield from _from_no_package(system.workspace, started, name)
+            yield from _from_no_package(system, system.workspace, started, name)
             continue
         entry = installs.executables.get(name)
         package = system.workspace.packages.get(installs.package)
@@ -77,7 +78,7 @@ def _of_one_executable(several: Sequence[Finding]) -> Finding:
     return with_places(several, "it is started here, too")
 
 
-def _from_no_package(workspace: WorkspaceIndex, started: Started, name: str) -> Iterator[Finding]:
+def _from_no_package(system: System, workspace: WorkspaceIndex, started: Started, name: str) -> Iterator[Finding]:
     """The finding for a package that is nowhere, if one of almost the same name installs the executable, or its name
     only stands for another one."""
     package = started.package.text
@@ -91,7 +92,7 @@ def _from_no_package(workspace: WorkspaceIndex, started: Started, name: str) -> 
     near = near or _without_spaces(workspace, package) or package_that_installs(workspace, package, name, started.file)
     if near is not None:
         yield _no_package(started, name, near, "installs")
-    elif is_placeholder(package):
+    elif is_placeholder(package) and not is_shown_only(system):
         yield _no_package(started, name, None, "installs")
 
 

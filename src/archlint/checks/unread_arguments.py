@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from archlint.checks.folding import folds, package_around, with_places
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related, Severity
+from archlint.launch_files.shown_files import is_shown_only
 from archlint.launch_files.unread_arguments import kept_for_nothing, unread_arguments
 
 if TYPE_CHECKING:
@@ -24,7 +26,7 @@ _OF_HABIT = frozenset({"use_sim_time"})
 def unread_launch_argument(system: System, options: Options) -> Iterator[Finding]:
     """Arguments that nothing of a launch file reads: one finding for each file."""
     unread = [*unread_arguments(system)]
-    if not unread:
+    if not unread or is_shown_only(system):
         return
     first, *others = unread
     names = [argument.name for argument in unread]
@@ -49,6 +51,7 @@ def unread_launch_argument(system: System, options: Options) -> Iterator[Finding
             *(Related(place, f"'{name}' is kept here, and nothing uses that") for name, (_, place) in kept.items()),
         ],
         identity=(first.file, *names),
+        group=(*package_around(workspace, first.file), *names),
     )
     yield replace(diagnostic, severity=Severity.INFO) if _OF_HABIT.issuperset(names) else diagnostic
 
@@ -61,6 +64,18 @@ def _help(argument: DeclaredArgument, kept: tuple[str, Place] | None) -> str:
 
 def _reading(file: str, name: str) -> str:
     return f"LaunchConfiguration('{name}')" if file.endswith(".py") else f"$(var {name})"
+
+
+@folds("LCH011", across_systems=True)
+def _of_one_package(several: Sequence[Finding]) -> Finding:
+    """One finding for the same arguments of several launch files of a package: one is copied from the other."""
+    first, others = with_places(several, "so it is here"), len(several) - 1
+    if not others:
+        return first
+    subject = (
+        "another launch file of the package has" if others == 1 else f"{others} more launch files of the package have"
+    )
+    return replace(first, message=f"{first.message}; {subject} {'it' if len(first.identity) == 2 else 'them'}, too")
 
 
 __all__ = ["unread_launch_argument"]
