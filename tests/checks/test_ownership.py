@@ -728,6 +728,11 @@ if __name__ == '__main__':
         ("String", "robot_command", "Worker('one'), Worker('two')", Severity.INFO),
         ("String", "robot_mode", "Worker('one')", Severity.WARNING),
         ("Float64", "robot_command", "Worker('one')", Severity.WARNING),
+        ("UInt8", "robot_state/toggle", "Worker('one')", None),
+        ("Int16", "mode_request", "Worker('one')", None),
+        ("UInt8", "robot_state/toggle", "Worker('one'), Worker('two')", Severity.WARNING),
+        ("Float64", "speed_request", "Worker('one')", Severity.WARNING),
+        ("UInt8", "robot_state", "Worker('one')", Severity.WARNING),
     ],
 )
 def test_one_node_may_be_asked_by_several(

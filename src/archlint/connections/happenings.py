@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.reach import creations_of
 from archlint.analysis.source_code import SourceCode, source_code
+from archlint.connections.arbitration import WORDS
 from archlint.syntax import facts
 from archlint.syntax.walk import statements_of
 
@@ -46,10 +47,17 @@ _REQUESTS = frozenset({"command", "commands", "cmd", "cmds", "queue", "request",
 
 
 def are_requests(connection: Connection) -> bool:
-    """Whether what several say on a topic is asked of one node, one text at a time: none takes back another."""
+    """Whether what several say on a topic is asked of one node, one text at a time, or is by its name something to do
+    once, such as to toggle: none takes back another."""
     words = connection.name.rpartition("/")[2].lower().split("_")
     asked = {id(end.node) for end in connection.users}
-    return connection.types == [_STRING] and len(asked) == 1 and not _REQUESTS.isdisjoint(words)
+    named = _REQUESTS if connection.types == [_STRING] else _ONCE
+    is_word = bool(connection.types) and WORDS.issuperset(connection.types)
+    return is_word and len(asked) == 1 and not named.isdisjoint(words)
+
+
+_ONCE = frozenset({"request", "requests", "reset", "toggle", "trigger"})
+"""Words for what is to be done once for each message, whatever number or flag says what."""
 
 
 def _is_event(topic: str | None) -> bool:
