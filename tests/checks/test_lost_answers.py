@@ -1,4 +1,4 @@
-"""TMO003 and SRV003: waits without a limit for a server that has been found are for lessons."""
+"""TMO002, TMO003 and SRV003: waits without a limit for a server that has been found are for lessons."""
 
 from __future__ import annotations
 
@@ -222,3 +222,55 @@ def test_spins_that_cannot_be_there_are_not_too_many(judge: Judge):
     """EXE001 says what to do, and then they add up no longer."""
     judge("EXE001", SPINS_IN_TURN.replace("{spin}", "  # here"))
     judge("SRV005", SPINS_IN_TURN.replace("{spin}", ""))
+
+
+CALLER = """
+    from threading import Thread
+
+    import rclpy
+    from rclpy.node import Node
+    from std_srvs.srv import Trigger
+
+
+    class Caller(Node):
+        def __init__(self):
+            super().__init__('caller')
+            self.client = self.create_client(Trigger, 'map')
+            {looks}
+            {more}
+
+        def ask(self):
+            return self.client.call(Trigger.Request()){here}
+
+
+    def main():
+        rclpy.init()
+        caller = Caller()
+        Thread(target=rclpy.spin, args=(caller,), daemon=True).start()
+        {loop}print(caller.ask().message)
+        rclpy.shutdown()
+
+
+    if __name__ == '__main__':
+        main()
+"""
+LOOKS = "while not self.client.wait_for_service(timeout_sec=1.0):\n                self.get_logger().info('waiting')"
+
+
+@pytest.mark.parametrize(
+    ("looks", "more", "loop", "told"),
+    [
+        (LOOKS, "pass", "", False),
+        ("pass", "pass", "", True),
+        (LOOKS, "self.create_subscription(Trigger.Request.Event, 'go', print, 10)", "", True),
+        (LOOKS, "pass", "while rclpy.ok(): ", True),
+    ],
+    ids=["asks once", "not looked for", "has something else to do", "asks again and again"],
+)
+def test_a_program_that_is_there_to_ask_once(judge: Judge, looks: str, more: str, loop: str, told: bool):
+    """The tutorial's client: whoever runs it sees that it waits."""
+    text = CALLER.replace("{looks}", looks).replace("{more}", more).replace("{loop}", loop)
+    marked = text.replace("{here}", "  # here")
+    judge("TMO002", marked)
+    judge("TMO002", marked if told else text.replace("{here}", ""), OTHERS)
+    judge("TMO002", marked, OTHERS, config="[rules.call-without-timeout]\nlost-answers = true")

@@ -7,9 +7,11 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.limit_sites import sites_of_call
+from archlint.analysis.order import always_comes_before
 from archlint.analysis.pinned import distros_to_judge
 from archlint.analysis.reach import (
     calls_of,
+    creations_of,
     endpoint_words,
     node_name,
     one_for_each_place,
@@ -21,8 +23,17 @@ from archlint.checks.folding import folds, of_one_function
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.timeouts import is_uncalled
-from archlint.checks.wait_words import kind_of, name_of, related_path, server_words
+from archlint.checks.wait_words import (
+    READY,
+    WAIT_FOR_SERVER,
+    WAIT_FOR_SERVICE,
+    kind_of,
+    name_of,
+    related_path,
+    server_words,
+)
 from archlint.connections.lessons import is_lesson
+from archlint.execution.asking_scripts import has_only_clients
 from archlint.execution.callback_roles import runs_in_executor
 from archlint.execution.deadlock import CALL
 from archlint.execution.joined_threads import stuck_joins
@@ -39,6 +50,7 @@ if TYPE_CHECKING:
     from archlint.model import ApiCall, Creation, Program
     from archlint.systems.model import System
 
+_LOOKS_FOR_SERVER = (WAIT_FOR_SERVICE, WAIT_FOR_SERVER, *READY)
 _CALL = "rclpy.client.Client.call"
 _SEND_GOAL = "rclpy.action.client.ActionClient.send_goal"
 
@@ -49,16 +61,32 @@ _UNKNOWN = "nobody knows"
 _SPINS = (_ANOTHER, _UNKNOWN)
 
 
-@rule("TMO002", scope=Scope.CODE, in_use=True, uncalled=False)
+@rule("TMO002", scope=Scope.CODE, in_use=True, uncalled=False, lost_answers=False)
 def call_without_timeout(system: System, options: Options) -> Iterator[Finding]:
     """Blocking calls that wait for their answer without limit; those of functions that nothing calls in a lesson and
-    with ``uncalled``."""
-    uncalled = options.flag("uncalled") or is_lesson(system)
+    with ``uncalled``, those of programs that are there to ask once, and have found their server, in a lesson and with
+    ``lost-answers``."""
+    lesson = is_lesson(system)
+    uncalled, seldom = options.flag("uncalled") or lesson, options.flag("lost-answers") or lesson
     distros = distros_to_judge(system.workspace, options.distros)
     yield from one_for_each_place(
         _limitless_call(system, program, call, distros)
         for program, call in _limitless(system, options)
         if not is_unanswerable(program, call) and (uncalled or not is_uncalled(call))
+        if seldom or not _asks_once(system, program, call)
+    )
+
+
+def _asks_once(system: System, program: Program, call: ApiCall) -> bool:
+    """Whether all that a program is there for is a request to a server that it has looked for on every way."""
+    code, clients = source_code(system), {client.place for client in creations_of(call.receiver)}
+    if not has_only_clients(program) or call.looped or call.context.role not in (Role.MAIN, Role.MODULE):
+        return False
+    return any(
+        other.api in _LOOKS_FOR_SERVER
+        and not clients.isdisjoint(client.place for client in creations_of(other.receiver))
+        and always_comes_before(code, other, call)
+        for other in program.calls
     )
 
 
