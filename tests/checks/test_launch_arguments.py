@@ -476,6 +476,42 @@ def test_what_an_include_does_not_take_stays_set_in_the_including_file(findings,
     assert [(one.place.line, one.message) for one in found.related] == [(3, "'ns' is read here")] * stays
 
 
+READ_IN_CODE = """\
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, IncludeLaunchDescription, OpaqueFunction
+from launch.launch_description_sources import AnyLaunchDescriptionSource
+from launch.substitutions import LaunchConfiguration, PathJoinSubstitution, ThisLaunchFileDir
+from launch_ros.actions import Node
+
+def view(context):
+    rate = {}
+    source = AnyLaunchDescriptionSource(PathJoinSubstitution([ThisLaunchFileDir(), 'view.launch.xml']))
+    return [IncludeLaunchDescription(source, launch_arguments={{'rate': rate}}.items())]
+
+def generate_launch_description():
+    return LaunchDescription([
+        DeclareLaunchArgument('rate', default_value='10'),
+        OpaqueFunction(function=view),
+        Node(package='robot', executable='talker', parameters=[{{'rate': LaunchConfiguration('rate')}}]),
+    ])
+"""
+
+
+@pytest.mark.parametrize(
+    ("rate", "stays"),
+    [
+        ("LaunchConfiguration('rate').perform(context)", False),  # it has this value anyway
+        ("context.launch_configurations.get('rate', '10')", False),
+        ("context.launch_configurations['rate']", False),
+        ("'10'", True),  # not what the user asks for
+    ],
+)
+def test_what_code_reads_and_passes_on_changes_nothing(findings, rate, stays):
+    files = {"launch/view.launch.xml": f"<launch>{node(exec='viewer')}</launch>"}
+    (found,) = findings("LCH003", **files, **{"launch/all.launch.py": READ_IN_CODE.format(rate)})
+    assert ("stays set to this" in found.message) is stays
+
+
 def test_what_only_includes_give_a_value_is_read_after_them_on_purpose(findings):
     """Each include sets it; without them all, the launch would stop at the group."""
     include = '<include file="$(dirname)/view.launch.xml"><arg name="real" value="$(env REAL true)"/></include>\n'

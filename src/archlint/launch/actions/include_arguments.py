@@ -33,12 +33,14 @@ def given_arguments(run: LaunchRun, arguments: Value | None) -> tuple[tuple[str,
                 run.launch.configurations[name] = value
                 if isinstance(pair.second, Known):
                     run.given.note_literal(name, value, pair.place)
-                if not _is_configuration(run, pair.second, name):
+                if not _is_configuration(run, pair.second, name, before):
                     note_argument(run, name, value, pair.place)
                     run.given.note(name, value, pair.place, run.file, run.place_now, before)
     return tuple(names)
 
 
-def _is_configuration(run: LaunchRun, value: Value, name: str) -> bool:
-    """Whether an argument is passed to an include as it is here."""
+def _is_configuration(run: LaunchRun, value: Value, name: str, before: Value | None) -> bool:
+    """Whether an argument is passed to an include as it is here, be it as what code has read from the context."""
+    if before is not None and any(option is before for option in alternatives(value)):
+        return True
     return kind_of(value) == LaunchClass.LAUNCH_CONFIGURATION and run.text_of(argument(value, "variable_name")) == name
