@@ -35,6 +35,7 @@ def test_an_entry_that_is_not_of_the_form_is_told_once(findings, entries, messag
     [
         ("robot.talker", "'robot.talker' is a module, but the entry names no function in it"),
         ("robot.talker.main", "module 'robot.talker.main' does not exist; did you mean 'robot.talker:main'?"),
+        ("robot.tatalker", "module 'robot.tatalker' does not exist; did you mean 'robot.talker'?"),
     ],
 )
 def test_an_entry_without_a_function(findings, target, what):

@@ -73,7 +73,7 @@ def _broken(workspace: WorkspaceIndex, executable: Executable) -> Iterator[Findi
             parent, _, last = module.rpartition(".")
             near = _near_module(module, _that_start(workspace, executable, module, known))
             target = f"{near}:{function or 'main'}"
-            if function is None and parent in known:
+            if function is None and parent in known and _may_offer(workspace, executable.package, parent, last):
                 near = target = f"{parent}:{last}"
             elif near is not None and not _may_offer(workspace, executable.package, near, function or "main"):
                 near = None
