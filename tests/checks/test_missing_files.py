@@ -678,3 +678,22 @@ def test_what_the_folder_of_a_missing_file_has(findings, there: list[str], said:
     launch = '<node pkg="rviz2" exec="rviz2" args="-d $(find-pkg-share robot)/rviz/robot.rviz"/>'
     (told,) = findings("LCH004", launch, **{f"rviz/{name}": "x" for name in there})
     assert told.help == f"check the path; it is relative to the package's installed share folder{said}"
+
+
+MODEL = """\
+<arg name="model" default="$(find-pkg-share robot)/{}"/>
+<node pkg="robot" exec="talker"><param name="model" value="$(var model)"/></node>
+"""
+
+
+@pytest.mark.parametrize(
+    ("file", "told"),
+    [("models/policy.pt", 0), ("models/yolo.onnx", 0), ("models/policy.yaml", 1)],
+)
+def test_a_trained_model_is_seldom_kept_with_the_sources(findings, file: str, told: int):
+    assert len(findings("LCH004", MODEL.format(file))) == told
+
+
+def test_a_trained_model_by_a_name_that_is_almost_there(findings):
+    (told,) = findings("LCH004", MODEL.format("config/polcy.pt"), **{"config/policy.pt": "weights"})
+    assert told.message.endswith("did you mean 'policy.pt'?")

@@ -36,6 +36,10 @@ _READ = (".lua", ".sdf", ".srdf", ".urdf", ".world", ".xacro")
 """What nodes are given to read: another file that is not there may be one that they write."""
 
 
+_TRAINED = (".engine", ".h5", ".onnx", ".pb", ".pt", ".pth", ".safetensors", ".tflite", ".trt", ".weights")
+"""Models that are trained or downloaded, and seldom kept with the sources: that one is not there says nothing."""
+
+
 @rule("LCH004", scope=Scope.LAUNCH_FILE, in_use=True)
 def missing_launch_file(system: System, options: Options) -> Iterator[Finding]:
     """Included files, parameter files and RViz configurations that are not where the launch file looks."""
@@ -59,7 +63,7 @@ def missing_launch_file(system: System, options: Options) -> Iterator[Finding]:
             continue
         what = _WHAT[reference.kind]
         shown = _below_package(written or "")
-        if reference.status == FileStatus.MISSING and is_generated(system.workspace, reference.package or "", shown):
+        if reference.status == FileStatus.MISSING and _need_not_be_here(system, reference, shown):
             continue
         if reference.status == FileStatus.MISSING:
             message = f"package '{reference.package}' has no {what} '{_in_package(system, reference, shown)}'"
@@ -89,6 +93,13 @@ def missing_launch_file(system: System, options: Options) -> Iterator[Finding]:
             identity=(reference.package or "", written or ""),
             group=(reference.status, reference.package or "", _cause(system, reference, shown)),
         )
+
+
+def _need_not_be_here(system: System, reference: FileReference, shown: str) -> bool:
+    """Whether a file that is not there is made by the build, or may be where the project is used."""
+    package = reference.package or ""
+    trained = shown.endswith(_TRAINED) and not _did_you_mean_file(system.workspace, package, shown)
+    return trained or is_generated(system.workspace, package, shown)
 
 
 def _mixtures(references: Sequence[FileReference]) -> set[FileReference]:
