@@ -11,6 +11,7 @@ from archlint.config.settings import load
 from archlint.engine.pipeline import Request, check
 from archlint.finding import Finding, Severity
 from archlint.ros.packages import table
+from robot_package import SETUP
 
 Lint = Callable[..., list[Finding]]
 
@@ -585,6 +586,57 @@ def test_what_cmake_asks_for(lint: Lint, find: str, message: str, tag: str):
 )
 def test_what_cmake_does_not_need_declared(lint: Lint, find: str, tags: list[str]):
     assert lint(built(find, *tags)) == []
+
+
+OTHER = manifest("arm_msgs", *depends("std_msgs"))
+
+
+def with_other(find: str, *tags: str) -> dict[str, str]:
+    """Such a package below one that it needs."""
+    files = {f"robot/{name}": text for name, text in built(find, *tags).items()}
+    return {**files, "arm_msgs/package.xml": OTHER, "arm_msgs/setup.py": SETUP}
+
+
+FIND_OTHER = "find_package(arm_msgs REQUIRED)"
+
+
+def test_a_package_that_the_build_needs_and_that_is_declared_to_run(lint: Lint):
+    (one,) = lint(with_other(FIND_OTHER, *depends("arm_msgs", tag="exec_depend")))
+    assert one.message == "package 'robot' builds with 'arm_msgs', which its package.xml declares to run only"
+    assert one.help == (
+        "write <depend>arm_msgs</depend> instead of its <exec_depend>: colcon may build it after this package"
+    )
+    assert one.sites is None  # a <depend> beside the <exec_depend> would be refused
+
+
+@pytest.mark.parametrize(
+    ("find", "tags"),
+    [
+        (FIND_OTHER, depends("arm_msgs", tag="depend")),
+        (FIND_OTHER, [*depends("arm_msgs", tag="exec_depend"), *depends("arm_msgs", tag="build_depend")]),
+        (FIND_OTHER, [*depends("arm_msgs", tag="test_depend")]),
+        (f"if(BUILD_TESTING)\n{FIND_OTHER}\nendif()", depends("arm_msgs", tag="exec_depend")),
+        ("find_package(std_msgs REQUIRED)", depends("std_msgs", tag="exec_depend")),  # there before the workspace is
+    ],
+)
+def test_what_is_there_when_the_package_is_built(lint: Lint, find: str, tags: list[str]):
+    assert lint(with_other(find, *tags)) == []
+
+
+AUTO = (
+    "find_package(ament_cmake_auto REQUIRED)\nament_auto_find_build_dependencies()\n"
+    'rosidl_generate_interfaces(${PROJECT_NAME} "msg/Speed.msg")'
+)
+
+
+def test_a_package_of_interfaces_whose_generators_only_package_xml_can_name(lint: Lint):
+    auto = depends("ament_cmake_auto", tag="buildtool_depend")
+    files = {"msg/Speed.msg": "float64 speed\n"}
+    (one,) = lint(built(AUTO, *auto) | files)
+    assert one.help == "add <buildtool_depend>rosidl_default_generators</buildtool_depend> to package.xml"
+    declared = depends("rosidl_default_generators", tag="buildtool_depend")
+    assert lint(built(AUTO, *auto, *declared) | files) == []
+    assert lint(built(f"find_package(rosidl_default_generators)\n{AUTO}", *auto) | files) == []
 
 
 DESCRIBED = """\

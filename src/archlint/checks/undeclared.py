@@ -103,6 +103,7 @@ def _message(workspace: WorkspaceIndex, package: Package, first: Use, needed: Se
     for_tests = [name for name in needed if name in declared]
     if len(needed) == 1:
         verb = "declares for tests only" if for_tests else "does not declare"
+        verb = "declares to run only" if first.needed in _to_run_only(package) else verb
         what = f"package '{package.name}' {first.how} '{first.needed}', which its package.xml {verb}"
         return what + _hint(workspace, package, first)
     more = f" and {len(needed) - _NAMED} more" if len(needed) > _NAMED else ""
@@ -110,6 +111,15 @@ def _message(workspace: WorkspaceIndex, package: Package, first: Use, needed: Se
     tests = f" ({', '.join(for_tests[:_NAMED])}: for tests only)" if for_tests else ""
     what = f"package '{package.name}' uses {len(needed)} packages that its package.xml does not declare"
     return f"{what}: {listed}{tests}"
+
+
+def _to_run_only(package: Package) -> set[str]:
+    """What a manifest declares as an ``exec_depend`` and as nothing else."""
+    kinds: dict[str, set[str]] = {}
+    for dependency in package.dependencies:
+        if condition_holds(dependency.condition):
+            kinds.setdefault(dependency.name, set()).add(dependency.kind)
+    return {name for name, own in kinds.items() if own <= {"exec", "run"}}
 
 
 def _hint(workspace: WorkspaceIndex, package: Package, use: Use) -> str:
@@ -125,6 +135,10 @@ def _help(package: Package, by_needed: Mapping[str, Sequence[Use]]) -> str:
     needed = sorted(by_needed)
     if not package.in_export.keys().isdisjoint(needed):
         return f"declare {'it' if len(needed) == 1 else 'each'} outside of <export>: entries inside it do not count"
+    to_run = _to_run_only(package)
+    if needed[0] in to_run and package.format > 1:
+        later = ": colcon may build it after this package" if len(needed) == 1 else ""
+        return f"write <depend>{needed[0]}</depend> instead of its <exec_depend>{later}"
     tag = _tag(package, by_needed[needed[0]])
     manifest, line = package.manifest.relative, f"<{tag}>{needed[0]}</{tag}>"
     return f"add {line} to {manifest}" if len(needed) == 1 else f"add a line like {line} for each to {manifest}"
@@ -200,7 +214,7 @@ def _tag(package: Package, uses: Sequence[Use]) -> str:
 def _sites(workspace: WorkspaceIndex, package: Package, by_needed: Mapping[str, Sequence[Use]]) -> Sites | None:
     """What a fix adds to the manifest: only packages that are known, of this workspace or of rosdistro.  Format 1
     refuses one that is declared for tests, too; and who leaves a package out of a build decides what depends on it."""
-    taken = {d.name for d in package.dependencies if package.format == 1}
+    taken = {d.name for d in package.dependencies if package.format == 1} | _to_run_only(package)
     known = workspace.packages.keys() | packages.table().names
     names = tuple(
         name for name in sorted(by_needed) if name in known and name not in taken and name not in package.in_export

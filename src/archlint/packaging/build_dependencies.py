@@ -1,7 +1,8 @@
 """The ROS packages that CMake files ask for, held against package.xml.
 
 Source: ``find_package(… REQUIRED)`` of CMake stops a build without the package; colcon builds what package.xml names
-first, and rosdep installs no more than that.
+first, and rosdep installs no more than that.  What is needed to run alone colcon may build later, and its prefix is not
+there then (``get_packages`` of colcon-core, ``direct_categories=('build',)``).
 """
 
 from __future__ import annotations
@@ -13,11 +14,12 @@ from typing import TYPE_CHECKING
 from archlint.analysis.aside import is_aside
 from archlint.ros import packages
 from archlint.workspace.closure import closure
+from archlint.workspace.installed import FoundPackage
 from archlint.workspace.manifest import condition_holds
 
 if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
-    from archlint.workspace.installed import FoundPackage
+    from archlint.workspace.installed import Installs
     from archlint.workspace.model import Package
 
 _BUILD_TYPES = frozenset({"ament_cmake", "cmake"})
@@ -41,10 +43,35 @@ def packages_to_declare(
             d.name for d in package.dependencies if d.kind != "doc" and condition_holds(d.condition) is not False
         }
         there = closure([package.name, *declared], brought_by)
-        own = [asked for asked in installs.required if folder == "." or asked.place.file.startswith(f"{folder}/")]
+        at_build = there - _built_later(workspace, package, brought_by)
+        asked_for = [*installs.required, *_generators(installs)]
+        own = [asked for asked in asked_for if folder == "." or asked.place.file.startswith(f"{folder}/")]
         for asked in own:
-            if asked.name in known and asked.name not in there and not _is_of_system(asked.name, declared - known):
+            before = there if asked.of_tests else at_build
+            if asked.name in known and asked.name not in before and not _is_of_system(asked.name, declared - known):
                 yield package, asked
+
+
+def _built_later(workspace: WorkspaceIndex, package: Package, brought_by: Callable[[str], set[str]]) -> set[str]:
+    """The packages of the workspace that a manifest declares to run alone, and that nothing brings to the build."""
+    declared = [d for d in package.dependencies if condition_holds(d.condition) is not False]
+    builds = closure([d.name for d in declared if d.kind in _WHEN_BUILDING], brought_by)
+    return {d.name for d in declared if d.kind in _WHEN_RUNNING and d.name in workspace.packages} - builds
+
+
+_WHEN_RUNNING = frozenset({"exec", "run"})
+_WHEN_BUILDING = frozenset({"depend", "build", "buildtool"})
+
+_GENERATORS = "rosidl_default_generators"
+
+
+def _generators(installs: Installs) -> Iterator[FoundPackage]:
+    """What a package that generates interfaces needs, where ``ament_auto_find_build_dependencies()`` has to find it by
+    package.xml: without it there is no ``rosidl_generate_interfaces()``."""
+    words = installs.words
+    by_manifest = "ament_auto_find_build_dependencies" in words and words.isdisjoint({_GENERATORS, "rosidl_cmake"})
+    if by_manifest and installs.generated_at is not None:
+        yield FoundPackage(_GENERATORS, installs.generated_at)
 
 
 def _is_of_system(name: str, declared: set[str]) -> bool:
