@@ -22,9 +22,10 @@ if TYPE_CHECKING:
 def dashed_option(system: System, options: Options) -> Iterator[Finding]:
     """``script-dir`` and ``install-scripts``, as old templates write them."""
     workspace = workspace_of(system)
-    if workspace is None or is_on_focal(workspace):  # its setuptools says nothing
+    dashed = [] if workspace is None else [*dashed_options(workspace)]
+    if workspace is None or not dashed or is_on_focal(workspace):  # its setuptools says nothing
         return
-    for option in dashed_options(workspace):
+    for option in dashed:
         right = option.name.replace("-", "_")
         yield finding(
             "PKG010",

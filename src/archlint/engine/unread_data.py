@@ -43,7 +43,9 @@ def _read_parameter_files(index: WorkspaceIndex, workspace: Workspace) -> None:
 def _malformed_descriptions(index: WorkspaceIndex, workspace: Workspace) -> Iterator[Finding]:
     """One LNT002 for each such description of a package that was asked for."""
     asked = {package.name for package in workspace.packages if not package.ros1 and not package.manifest.context}
-    for file in index.tree.files_below(index.tree.top):
+    # Not all of the workspace: the cache lies in it, and what it holds is no question of a run.
+    folders = [package.relative for package in workspace.packages if package.name in asked]
+    for file in sorted({file for folder in folders for file in index.tree.files_below(folder)}):
         name = posixpath.basename(file)
         if not may_be_description(name) or index.package_of(file) not in asked or is_aside(index, file):
             continue

@@ -88,6 +88,10 @@ class _NoFiles:
 NO_FILES: Tree = _NoFiles()
 
 
+_OF_CACHES = "CACHEDIR.TAG"
+"""The file by which programs know the folder of a cache.  Source: https://bford.info/cachedir/"""
+
+
 class SourceTree:
     """The files below one folder.  Paths are relative to it, with ``/``; a path that leads out of ``within``
     does not exist as far as this class is concerned."""
@@ -245,6 +249,9 @@ class SourceTree:
         if real is None:
             return files
         for top, folders, names in walk(real):
+            if _OF_CACHES in names:  # archlint's own may lie anywhere, and changes with each run
+                folders.clear()
+                continue
             folders[:] = sorted(name for name in folders if not name.startswith((".", "__pycache__")))
             below = Path(top).relative_to(real).as_posix()
             for name in names:
