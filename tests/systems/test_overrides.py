@@ -53,6 +53,8 @@ def test_a_key_is_for_others(key: str, node: str | None) -> None:
     [
         (["--ros-args", "-p", "rate:=5"], [("rate", 5)]),
         (["--ros-args", "--param", "mode:=fast"], [("mode", "fast")]),
+        (["--ros-args", "-p", "range:=[0.0, 15.0]"], [("range", [0.0, 15.0])]),
+        (["--ros-args", "-p", "code:='5'"], [("code", "5")]),
         (["--ros-args", "-p", "a:=1", "-p", "a:=2"], [("a", 1), ("a", 2)]),
         (["--ros-args", "-p", "a:=1", "--", "-p", "b:=2"], [("a", 1)]),
         (["--ros-args", "-p", "a:=1", "--", "x", "--ros-args", "-p", "b:=2"], [("a", 1), ("b", 2)]),

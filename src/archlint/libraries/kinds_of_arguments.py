@@ -164,7 +164,7 @@ def _is_no_interface(value: Value, section: str) -> bool:
             interface, part = names.interface_and_section(names.canonical(path))
             if interface is None:
                 return names.canonical(path) in names.NODE_CLASSES
-            if section == "msg" and (part or interface.endswith("_Event")):
+            if section == "msg" and (part or names.is_part_of_interface(interface)):
                 return False  # what a service or an action is made of are messages, too
             return bool(part) or interface.split("/")[1] != section
     return _is_function(value) or isinstance(value, NodeValue)

@@ -12,6 +12,7 @@ from archlint.finding import Place
 from archlint.launch.kinds import FileStatus, StartedKind
 from archlint.launch.named_files import FileReference, Replacing, Rewriting, Written
 from archlint.launch.parameter_sources import OpenParameters, ParameterFileUse, Parameters, ParameterSetting
+from archlint.launch.parameters import from_yaml
 from archlint.launch.started import Started
 from archlint.name_paths import NamePattern, matches_names
 from archlint.records import dataclass
@@ -273,7 +274,10 @@ def substituted(text: str, use: ParameterFileUse) -> str | None:
 
 
 def command_line_parameters(words: Sequence[str | None]) -> Iterator[tuple[str, object]]:
-    """``-p name:=value`` between ``--ros-args`` and ``--``."""
+    """``-p name:=value`` between ``--ros-args`` and ``--``; the value is YAML.
+
+    Source: rcl, ``rcl_parse_arguments`` has ``rcl_parse_yaml_value`` read it.
+    """
     inside = expect = False
     for word in words:
         if word in ("--ros-args", "--"):
@@ -282,7 +286,7 @@ def command_line_parameters(words: Sequence[str | None]) -> Iterator[tuple[str, 
             name, _, value = word.partition(":=")
             expect = False
             if ":" not in name:
-                yield name, plain_scalar(value)
+                yield name, from_yaml(value)
         else:
             expect = inside and word in ("-p", "--param")
 
