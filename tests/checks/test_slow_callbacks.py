@@ -544,6 +544,15 @@ def test_a_pause_after_words_that_are_spoken(run: Run, tmp_path: Path, lines: li
 
 
 @pytest.mark.parametrize(
+    ("does", "expected"), [("self.voice.publish(String(data=words))", ["EXE003"]), ("engine.runAndWait()", [])]
+)
+def test_who_has_another_node_speak_waits_for_no_words(run: Run, does: str, expected: list[str]):
+    methods = timer("self.speak('stop')\n    time.sleep(3.0)") + f"\ndef speak(self, words):\n    {does}\n"
+    setup = "self.voice = self.create_publisher(String, 'voice', 10)\n"
+    assert codes(run(source(setup + TIMER, methods))) == expected
+
+
+@pytest.mark.parametrize(
     ("lines", "expected"),
     [
         (["self.arm.publish(Empty())", "time.sleep(2.0)", "self.arm.publish(Empty())"], []),

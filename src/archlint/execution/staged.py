@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections import Counter
 from typing import TYPE_CHECKING
 
+from archlint.syntax import facts
+from archlint.syntax.parts import everything_in
 from archlint.syntax.walk import called_name, calls_in
 
 if TYPE_CHECKING:
@@ -25,7 +27,21 @@ def speaks_beside(code: SourceCode, call: ApiCall) -> bool:
     if callback is not None:
         bodies.append(callback.body)
     spoken = [other for body in bodies for other in calls_in(list(body))]
-    return any(called_name(other) in _SPEAKS or other.func.dotted in _PLAYED for other in spoken)
+    passed_on = _telling_methods(code.facts_at(call.file))
+    return any(
+        (called_name(other) in _SPEAKS and other.func.dotted not in passed_on) or other.func.dotted in _PLAYED
+        for other in spoken
+    )
+
+
+def _telling_methods(file: facts.Facts | None) -> frozenset[str]:
+    """The methods of a file by which another node is told what to say: they publish it, and return at once."""
+    functions = everything_in(file.body, facts.Function) if file is not None else ()
+    return frozenset(
+        f"self.{function.name}"
+        for function in functions
+        if function.name in _SPEAKS and any(called_name(inner) == "publish" for inner in calls_in(function.body))
+    )
 
 
 def is_between_moves(code: SourceCode, call: ApiCall) -> bool:
