@@ -18,6 +18,7 @@ import message_filters
 import rclpy
 from action_msgs.srv import CancelGoal
 from example_interfaces.action import Fibonacci
+from example_interfaces.action._fibonacci import Fibonacci_FeedbackMessage, Fibonacci_SendGoal
 from rclpy.action import ActionClient, ActionServer
 from rclpy.executors import SingleThreadedExecutor
 from rclpy.node import Node
@@ -60,6 +61,10 @@ def main():
         ("self.create_subscription(String, 'a', self.listen(1), 10)", "not what listen() returns: None"),
         ("self.create_timer(self.tick, 1.0)", "'timer_period_sec' and 'callback' are swapped"),
         ("self.create_timer(1.0, self.tick())", "not what tick() returns: None"),
+        (
+            "self.create_client(Fibonacci_FeedbackMessage, 'a')",
+            "'srv_type' takes a service class, not the class Fibonacci_FeedbackMessage",
+        ),
         ("self.create_service(String, 'a', self.listen)", "'srv_type' takes a service class, not the class String"),
         ("self.create_client('a', Trigger)", "'srv_type' and 'srv_name' are swapped"),
         ("self.create_client(Trigger, 'a').call_async()", "'request' is missing"),
@@ -116,6 +121,9 @@ def test_a_call_that_is_refused(judge: Judge, call: str, wrong: str):
         "self.create_subscription(Trigger.Event, 'a/_service_event', self.listen, 10)",
         "self.create_subscription(Trigger_Event, 'a/_service_event', self.listen, 10)",
         "self.create_publisher(Trigger.Request, 'a', 10)",
+        "self.create_subscription(Fibonacci_FeedbackMessage, 'a/_action/feedback', self.listen, 10)",
+        "self.create_publisher(Fibonacci_FeedbackMessage, 'a/_action/feedback', 10)",
+        "self.create_client(Fibonacci_SendGoal, 'a/_action/send_goal')",
         "self.create_timer('1.0', self.tick)",
         "self.destroy_timer(self.create_timer(1.0, self.tick))",
         "self.destroy_publisher(self.create_publisher(String, 'a', 10))",
@@ -228,7 +236,7 @@ def test_calls_of_a_file_that_are_wrong_in_the_same_way_are_one_finding(judge: J
         "create_publisher() fails: 'qos_profile' is missing; another call in this file fails in the same way"
     )
     assert finding.help == "write create_publisher(msg_type, topic, qos_profile)"
-    assert [related.place.line for related in finding.related] == [19]
+    assert [related.place.line for related in finding.related] == [20]
 
 
 MIXED = """

@@ -166,6 +166,8 @@ def _is_no_interface(value: Value, section: str) -> bool:
                 return names.canonical(path) in names.NODE_CLASSES
             if section == "msg" and (part or names.is_part_of_interface(interface)):
                 return False  # what a service or an action is made of are messages, too
+            if section == "srv" and interface.endswith(("_SendGoal", "_GetResult")):
+                return False  # and services, of an action
             return bool(part) or interface.split("/")[1] != section
     return _is_function(value) or isinstance(value, NodeValue)
 
