@@ -77,6 +77,7 @@ def test_json_is_the_contract():
             "older": 0,
             "unused": 0,
             "unused_files": 0,
+            "vendored": 0,
         },
     }
 

@@ -85,7 +85,11 @@ def _add_output(parser: argparse.ArgumentParser) -> None:
         "--group-by", metavar="WHAT", choices=list(GROUPS), help="group the findings by rule, package, node or file"
     )
     output.add_argument("--max", metavar="N", type=positive, help="show the N most important findings only")
-    output.add_argument("--all-files", action="store_true", help="show findings in files that nothing runs, too")
+    output.add_argument(
+        "--all-files",
+        action="store_true",
+        help="show findings in files that nothing runs, and in packages that others maintain, too",
+    )
     output.add_argument("--watch", action="store_true", help="check again whenever a file has changed; Ctrl-C ends")
 
 

@@ -13,7 +13,7 @@ from archlint.engine.pipeline import NothingToDo, Request, graph
 from archlint.report import statistics
 from archlint.report.fix_marks import fix_line
 from archlint.report.groups import most_important
-from archlint.report.model import Report, summary_line, unused_line
+from archlint.report.model import Report, summary_line, unused_line, vendored_line
 from archlint.report.starting_points import starting_points
 
 if TYPE_CHECKING:
@@ -82,7 +82,12 @@ def remarks(
     elif reports.FORMATS[arguments.format].arranged:
         notes += [_left_out(report, arguments), starting_points(report)]
     if reports.FORMATS[arguments.format].for_people or arguments.file is not None:
-        notes += [summary_line(report.summary), unused_line(report.summary), fix_line(report.findings)]
+        notes += [
+            summary_line(report.summary),
+            unused_line(report.summary),
+            vendored_line(report.summary),
+            fix_line(report.findings),
+        ]
     if arguments.verbose:
         settings = request.settings
         cache = settings.cache_folder if request.cached else "none"

@@ -31,6 +31,7 @@ from archlint.engine.request import NothingToDo, Request
 from archlint.engine.stale_entries import Judgement, stale_entry
 from archlint.engine.unread_data import unread_data
 from archlint.engine.unused_files import apart, count_of_files, unused_files
+from archlint.engine.vendored_packages import without_vendored
 from archlint.faults import Faults
 from archlint.finding import Place, Related
 from archlint.observed.words import comparison_notices, comparison_words
@@ -117,6 +118,7 @@ def _joined(judged: Sequence[Judged], inputs: Inputs) -> Judged:
         older=sum(part.summary.older for part in judged),
         unused=sum(part.summary.unused for part in judged),
         unused_files=sum(part.summary.unused_files for part in judged),
+        vendored=sum(part.summary.vendored for part in judged),
     )
     notices = list(dict.fromkeys(notice for part in judged for notice in part.notices))
     return Judged(findings, summary, notices, launched=[file for part in judged for file in part.launched])
@@ -142,8 +144,7 @@ def _judged(
     by_file.update(_of_manifests(workspace, inputs.tree))
     candidates.extend(failure(fault) for fault in faults.by_place())
     skipped = {file.relative for file in python_files(workspace) if facts.is_ros1(file)}
-    read = (candidate for candidate in candidates if candidate.place.file not in skipped)
-    candidates = list(read)
+    candidates = [candidate for candidate in candidates if candidate.place.file not in skipped]
     unused = unused_files(index, candidates, request)
     old = half_ported(workspace, known, facts)
     aside = uninstalled.files_of(index, candidates)
@@ -154,7 +155,8 @@ def _judged(
     about = _wanted([*stale, *suppressions.without_reason(by_file)], request.settings, workspace)
     kept = [*outcome.kept, *suppressions.apply(about, by_file).kept]
     sifted = sieve.part(dict.fromkeys(kept), {file.relative for file in workspace.files})
-    new, hidden = apart(index, sifted.new, unused)
+    own, vendored = without_vendored(index, sifted.new, request)
+    new, hidden = apart(index, own, unused)
     explained = uninstalled.once_for_a_file(with_reason(folded(new), old), aside)
     findings = _without_copies(inputs, facts, index, explained)
     shown = as_asked_for(request, systems[0], workspace)
@@ -169,14 +171,14 @@ def _judged(
         older=len(folded(sifted.older)),
         unused=len(folded(hidden)),
         unused_files=count_of_files(hidden, unused),
+        vendored=len(folded(vendored)),
     )
     refused = [suppressions.refusal(file, suppression) for file, suppression in outcome.refused]
     notices = [*_passed_over(inputs, facts, launch_files), *_of_systems(request, workspace, systems)]
     notices.extend(followed_in_part(index.cut_short()))
-    remarks = [*comparison_words(systems[0].compared)]
-    judged = Judged(findings, summary, [*refused, *notices, *_idle(request.settings, systems)], remarks)
-    judged = replace(judged, launched=launched_files(systems, findings))
-    return judged, shown, systems
+    said = [*refused, *notices, *_idle(request.settings, systems)]
+    judged = Judged(findings, summary, said, remarks=[*comparison_words(systems[0].compared)])
+    return replace(judged, launched=launched_files(systems, findings)), shown, systems
 
 
 def _of_systems(request: Request, workspace: Workspace, systems: Sequence[System]) -> Iterator[str]:

@@ -38,6 +38,8 @@ class Summary:
     """Findings that are not shown, for they are in files that nothing runs."""
     unused_files: int = 0
     """How many files these are in."""
+    vendored: int = 0
+    """Findings that are not shown, for they are in packages that others maintain."""
 
     @property
     def findings(self) -> int:
@@ -105,6 +107,7 @@ def summarise(
     older: int = 0,
     unused: int = 0,
     unused_files: int = 0,
+    vendored: int = 0,
 ) -> Summary:
     count = Counter(finding.severity for finding in findings)
     return Summary(
@@ -120,6 +123,7 @@ def summarise(
         older=older,
         unused=unused,
         unused_files=unused_files,
+        vendored=vendored,
     )
 
 
@@ -147,8 +151,17 @@ def summary_line(summary: Summary) -> str:
     return f"Found {counts} in {where}{tail}."
 
 
+def vendored_line(summary: Summary) -> str:
+    """What is not shown of packages that others maintain, in one sentence; empty where all is shown."""
+    if not summary.vendored:
+        return ""
+    if summary.vendored == 1:
+        return "1 finding in a package that others maintain is not shown; --all-files shows it."
+    return f"{summary.vendored} findings in packages that others maintain are not shown; --all-files shows them."
+
+
 def unused_line(summary: Summary) -> str:
-    """What is not shown, in one sentence; empty where all is shown."""
+    """What is not shown of files that nothing runs, in one sentence; empty where all is shown."""
     if not summary.unused:
         return ""
     where = counted(summary.unused_files, "file")

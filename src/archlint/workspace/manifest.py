@@ -50,6 +50,8 @@ class _Reader:
         self.groups: list[str] = []
         self.dependencies: list[Dependency] = []
         self.in_export: dict[str, int] = {}
+        self.people: set[str] = set()
+        self.has_address = False
 
     def doctype(self, *_: object) -> None:
         raise ManifestError("a document type is not allowed here", self.parser.CurrentLineNumber)
@@ -75,6 +77,12 @@ class _Reader:
         elif depth == 2 and tag in _DEPENDENCIES and text:
             condition = self.attributes.get("condition")
             self.dependencies.append(Dependency(text, _DEPENDENCIES[tag], condition, self.line))
+        elif depth == 2 and tag in ("maintainer", "author"):
+            self.people.update(
+                said for said in (text.lower(), self.attributes.get("email", "").strip().lower()) if said
+            )
+        elif depth == 2 and tag == "url":
+            self.has_address = self.has_address or bool(text)
         elif depth == 2 and tag == "member_of_group" and self.holds():
             self.groups.append(text)
         elif depth == 3 and tag in _DEPENDENCIES and self.stack[1] == "export":
@@ -129,6 +137,8 @@ def read_manifest(file: SourceFile, data: bytes, root: str, relative: str) -> Pa
         reader.format,
         reader.build_type in ("", "catkin") and reader.needs("catkin"),
         in_export=reader.in_export,
+        people=frozenset(reader.people),
+        has_address=reader.has_address,
     )
 
 

@@ -131,6 +131,10 @@ class Package:
     """Whether its CMakeLists.txt says so: its Python is then of ROS 1, too, whatever it imports by now."""
     in_export: Mapping[str, int] = field(default_factory=dict, compare=False)
     """The dependencies that its manifest has inside ``<export>``, where nothing reads them, each with its line."""
+    people: frozenset[str] = frozenset()
+    """The names and addresses of those who maintain it and have written it, in small letters."""
+    has_address: bool = False
+    """Whether its manifest names a page, a repository or a list of issues."""
 
     def runtime_dependencies(self) -> frozenset[str]:
         """Names this package needs to run, or to build and run (``depend``)."""
