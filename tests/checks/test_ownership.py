@@ -145,6 +145,18 @@ class TestMultiplePublishers:
 
         assert bool(owners(system(far, near, name="launch/robot.launch.py"))) is told
 
+    @pytest.mark.parametrize(
+        ("one_way", "the_other", "told"),
+        [("local_planner_trigger", "planner_state", False), ("oled_face", "planner_state", True)],
+    )
+    def test_what_is_shown_or_measured_says_nothing_of_turns(self, one_way: str, the_other: str, told: bool):
+        """A web page that has a face shown, and is told the state, drives beside the navigation."""
+        command, signal = publisher("cmd_vel", TWIST), "std_msgs/msg/String"
+        web = node("/web", command, publisher(one_way, signal), subscriber(the_other, signal))
+        slam = node("/slam", command, subscriber(one_way, signal), publisher(the_other, signal))
+
+        assert bool(owners(system(web, slam, name="launch/robot.launch.py"))) is told
+
     def test_topics_that_the_team_shares(self):
         judged = system(node("/a", publisher("events/door")), node("/b", publisher("events/door")))
 

@@ -15,6 +15,12 @@ _SIGNALS = frozenset(
     for name in ("Bool", "Empty", "Int8", "Int16", "Int32", "String", "UInt8", "UInt16", "UInt32")
 )
 """Messages that say one thing, such as which of two nodes is to work."""
+_OF_TURNS = frozenset(
+    {"activate", "active", "busy", "complete", "completed", "control", "done", "enable", "enabled", "finished", "go"}
+    | {"handover", "mode", "ready", "release", "start", "started", "state", "status", "stop", "stopped", "takeover"}
+    | {"trigger", "turn"}
+)
+"""Words for who is to work, and whether it does: a display, a measurement or the result of a test is none of them."""
 
 
 def hand_over(owners: Sequence[Endpoint]) -> bool:
@@ -27,12 +33,16 @@ def hand_over(owners: Sequence[Endpoint]) -> bool:
 
 
 def _tells(node: Node, other: Node, shared: str | None) -> bool:
-    """Whether a node publishes signals to which another one subscribes."""
+    """Whether a node publishes signals to which another one subscribes, and whose names speak of turns."""
     said, heard = (
         {end.name for end in each.of_kind(kind) if end.resolved and end.type in _SIGNALS}
         for each, kind in ((node, EntityKind.PUBLISHER), (other, EntityKind.SUBSCRIBER))
     )
-    return not said.isdisjoint(heard - {shared, None})
+    return any(_speaks_of_turns(name) for name in said & heard if name is not None and name != shared)
+
+
+def _speaks_of_turns(topic: str) -> bool:
+    return not _OF_TURNS.isdisjoint(topic.rpartition("/")[2].lower().split("_"))
 
 
 __all__ = ["hand_over"]
