@@ -202,13 +202,14 @@ def test_what_is_made_beside_an_action_that_is_put_aside(findings):
 DECLARED = """\
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument
+from launch.conditions import IfCondition
 from launch.substitutions import LaunchConfiguration
 from launch_ros.actions import Node
 
 def generate_launch_description():
     gui = LaunchConfiguration('gui')
     declare_gui = DeclareLaunchArgument('gui', default_value='true')
-    talker = Node(package='robot', executable='talker', arguments=[{read}])
+    talker = Node(package='robot', executable='talker', {read})
     return LaunchDescription([talker])
 """
 
@@ -217,9 +218,10 @@ def generate_launch_description():
     ("read", "codes"),
     [
         ("", []),  # nothing would read it if it were added
-        ("gui", ["LCH003"]),  # LCH003 says so where it is read
+        ("condition=IfCondition(gui)", ["LCH003"]),
+        ("arguments=[gui]", ["LCH003"]),  # LCH003 says so where it is read
         (
-            "LaunchConfiguration('gui', default='no')",
+            "arguments=[LaunchConfiguration('gui', default='no')]",
             ["LCH008"],
         ),  # nothing fails, but the value that is meant is not used
     ],

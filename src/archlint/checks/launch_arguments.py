@@ -86,8 +86,12 @@ def places_of_unknown_arguments(workspace: WorkspaceIndex, launched: Launched) -
 
 
 def told_as_left_out(system: System) -> set[tuple[str, str]]:
-    """The files and names of the arguments of which LCH003 says that their declaration is not added."""
+    """The files and names of the arguments of which LCH003 says that their declaration is not added, be it that this
+    system is one of several which follow from values of such an argument."""
     launched = system.launched
+    if launched is not None and system.workspace is not None:
+        by_file = {other.file: other for other in system.workspace.launched}
+        launched = by_file.get(launched.file, launched)
     if launched is None or launched.gaps or _meant_to_be_included(launched):
         return set()
     told = {(diagnostic.place, diagnostic.identity) for diagnostic in _undeclared_uses(system, launched)}
