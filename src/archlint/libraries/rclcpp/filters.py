@@ -6,10 +6,12 @@ Source: ``message_filters/subscriber.hpp`` (``subscribe(node, topic, qos, option
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.interpreter.values import External, Instance, Unknown, Value
 from archlint.libraries.api_use import ApiUse
+from archlint.libraries.rclcpp.transports import transported
 from archlint.libraries.rclpy.effects import EFFECTS
 from archlint.libraries.tables import TABLE
 
@@ -21,7 +23,6 @@ if TYPE_CHECKING:
 SUBSCRIBER = "message_filters.cpp.Subscriber"
 """A ``message_filters::Subscriber<T>`` without a topic yet; its argument is T."""
 IMAGES = "image_transport.SubscriberFilter"
-_IMAGE = External("sensor_msgs.msg.Image")
 _TYPE = "msg_type"
 _ROW = TABLE["message_filters.Subscriber"]
 
@@ -34,7 +35,7 @@ def _new(run: Run, site: CallSite) -> Value:
 
 def _new_of_images(run: Run, site: CallSite) -> Value:
     filter_ = Instance(External(IMAGES), run.store.new_key())
-    return _subscribe(run, site, _IMAGE, 3) if site.args else filter_
+    return _subscribe_to_images(run, site) if site.args else filter_
 
 
 def _later(run: Run, receiver: Value, site: CallSite) -> Value:
@@ -43,7 +44,14 @@ def _later(run: Run, receiver: Value, site: CallSite) -> Value:
 
 
 def _images_later(run: Run, receiver: Value, site: CallSite) -> Value:
-    return _subscribe(run, site, _IMAGE, 3)
+    return _subscribe_to_images(run, site)
+
+
+def _subscribe_to_images(run: Run, site: CallSite) -> Value:
+    if len(site.args) < 3:
+        return Unknown("a filter of images without a transport")
+    topic, kind = transported(site.args[1], site.args[2])
+    return _subscribe(run, replace(site, args=[site.args[0], topic, *site.args[2:]]), kind, 3)
 
 
 def _subscribe(run: Run, site: CallSite, kind: Value, at_qos: int) -> Value:

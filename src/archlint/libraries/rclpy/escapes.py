@@ -60,7 +60,7 @@ _CARRIERS = (
 _OWN = (
     *("rclpy.", "tf2_", "message_filters.", "logging.", "types.SimpleNamespace", "argparse.Namespace"),
     *("rclcpp.AsyncParametersClient", "rclcpp.SyncParametersClient", "rclcpp.ParameterEvent", "rclcpp.TimeSource"),
-    *("image_transport.TransportHints", "image_transport.ImageTransport"),
+    *("image_transport.TransportHints", "image_transport.ImageTransport", "camera_info_manager."),
 )
 """Libraries that do nothing with a node which the tables do not say, and plain bags of attributes."""
 _LOGS = frozenset({"debug", "info", "warn", "warning", "error", "fatal", "critical", "exception", "log"})

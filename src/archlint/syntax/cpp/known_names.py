@@ -10,7 +10,19 @@ from __future__ import annotations
 LIBRARIES = frozenset(
     {
         *("rclcpp", "rclcpp_action", "rclcpp_lifecycle", "rclcpp_components", "std", "message_filters", "boost"),
-        *("image_transport", "tf2_ros", "tf2", "fmt", "nav2_util", "nav2_ros_common", "Eigen", "cv", "pcl", "YAML"),
+        *(
+            "image_transport",
+            "camera_info_manager",
+            "tf2_ros",
+            "tf2",
+            "fmt",
+            "nav2_util",
+            "nav2_ros_common",
+            "Eigen",
+            "cv",
+            "pcl",
+            "YAML",
+        ),
         *("diagnostic_updater", "controller_interface", "hardware_interface", "point_cloud_transport", "rcutils"),
         *("nav2_costmap_2d", "nav2_core", "moveit", "rviz_common", "rqt_gui_cpp", "lifecycle_msgs", "ament_index_cpp"),
         *("autoware_utils", "autoware", "BT", "rosbag2_cpp", "rosbag2_transport", "pluginlib", "urdf", "KDL", "Ogre"),

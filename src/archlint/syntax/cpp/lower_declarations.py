@@ -272,7 +272,7 @@ _POLICIES = ("history", "depth", "reliability", "durability")
 
 _MADE_WITH_NODE = frozenset(
     {
-        *("rclcpp.QoS", "image_transport.ImageTransport"),
+        *("rclcpp.QoS", "image_transport.ImageTransport", "camera_info_manager.CameraInfoManager"),
         *("tf2_ros.TransformBroadcaster", "tf2_ros.StaticTransformBroadcaster"),
     }
 )
