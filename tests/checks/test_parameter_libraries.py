@@ -55,6 +55,20 @@ def test_the_module_of_a_python_package(findings):
     assert "gains.q" in unknown.message
 
 
+@pytest.mark.parametrize(
+    "call",
+    [
+        "generate_parameter_module(\n    'talker_parameters',  # the module\n    'robot/parameters.yaml',\n)",
+        "generate_parameter_module(module_name='talker_parameters', yaml_file='robot/parameters.yaml')",
+        "file = 'robot/parameters.yaml'\ngenerate_parameter_module('talker_parameters', file, 'robot.checks')",
+    ],
+)
+def test_how_a_setup_file_asks_for_the_module(findings, call: str):
+    setup = SETUP.replace("generate_parameter_module('talker_parameters', 'robot/parameters.yaml')", call)
+    [told] = findings("PRM004", node('<param name="speed" value="2"/>'), **PYTHON | {"setup.py": setup})
+    assert "speed" in told.message
+
+
 @pytest.mark.parametrize("rules", ["API", "PKG", "MSG", "PRM", "NME", "EXE", "LNT"])
 def test_nothing_is_wrong_with_such_a_package(findings, rules: str):
     assert findings(rules, node(), **PYTHON) == []

@@ -7,17 +7,18 @@ Source: ``generate_parameter_library.cmake`` (``generate_parameter_library(targe
 
 from __future__ import annotations
 
+import io
 import re
+import tokenize
 from collections.abc import Iterator
+from contextlib import suppress
 
 from archlint.workspace.cmake_run import run_alone, without_source
 
 _COMMANDS = ("generate_parameter_library", "generate_parameter_module")
 _CALL = re.compile(
-    r"""^[ \t]*generate_parameter_module\(\s*
-        (?:module_name\s*=\s*)?(?P<a>["'])(?P<module>\w+)(?P=a)\s*,\s*
-        (?:yaml_file\s*=\s*)?(?P<b>["'])(?P<file>[\w./-]+)(?P=b)""",
-    re.VERBOSE | re.MULTILINE,
+    r"""^generate_parameter_module\((?:module_name=)?(?P<a>["'])(?P<module>\w+)(?P=a),"""
+    r"""(?:yaml_file=)?(?P<b>["'])(?P<file>[\w./-]+)(?P=b)[,)]"""
 )
 _VARIABLE = re.compile(r"""^(?P<name>\w+)\s*=\s*(?P<quote>["'])(?P<text>[\w./-]+)(?P=quote)\s*$""", re.MULTILINE)
 
@@ -42,8 +43,21 @@ def generated_by_setup(text: str, package: str) -> Iterator[tuple[str, str]]:
     for variable in _VARIABLE.finditer(text):
         name, quote, value = variable["name"], variable["quote"], variable["text"]
         text = re.sub(rf"(?<=[(,=\s]){name}(?=\s*[,)])", f"{quote}{value}{quote}", text)
-    for call in _CALL.finditer(text):
-        yield call["file"], f"{package}.{call['module']}"
+    for line in _lines(text):
+        if (call := _CALL.match(line)) is not None:
+            yield call["file"], f"{package}.{call['module']}"
+
+
+def _lines(text: str) -> Iterator[str]:
+    """The logical lines of code, without blanks and comments, up to where it is none of Python's."""
+    line: list[str] = []
+    with suppress(tokenize.TokenError, SyntaxError):
+        for token in tokenize.generate_tokens(io.StringIO(text).readline):
+            if token.type == tokenize.NEWLINE:
+                yield "".join(line)
+                line = []
+            elif token.type not in (tokenize.COMMENT, tokenize.NL, tokenize.INDENT, tokenize.DEDENT):
+                line.append(token.string)
 
 
 __all__ = ["generated_by_cmake", "generated_by_setup"]
