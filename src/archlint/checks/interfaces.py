@@ -13,6 +13,7 @@ from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
 from archlint.ros.interfaces import is_interface_name
 from archlint.suggestions import listed, nearest
+from archlint.workspace.kinds import is_cpp
 
 if TYPE_CHECKING:
     from archlint.model import UnknownInterface
@@ -26,10 +27,19 @@ _SHOWN = 12
 def unknown_interface(system: System, options: Options) -> Iterator[Finding]:
     """Interfaces imported from a package that does not define them."""
     unknown = {
-        (interface.place, interface.name): interface for run in system.programs for interface in run.unknown_interfaces
+        (interface.place, interface.name): interface
+        for run in system.programs
+        for interface in run.unknown_interfaces
+        if not is_cpp(interface.place.file) or _is_built(system, run.file)
     }
     for key in sorted(unknown):
         yield _unknown_interface(unknown[key])
+
+
+def _is_built(system: System, file: str) -> bool:
+    """Whether a CMakeLists.txt builds a source in any case: code that nothing compiles may name what it likes."""
+    installs = () if system.workspace is None else system.workspace.installs.values()
+    return any(file in package.sources for package in installs)
 
 
 def _unknown_interface(interface: UnknownInterface) -> Finding:
@@ -68,7 +78,8 @@ def of_one_file(findings: Sequence[Finding]) -> Finding:
     first, *others = findings
     names = list(dict.fromkeys(diagnostic.identity[2] for diagnostic in findings))
     lines = {other.place.line: other for other in others if other.place.line != first.place.line}
-    rows = tuple(Related(other.place, f"'{other.identity[2]}' is imported here") for other in lines.values())
+    verb = "named" if is_cpp(first.place.file) else "imported"
+    rows = tuple(Related(other.place, f"'{other.identity[2]}' is {verb} here") for other in lines.values())
     if len(names) == 1:
         return replace(first, related=(*first.related, *rows))
     package, kind, _ = first.identity
@@ -112,9 +123,12 @@ def _cure(interface: UnknownInterface, names: Sequence[str]) -> str:
     """The import line to write where the interface is found elsewhere, what the build lacks, or what there is."""
     if interface.left_out:
         return f'add "{_file(interface)}" to rosidl_generate_interfaces() in the CMakeLists.txt of {interface.package}'
-    if (part := _part(interface)) is not None:
+    is_of_cpp = is_cpp(interface.place.file)
+    if (part := _part(interface)) is not None and not is_of_cpp:
         return f"in ROS 2 it belongs to the service: import {part[0]} and write {part[0]}.{part[1]}()"
     elsewhere = interface.elsewhere if len(names) == len(interface.others) else ()
+    if is_of_cpp:
+        return _cure_in_cpp(interface, elsewhere, names)
     if len(elsewhere) == 1:
         return f"write `from {elsewhere[0]}.{interface.kind} import {interface.name}`: that package defines it"
     if elsewhere:
@@ -123,3 +137,11 @@ def _cure(interface: UnknownInterface, names: Sequence[str]) -> str:
         return f"look for {_renamed(interface.name)}: the names of interfaces have no '_'"
     when = "that function runs" if interface.in_function else "the node starts"
     return f"the import fails when {when}; {interface.package}.{interface.kind} has {listed(names, shown=_SHOWN)}"
+
+
+def _cure_in_cpp(interface: UnknownInterface, elsewhere: Sequence[str], names: Sequence[str]) -> str:
+    if len(elsewhere) == 1:
+        return f"take it from {elsewhere[0]}::{interface.kind}, which defines it"
+    if elsewhere:
+        return f"take it from a package that defines it: {listed(elsewhere, shown=_SHOWN)}"
+    return f"this does not compile; {interface.package}::{interface.kind} has {listed(names, shown=_SHOWN)}"

@@ -32,7 +32,7 @@ def import_from(machine: Machine, s: facts.ImportFrom) -> Status:
     dotted = machine.index.absolute_name(importer, s.module, s.level)
     for name, bound in s.names:
         if name == "*":
-            _import_star(machine, module, dotted)
+            _import_star(machine, module, dotted, s.span)
             continue
         value: Value | None = None
         if machine.library.speaks_for(f"{dotted}.{name}"):
@@ -55,10 +55,12 @@ def import_from(machine: Machine, s: facts.ImportFrom) -> Status:
     return None
 
 
-def _import_star(machine: Machine, module: Module | None, dotted: str) -> None:
+def _import_star(machine: Machine, module: Module | None, dotted: str, span: facts.Span) -> None:
     if module is None:
         of_header = machine.activation.module.file.kind == "cpp" and not dotted.endswith((".msg", ".srv", ".action"))
-        if not of_header:  # one of elsewhere has no names that are looked for here
+        if of_header:
+            machine.library.header_missing(dotted, span)
+        else:  # a header of elsewhere has no names that are looked for here
             machine.activation.module.star_externals.append(dotted)
         return
     machine.import_module(module)

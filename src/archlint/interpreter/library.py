@@ -85,6 +85,9 @@ class Library:
         """What ``from package import name`` gives, for a package that is not here."""
         return External(path)
 
+    def header_missing(self, path: str, span: facts.Span) -> None:
+        """A file of C++ includes a header that is not here."""
+
     def star_sources(self, packages: Sequence[str], name: str) -> Sequence[str]:
         """Those of some foreign packages whose star import may bring a name."""
         return packages

@@ -92,6 +92,9 @@ class RosLibrary(Library):
         interfaces.note_interface(self.run, path, span)
         return interfaces.missing_interface(self.run, path) or External(path)
 
+    def header_missing(self, path: str, span: facts.Span) -> None:
+        interfaces.note_header(self.run, path, span)
+
     def star_sources(self, packages: Sequence[str], name: str) -> Sequence[str]:
         return interfaces.star_sources(self.run, packages, name)
 

@@ -85,6 +85,14 @@ def type_of_file(file: SourceFile) -> str | None:
     return f"{file.package}/{kind}/{stem}"
 
 
+def header_stem(name: str) -> str:
+    """What the header of an interface is called in C++: ``joint_state`` of ``JointState``.
+
+    Source: ``convert_camel_case_to_lower_case_underscore`` of rosidl_pycommon."""
+    name = re.sub(r"(.)([A-Z][a-z]+)", r"\1_\2", name)
+    return re.sub(r"([a-z0-9])([A-Z])", r"\1_\2", name).lower()
+
+
 _OF_INTERFACES = ("_msgs", "_srvs", "_interfaces")
 """How packages are called that hold interfaces and nothing else."""
 _MADE_BY_CMAKE = frozenset(
@@ -188,6 +196,23 @@ class InterfaceTable:
         if package not in standard.packages:
             return False if package.endswith(_OF_INTERFACES) and not is_interface_name(name) else None
         return f"{package}/{kind}/{name}" in standard.interfaces
+
+    def is_of_workspace(self, package: str) -> bool:
+        """Whether a package of the workspace has interfaces, all of which are known."""
+        return package in self._packages and package not in self._unread
+
+    def missing_header(self, package: str, kind: InterfaceKind, stem: str) -> str | None:
+        """The interface whose header ``package/msg/stem.hpp`` would be, where a package of the workspace certainly
+        generates none of that name."""
+        if not self.is_of_workspace(package):
+            return None
+        start = f"{package}/{kind}/"
+        names = [name.removeprefix(start) for name in self._files if name.startswith(start)]
+        names += [name for listed, of_kind, name in sorted(self._listed) if (listed, of_kind) == (package, kind)]
+        same = [name for name in names if header_stem(name) == stem]
+        if not same:
+            return "".join(word.capitalize() for word in stem.split("_"))
+        return same[0] if all(self.is_left_out(package, kind, name) for name in same) else None
 
     def is_left_out(self, package: str, kind: InterfaceKind, name: str) -> bool:
         """Whether the file of an interface is there, and the CMakeLists.txt, which lists others by name, does not

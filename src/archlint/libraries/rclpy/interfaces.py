@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from archlint.interpreter.values import Unknown, Value
 from archlint.libraries.rclpy import names
 from archlint.model import UnknownInterface
-from archlint.ros.interfaces import parts_of_type
-from archlint.syntax.interfaces import INTERFACE_KINDS
+from archlint.ros.interfaces import is_interface_name, parts_of_type
+from archlint.syntax.interfaces import INTERFACE_KINDS, KIND_OF_SUFFIX
 
 if TYPE_CHECKING:
     from archlint.libraries.run import Run
     from archlint.syntax.facts import Span
+    from archlint.syntax.interfaces import InterfaceKind
 
 
 def note_interface(run: Run, path: str, span: Span) -> None:
@@ -24,6 +26,37 @@ def note_interface(run: Run, path: str, span: Span) -> None:
     package, kind, name = parts_of_type(interface)
     if not is_missing(run, path):
         return
+    if run.activation.module.file.kind == "cpp" and not _is_judged_in_cpp(run, package, name, span):
+        return
+    _note(run, package, kind, name, span)
+
+
+_NOWHERE = (1, 1)
+"""Where the lowering puts what stands behind a condition of the preprocessor alone."""
+
+
+def _is_judged_in_cpp(run: Run, package: str, name: str, span: Span) -> bool:
+    """Whether a name of C++ is that of an interface of the workspace: ``Foo_Request`` and ``to_yaml`` are others."""
+    assert run.interfaces is not None
+    return span[:2] != _NOWHERE and is_interface_name(name) and run.interfaces.is_of_workspace(package)
+
+
+_HEADER = re.compile(r"(\w+)/(msg|srv|action)/([a-z][a-z0-9]*(?:_[a-z0-9]+)*)\.hpp")
+
+
+def note_header(run: Run, path: str, span: Span) -> None:
+    """Note the header of an interface that its package, one of the workspace, does not define."""
+    header = _HEADER.fullmatch(path)
+    if header is None or run.interfaces is None or not _imported_for_sure(run) or run.branch_arms:
+        return
+    package, kind = header[1], KIND_OF_SUFFIX[header[2]]
+    name = run.interfaces.missing_header(package, kind, header[3])
+    if name is not None:
+        _note(run, package, kind, name, span)
+
+
+def _note(run: Run, package: str, kind: InterfaceKind, name: str, span: Span) -> None:
+    assert run.interfaces is not None
     others = tuple(
         f"{package}/{other}/{name}" for other in INTERFACE_KINDS if run.interfaces.defines(package, other, name)
     )

@@ -367,8 +367,10 @@ class StatementLowering(TextLowering):
         span = self.source.span(node)
         alternative = node.child_by_field_name("alternative")
         parts = (node.child_by_field_name("name"), node.child_by_field_name("condition"), alternative)
+        is_guard = self._is_guard(node)
+        self.names.conditions += not is_guard
         inner = self.block(child for child in node.named_children if child not in parts)
-        if self._is_guard(node):
+        if is_guard:
             body.extend(inner)
             return
         otherwise: list[Stmt] = []
@@ -376,6 +378,7 @@ class StatementLowering(TextLowering):
             otherwise = self.block(alternative.named_children)
         elif alternative is not None:
             self._preprocessed(alternative, otherwise)
+        self.names.conditions -= 1
         if inner or otherwise:
             body.append(facts.If(facts.Opaque("a condition of the preprocessor", span), inner, otherwise, span))
 

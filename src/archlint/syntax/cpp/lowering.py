@@ -71,11 +71,13 @@ class Lowering(ClassLowering):
 
     def imports(self) -> list[Stmt]:
         """The imports of what the file names of interfaces and libraries."""
-        span = (1, 1, 1, 1)
-        return [
-            facts.ImportFrom(module, 0, [(name, bound)], span) if name else facts.Import(module, None, span)
-            for bound, (module, name) in sorted(self.names.imports.items())
-        ]
+        rows: list[Stmt] = []
+        for bound, (module, name) in sorted(self.names.imports.items()):
+            span = self.names.spans.get(bound, (1, 1, 1, 1))
+            rows.append(
+                facts.ImportFrom(module, 0, [(name, bound)], span) if name else facts.Import(module, None, span)
+            )
+        return rows
 
     def note_classes(self, root: Node) -> None:
         """Take note of the namespaces and classes of the file, wherever they are."""

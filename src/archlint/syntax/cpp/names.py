@@ -74,6 +74,10 @@ class Names:
         self._source = source
         self.imports: dict[str, tuple[str, str]] = {}
         """What is imported: module and name, by what it is bound as; a name of ``""`` is the module itself."""
+        self.spans: dict[str, Span] = {}
+        """Where each of these is named first, outside of all conditions of the preprocessor."""
+        self.conditions = 0
+        """How many of these are around what is being lowered."""
         self.namespaces: set[str] = set()
         self.spaces: list[str] = []
         """The namespaces around what is being lowered, without those that have no name."""
@@ -282,6 +286,8 @@ class Names:
     def _imported(self, path: str, bound: str, span: Span) -> Expr:
         module, _, name = path.rpartition(".")
         self.imports.setdefault(bound, (module, name))
+        if not self.conditions:
+            self.spans.setdefault(bound, span)
         return facts.Name(bound, span)
 
     def _interface(self, parts: list[Part], span: Span) -> Expr | None:

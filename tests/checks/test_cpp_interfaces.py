@@ -1,0 +1,139 @@
+"""MSG002 in C++: includes and types of interfaces that a package of the workspace does not define."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from archlint.config.settings import load
+from archlint.engine.pipeline import Request, check
+from archlint.finding import Finding
+from robot_package import manifest, write_files
+
+INTERFACES = """
+project(robot_msgs)
+find_package(rosidl_default_generators REQUIRED)
+rosidl_generate_interfaces(${PROJECT_NAME} "msg/JointState2.msg" "msg/WheelSpeed.msg" "srv/Reset.srv")
+"""
+BUILD = """
+project(robot)
+add_executable(robot src/robot.cpp)
+install(TARGETS robot DESTINATION lib/${PROJECT_NAME})
+"""
+SOURCE = """
+#include "rclcpp/rclcpp.hpp"
+%s
+class Robot : public rclcpp::Node {
+public:
+  Robot() : Node("robot") {
+    %s
+  }
+};
+int main(int argc, char ** argv) {
+  rclcpp::init(argc, argv);
+  rclcpp::spin(std::make_shared<Robot>());
+}
+"""
+
+
+def findings(root: Path, includes: str = "", statements: str = "", build: str = BUILD, **files: str) -> list[Finding]:
+    """What MSG002 finds in a workspace of a node and the package of its interfaces."""
+    texts = {
+        "robot_msgs/package.xml": manifest("robot_msgs", "ament_cmake"),
+        "robot_msgs/CMakeLists.txt": INTERFACES,
+        "robot_msgs/msg/JointState2.msg": "float64 angle\n",
+        "robot_msgs/msg/WheelSpeed.msg": "float64 left\n",
+        "robot_msgs/msg/Forgotten.msg": "float64 left\n",
+        "robot_msgs/srv/Reset.srv": "---\n",
+        "robot/package.xml": manifest(build_type="ament_cmake", more="<depend>robot_msgs</depend>"),
+        "robot/CMakeLists.txt": build,
+        "robot/src/robot.cpp": SOURCE % (includes, statements),
+        "archlint.toml": 'select = ["MSG002"]\n',
+    }
+    write_files(root, texts | files)
+    return check(Request((".",), load(root), cached=False, jobs=1)).findings
+
+
+@pytest.fixture(autouse=True)
+def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+@pytest.mark.parametrize(
+    ("name", "meant"),
+    [
+        ("wheel_speeds", "robot_msgs defines no message 'WheelSpeeds'; did you mean 'WheelSpeed'?"),
+        ("reset", "robot_msgs defines no message 'Reset'; there is robot_msgs/srv/Reset"),
+        (
+            "forgotten",
+            "robot_msgs defines no message 'Forgotten': msg/Forgotten.msg is not listed in "
+            "rosidl_generate_interfaces() of its CMakeLists.txt",
+        ),
+    ],
+)
+def test_an_include_of_an_interface_that_is_not_there(here: Path, name: str, meant: str) -> None:
+    [told] = findings(here, f'#include "robot_msgs/msg/{name}.hpp"')
+    assert told.message == meant
+    assert (told.place.file, told.place.line) == ("robot/src/robot.cpp", 3)
+
+
+def test_a_type_that_is_not_there_is_told_with_its_include(here: Path) -> None:
+    include = '#include "robot_msgs/msg/wheel_speeds.hpp"'
+    [told] = findings(here, include, 'create_publisher<robot_msgs::msg::WheelSpeeds>("speeds", 10);')
+    assert told.message == "robot_msgs defines no message 'WheelSpeeds'; did you mean 'WheelSpeed'?"
+    assert [place.place.line for place in told.related] == [7]
+
+
+def test_a_type_alone(here: Path) -> None:
+    [told] = findings(here, "", 'create_publisher<robot_msgs::msg::Wheels>("speeds", 10);')
+    assert told.place.line == 7
+    assert told.help == "this does not compile; robot_msgs::msg has JointState2, WheelSpeed"
+
+
+@pytest.mark.parametrize(
+    "include",
+    [
+        "robot_msgs/msg/wheel_speed.hpp",
+        "robot_msgs/msg/joint_state2.hpp",
+        "robot_msgs/srv/reset.hpp",
+        "robot_msgs/msg/detail/wheel_speeds__struct.hpp",
+        "robot_msgs/msg/wheel_speeds__struct.hpp",
+        "robot_msgs/msg/helpers.h",
+        "other_msgs/msg/wheel_speeds.hpp",
+        "sensor_msgs/msg/point_cloud2_iterator.hpp",
+    ],
+)
+def test_includes_that_are_right_or_of_elsewhere(here: Path, include: str) -> None:
+    assert findings(here, f'#include "{include}"') == []
+
+
+@pytest.mark.parametrize(
+    "statement",
+    [
+        'create_publisher<robot_msgs::msg::WheelSpeed>("speeds", 10);',
+        "robot_msgs::srv::Reset_Request request;",
+        "robot_msgs::msg::WheelSpeed_<std::allocator<void>> speed;",
+        "auto text = robot_msgs::msg::to_yaml(speed);",
+        'create_publisher<other_msgs::msg::Wheels>("speeds", 10);',
+    ],
+)
+def test_types_that_are_right_or_of_elsewhere(here: Path, statement: str) -> None:
+    assert findings(here, "", statement) == []
+
+
+def test_what_the_preprocessor_may_leave_out_is_not_judged(here: Path) -> None:
+    include = '#ifdef OLD_MESSAGES\n#include "robot_msgs/msg/wheels.hpp"\n#endif'
+    statement = '#ifdef OLD_MESSAGES\ncreate_publisher<robot_msgs::msg::Wheels>("speeds", 10);\n#endif'
+    assert findings(here, include, statement) == []
+
+
+def test_a_source_that_nothing_builds_is_not_judged(here: Path) -> None:
+    assert findings(here, '#include "robot_msgs/msg/wheels.hpp"', build="project(robot)\n") == []
+
+
+def test_interfaces_that_the_build_makes_are_not_judged(here: Path) -> None:
+    made = INTERFACES.replace("rosidl_gen", "configure_file(msg/A.msg.in msg/A.msg)\nrosidl_gen", 1)
+    made = made.replace('"srv/Reset.srv"', '"srv/Reset.srv" ${MADE}')
+    assert findings(here, '#include "robot_msgs/msg/a.hpp"', **{"robot_msgs/CMakeLists.txt": made}) == []
