@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
-from robot_package import CMAKE
+from archlint.config.settings import load
+from archlint.engine.pipeline import Request, check
+from robot_package import CMAKE, manifest
 
 HEAD = "project(robot)\nfind_package(ament_cmake REQUIRED)\nfind_package(rclcpp REQUIRED)\n"
 TALKER = "add_executable(talker src/talker.cpp)\n"
@@ -125,3 +129,44 @@ def test_a_project_that_is_not_called_like_its_package(findings, text, line):
 )
 def test_a_project_of_the_right_name_or_one_that_is_not_known(findings, text):
     assert findings("PKG012", **{"package.xml": CMAKE, "CMakeLists.txt": text}) == []
+
+
+@pytest.fixture
+def beside(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    """The lines told in a CMakeLists.txt of a package beside ``tools``, one of Python."""
+    monkeypatch.chdir(tmp_path)
+
+    def run(line: str, data_files: str = "") -> list[tuple[str, int]]:
+        files = {
+            "tools/package.xml": manifest("tools"),
+            "tools/setup.py": f"from setuptools import setup\nsetup(name='tools', packages=['tools'], {data_files})\n",
+            "robot/package.xml": CMAKE,
+            "robot/CMakeLists.txt": f"{HEAD}{line}\n",
+            "archlint.toml": 'select = ["PKG012"]\n',
+        }
+        for name, text in files.items():
+            (tmp_path / name).parent.mkdir(exist_ok=True)
+            (tmp_path / name).write_text(text, encoding="utf-8")
+        found = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+        return [(finding.message, finding.place.line) for finding in found]
+
+    return run
+
+
+@pytest.mark.parametrize("name", ["ament_index_python", "tools"])
+def test_a_package_of_python_has_nothing_for_cmake(beside, name):
+    message = f"find_package() is given '{name}', a package of Python, which has no file for CMake: the build stops"
+    assert beside(f"find_package({name} REQUIRED)") == [(message, 4)]
+
+
+@pytest.mark.parametrize(
+    ("line", "data_files"),
+    [
+        ("find_package(tools)", ""),
+        ("if(WITH_TOOLS)\n  find_package(tools REQUIRED)\nendif()", ""),
+        ("find_package(rclpy REQUIRED)", ""),
+        ("find_package(tools REQUIRED)", "data_files=[('share/tools/cmake', ['toolsConfig.cmake'])]"),
+    ],
+)
+def test_a_package_that_cmake_may_find(beside, line, data_files):
+    assert beside(line, data_files) == []

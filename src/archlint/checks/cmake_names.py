@@ -19,7 +19,7 @@ from archlint.workspace.closure import closure
 
 if TYPE_CHECKING:
     from archlint.systems.model import System, WorkspaceIndex
-    from archlint.workspace.installed import Installs, NameInCMake
+    from archlint.workspace.installed import FoundPackage, Installs, NameInCMake
 
 
 @rule("PKG012", scope=Scope.WORKSPACE)
@@ -33,8 +33,38 @@ def unknown_cmake_name(system: System, options: Options) -> Iterator[Finding]:
         package = workspace.manifests.get(installs.folder)
         if package is None or package.name != name or package.build_type != "ament_cmake" or package.ros1:
             continue
-        if installs.names_of_nothing and not is_aside(workspace, package.manifest.relative):
+        if is_aside(workspace, package.manifest.relative):
+            continue
+        if installs.names_of_nothing:
             yield from _of_build(workspace, installs, options)
+        yield from (_of_python(installs, asked) for asked in installs.required if _is_of_python(workspace, asked.name))
+
+
+_PYTHON_PACKAGES = frozenset(
+    {"ament_index_python", "joint_state_publisher", "joint_state_publisher_gui", "launch", "launch_ros", "launch_xml"}
+    | {"launch_yaml", "nav2_simple_commander", "teleop_twist_keyboard", "tf_transformations"}
+)
+"""Packages of ROS with a setup.py and no CMakeLists.txt."""
+
+
+def _is_of_python(workspace: WorkspaceIndex, name: str) -> bool:
+    """Whether a package has nothing that ``find_package()`` finds: setup.py alone installs it, and no file of CMake."""
+    package, installs = workspace.packages.get(name), workspace.installs.get(name)
+    if package is None:
+        return name in _PYTHON_PACKAGES
+    cmake = installs is None or installs.open_files or any("cmake" in row.destination for row in installs.files)
+    return package.build_type == "ament_python" and not cmake
+
+
+def _of_python(installs: Installs, asked: FoundPackage) -> Finding:
+    return finding(
+        "PKG012",
+        asked.place,
+        f"find_package() is given '{asked.name}', a package of Python, which has no file for CMake: the build stops",
+        help="remove the line: an <exec_depend> in package.xml is enough",
+        identity=(installs.package, "find_package", asked.name),
+        group=(asked.place.file, "python", asked.name),
+    )
 
 
 def _of_build(workspace: WorkspaceIndex, installs: Installs, options: Options) -> Iterator[Finding]:

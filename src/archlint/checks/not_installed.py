@@ -11,6 +11,7 @@ from archlint.checks.folding import folds, with_others
 from archlint.checks.packages import workspace_of
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
+from archlint.checks.script_imports import BESIDE, imports_of_scripts
 from archlint.finding import Finding, Related
 from archlint.launch_files.missing_files import namesake
 from archlint.packaging.interface_dependencies import NotGenerated, not_generated
@@ -67,6 +68,7 @@ def not_installed(system: System, options: Options) -> Iterator[Finding]:
     yield from map(_folder, folders_listed(workspace))
     yield from map(_misnamed, misnamed_markers(workspace))
     yield from map(_interfaces, not_generated(workspace))
+    yield from imports_of_scripts(workspace)
 
 
 # ------------------------------------------------------------------------------------------------- Python code
@@ -321,6 +323,8 @@ def _of_one_list(findings: Sequence[Finding]) -> Finding:
     folders that patterns match."""
     if len(findings) > 1 and findings[0].group[-1] == "folder":
         return with_others(findings, "another pattern of the file does", "more patterns of the file do", "the same")
+    if findings[0].group[-1] == BESIDE:
+        return with_others(findings, "another module is", "more modules are", "left out, too")
     return with_others(findings, "another file is", "more files are", "not there, either")
 
 

@@ -29,7 +29,7 @@ class LeftOut:
     package: str
     needed_at: Place
     entry: str = ""
-    """The executable that cannot start, where its own module is left out."""
+    """The executable that cannot start, where its own module is left out, or a module beside its script."""
 
 
 def left_out_code(workspace: WorkspaceIndex) -> Iterator[LeftOut]:
@@ -63,10 +63,10 @@ def _imported_from(workspace: WorkspaceIndex, start: str, seen: set[str]) -> Ite
         if file in seen or file_facts is None:
             continue
         seen.add(file)
-        if _changes_path(file_facts):
+        if changes_path(file_facts):
             continue
-        for statement in _certain_imports(file_facts.body):
-            for imported in _files_of(workspace, file, statement):
+        for statement in certain_imports(file_facts.body):
+            for imported in files_of_import(workspace, file, statement):
                 pending.append(imported)
                 package = workspace.package_of(imported)
                 if package is not None and _is_left_out(workspace, imported):
@@ -100,7 +100,7 @@ def _is_of_another_distribution(workspace: WorkspaceIndex, outer: str, file: str
     return False
 
 
-def _changes_path(file_facts: facts.Facts) -> bool:
+def changes_path(file_facts: facts.Facts) -> bool:
     """Whether a file may say itself where Python looks for modules, with ``sys.path``.  Its text is not asked: an edit
     of a comment would be a reason to judge the workspace again."""
     names = {i.alias or "sys" for i in everything_in(file_facts.body, facts.Import) if i.module == "sys"}
@@ -109,16 +109,17 @@ def _changes_path(file_facts: facts.Facts) -> bool:
     return from_sys or any(a.value.variable in names for a in paths)
 
 
-def _certain_imports(body: Sequence[facts.Stmt]) -> Iterator[facts.Import | facts.ImportFrom]:
+def certain_imports(body: Sequence[facts.Stmt]) -> Iterator[facts.Import | facts.ImportFrom]:
+    """The imports that run whenever a file is loaded."""
     for statement in body:
         match statement:
             case facts.Import() | facts.ImportFrom():
                 yield statement
             case facts.With(body=inner) | facts.Class(body=inner):
-                yield from _certain_imports(inner)
+                yield from certain_imports(inner)
 
 
-def _files_of(workspace: WorkspaceIndex, file: str, statement: facts.Import | facts.ImportFrom) -> Iterator[str]:
+def files_of_import(workspace: WorkspaceIndex, file: str, statement: facts.Import | facts.ImportFrom) -> Iterator[str]:
     """The files that an import runs, each under the name under which the import asks for it."""
     match statement:
         case facts.Import(module=module):
@@ -137,4 +138,4 @@ def has_init(workspace: WorkspaceIndex, folder: str) -> bool:
     return workspace.tree.is_file(posixpath.join(folder, "__init__.py"))
 
 
-__all__ = ["LeftOut", "has_init", "left_out_code"]
+__all__ = ["LeftOut", "certain_imports", "changes_path", "files_of_import", "has_init", "left_out_code"]
