@@ -52,6 +52,16 @@ def names(findings):
             "add find_package(nav_msgs REQUIRED)",
         ),
         (
+            TALKER + "ament_target_dependencies(talker rclcpp arm_msgs)\n",
+            "ament_target_dependencies() is given 'arm_msgs', which no find_package() has found: the build stops",
+            "add find_package(arm_msgs REQUIRED)",
+        ),
+        (
+            TALKER + "target_link_libraries(talker ${PROJECT_NAME})\n",
+            "target_link_libraries() is given 'robot', a target that there is not: the build stops",
+            "add the add_executable() or add_library() that makes it",
+        ),
+        (
             TALKER + GENERATES + "ament_target_dependencies(talker rclcpp Speed)\n",
             "'Speed' is an interface of this package, and ament_target_dependencies() takes packages: the build stops",
             "take it off: a target gets the types of its own package with rosidl_get_typesupport_target()",
@@ -95,6 +105,10 @@ def test_one_finding_for_a_name(names):
         TALKER + "robot_find_all()\nament_target_dependencies(talker nav_msgs)\n",
         TALKER + "ament_auto_find_build_dependencies()\nament_target_dependencies(talker nav_msgs)\n",
         TALKER + "find_package(PCL)\nament_target_dependencies(talker PCL Eigen3)\n",
+        TALKER + "ament_target_dependencies(talker Eigen3)\n",
+        TALKER + "find_package(arm_tools REQUIRED)\nament_target_dependencies(talker arm_msgs)\n",
+        TALKER + "add_library(robot src/talker.cpp)\ntarget_link_libraries(talker robot yaml-cpp)\n",
+        TALKER + GENERATES + "target_link_libraries(talker robot)\n",
         TALKER + GENERATES + "find_package(Speed REQUIRED)\nament_target_dependencies(talker Speed)\n",
         TALKER + "target_link_libraries(talker yaml-cpp)\ntarget_link_libraries(rclcpp::rclcpp INTERFACE x)\n",
     ],

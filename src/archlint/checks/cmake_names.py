@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import posixpath
+import re
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
@@ -70,7 +71,8 @@ def _of_python(installs: Installs, asked: FoundPackage) -> Finding:
 def _of_build(workspace: WorkspaceIndex, installs: Installs, options: Options) -> Iterator[Finding]:
     known = packages.table().names | workspace.packages.keys()
     there = closure(installs.looked_for, lambda name: _found_with(workspace, name))
-    lacking = known - there - {*options.external} if there <= _SYSTEM | known else frozenset[str]()
+    all_known = there <= _SYSTEM | known
+    lacking = known - there - {*options.external} if all_known else frozenset[str]()
     for named in installs.names_of_nothing:
         halves = _halves(named.name, known)
         if named.command == _PROJECT:
@@ -81,7 +83,10 @@ def _of_build(workspace: WorkspaceIndex, installs: Installs, options: Options) -
             yield _target_as_package(installs, named)
         elif named.name not in known and halves is not None:
             yield _two_names(installs, named, halves)
-        elif named.name in lacking and named.command == _TAKES_A_TARGET:
+        elif named.command == _TAKES_A_TARGET and (
+            named.name in lacking
+            or (all_known and named.name not in known | {*options.external} and _OF_MESSAGES.fullmatch(named.name))
+        ):
             yield _package(installs, named)
         elif named.name not in known and named.name in _interfaces_of(installs) and named.command == _TAKES_A_TARGET:
             yield _interface(installs, named)
@@ -97,6 +102,8 @@ _SYSTEM = frozenset({"Boost", "Eigen3", "GTest", "OpenCV", "OpenMP", "PkgConfig"
 """What CMake finds that finds no package of ROS with it."""
 _PROJECT = "project"
 _TAKES_A_TARGET = "ament_target_dependencies"
+_OF_MESSAGES = re.compile(r"[a-z0-9_]+_(?:msgs|interfaces|srvs)")
+"""How packages of interfaces are called: no package of the system is, which one that is found may find with it."""
 _KINDS = frozenset({"action", "msg", "srv"})
 
 

@@ -41,7 +41,8 @@ def read_names(installs: Installs, steps: Sequence[Step]) -> None:
     installs.looked_for = frozenset(step.command.texts[0] for step in steps if _finds(step))
     there = installs.targets | installs.mentioned
     always = [step for step in steps if step.of_tests or not step.conditional]
-    installs.names_of_nothing += [name for step in always for name in _of_targets(step) if name.name not in there]
+    named = [name for step in always for name in (*_of_targets(step), *_own_library(step, installs.package))]
+    installs.names_of_nothing += [name for name in named if name.name not in there]
     if any(_may_find(step.command) for step in steps):
         return
     installs.names_of_nothing += [
@@ -76,6 +77,14 @@ def misnamed_project(installs: Installs, steps: Sequence[Step]) -> Iterator[Name
 def _of_targets(step: Step) -> Iterator[NameInCMake]:
     for argument in _targets_of(step.command):
         if not argument.open and "::" not in argument.text:
+            yield NameInCMake(argument.text, step.command.name, _place(argument, step))
+
+
+def _own_library(step: Step, package: str) -> Iterator[NameInCMake]:
+    """What a target is linked with by the name of its own package: no library of the system is called so."""
+    linked = step.command.arguments[1:] if step.command.name == "target_link_libraries" else ()
+    for argument in linked:
+        if argument.text == package:
             yield NameInCMake(argument.text, step.command.name, _place(argument, step))
 
 
