@@ -12,8 +12,10 @@ from archlint.finding import Finding, Related
 from archlint.launch_files.launch_properties import ActionOverwritten, overwritten_actions
 from archlint.python_code.absent_members import AbsentMember, absent_members
 from archlint.python_code.enum_members import absent_enum_members
+from archlint.python_code.logger_calls import absent_of_loggers
 from archlint.python_code.methods_looked_into import LookedInto, methods_looked_into
 from archlint.python_code.object_members import CalledProperty, object_members
+from archlint.python_code.policy_members import absent_policies
 from archlint.python_code.unassigned_attributes import (
     Overwritten,
     Unassigned,
@@ -48,8 +50,13 @@ def attribute_findings(system: System) -> Iterator[Finding]:
     yield from map(_action_overwritten, overwritten_actions(system.workspace))
     for absent in (*absent_members(system.workspace), *absent_enum_members(system.workspace)):
         yield from unless_uncalled(system, _absent(absent))
+    for absent in absent_policies(system.workspace):
+        yield from unless_uncalled(system, _absent(absent))
+    for of_logger in absent_of_loggers(system.workspace):
+        absent = AbsentMember(of_logger.place, "a logger", of_logger.name, of_logger.near, called=True)
+        yield from unless_uncalled(system, replace(_absent(absent), help=_cure_of_logger(of_logger.near)))
     for row in object_members(system):
-        diagnostic = _called_property(row) if isinstance(row, CalledProperty) else _absent(row)
+        diagnostic = called_property(row) if isinstance(row, CalledProperty) else _absent(row)
         yield from unless_uncalled(system, diagnostic)
     for looked in methods_looked_into(system.workspace):
         yield from unless_uncalled(system, _looked_into(looked))
@@ -131,12 +138,17 @@ def _cure(row: AbsentMember) -> str:
     return f"{cure}, or call what it has: {methods}" if 0 < len(row.methods) <= _FEW else cure
 
 
-def _called_property(row: CalledProperty) -> Finding:
+def _cure_of_logger(near: str) -> str:
+    return f"write {near}" if near else "call one of its levels: debug(), info(), warning(), error(), fatal()"
+
+
+def called_property(row: CalledProperty) -> Finding:
+    """The finding about a value that is called like a method."""
     return finding(
         "API002",
         row.place,
         f"'{row.name}' of a {row.owner} is a value, no method: calling it fails with a TypeError",
-        help=f"write {row.name} without parentheses",
+        help=row.cure or f"write {row.name} without parentheses",
         identity=(row.owner, row.name),
         group=(OF_OBJECT, row.place.file, row.owner, row.name),
     )
@@ -197,4 +209,13 @@ def _as_written(name: str, cls: str) -> str:
     return name.removeprefix(f"_{cls.lstrip('_')}") if "__" in name else name
 
 
-__all__ = ["LEVELS", "LOGS", "LOG_WITH", "OF_CLASS", "UNASSIGNED", "UNCALLED", "attribute_findings"]
+__all__ = [
+    "LEVELS",
+    "LOGS",
+    "LOG_WITH",
+    "OF_CLASS",
+    "UNASSIGNED",
+    "UNCALLED",
+    "attribute_findings",
+    "called_property",
+]

@@ -11,7 +11,16 @@ from archlint.analysis.own_names import is_defined_somewhere
 from archlint.analysis.reach import judged_notes
 from archlint.checks.absent_imports import OF_MODULE, absent_import_findings
 from archlint.checks.argument_words import cure_of_keywords, keywords_meant, quoted, what_does_not_fit
-from archlint.checks.attributes import LEVELS, LOG_WITH, LOGS, OF_CLASS, UNASSIGNED, UNCALLED, attribute_findings
+from archlint.checks.attributes import (
+    LEVELS,
+    LOG_WITH,
+    LOGS,
+    OF_CLASS,
+    UNASSIGNED,
+    UNCALLED,
+    attribute_findings,
+    called_property,
+)
 from archlint.checks.early_reads import TOO_EARLY, early_read_findings
 from archlint.checks.folding import folds, with_others
 from archlint.checks.own_calls import NOT_CALLED, own_call_findings
@@ -24,6 +33,7 @@ from archlint.libraries.absent_names import instead_of
 from archlint.libraries.api_signatures import attributes_of, signatures_of
 from archlint.model import Misuse, RefusedCall
 from archlint.python_code.logger_calls import GET_LOGGER, LOGGER, refused_logger_calls
+from archlint.python_code.object_members import CalledProperty
 from archlint.python_code.uninitialised_programs import uninitialised_programs
 from archlint.ros.distros import DISTROS
 
@@ -32,7 +42,7 @@ if TYPE_CHECKING:
 
 _AS_NEWEST = "kilted"
 """The distribution whose signatures stand for those of newer ones."""
-_OF_OTHER_RULES = frozenset({Misuse.ABSENT, Misuse.BEFORE_INIT, Misuse.EARLY})
+_OF_OTHER_RULES = frozenset({Misuse.ABSENT, Misuse.BEFORE_INIT, Misuse.EARLY, Misuse.VALUE})
 _NEWER = frozenset(DISTROS[DISTROS.index(_AS_NEWEST) + 1 :])
 
 
@@ -53,7 +63,9 @@ def refused_call(system: System, options: Options) -> Iterator[Finding]:
 @rule("API002", scope=Scope.CODE)
 def unknown_attribute(system: System, options: Options) -> Iterator[Finding]:
     """Calls of functions and methods that rclpy does not have, and attributes that a class does not have or take."""
-    absent = [call for call in _judged(system) if call.misuse is Misuse.ABSENT]
+    judged_calls = list(_judged(system))
+    absent = [call for call in judged_calls if call.misuse is Misuse.ABSENT]
+    yield from (_called_value(call) for call in judged_calls if call.misuse is Misuse.VALUE)
     named = [(call, (call.parameters or ("",))[0]) for call in absent]
     judged = [row for row in named if not is_defined_somewhere(system, row[0].place.file, row[1])]
     told = {(call.place.file, call.place.line, name) for call, name in judged}
@@ -82,6 +94,22 @@ def unknown_attribute(system: System, options: Options) -> Iterator[Finding]:
             meant=call.wanted,
         )
         yield from [diagnostic] if call.wanted else unless_uncalled(system, diagnostic)
+
+
+_CREATES = {
+    "clients": "create_client(…)",
+    "publishers": "create_publisher(…)",
+    "services": "create_service(…)",
+    "subscriptions": "create_subscription(…)",
+    "timers": "create_timer(…)",
+}
+"""What makes the things that a property of a node goes through."""
+
+
+def _called_value(call: RefusedCall) -> Finding:
+    owner, _, name = call.api.rpartition(".")
+    made = f"write {_CREATES[name]}, or {name} without parentheses" if name in _CREATES and _is_of_node(call) else ""
+    return called_property(CalledProperty(call.place, owner.rpartition(".")[2], name, made))
 
 
 def _group(call: RefusedCall, logs: bool) -> tuple[str, ...]:
@@ -204,6 +232,8 @@ def _is_refused(call: RefusedCall, distros: tuple[str, ...]) -> bool:
     """Whether all of the distributions to judge for refuse a call: one that works in some of them may be meant for
     those."""
     refusing = {*call.distros}
+    if call.api.endswith("TransformBroadcaster.sendTransform"):
+        return True  # none takes what ROS 1 took
     known = [distro for distro in DISTROS if distro in signatures_of(call.api)]
     if _AS_NEWEST in refusing:
         refusing |= _NEWER
@@ -262,7 +292,7 @@ def _what_is_wrong(call: RefusedCall) -> str:
             return f"{names} is missing, as {call.wanted}() is no constructor"
         case Misuse.MISSING | Misuse.TOO_MANY | Misuse.UNKNOWN_KEYWORD | Misuse.TWICE:
             return what_does_not_fit(call.misuse, call.parameters, call.takes)
-        case Misuse.ABSENT:
+        case Misuse.ABSENT | Misuse.VALUE:
             return f"there is no {names}"
         case Misuse.BEFORE_INIT | Misuse.EARLY:
             return "the node is not initialised"

@@ -6,7 +6,7 @@ from functools import lru_cache
 from typing import TYPE_CHECKING
 
 from archlint import model, suggestions
-from archlint.libraries.api_signatures import attributes_of, distros
+from archlint.libraries.api_signatures import attributes_of, distros, own_names_of
 from archlint.libraries.rclpy import names, refusals
 
 if TYPE_CHECKING:
@@ -71,6 +71,10 @@ _INSTEAD = {
     "rclpy.publisher.Publisher.unregister": "destroy_publisher() of the node",
     "rclpy.subscription.Subscription.unregister": "destroy_subscription() of the node",
     "rclpy.task.Future.get_result": "result()",
+    "tf2_ros.buffer.Buffer.canTransform": "can_transform()",
+    "tf2_ros.buffer.Buffer.lookupTransform": "lookup_transform()",
+    "tf2_ros.buffer.Buffer.waitForTransform": "can_transform() with a timeout",
+    "tf2_ros.buffer.Buffer.wait_for_transform": "can_transform() with a timeout",
     "rclpy.task.Future.get": "result()",
     "rclpy.task.Future.is_done": "done()",
     "rclpy.timer.Timer.cancelled": "is_canceled()",
@@ -81,6 +85,21 @@ _INSTEAD = {
 
 
 _OF_NODES = frozenset().union(*filter(None, map(attributes_of, (names.NODE, names.LIFECYCLE_NODE))))
+
+
+_OF_BUFFER = frozenset(own_names_of(names.BUFFER)) | {
+    "all_frames_as_string",
+    "all_frames_as_yaml",
+    "can_transform_core",
+    "can_transform_full_core",
+    "clear",
+    "get_latest_common_time",
+    "lookup_transform_core",
+    "lookup_transform_full_core",
+    "registration",
+    "transform",
+}
+"""What a buffer of tf2 has; part of it is that of a class which is not of Python."""
 
 
 def instead_of(path: str) -> str:
@@ -98,6 +117,10 @@ def note_method(run: Run, path: str, receiver: Value, site: CallSite) -> None:
     """Note a call of a method that no distribution has; what else gives an object a method of that name is for the
     rule to find."""
     owner, _, name = path.rpartition(".")
+    if name in _VALUES.get(names.NODE if owner in names.NODE_CLASSES else owner, ()):
+        if refusals.is_of_rclpy(receiver):
+            _note(run, path, "", site, model.Misuse.VALUE)
+        return
     known = _known(owner)
     if known is not None and name not in known and refusals.is_of_rclpy(receiver):
         _note(run, path, _instead_of_method(path), site)
@@ -105,6 +128,8 @@ def note_method(run: Run, path: str, receiver: Value, site: CallSite) -> None:
 
 def _known(owner: str) -> frozenset[str] | None:
     """The attributes that a class has in some distribution; None of one that is not known."""
+    if owner == names.BUFFER:
+        return _OF_BUFFER
     return _OF_NODES if owner in names.NODE_CLASSES else attributes_of(owner)
 
 
@@ -124,7 +149,16 @@ _PROPERTIES = frozenset({"clients", "guards", "publishers", "services", "subscri
 """What a node has made: properties that are iterated over."""
 
 
-def _note(run: Run, path: str, instead: str, site: CallSite) -> None:
+_VALUES = {
+    names.NODE: _PROPERTIES | {"context", "default_callback_group", "handle"},
+    "rclpy.action.client.ClientGoalHandle": frozenset({"accepted", "goal_id", "stamp", "status"}),
+    "rclpy.client.Client": frozenset({"srv_name", "srv_type"}),
+    "rclpy.timer.Timer": frozenset({"timer_period_ns"}),
+}
+"""What objects have as a value, and is no function."""
+
+
+def _note(run: Run, path: str, instead: str, site: CallSite, misuse: model.Misuse = model.Misuse.ABSENT) -> None:
     place = refusals.place_of(run, site)
     if place is None:
         return
@@ -133,7 +167,7 @@ def _note(run: Run, path: str, instead: str, site: CallSite) -> None:
         run,
         place,
         path,
-        model.RefusedCall(place, path, model.Misuse.ABSENT, (name,), given=owner, wanted=instead, distros=distros()),
+        model.RefusedCall(place, path, misuse, (name,), given=owner, wanted=instead, distros=distros()),
     )
 
 

@@ -99,6 +99,12 @@ def attributes_of(cls: str) -> frozenset[str] | None:
     return frozenset(row.methods).union(row.attributes, _OF_EVERY_OBJECT, *filter(None, inherited))
 
 
+def own_names_of(cls: str) -> frozenset[str]:
+    """The names that the body of a class of the table has in any distribution."""
+    row = _table().classes[cls]
+    return frozenset(row.methods).union(row.attributes)
+
+
 def distros() -> tuple[str, ...]:
     """The distributions that the table knows, oldest first."""
     return tuple(_table().distros)
@@ -173,4 +179,13 @@ def _table() -> _Table:
     return msgspec.json.decode(_FILE.read_bytes(), type=_Table)
 
 
-__all__ = ["Mismatch", "Signature", "attributes_of", "distros", "needed", "refusing_distros", "signatures_of"]
+__all__ = [
+    "Mismatch",
+    "Signature",
+    "attributes_of",
+    "distros",
+    "needed",
+    "own_names_of",
+    "refusing_distros",
+    "signatures_of",
+]

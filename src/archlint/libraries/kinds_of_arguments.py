@@ -44,6 +44,7 @@ class Kind(Enum):
     SERVER = "a service"
     TIMER = "a timer"
     ARGUMENTS = "a tuple of arguments"
+    GROUP = "a callback group"
 
 
 _INTERFACES = {
@@ -101,6 +102,8 @@ def kinds_of(api: Api) -> Mapping[str, Kind]:
         kinds[api.name] = Kind.NAME
     if api.qos in ("qos_profile", "qos") and api.kind in (EntityKind.PUBLISHER, EntityKind.SUBSCRIBER):
         kinds[api.qos] = Kind.PROFILE
+    if api.group is not None:
+        kinds[api.group] = Kind.GROUP
     if api.node is not None or (api.path in _SPINNING):
         kinds[api.node or "node"] = Kind.NODE
     for name, role in api.callbacks:
@@ -237,6 +240,16 @@ def _is_no_tuple(value: Value, written: facts.Expr | None) -> bool:
     return _is_function(value) or isinstance(value, (EntityValue, MessageValue, NodeValue))
 
 
+def _is_no_group(value: Value, written: facts.Expr | None) -> bool:
+    """Whether it is the class of a group that is not called, a number, a text, a function or an endpoint."""
+    match value:
+        case External(path=path):
+            return names.canonical(path).startswith("rclpy.callback_groups.")
+        case Known(value=constant):
+            return constant is not None
+    return _is_function(value) or isinstance(value, (EntityValue, MessageValue, NodeValue))
+
+
 _IS_OTHER: Mapping[Kind, Callable[[Value, facts.Expr | None], bool]] = {
     Kind.NAME: _is_no_text,
     Kind.PROFILE: _is_no_profile,
@@ -247,6 +260,7 @@ _IS_OTHER: Mapping[Kind, Callable[[Value, facts.Expr | None], bool]] = {
     Kind.HERTZ: _is_no_number,
     Kind.EXECUTOR: _is_no_node,
     Kind.ARGUMENTS: _is_no_tuple,
+    Kind.GROUP: _is_no_group,
 }
 
 

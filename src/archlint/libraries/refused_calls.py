@@ -16,10 +16,12 @@ from archlint.libraries.rclpy import names, node_classes, refusals
 from archlint.libraries.values import EntityValue
 from archlint.syntax import facts
 from archlint.syntax.bare_super import bare_super_calls
+from archlint.syntax.parts import everything_in
 
 if TYPE_CHECKING:
     from archlint.finding import Place
     from archlint.interpreter.call_site import CallSite
+    from archlint.interpreter.values import ClassValue
     from archlint.libraries.run import Run
     from archlint.libraries.tables import Api
 
@@ -39,7 +41,9 @@ def note(run: Run, api: Api, receiver: Value | None, site: CallSite, bound: Mapp
     if place is None:
         return
     if run.noted.refused.get((place, api.path), _UNSEEN) is not None:
-        refused = _early(run, api, receiver, place) or _misfit(api, receiver, site, place)
+        refused = (
+            _early(run, api, receiver, place) or _unmade(run, api, bound, place) or _misfit(api, receiver, site, place)
+        )
         certain = {name: value for name, value in bound.items() if not _may_be_of_subclass(run, value)}
         refusals.keep(run, place, api.path, refused or _other_kind(api, site, certain, place))
 
@@ -95,6 +99,29 @@ def _early(run: Run, api: Api, receiver: Value | None, place: Place) -> model.Re
     if (node is not None and node.constructed) or not any(a.qualified.endswith(".__init__") for a in making):
         return None
     return model.RefusedCall(place, api.path, model.Misuse.EARLY, given=cls.ir.name, distros=distros())
+
+
+_SPINNING = frozenset({"rclpy.spin", "rclpy.spin_once", "rclpy.executors.Executor.add_node"})
+
+
+def _unmade(run: Run, api: Api, bound: Mapping[str, Value], place: Place) -> model.RefusedCall | None:
+    """A node that is spun and whose constructor never calls that of Node."""
+    value = bound.get("node") if api.path in _SPINNING else None
+    cls = None if value is None else value.own_class
+    if cls is None or not isinstance(value, Instance) or not node_classes.is_node(cls):
+        return None
+    node = run.nodes.by_object.get(value.key)
+    if (node is not None and node.constructed) or not node_classes.has_only(cls) or not _makes_itself(cls):
+        return None
+    return model.RefusedCall(place, api.path, model.Misuse.EARLY, given=cls.ir.name, distros=distros())
+
+
+def _makes_itself(cls: ClassValue) -> bool:
+    """Whether the constructor of a class is its own and calls no other."""
+    constructors = [method for method in methods_of(cls) if method.name == "__init__"]
+    return len(constructors) == 1 and not any(
+        part.last_name in ("__init__", "super") for part in everything_in(constructors[0].body)
+    )
 
 
 def _misfit(api: Api, receiver: Value | None, site: CallSite, place: Place) -> model.RefusedCall | None:

@@ -31,6 +31,8 @@ class Misuse(StringEnum):
     """Two parameters are given what the other takes."""
     NO_FUNCTION = "no function"
     """An object is called that has methods for that."""
+    VALUE = "value"
+    """It is a value that an object has, and no method."""
 
 
 @dataclass(frozen=True)

@@ -17,6 +17,7 @@ from archlint.model import Misuse, RefusedCall
 from archlint.place import Place
 from archlint.python_code.class_chains import classes_of, files_with, methods_of
 from archlint.python_code.tried_code import tried_for
+from archlint.suggestions import nearest
 from archlint.syntax import facts
 from archlint.syntax.parts import Itself, everything_in, parts_of, targets_in
 
@@ -61,6 +62,54 @@ def _has_own_loggers(file_facts: facts.Facts) -> bool:
     """Whether a class has a method ``get_logger`` of its own."""
     methods = (function for cls in classes_of(file_facts) for function in methods_of(cls))
     return any(method.name == "get_logger" for method in methods)
+
+
+@dataclass(frozen=True)
+class AbsentOfLogger:
+    """``self.get_logger().warm(…)``; ``near`` is the method that was probably meant."""
+
+    place: Place
+    name: str
+    near: str
+
+
+_OF_LOGGERS = frozenset(
+    {"contexts", "debug", "error", "fatal", "get_child", "get_effective_level", "info", "is_enabled_for", "log", "name"}
+    | {"set_level", "warn", "warning"}
+)
+_OF_OTHERS = {
+    "critical": "fatal",
+    "err": "error",
+    "warm": "warning",
+    "exception": "error",
+    **dict.fromkeys(("Debug", "logdebug", "dbg"), "debug"),
+    **dict.fromkeys(("Info", "loginfo", "INFO", "print", "information"), "info"),
+    **dict.fromkeys(("Warn", "logwarn", "WARN", "warnning", "warnings"), "warning"),
+    **dict.fromkeys(("Error", "logerr", "ERROR", "errors"), "error"),
+}
+"""What loggers elsewhere have, and people write, for the levels of this one."""
+
+
+def absent_of_loggers(workspace: WorkspaceIndex) -> Iterator[AbsentOfLogger]:
+    """What code calls loggers for that they do not have; nothing where the workspace has loggers of its own."""
+    if any(_has_own_loggers(workspace, path) is not False for path in files_with(workspace, "get_logger")):
+        return
+    for path in workspace.python_files(mentioning="get_logger"):
+        for name, span in _absent(workspace, path) or ():
+            near = _OF_OTHERS.get(name) or nearest(name, sorted(_OF_LOGGERS - {"warn"})) or ""
+            yield AbsentOfLogger(Place(path, *span), name, near)
+
+
+@kept_for_each_file
+def _absent(file_facts: facts.Facts) -> list[tuple[str, facts.Span]]:
+    code = _Code(file_facts)
+    rows = []
+    for call in everything_in(file_facts.body, facts.Call) if code.uses_rclpy else ():
+        match call.func:
+            case facts.Attribute(attr=name, span=span) if name not in _OF_LOGGERS and not name.startswith("_"):
+                if code.is_of_logger(call.func) and not code.is_tried(call):
+                    rows.append((name, span))
+    return rows
 
 
 @dataclass(frozen=True)
@@ -145,7 +194,7 @@ class _Code:
 
     def refusal(self, call: facts.Call) -> _Refusal | None:
         starred = any(argument.star for argument in call.args)
-        if starred or self.is_tried(call) or not self._is_of_logger(call.func):
+        if starred or self.is_tried(call) or not self.is_of_logger(call.func):
             return None
         given = [argument.value for argument in call.args if argument.keyword is None]
         keywords = [argument.keyword for argument in call.args if argument.keyword is not None]
@@ -160,7 +209,8 @@ class _Code:
         kind, instead = self._kind(call, given[0]), f"str({given[0].variable or '…'})"
         return refusal(Misuse.KIND, ("message",), kind, instead) if kind else None
 
-    def _is_of_logger(self, function: facts.Expr) -> bool:
+    def is_of_logger(self, function: facts.Expr) -> bool:
+        """Whether what is called is certainly a method of a logger of ROS."""
         match function:
             case facts.Attribute(value=owner):
                 return self._is_logger(owner)
@@ -201,4 +251,4 @@ def _is_call(value: facts.Expr | None) -> bool:
     return False
 
 
-__all__ = ["GET_LOGGER", "LOGGER", "refused_logger_calls"]
+__all__ = ["GET_LOGGER", "LOGGER", "AbsentOfLogger", "absent_of_loggers", "refused_logger_calls"]

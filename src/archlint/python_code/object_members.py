@@ -67,6 +67,8 @@ class CalledProperty:
     place: Place
     owner: str
     name: str
+    cure: str = ""
+    """What to write, where it is not the name alone."""
 
 
 def object_members(system: System) -> Iterator[AbsentMember | CalledProperty]:

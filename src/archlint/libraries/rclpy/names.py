@@ -37,6 +37,7 @@ def is_of_other_system(path: str) -> bool:
     return path.startswith(_OF_OTHER_SYSTEMS)
 
 
+BUFFER = "tf2_ros.buffer.Buffer"
 _ALIASES = {
     "rclpy.Node": NODE,
     "rclpy.lifecycle.LifecycleNode": LIFECYCLE_NODE,

@@ -9,7 +9,7 @@ from collections.abc import Collection
 from typing import TYPE_CHECKING
 
 from archlint import model
-from archlint.interpreter.values import ApiMethod, Value
+from archlint.interpreter.values import ApiMethod, External, Instance, Value
 from archlint.libraries import tables
 from archlint.libraries.rclpy import names, node_classes, signatures
 from archlint.libraries.rclpy.agreement import note_if_same
@@ -67,8 +67,11 @@ def keep(run: Run, place: Place, path: str, refused: model.RefusedCall | None) -
 
 
 def is_of_rclpy(receiver: Value) -> bool:
-    """Whether a value is certainly a node, or what only rclpy makes: its methods are rclpy's own."""
-    return isinstance(receiver, (EntityValue, ExecutorValue, FutureValue)) or is_node(receiver)
+    """Whether a value is certainly a node, or what only rclpy or tf2 makes: its methods are their own."""
+    match receiver:
+        case EntityValue() | ExecutorValue() | FutureValue() | Instance(cls=External(path=names.BUFFER)):
+            return True
+    return is_node(receiver)
 
 
 __all__ = ["is_module", "is_node", "is_of_rclpy", "keep", "place_of", "refuses"]
