@@ -21,7 +21,7 @@ from archlint.syntax import facts
 if TYPE_CHECKING:
     from archlint.analysis.source_code import SourceCode
     from archlint.finding import Place
-    from archlint.model import ApiCall, Blueprint, MistakenFuture, Program, RefusedCall, WrongValue
+    from archlint.model import AbsentRead, ApiCall, Blueprint, MistakenFuture, Program, RefusedCall, WrongValue
     from archlint.model.given import Given
     from archlint.systems.model import System
 
@@ -44,7 +44,7 @@ def _in_source(row: tuple[Program, ApiCall]) -> tuple[object, ...]:
     return call.place.file, call.place.span, call.api, len(call.chain)
 
 
-_Noted = TypeVar("_Noted", "RefusedCall", "WrongValue", "MistakenFuture")
+_Noted = TypeVar("_Noted", "AbsentRead", "RefusedCall", "WrongValue", "MistakenFuture")
 
 
 def judged_notes(system: System, notes: Callable[[Program], Iterable[_Noted]]) -> Iterator[_Noted]:

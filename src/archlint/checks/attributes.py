@@ -15,6 +15,7 @@ from archlint.python_code.enum_members import absent_enum_members
 from archlint.python_code.logger_calls import absent_of_loggers
 from archlint.python_code.methods_looked_into import LookedInto, methods_looked_into
 from archlint.python_code.object_members import CalledProperty, object_members
+from archlint.python_code.own_objects import absent_of_objects
 from archlint.python_code.policy_members import absent_policies
 from archlint.python_code.unassigned_attributes import (
     Overwritten,
@@ -48,7 +49,9 @@ def attribute_findings(system: System) -> Iterator[Finding]:
         return
     yield from map(_overwritten, overwritten_properties(system.workspace))
     yield from map(_action_overwritten, overwritten_actions(system.workspace))
-    for absent in (*absent_members(system.workspace), *absent_enum_members(system.workspace)):
+    of_objects = {absent.place: absent for absent in absent_of_objects(system)}
+    of_objects.update((absent.place, absent) for absent in absent_members(system.workspace))
+    for absent in (*of_objects.values(), *absent_enum_members(system.workspace)):
         yield from unless_uncalled(system, _absent(absent))
     for absent in absent_policies(system.workspace):
         yield from unless_uncalled(system, _absent(absent))

@@ -108,8 +108,8 @@ _CREATES = {
 
 def _called_value(call: RefusedCall) -> Finding:
     owner, _, name = call.api.rpartition(".")
-    made = f"write {_CREATES[name]}, or {name} without parentheses" if name in _CREATES and _is_of_node(call) else ""
-    return called_property(CalledProperty(call.place, owner.rpartition(".")[2], name, made))
+    cure = f"write {_CREATES[name]}, or {name} without parentheses" if name in _CREATES and _is_of_node(call) else ""
+    return called_property(CalledProperty(call.place, owner.rpartition(".")[2], name, cure))
 
 
 def _group(call: RefusedCall, logs: bool) -> tuple[str, ...]:

@@ -47,7 +47,10 @@ def get_attribute(machine: Machine, value: Value, name: str, expression: facts.A
         machine.library.read(value, name, expression.span)
     match value:
         case Instance():
-            return _of_instance(machine, value, name)
+            result = _of_instance(machine, value, name)
+            if expression is not None and isinstance(value.cls, ClassValue):
+                machine.library.note_own_read(value, name, expression.span, result)
+            return result
         case External():
             return _of_external(machine, value, name)
         case ModuleValue():
@@ -59,7 +62,10 @@ def get_attribute(machine: Machine, value: Value, name: str, expression: facts.A
         case Unknown():
             return _of_unknown(machine, value, name)
         case OneOf():
-            return chosen_with(one_of(get_attribute(machine, option, name) for option in value.values), value)
+            result = chosen_with(one_of(get_attribute(machine, option, name) for option in value.values), value)
+            if expression is not None and any(option.own_class is not None for option in value.values):
+                machine.library.note_own_read(value, name, expression.span, result)
+            return result
         case SuperValue():
             return _of_super(machine, value, name)
         case BoundMethod() | FunctionValue():

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from archlint.interpreter.library import Library
 from archlint.interpreter.values import ApiMethod, Builtin, External, ForeignValue, Instance, Known, Unknown, Value
-from archlint.libraries import calls, classes, interest, refused_calls
+from archlint.libraries import calls, classes, interest, own_attributes, refused_calls
 from archlint.libraries.api_signatures import attributes_of
 from archlint.libraries.offers import OFFERS
 from archlint.libraries.python import command_line, environment, tasks
@@ -204,6 +204,9 @@ class RosLibrary(Library):
 
     def note_uncallable(self, value: Value, site: CallSite) -> None:
         refused_calls.note_uncallable(self.run, value, site)
+
+    def note_own_read(self, value: Value, name: str, span: facts.Span, result: Value) -> None:
+        own_attributes.note_read(self.run, value, name, span, result)
 
     def given_away(self, site: CallSite) -> None:
         escapes.to_call(self.run, site.values, "", site.expression)

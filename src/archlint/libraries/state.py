@@ -121,6 +121,9 @@ class Calls:
     futures: dict[tuple[Place, str], model.MistakenFuture | None] = field(default_factory=dict)
     """The futures that are taken for what they will hold, by where and what is read of them; None of one that is not
     always."""
+    absent_reads: dict[tuple[Place, str], model.AbsentRead | None] = field(default_factory=dict)
+    """The attributes that objects of the workspace's classes do not have, by where they are read; None of one that is
+    there at times."""
     set_on_futures: set[str] = field(default_factory=set)
     """The attributes that code gives to futures."""
 

@@ -5,6 +5,7 @@ Names here are still as the code gives them (relative, ``~``); :mod:`archlint.sy
 
 from __future__ import annotations
 
+from archlint.model.absent_reads import AbsentRead
 from archlint.model.calls import ApiCall
 from archlint.model.executors import ExecutorUse, Spell, SpinDuration
 from archlint.model.futures import MistakenFuture
@@ -43,6 +44,7 @@ __all__ = [
     "NAMED",
     "NEVER_CONSTRUCTED",
     "SERVER_OF",
+    "AbsentRead",
     "Access",
     "ApiCall",
     "Asked",

@@ -20,6 +20,7 @@ import msgspec
 from archlint import branches
 from archlint.finding import Place
 from archlint.model import given
+from archlint.model.absent_reads import AbsentRead
 from archlint.model.calls import ApiCall
 from archlint.model.executors import ExecutorUse, Spell, SpinDuration
 from archlint.model.futures import MistakenFuture
@@ -95,7 +96,19 @@ PROGRAMS: Final = Language(
         *(NotPassed, Uninformative),
     ),
     (
-        *(ApiCall, Blueprint, Callback, Creation, ExecutorUse, FieldUse, Frame, FramePair, FunctionRef, Group),
+        *(
+            AbsentRead,
+            ApiCall,
+            Blueprint,
+            Callback,
+            Creation,
+            ExecutorUse,
+            FieldUse,
+            Frame,
+            FramePair,
+            FunctionRef,
+            Group,
+        ),
         *(
             MistakenFuture,
             NodeClass,

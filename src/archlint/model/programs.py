@@ -13,6 +13,7 @@ from archlint.model.given import Process
 
 if TYPE_CHECKING:
     from archlint.finding import Place
+    from archlint.model.absent_reads import AbsentRead
     from archlint.model.calls import ApiCall
     from archlint.model.futures import MistakenFuture
     from archlint.model.messages import FieldUse, UnknownInterface, WrongValue
@@ -39,6 +40,7 @@ class Program:
     wrong_values: list[WrongValue] = field(default_factory=list)
     refused_calls: list[RefusedCall] = field(default_factory=list)
     mistaken_futures: list[MistakenFuture] = field(default_factory=list)
+    absent_reads: list[AbsentRead] = field(default_factory=list)
     refused: set[Place] = field(default_factory=set)
     """The calls that Python refuses: the arguments do not fit."""
     reads_command_line: bool = False

@@ -334,7 +334,7 @@ class Linker:
 
 
 def _says_something(program: model.Program) -> bool:
-    of_messages = (program.unknown_interfaces, program.field_uses, program.wrong_values)
+    of_messages = (program.unknown_interfaces, program.field_uses, program.wrong_values, program.absent_reads)
     return any(
         (program.nodes, program.calls, program.callbacks, program.refused_calls, program.mistaken_futures, *of_messages)
     )

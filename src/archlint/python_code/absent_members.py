@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import kept_for_each_file
 from archlint.place import Place
-from archlint.python_code.class_chains import chain_of, classes_of, files_with, methods_of, targets_of
+from archlint.python_code.class_chains import ClassInFile, chain_of, classes_of, files_with, methods_of, targets_of
 from archlint.python_code.offered_names import MAKES_NAMES
 from archlint.python_code.own_calls import assigned_attributes, bindings_of, class_meant_by
 from archlint.python_code.tried_code import tried_for
@@ -178,7 +178,14 @@ def _absent(workspace: WorkspaceIndex, file: str, called: _Called) -> AbsentMemb
     cls = class_meant_by(workspace, file, called.made_by)
     if cls is None or (called.attribute and _is_given_elsewhere(workspace, file, called.attribute)):
         return None
-    name, chain = called.name, chain_of(workspace, cls)
+    return absent_of(workspace, cls, called.name, Place(file, *called.span))
+
+
+def absent_of(
+    workspace: WorkspaceIndex, cls: ClassInFile, name: str, place: Place, called: bool = True
+) -> AbsentMember | None:
+    """What is to say of an attribute that is read of an object of a class; None where it may have it."""
+    chain = chain_of(workspace, cls)
     members = members_of(workspace, chain)
     if members is None or any(name in names for names in members) or may_get(workspace, cls, name):
         return None
@@ -187,8 +194,8 @@ def _absent(workspace: WorkspaceIndex, file: str, called: _Called) -> AbsentMemb
     own = {each for names in members for each in names if not each.startswith("__")}
     methods = dict.fromkeys(method.name for each in chain.own for method in methods_of(each.code))
     offered = tuple(method for method in methods if not method.startswith("_"))
-    place, near = Place(file, *called.span), nearest(name, own) or ""
-    return AbsentMember(place, f"class {cls.code.name}", name, near, True, methods=offered)
+    near = nearest(name, own) or ""
+    return AbsentMember(place, f"class {cls.code.name}", name, near, called, methods=offered)
 
 
 def _is_given_elsewhere(workspace: WorkspaceIndex, file: str, attribute: str) -> bool:
@@ -202,4 +209,4 @@ def _is_given_elsewhere(workspace: WorkspaceIndex, file: str, attribute: str) ->
     return rows != 1
 
 
-__all__ = ["AbsentMember", "absent_members"]
+__all__ = ["AbsentMember", "absent_members", "absent_of"]
