@@ -57,6 +57,12 @@ def node(line: str, of_handle: str = "pass") -> str:
         ("self.log.Info('low')", "a logger has no 'Info'", "write info"),
         ("self.get_logger().critical('low')", "a logger has no 'critical'", "write fatal"),
         (
+            "self.get_logger().warn_throttle(5.0, 'low')",
+            "a logger has no 'warn_throttle'",
+            "write warning(…, throttle_duration_sec=…)",
+        ),
+        ("self.log.info_once('low')", "a logger has no 'info_once'", "write info(…, once=True)"),
+        (
             "print(QoSReliabilityPolicy.KEEP_LAST)",
             "ReliabilityPolicy has no 'KEEP_LAST'",
             "write HistoryPolicy.KEEP_LAST",
@@ -94,6 +100,7 @@ def test_what_is_not_there(judge: Judge, line: str, message: str, help: str):
         "print(list(self.subscriptions))",
         "print(self.buffer.all_frames_as_yaml())",
         "self.buffer.clear()",
+        "print(); import clearml; clearml.Task.init().get_logger().report_text('low')",
         "handler = self.get_logger().warm if hasattr(self.log, 'warm') else print",
     ],
 )

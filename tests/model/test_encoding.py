@@ -30,6 +30,7 @@ from archlint.model import (
     Spell,
     SpinDuration,
     Text,
+    absent_reads,
     calls,
     encoding,
     executors,
@@ -171,7 +172,7 @@ def test_a_payload_of_other_fields_is_refused(monkeypatch: pytest.MonkeyPatch):
 
 
 MODULES = (
-    *(calls, executors, futures, given, kinds, messages, nodes, programs, refused, texts, transforms),
+    *(absent_reads, calls, executors, futures, given, kinds, messages, nodes, programs, refused, texts, transforms),
     *(branches, finding, interfaces, origins, parameter_types, place, qos, reasons),
 )
 """Where the classes of programs and what their fields are annotated with are defined."""

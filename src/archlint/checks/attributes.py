@@ -12,7 +12,7 @@ from archlint.finding import Finding, Related
 from archlint.launch_files.launch_properties import ActionOverwritten, overwritten_actions
 from archlint.python_code.absent_members import AbsentMember, absent_members
 from archlint.python_code.enum_members import absent_enum_members
-from archlint.python_code.logger_calls import absent_of_loggers
+from archlint.python_code.logger_calls import AbsentOfLogger, absent_of_loggers
 from archlint.python_code.methods_looked_into import LookedInto, methods_looked_into
 from archlint.python_code.object_members import CalledProperty, object_members
 from archlint.python_code.own_objects import absent_of_objects
@@ -56,8 +56,9 @@ def attribute_findings(system: System) -> Iterator[Finding]:
     for absent in absent_policies(system.workspace):
         yield from unless_uncalled(system, _absent(absent))
     for of_logger in absent_of_loggers(system.workspace):
-        absent = AbsentMember(of_logger.place, "a logger", of_logger.name, of_logger.near, called=True)
-        yield from unless_uncalled(system, replace(_absent(absent), help=_cure_of_logger(of_logger.near)))
+        near = "" if of_logger.option else of_logger.near
+        absent = AbsentMember(of_logger.place, "a logger", of_logger.name, near, called=True)
+        yield from unless_uncalled(system, replace(_absent(absent), help=_cure_of_logger(of_logger)))
     for row in object_members(system):
         diagnostic = called_property(row) if isinstance(row, CalledProperty) else _absent(row)
         yield from unless_uncalled(system, diagnostic)
@@ -141,8 +142,10 @@ def _cure(row: AbsentMember) -> str:
     return f"{cure}, or call what it has: {methods}" if 0 < len(row.methods) <= _FEW else cure
 
 
-def _cure_of_logger(near: str) -> str:
-    return f"write {near}" if near else "call one of its levels: debug(), info(), warning(), error(), fatal()"
+def _cure_of_logger(row: AbsentOfLogger) -> str:
+    if row.option:
+        return f"write {row.near}(…, {row.option})"
+    return f"write {row.near}" if row.near else "call one of its levels: debug(), info(), warning(), error(), fatal()"
 
 
 def called_property(row: CalledProperty) -> Finding:

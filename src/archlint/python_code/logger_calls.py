@@ -66,11 +66,13 @@ def _has_own_loggers(file_facts: facts.Facts) -> bool:
 
 @dataclass(frozen=True)
 class AbsentOfLogger:
-    """``self.get_logger().warm(…)``; ``near`` is the method that was probably meant."""
+    """``self.get_logger().warm(…)``; ``near`` is the method that was probably meant, ``option`` what it takes for
+    that."""
 
     place: Place
     name: str
     near: str
+    option: str = ""
 
 
 _OF_LOGGERS = frozenset(
@@ -88,6 +90,8 @@ _OF_OTHERS = {
     **dict.fromkeys(("Error", "logerr", "ERROR", "errors"), "error"),
 }
 """What loggers elsewhere have, and people write, for the levels of this one."""
+_OPTIONS = {"throttle": "throttle_duration_sec=…", "once": "once=True", "skip_first": "skip_first=True"}
+"""What the macros of C++ have in their names, ``RCLCPP_WARN_THROTTLE``, and rclpy takes as an argument."""
 
 
 def absent_of_loggers(workspace: WorkspaceIndex) -> Iterator[AbsentOfLogger]:
@@ -96,6 +100,11 @@ def absent_of_loggers(workspace: WorkspaceIndex) -> Iterator[AbsentOfLogger]:
         return
     for path in workspace.python_files(mentioning="get_logger"):
         for name, span in _absent(workspace, path) or ():
+            level, _, how = name.partition("_")
+            if how in _OPTIONS and level in _LEVELS | {"debug"}:
+                method = "warning" if level == "warn" else level
+                yield AbsentOfLogger(Place(path, *span), name, method, _OPTIONS[how])
+                continue
             near = _OF_OTHERS.get(name) or nearest(name, sorted(_OF_LOGGERS - {"warn"})) or ""
             yield AbsentOfLogger(Place(path, *span), name, near)
 
@@ -103,13 +112,25 @@ def absent_of_loggers(workspace: WorkspaceIndex) -> Iterator[AbsentOfLogger]:
 @kept_for_each_file
 def _absent(file_facts: facts.Facts) -> list[tuple[str, facts.Span]]:
     code = _Code(file_facts)
+    calls = [*everything_in(file_facts.body, facts.Call)] if code.uses_rclpy else []
+    if not all(_is_of_node(call.func) for call in calls):
+        return []  # other libraries have loggers, too
     rows = []
-    for call in everything_in(file_facts.body, facts.Call) if code.uses_rclpy else ():
+    for call in calls:
         match call.func:
             case facts.Attribute(attr=name, span=span) if name not in _OF_LOGGERS and not name.startswith("_"):
                 if code.is_of_logger(call.func) and not code.is_tried(call):
                     rows.append((name, span))
     return rows
+
+
+def _is_of_node(function: facts.Expr) -> bool:
+    """Whether a function, if it is a ``get_logger()``, is that of a node or of rclpy."""
+    match function:
+        case facts.Attribute(value=owner, attr="get_logger"):
+            name = owner.last_name.lower()
+            return owner.dotted in ("self", "rclpy.logging") or name.endswith("node")
+    return True
 
 
 @dataclass(frozen=True)
