@@ -413,6 +413,10 @@ class Motor:
     def equip(self, wheel):
         wheel.brake = 1.0
 
+    def equipped(self, wheel):
+        self.equip(wheel)
+        return wheel
+
 def main():
     rclpy.init()
     node = {make}
