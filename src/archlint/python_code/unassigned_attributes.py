@@ -24,6 +24,7 @@ from archlint.python_code.class_chains import (
     methods_of,
     targets_of,
 )
+from archlint.python_code.message_variables import given_to_others
 from archlint.python_code.unshared_objects import asked_in, may_be_given
 from archlint.suggestions import distance, nearest
 from archlint.syntax import facts
@@ -356,7 +357,7 @@ def may_get(workspace: WorkspaceIndex, cls: ClassInFile, name: str) -> bool:
 
 
 def _gives(file_facts: facts.Facts | None, name: str, texts: bool) -> bool:
-    if file_facts is None or name in _given_by(file_facts) | asked_in(file_facts):
+    if file_facts is None or name in given_to_others(file_facts) | asked_in(file_facts):
         return True
     return texts and name in _texts_of(file_facts)
 
@@ -371,19 +372,6 @@ def _variables_of(file_facts: facts.Facts) -> frozenset[str]:
 def _texts_of(file_facts: facts.Facts) -> frozenset[str]:
     literals = everything_in(file_facts.body, facts.Literal)
     return frozenset(literal.value for literal in literals if isinstance(literal.value, str))
-
-
-@once_for
-def _given_by(file_facts: facts.Facts) -> frozenset[str]:
-    """The attributes that a file assigns to an object that is not ``self``."""
-    names: set[str] = set()
-    for target in targets_of(file_facts.body):
-        match target:
-            case facts.Attribute(value=facts.Name(id="self")):
-                continue
-            case facts.Attribute(attr=attr):
-                names.add(attr)
-    return frozenset(names)
 
 
 __all__ = [
