@@ -80,6 +80,15 @@ def test_a_command_of_milliseconds_keeps_nobody_waiting(run: Run, call: str, sev
     assert [one.severity.label for one in waits] == severity
 
 
+def test_what_takes_time_is_told_and_not_the_command_before_it(run: Run):
+    """However many processes are ended, the pause after them is what costs time."""
+    ends = "def end(self, names):\n    for name in names:\n        subprocess.run(['pkill', '-f', name])\n\n"
+    restart = "def restart(self):\n    self.end(load())\n    time.sleep(0.5)\n\n"
+    text = source(TIMER, ends + restart + timer("self.restart()"))
+    [wait] = [found for found in run(text) if found.code == "EXE003"]
+    assert "sleeps for 0.5 s" in wait.message and "another function" in wait.message
+
+
 @pytest.mark.parametrize(("limit", "expected"), [("1.0", []), ("5.0", ["EXE003"])])
 def test_a_callback_may_look_for_a_server_for_a_second(run: Run, limit: str, expected: list[str]):
     method = timer(f"if self.client.wait_for_service(timeout_sec={limit}): self.get_logger().info('there')")

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_not_installed
@@ -60,6 +61,7 @@ def slow_callback(system: System, options: Options) -> Iterator[Finding]:
     """Sleeps and waits for the world outside that callbacks reach: one finding for the function that holds them.  In a
     lesson, and with ``alone``, also where that delays nothing but the callback's own next turn and slow timers."""
     code, quiet = source_code(system), not options.flag("alone")
+    longest_first = partial(_longest_first, code)
     lesson = quiet and is_lesson(system)
     alone = lesson or not quiet
     asked = clients_of_handlers(system, options.distros)
@@ -95,7 +97,7 @@ def slow_callback(system: System, options: Options) -> Iterator[Finding]:
         if known is None or len(call.chain) < len(known[1].chain):
             rows[call.place] = (program, call, stay)
     slow_functions = [
-        sorted(rows.values(), key=_longest_first)
+        sorted(rows.values(), key=longest_first)
         for rows in functions.values()
         if not all(_is_left_alone(system, program, call, stay) for program, call, stay in rows.values())
         if not all(_delays_nothing(code, row) for row in rows.values())
@@ -104,7 +106,7 @@ def slow_callback(system: System, options: Options) -> Iterator[Finding]:
     worst: dict[tuple[str, ...], _Row] = {}
     for [row, *_] in slow_functions:
         cause = _cause(row[1].context)
-        worst[cause] = min(worst.get(cause, row), row, key=_longest_first)
+        worst[cause] = min(worst.get(cause, row), row, key=longest_first)
     yield from one_for_each_place(
         _slow(system, rows, _place_of(system, worst[_cause(rows[0][1].context)])) for rows in slow_functions
     )
@@ -120,15 +122,17 @@ def _as_text(place: Place) -> str:
     return f"{place.file}:{place.line}:{place.column}"
 
 
-def _longest_first(row: _Row) -> tuple[float, Place]:
+def _longest_first(code: SourceCode, row: _Row) -> tuple[float, Place]:
     """What is worst of several lines: that which holds its thread up the longest, as a rule."""
     _, call, stay = row
-    usual = _USUAL.get(stay.kind, math.inf)
+    usual = _A_MOMENT if stay.kind == "process" and is_soon_over(code, call) else _USUAL.get(stay.kind, math.inf)
     if stay.seconds is None:
         return -usual, call.place
     return -(stay.seconds if stay.kind in ("sleep", "discovery") else min(stay.seconds, usual)), call.place
 
 
+_A_MOMENT = 0.05
+"""Seconds that a command takes which only sets or asks something."""
 _USUAL = {"sleep": 1.0, "process": 1.0, "keyboard": 4.0, "network": 5.0, "message": 5.0}
 """Seconds that something takes as a rule: a sleep whose time is not known, other waits whatever their limit is."""
 
@@ -196,16 +200,12 @@ def _stays(system: System) -> Iterator[_Row]:
             or (stay.kind == "discovery" and is_there(system, call))
             or ends_with_the_node(code, call, stay)
             or ends_the_machine(code, call)
-            or ((stay.kind == "process" or _is_once(call, stay)) and hands_over(code, call))
+            or hands_over(code, call, stay)
             or (stay.kind == "process" and (not call.looped or is_retry(code, call)) and is_soon_over(code, call))
             or _is_no_program(system, call.context)
         ):
             continue
         yield program, call, stay
-
-
-def _is_once(call: ApiCall, stay: Stay) -> bool:
-    return stay.kind == "sleep" and not call.looped
 
 
 def _is_long(system: System, call: ApiCall, stay: Stay) -> bool:

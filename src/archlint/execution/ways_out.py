@@ -26,10 +26,11 @@ def ends_with_the_node(code: SourceCode, call: ApiCall, stay: Stay) -> bool:
     return call.api in OF_PROCESS and stay.seconds is not None and not call.looped and _ends_in(code, call, _SHUTDOWNS)
 
 
-def hands_over(code: SourceCode, call: ApiCall) -> bool:
+def hands_over(code: SourceCode, call: ApiCall, stay: Stay) -> bool:
     """Whether every way on from a wait ends the program: a process was started in its place or as the last step, or
     there is a pause before the end."""
-    return _ends_in(code, call, _ENDS_OF_PROGRAM)
+    is_last = stay.kind == "process" or (stay.kind == "sleep" and not call.looped)
+    return is_last and _ends_in(code, call, _ENDS_OF_PROGRAM)
 
 
 def _ends_in(code: SourceCode, call: ApiCall, functions: AbstractSet[str]) -> bool:
