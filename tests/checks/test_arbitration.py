@@ -348,7 +348,7 @@ TWO_TOPICS = """
     class Left(Node):
         def __init__(self):
             super().__init__('left')
-            self.arm = self.create_publisher(Twist, 'arm/twist', 10)
+            self.arm = self.create_publisher(Twist, 'arm/cmd', 10)
             self.base = self.create_publisher(Twist, 'cmd_vel', 10)
             self.create_timer(0.1, self.tick)
 
@@ -360,7 +360,7 @@ TWO_TOPICS = """
     class Right(Node):
         def __init__(self):
             super().__init__('right')
-            self.arm = self.create_publisher(Twist, 'arm/twist', 10)  # here
+            self.arm = self.create_publisher(Twist, 'arm/cmd', 10)  # here
             self.base = self.create_publisher(Twist, 'cmd_vel', 10)
             self.create_timer(0.1, self.tick)
 
@@ -385,9 +385,9 @@ TWO_TOPICS = """
 def test_all_that_the_same_nodes_publish_is_one_finding(judge: Judge):
     [found] = judge("OWN001", TWO_TOPICS)
 
-    assert found.message == "/left and /right both publish the topics '/arm/twist' and '/cmd_vel'"
+    assert found.message == "/left and /right both publish the topics '/arm/cmd' and '/cmd_vel'"
     assert [row.message for row in found.related] == [
-        "/left publishes '/arm/twist' here",
+        "/left publishes '/arm/cmd' here",
         "/left publishes '/cmd_vel' here",
         "/right publishes '/cmd_vel' here",
     ]

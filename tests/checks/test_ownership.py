@@ -1165,3 +1165,53 @@ def test_what_instances_of_one_node_tell(tmp_path, monkeypatch, type_: str, topi
         (tmp_path / name).write_text(text)
 
     assert len(check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings) == told
+
+
+DRIVES = """
+import rclpy
+from geometry_msgs.msg import Twist
+from rclpy.node import Node
+from std_msgs.msg import Float32
+
+
+class Page(Node):
+    def __init__(self):
+        super().__init__('page')
+        self.laser = self.create_publisher(Float32, 'a_speed', 10)
+        self.drive = self.create_publisher(Twist, 'cmd_vel', 10)
+        self.create_timer(0.1, self.tick)
+
+    def tick(self):
+        self.laser.publish(Float32(data=load()))
+        self.drive.publish(load())
+
+
+class Planner(Node):
+    def __init__(self):
+        super().__init__('planner')
+        self.laser = self.create_publisher(Float32, 'a_speed', 10)
+        self.drive = self.create_publisher(Twist, 'cmd_vel', 10)  # here
+        self.create_timer(0.1, self.tick)
+
+    def tick(self):
+        self.laser.publish(Float32(data=load()))
+        self.drive.publish(load())
+
+
+def main():
+    rclpy.init()
+    executor = rclpy.executors.SingleThreadedExecutor()
+    for node in [Page(), Planner()]:
+        executor.add_node(node)
+    executor.spin()
+
+
+if __name__ == '__main__':
+    main()
+"""
+
+
+def test_of_several_topics_the_command_says_where(judge: Judge):
+    """Nobody minds who turns a laser; two that drive are what is wrong."""
+    [found] = judge("OWN001", DRIVES)
+    assert found.message == "/page and /planner both publish the topics '/cmd_vel' and '/a_speed'"

@@ -15,7 +15,7 @@ from archlint.connections.echoes import is_driven, repeats
 from archlint.connections.hand_overs import hand_over
 from archlint.connections.happenings import are_events, are_requests
 from archlint.connections.owners import several_owners, some_coexist
-from archlint.connections.sharing import are_of_one_class, are_words, is_bus, is_state
+from archlint.connections.sharing import are_of_one_class, are_words, is_bus, is_named_a_command, is_state
 from archlint.connections.streams import sends_again_and_again, waits_for_nobody
 from archlint.connections.switched_off import switch_of
 from archlint.connections.taken_in import ask_with_true, say_whose
@@ -117,8 +117,8 @@ def _says_what_happens(topic: str) -> bool:
 @folds("OWN001", across_systems=True)
 def _of_one_node(findings: Sequence[Finding]) -> Finding:
     """What one node publishes beside others, on all its topics and in all launch files: the finding for the most nodes
-    says which; what else is so is related."""
-    most = max(findings, key=lambda finding: (finding.condition is None, len(finding.identity)))
+    says which, that for a command if there is one; what else is so is related."""
+    most = max(findings, key=_weight)
     same = [finding for finding in findings if finding.identity[2:] == most.identity[2:]]
     topics = list(dict.fromkeys(finding.identity[1] for finding in (most, *same)))
     rest = [Related(finding.place, f"{finding.node} publishes '{finding.identity[1]}' here") for finding in findings]
@@ -128,6 +128,10 @@ def _of_one_node(findings: Sequence[Finding]) -> Finding:
         message=most.message.replace(f"the topic '{topics[0]}'", _topics(topics)),
         related=tuple(row for row in dict.fromkeys(rows) if row.place != most.place or row not in rest),
     )
+
+
+def _weight(finding: Finding) -> tuple[bool, int, bool]:
+    return finding.condition is None, len(finding.identity), is_named_a_command(finding.identity[1])
 
 
 _NAMED = 4

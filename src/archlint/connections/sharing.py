@@ -44,7 +44,12 @@ def _are_commands(connection: Connection, owners: Sequence[Endpoint]) -> bool:
     """Whether a machine is commanded, by the type of the messages or the last part of the topic's name."""
     if any(end.type in COMMANDS for end in owners):
         return True
-    return not are_words(owners) and not _TO_COMMAND.isdisjoint(_last_words(connection.name))
+    return not are_words(owners) and is_named_a_command(connection.name)
+
+
+def is_named_a_command(topic: str) -> bool:
+    """Whether a topic is called a command: ``cmd_vel``."""
+    return not _TO_COMMAND.isdisjoint(_last_words(topic))
 
 
 def are_words(owners: Sequence[Endpoint]) -> bool:
@@ -102,4 +107,4 @@ def _last_words(topic: str) -> list[str]:
     return topic.rpartition("/")[2].lower().split("_")
 
 
-__all__ = ["COMMANDS", "SENDERS", "are_of_one_class", "are_words", "is_bus", "is_state"]
+__all__ = ["COMMANDS", "SENDERS", "are_of_one_class", "are_words", "is_bus", "is_named_a_command", "is_state"]
