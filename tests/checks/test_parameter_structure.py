@@ -93,6 +93,30 @@ def test_a_file_that_rcl_reads(findings, text):
     assert findings("PRM009", LOAD_IT, **{"config/p.yaml": text}) == []
 
 
+READS_IT = """\
+import os
+import yaml
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    with open(os.path.join(get_package_share_directory('robot'), 'config', 'p.yaml')) as file:
+        settings = yaml.safe_load(file)
+    return LaunchDescription([Node(package='robot', executable='talker', parameters=[settings])])
+"""
+
+
+def test_a_file_that_another_launch_file_reads_as_it_is(findings):
+    """Where it is indented below a node, that one gets other parameters."""
+    files = {"config/p.yaml": "rate: 1.0", "launch/other.launch.py": READS_IT}
+    (told,) = findings("PRM009", LOAD_IT, **files)
+    assert told.help == "give the node a file of its own: other.launch.py reads this one as it is"
+    files["launch/other.launch.py"] = READS_IT.replace("p.yaml", "q.yaml")
+    (told,) = findings("PRM009", LOAD_IT, **files)
+    assert told.help.startswith("write '/**:' above the parameters")
+
+
 def test_a_file_that_no_node_is_given(findings):
     """What a launch file reads itself, and what a node gets as the value of a parameter or as an argument."""
     launch = """\

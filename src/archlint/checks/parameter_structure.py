@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import posixpath
 from collections.abc import Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING
@@ -9,6 +10,7 @@ from typing import TYPE_CHECKING
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related, Severity
+from archlint.launch_files.files_read_in_code import reader_in_code
 from archlint.launch_files.refused_parameter_files import (
     ROOT,
     Misplaced,
@@ -139,6 +141,9 @@ def _help(system: System, key: MisplacedIn) -> str:
 
 
 def _missing(system: System, file: str, wrong: Misplaced) -> str:
+    reader = None if system.workspace is None or wrong.above else reader_in_code(system.workspace, file)
+    if reader is not None:
+        return f"give the node a file of its own: {posixpath.basename(reader)} reads this one as it is"
     if not wrong.above:
         return f"write '/**:' above the parameters, '{ROOT}:' below that, and indent them below both"
     first = wrong.above[0]

@@ -32,6 +32,14 @@ def is_read_in_code(workspace: WorkspaceIndex | None, file: str, key: str) -> bo
     )
 
 
+def reader_in_code(workspace: WorkspaceIndex, file: str) -> str | None:
+    """A launch file in Python that names a YAML file and loads YAML: it takes what is there as it is."""
+    name = posixpath.basename(file)
+    launches = (path for path in workspace.launch_files.all() if path.endswith(".py"))
+    readers = (path for path in launches if workspace.code.mentions(path, name))
+    return next((path for path in sorted(readers) if _keys_asked_for(workspace, path) is not None), None)
+
+
 def is_for_a_test(workspace: WorkspaceIndex, file: str, name: str) -> bool:
     """Whether a launch file of test code, which is not judged, names a parameter file and a node."""
     words = (posixpath.basename(file), name)
@@ -72,4 +80,4 @@ def _keys_given_to_helpers(file_facts: facts.Facts) -> Iterator[facts.Expr]:
                     yield argument.value
 
 
-__all__ = ["is_for_a_test", "is_read_in_code"]
+__all__ = ["is_for_a_test", "is_read_in_code", "reader_in_code"]
