@@ -183,7 +183,7 @@ def test_every_way_in_which_a_node_gets_a_file(findings):
     """
     files = {
         "config/all.yaml": "rate: 1.0",
-        "config/argument.yaml": "rate: 1.0",
+        "config/argument.yaml": "gain: 1.0",
         "launch/it.launch.py": dedent(launch),
     }
     assert [told.place.file for told in findings("PRM009", **files)] == ["config/all.yaml", "config/argument.yaml"]
