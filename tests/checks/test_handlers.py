@@ -272,6 +272,25 @@ def test_a_goal_without_an_outcome_on_some_path(run: Run, body: str):
     assert "ACT003" in codes(run(execute(body)))
 
 
+@pytest.mark.parametrize(
+    ("accept", "expected"),
+    [
+        ("self.goal = goal_handle", []),  # a timer ends the goal; nothing ever calls the execute callback
+        ("goal_handle.execute()", ["ACT003"]),
+        ("threading.Thread(target=goal_handle.execute).start()", ["ACT003"]),
+    ],
+)
+def test_goals_that_the_server_accepts_itself(run: Run, accept: str, expected: list[str]):
+    server = (
+        "self.server = ActionServer(self, Fibonacci, 'count', self.execute, handle_accepted_callback=self.accept)\n"
+    )
+    methods = (
+        "def execute(self, goal_handle):\n    return Fibonacci.Result()\n\n"
+        f"def accept(self, goal_handle):\n    {accept}\n"
+    )
+    assert [code for code in codes(run(source(server, methods))) if code == "ACT003"] == expected
+
+
 def test_a_helper_that_only_tells_how_far_things_are_ends_no_goal(run: Run):
     body = "self.tell(goal_handle)\nif self.ready:\n    goal_handle.succeed()\nreturn Fibonacci.Result()"
     tell = "\n    def tell(self, goal):\n        goal.publish_feedback(Fibonacci.Feedback()){}\n\n\ndef main():"

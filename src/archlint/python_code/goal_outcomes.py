@@ -16,6 +16,7 @@ from archlint.python_code.handler_ends import HandlerEnd, handlers_of, is_stub
 from archlint.python_code.raising_helpers import never_returns
 from archlint.syntax import facts
 from archlint.syntax.control_flow import graph_of
+from archlint.syntax.parts import everything_in
 from archlint.syntax.walk import called_name, calls_in, parts_of, statements_of
 
 if TYPE_CHECKING:
@@ -24,6 +25,7 @@ if TYPE_CHECKING:
 
 _ENDS = ("succeed", "abort", "canceled")
 _DECIDES = frozenset({*_ENDS, "is_active"})
+_EXECUTES = frozenset({"execute", "notify_execute"})
 _State = tuple[bool, Known]
 """Whether the goal has its outcome, and what is known of the variables."""
 _LOOKS = frozenset({"str", "repr", "print", "type", "id", "isinstance", "hasattr", "format"})
@@ -46,7 +48,25 @@ class _Goal:
 def ends_without_outcome(system: System) -> Iterator[HandlerEnd]:
     """The ends of execute callbacks that some way reaches without an outcome of the goal."""
     for callback, function in handlers_of(system, Role.EXECUTE):
-        yield from _undecided(system, callback, function)
+        if not _never_runs(system, callback):
+            yield from _undecided(system, callback, function)
+
+
+def _never_runs(system: System, callback: Callback) -> bool:
+    """Whether a server has a callback of its own for accepted goals and no code there executes one: rclpy runs the
+    execute callback only when ``execute()`` of the goal is called, which its default does at once."""
+    accepting = [
+        other for other in system.callbacks if other.role == Role.ACCEPTED and other.creation is callback.creation
+    ]
+    code = source_code(system)
+    files = [code.facts_at(file) for file in {callback.file, *(other.file for other in accepting)}]
+    return bool(accepting) and not any(file is None or _executes(file) for file in files)
+
+
+def _executes(file: facts.Facts) -> bool:
+    """Whether code has ``execute`` of an object: the execute callback itself is often called so, too."""
+    attributes = everything_in(file.body, facts.Attribute)
+    return any(attribute.attr in _EXECUTES and attribute.value.variable != "self" for attribute in attributes)
 
 
 def _undecided(system: System, callback: Callback, function: facts.Function) -> Iterator[HandlerEnd]:
