@@ -513,10 +513,18 @@ def test_a_world_that_the_build_makes_of_a_template(findings):
     [("robo", "; did you mean 'robot'?"), ("your_robot", "")],
 )
 def test_a_share_folder_of_no_package(findings, package, end):
-    (finding,) = findings("LCH004", include(f"$(find-pkg-share {package})/launch/all.launch.xml"))
+    line = include(f"$(find-pkg-share {package})/launch/all.launch.xml")
+    there = {"launch/all.launch.xml": "<launch/>"} if end else {}
+    (finding,) = findings("LCH004", line, **there)
     assert finding.message == (
         f"there is no package '{package}', in which this looks for the launch file 'launch/all.launch.xml'{end}"
     )
+
+
+def test_a_share_folder_of_a_package_from_elsewhere_that_is_called_nearly_like_one_here(findings):
+    """A package that is installed beside the workspace may be called ``xrobot``: this one lacks the file."""
+    line = include("$(find-pkg-share xrobot)/launch/all.launch.xml")
+    assert findings("LCH004", line, **{"launch/other.launch.xml": "<launch/>"}) == []
 
 
 def test_a_share_folder_of_no_package_with_a_file_of_this_one(findings):

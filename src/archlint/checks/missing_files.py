@@ -161,7 +161,7 @@ def _absent_packages(system: System) -> Iterator[Finding]:
             continue
         seen.add((place, package))
         named = _below_package(reference.written or "")
-        near = package_meant(workspace, package) or package_with(workspace, package, named, reference.place.file)
+        near = package_meant(workspace, package, named) or package_with(workspace, package, named, reference.place.file)
         if near is None and not is_placeholder(package):
             continue
         yield finding(

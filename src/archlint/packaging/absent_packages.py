@@ -38,10 +38,14 @@ def is_placeholder(package: str) -> bool:
     return _PLACEHOLDER.fullmatch(package) is not None
 
 
-def package_meant(workspace: WorkspaceIndex, package: str) -> str | None:
-    """The package of the workspace whose name differs from one that is nowhere by a slip."""
+def package_meant(workspace: WorkspaceIndex, package: str, path: str) -> str | None:
+    """The package of the workspace whose name differs from one that is nowhere by a slip.  It has the file at ``path``
+    below its folder, too: ``xarm_description``, which is installed, is no slip for ``arm_description``."""
     near = nearest(package, workspace.packages)
-    return near if near is not None and distance(package, near, _SLIP) <= _SLIP else None
+    if near is None or distance(package, near, _SLIP) > _SLIP:
+        return None
+    there = posixpath.normpath(posixpath.join(workspace.packages[near].relative, path))
+    return near if workspace.tree.is_file(there) or workspace.tree.is_folder(there) else None
 
 
 def package_with(workspace: WorkspaceIndex, package: str, path: str, launch_file: str) -> str | None:
