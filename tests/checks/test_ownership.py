@@ -57,6 +57,12 @@ class TestMultiplePublishers:
         assert finding.message == "/joystick and /planner both publish the topic '/cmd_vel'"
         assert finding.severity is Severity.WARNING
 
+    def test_a_node_whose_program_was_followed_in_part(self):
+        nodes = [node(name, publisher("cmd_vel", TWIST)) for name in ("/joystick", "/planner")]
+        assert nodes[1].program is not None
+        nodes[1].program.exhausted = True  # on which occasions it publishes is not known
+        assert owners(system(*nodes, name="launch/robot.launch.py")) == []
+
     @pytest.mark.parametrize(
         ("topic", "found"),
         [

@@ -52,6 +52,8 @@ def _is_meant(system: System, connection: Connection, owners: list[Endpoint]) ->
     """Whether several nodes are there to publish a topic, or do not do so at once."""
     if is_bus(system.workspace, connection, owners) or say_whose(system, owners):
         return True
+    if any(end.node.program is not None and end.node.program.exhausted for end in owners):
+        return True  # the run ended before all that it publishes was seen, and on which occasions
     if all(end.type == _EMPTY for end in owners):
         return True  # it only says that something is to be done: no message takes back another
     if are_events(system, owners) or are_requests(connection) or ask_with_true(system, connection):
