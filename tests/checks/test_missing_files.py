@@ -204,6 +204,28 @@ def generate_launch_description():
     assert (found.place.line, [one.place.line for one in found.related]) == (7, [9, 10])
 
 
+@pytest.mark.parametrize(
+    ("arguments", "told"),
+    [
+        ("['-d', view] if os.path.exists(view) else []", 0),  # RViz starts without it
+        ("['-d', view] if os.environ.get('SHOWN') else []", 1),
+        ("['-d', view]", 1),
+    ],
+)
+def test_a_file_on_the_command_line_only_where_it_is(findings, arguments: str, told: int):
+    text = f"""\
+import os
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    view = os.path.join(get_package_share_directory('robot'), 'config', 'view.rviz')
+    return LaunchDescription([Node(package='rviz2', executable='rviz2', arguments={arguments})])
+"""
+    assert len(findings("LCH004", **{"launch/py.launch.py": text})) == told
+
+
 @pytest.mark.parametrize(("excluded", "told"), [("plain", 0), ("other", 1)])
 def test_a_file_named_by_the_default_with_which_nothing_reads_it(findings, excluded: str, told: int):
     text = """\

@@ -6,11 +6,12 @@ import posixpath
 import re
 import shlex
 from collections.abc import Sequence
+from contextlib import nullcontext
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from archlint.finding import Place
-from archlint.interpreter.values import Holed, Instance, Known, ListValue, Unknown, Value, alternatives, reason
+from archlint.interpreter.values import Holed, Instance, Known, ListValue, OneOf, Unknown, Value, alternatives, reason
 from archlint.launch.actions.branches import arms_of, each_alternative, verdict_on
 from archlint.launch.actions.domains import domain_of
 from archlint.launch.actions.included import launch_in_own_process
@@ -95,7 +96,9 @@ def _started(run: LaunchRun, entity: LaunchObject, kind: StartedKind) -> Started
     ]
     if entity.open:
         started.parameters.append(OpenParameters("arguments that are passed by **", run.place_now))
-    _note_files(run, started, words)
+    of_several = isinstance(entity.argument("arguments"), OneOf)
+    with run.perhaps() if of_several else nullcontext():
+        _note_files(run, started, words)
     return started
 
 
