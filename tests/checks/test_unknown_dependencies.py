@@ -160,9 +160,29 @@ def test_a_package_that_the_configuration_names(judge: Judge):
 def test_a_build_type_is_no_package(judge: Judge):
     line = "<buildtool_depend>ament_python</buildtool_depend>"
     (by_setup,) = judge(line)
-    (by_cmake,) = judge(line, build="ament_cmake")
     assert by_setup.help == "remove the line: the build type in <export> is enough"
-    assert "'ament_cmake_python'" in (by_cmake.help or "")
+
+
+@pytest.mark.parametrize(
+    ("command", "help"),
+    [
+        ("ament_python_install_package(robot)", "write 'ament_cmake_python' instead"),
+        ("find_package(ament_cmake_python REQUIRED)", "write 'ament_cmake_python' instead"),
+        ("install(DIRECTORY launch DESTINATION share/robot)", "remove the line: CMakeLists.txt installs no Python"),
+    ],
+)
+def test_a_build_type_as_a_dependency_of_a_package_of_cmake(judge: Judge, command: str, help: str):
+    line = "<buildtool_depend>ament_python</buildtool_depend>"
+    cmake = {"CMakeLists.txt": f"project(robot)\nfind_package(ament_cmake REQUIRED)\n{command}\nament_package()\n"}
+    (told,) = judge(line, build="ament_cmake", **cmake)
+    assert (told.help or "").startswith(help)
+
+
+def test_a_build_type_beside_the_package_that_was_meant(judge: Judge):
+    lines = [f"<buildtool_depend>{name}</buildtool_depend>" for name in ("ament_cmake_python", "ament_python")]
+    cmake = {"CMakeLists.txt": "project(robot)\nament_python_install_package(robot)\nament_package()\n"}
+    (told,) = judge(*lines, build="ament_cmake", **cmake)
+    assert told.help == "remove the line: 'ament_cmake_python' is declared already"
 
 
 @pytest.mark.parametrize(

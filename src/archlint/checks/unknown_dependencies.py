@@ -65,7 +65,7 @@ def _unknown(
 ) -> Iterator[Finding]:
     name = dependency.name
     if name == _BUILD_TYPE:
-        yield _finding(package, dependency, "", _instead_of_build_type(package))
+        yield _finding(package, dependency, "", _instead_of_build_type(workspace, package, dependency))
         return
     is_python = _is_of_python(workspace, package, name)
     meant = rosdep.meant_by(name, there, is_python=is_python) or _successor(workspace, name)
@@ -109,10 +109,18 @@ def _is_found_by_name(workspace: WorkspaceIndex, package: Package, dependency: D
     return dependency.kind in _WHEN_BUILDING and dependency.name not in asked_for
 
 
-def _instead_of_build_type(package: Package) -> str:
+_INSTALLS_PYTHON = "ament_cmake_python"
+
+
+def _instead_of_build_type(workspace: WorkspaceIndex, package: Package, dependency: Dependency) -> str:
     if package.build_type == _BUILD_TYPE:
         return "remove the line: the build type in <export> is enough"
-    return "write 'ament_cmake_python' instead, the package with ament_python_install_package()"
+    installs = workspace.installs.get(package.name)
+    if installs is not None and installs.words.isdisjoint({_INSTALLS_PYTHON, "ament_python_install_package"}):
+        return "remove the line: CMakeLists.txt installs no Python package"
+    if _has_already(package, dependency, _INSTALLS_PYTHON):
+        return f"remove the line: '{_INSTALLS_PYTHON}' is declared already"
+    return f"write '{_INSTALLS_PYTHON}' instead, the package with ament_python_install_package()"
 
 
 def _is_of_python(workspace: WorkspaceIndex, package: Package, name: str) -> bool:
