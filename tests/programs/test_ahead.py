@@ -13,7 +13,7 @@ import pytest
 
 import archlint
 from archlint.interpreter.modules import ModuleIndex
-from archlint.programs.ahead import independent_groups
+from archlint.programs.ahead import independent_groups, shares
 from archlint.syntax.python.lowering import lower
 from archlint.workspace.model import SourceFile
 
@@ -58,7 +58,21 @@ RUN = """\
 import os, signal, sys
 from archlint.cli import main
 from archlint.programs.kept import KeptPrograms
+from archlint.programs.linker import Linker
+from archlint.programs.sweep import Sweep
 
+
+def telling(function, word):
+    def tell(self, *arguments):
+        if os.getpid() == here:
+            sys.stderr.write(word + '\\n')
+        return function(self, *arguments)
+    return tell
+
+
+here = os.getpid()
+Linker._run_entry = telling(Linker._run_entry, 'an executable')
+Sweep._run_class = telling(Sweep._run_class, 'a class')
 taken = KeptPrograms.add
 KeptPrograms.add = lambda self, payload: (sys.stderr.write('taken\\n'), taken(self, payload))[1]
 if sys.argv[1] == 'kill':
@@ -88,10 +102,16 @@ def workspace(tmp_path: Path) -> Path:
 
 def run(folder: Path, *arguments: str, way: str = "") -> tuple[str, int]:
     """What a command prints, less the time, and how often programs of another process were taken."""
+    output, told = run_telling(folder, *arguments, way=way)
+    return output, told.count("taken")
+
+
+def run_telling(folder: Path, *arguments: str, way: str = "") -> tuple[str, str]:
+    """What a command prints, less the time, and what it tells of programs that it takes or follows itself."""
     environment = {**os.environ, "PYTHONPATH": str(Path(archlint.__file__).parents[1])}
     command = [sys.executable, "-c", dedent(RUN), way, *arguments, ".", "--format", "json", "--isolated"]
     done = subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True, check=False)
-    return re.sub(r'"elapsed_s": [\d.e-]+', "", done.stdout), done.stderr.count("taken")
+    return re.sub(r'"elapsed_s": [\d.e-]+', "", done.stdout), done.stderr
 
 
 @pytest.mark.parametrize("command", ["check", "graph"])
@@ -120,6 +140,57 @@ def test_what_processes_have_followed_is_kept(workspace, tmp_path_factory):
     cold, taken = run(workspace, "graph", "--jobs", "2", *cache)
     assert taken >= 4
     assert run(workspace, "graph", "--jobs", "2", *cache) == (cold, 0)
+
+
+@pytest.fixture
+def one_robot(tmp_path: Path) -> Path:
+    """One package in which all modules import one: four executables, and twelve node classes that nothing starts."""
+    robot = tmp_path / "robot"
+    (robot / "robot").mkdir(parents=True)
+    (robot / "resource").mkdir()
+    (robot / "resource" / "robot").touch()
+    (robot / "package.xml").write_text(MANIFEST.format(name="robot"), "utf-8")
+    starts = [f"'{name} = robot.{name}:main'" for name in ("arm", "base", "camera", "door")]
+    setup = f"setup(name='robot', packages=['robot'], entry_points={{'console_scripts': [{', '.join(starts)}]}})\n"
+    (robot / "setup.py").write_text("from setuptools import setup\n\n" + setup, "utf-8")
+    (robot / "robot" / "__init__.py").touch()
+    (robot / "robot" / "names.py").write_text("PREFIX = '/robot'\n", "utf-8")
+    for name in ("arm", "base", "camera", "door"):
+        text = NODE.format(name=name).replace("'/shared'", "PREFIX + '/shared'")
+        (robot / "robot" / f"{name}.py").write_text("from robot.names import PREFIX\n" + text, "utf-8")
+    spare = [NODE.format(name=f"spare{number}").partition("def main")[0] for number in range(12)]
+    renamed = [text.replace("Talker", f"Spare{number}") for number, text in enumerate(spare)]
+    big = "# " + "x" * 250_000 + "\n"
+    (robot / "robot" / "spare.py").write_text("from robot.names import PREFIX\n" + "".join(renamed) + big, "utf-8")
+    return tmp_path
+
+
+@pytest.mark.parametrize("command", ["check", "graph"])
+def test_what_is_started_from_one_package_is_divided_among_processes(one_robot, command):
+    alone, told = run_telling(one_robot, command, "--jobs", "1", "--no-cache")
+    assert told.count("an executable") == 4
+    assert told.count("a class") == 12
+    together, told = run_telling(one_robot, command, "--jobs", "2", "--no-cache")
+    assert "an executable" not in told
+    assert "a class" not in told
+    assert together == alone
+
+
+def test_what_a_process_has_divided_is_kept(one_robot, tmp_path_factory):
+    cache = ["--cache-dir", str(tmp_path_factory.mktemp("cache"))]
+    cold, _ = run_telling(one_robot, "graph", "--jobs", "2", *cache)
+    node = one_robot / "robot" / "robot" / "door.py"
+    node.write_text(node.read_text("utf-8").replace("'door'", "'gate'"), "utf-8")
+    edited, told = run_telling(one_robot, "graph", "--jobs", "2", *cache)
+    assert told.count("an executable") <= 1
+    assert edited != cold
+    assert edited == run_telling(one_robot, "graph", "--jobs", "1", "--no-cache")[0]
+
+
+def test_shares_are_neighbours_of_about_the_same_length():
+    assert shares("abcde", 2) == [range(2), range(2, 5)]
+    assert shares("ab", 4) == [range(1), range(1, 2)]
+    assert shares("", 4) == []
 
 
 def test_modules_that_import_the_same_belong_together():

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import struct
 from collections.abc import Callable, Iterable, Sequence
+from itertools import pairwise
 from typing import TYPE_CHECKING, TypeVar
 
 from archlint.monitor import Monitor
@@ -20,6 +21,8 @@ if TYPE_CHECKING:
 
 WORTH_IT = 200_000
 """From how many bytes of source on a process more is worth its start."""
+SHARES = 4
+"""Into how many parts for each process a group is divided that is more than the share of one."""
 DEADLINE = 900.0
 """How many seconds of processor time one part of the work may take before the run does it itself."""
 
@@ -36,6 +39,7 @@ def follow_ahead(
         return
 
     monitor = monitor or Monitor()
+    kept.forget_new()  # nobody here asks for what this process has followed
 
     def job(number: bytes) -> bytes:
         kept.is_worker = True
@@ -77,9 +81,15 @@ def independent_groups(modules: Iterable[Module], index: ModuleIndex) -> list[li
     return by_weight(groups.values(), lambda module: module.file.size)
 
 
+def shares(rows: Sequence[_Item], count: int) -> list[range]:
+    """The numbers of some rows in up to ``count`` parts of neighbours, of about the same length."""
+    bounds = [len(rows) * number // count for number in range(count + 1)]
+    return [range(start, end) for start, end in pairwise(bounds) if start < end]
+
+
 def by_weight(groups: Iterable[list[_Item]], weight: Callable[[_Item], int]) -> list[list[_Item]]:
     """Groups, the heaviest first."""
     return sorted(groups, key=lambda group: -sum(map(weight, group)))
 
 
-__all__ = ["WORTH_IT", "by_weight", "follow_ahead", "independent_groups"]
+__all__ = ["SHARES", "WORTH_IT", "by_weight", "follow_ahead", "independent_groups", "shares"]

@@ -250,6 +250,10 @@ class KeptResults(ABC, Generic[Result]):
         """All that is known, for the next run."""
         return self._with_surroundings(self._rows | dict(self._others()))
 
+    def forget_new(self) -> None:
+        """From now on, only what is followed after this is new."""
+        self._new = []
+
     def take_new(self) -> bytes:
         """The programs that were followed since the last time."""
         rows = {key: self._rows[key] for key in self._new if key in self._rows}

@@ -26,7 +26,7 @@ from archlint.libraries.python import command_line
 from archlint.libraries.rclpy import escapes
 from archlint.libraries.run import Run
 from archlint.monitor import Monitor
-from archlint.programs.ahead import WORTH_IT, follow_ahead, independent_groups
+from archlint.programs.ahead import SHARES, WORTH_IT, follow_ahead, independent_groups, shares
 from archlint.programs.any_time import let_attributes_change
 from archlint.programs.budget import Budget, cut_short
 from archlint.programs.earlier_imports import EarlierImports
@@ -111,7 +111,7 @@ class Linker:
     def run_all(self, entry_points: list[EntryPoint]) -> list[model.Program]:
         entries, modules = self._starts(entry_points)
         self.monitor.following(len(entries) + len(modules))
-        if sum(module.file.size for module in modules) > WORTH_IT:
+        if _size(modules) > WORTH_IT:
             every = {module.file.path: module for module in (*modules, *(module for _, module in entries))}
             self._follow_groups(lambda: independent_groups(every.values(), self.index), entries, modules)
         self._run_in_order(entries, modules)
@@ -147,14 +147,39 @@ class Linker:
     ) -> None:
         """Follow groups of programs ahead, on other machines or in processes."""
         if self._elsewhere is None:
-            self.ahead(lambda: [self._part(group, entries, modules) for group in groups()])
+            self.ahead(lambda: self._parts(groups(), entries, modules))
         elif isinstance(self.kept, KeptPrograms) and not self.kept.is_mostly_known():
             self._elsewhere([[module.file.path for module in group] for group in groups()], self.kept)
 
     def ahead(self, parts: Callable[[], Sequence[Callable[[], object]]]) -> None:
         """Do parts of the work that follow programs in processes of their own, where that is worth it."""
-        if self.jobs > 1 and isinstance(self.kept, KeptPrograms) and not self.kept.is_mostly_known():
+        if self.jobs < 2 or not isinstance(self.kept, KeptPrograms) or self.kept.is_worker:
+            return
+        if not self.kept.is_mostly_known():
             follow_ahead(parts(), self.kept, self.jobs, self.monitor)
+
+    def _parts(
+        self, groups: Sequence[Sequence[Module]], entries: Sequence[Entry], modules: Sequence[Module]
+    ) -> list[Callable[[], None]]:
+        """Each group in one part; of one that is more than the share of a process, what is started in several."""
+        sizes = [_size(group) for group in groups]
+        parts: list[Callable[[], None]] = []
+        for group, size in zip(groups, sizes, strict=True):
+            paths = {module.file.path for module in group}
+            own = [(entry, module) for entry, module in entries if module.file.path in paths]
+            if size * self.jobs > sum(sizes) and len(own) > 1:
+                parts += [partial(self._run_share, own, share) for share in shares(own, SHARES * self.jobs)]
+            else:
+                parts.append(self._part(group, entries, modules))
+        return parts
+
+    def _run_share(self, entries: Sequence[Entry], share: range) -> None:
+        """Run some executables as if those before them had run: the modules that these import are there."""
+        with self.index.aside():
+            for _, module in entries[: share.start]:
+                self._import(module)
+        for number in share:
+            self.run_entry(*entries[number])
 
     def _part(self, group: Sequence[Module], entries: Sequence[Entry], modules: Sequence[Module]) -> Callable[[], None]:
         paths = {module.file.path for module in group}
@@ -173,7 +198,10 @@ class Linker:
                     continue
                 if main_guard(module.facts) or not self._is_imported(module):
                     self.run_script(module)
-            Sweep(self.progress, self.follower.follow, self.new_run, self._value, self.monitor).run(chosen)
+            sweep = Sweep(self.progress, self.follower.follow, self.new_run, self._value, self.monitor)
+            if _size(chosen) > WORTH_IT:
+                sweep.ahead = lambda parts: self.ahead(lambda: parts(SHARES * self.jobs))
+            sweep.run(chosen)
 
     def own(self, programs: Sequence[model.Program]) -> list[model.Program]:
         """Programs that may be changed: copies of those that other runs have, too."""
@@ -331,6 +359,11 @@ class Linker:
             _run_block(run, module, guard)
             _make_escaped_class(run)
         return root.result()
+
+
+def _size(modules: Iterable[Module]) -> int:
+    """How many bytes of source modules have."""
+    return sum(module.file.size for module in modules)
 
 
 def _says_something(program: model.Program) -> bool:

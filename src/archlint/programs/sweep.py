@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence, Set
 from dataclasses import dataclass, field
+from functools import partial
 from typing import TYPE_CHECKING
 
 from archlint import model
+from archlint.finding import Place
 from archlint.interpreter.call_site import CallSite
 from archlint.interpreter.limits import CLASSES
 from archlint.interpreter.modules import Module
@@ -15,6 +17,7 @@ from archlint.interpreter.values import BoundMethod, ClassValue, FunctionValue, 
 from archlint.libraries.interest import interesting
 from archlint.libraries.rclpy import escapes, node_classes
 from archlint.monitor import Monitor
+from archlint.programs.ahead import shares
 from archlint.programs.followed import Definition, Followed
 from archlint.programs.followed_program import FollowedProgram
 from archlint.programs.keys import DefinitionKey, ModuleKey, ProgramKey
@@ -29,6 +32,14 @@ if TYPE_CHECKING:
     from archlint.libraries.run import Run
 
 Row = tuple[Module, Definition]
+Parts = Callable[[int], Sequence[Callable[[], object]]]
+"""Some work in parts, as many as there are to be."""
+_FEW = 8
+"""How many classes or functions one process runs as fast as several would."""
+
+
+def _by_itself(parts: Parts) -> None:
+    """Nobody else runs anything."""
 
 
 @dataclass
@@ -36,7 +47,7 @@ class Sweep:
     """Runs what no program has run so far.
 
     ``follow`` gives what becomes of a program, ``new_run`` begins the run of one, ``value_of`` gives what a module's
-    variable holds.
+    variable holds, and ``ahead`` has parts of the work done in other processes.
     """
 
     progress: Progress
@@ -44,6 +55,7 @@ class Sweep:
     new_run: Callable[[str, Module, model.Role], Run]
     value_of: Callable[[Module, str], Value | None]
     monitor: Monitor = field(default_factory=Monitor)
+    ahead: Callable[[Parts], None] = _by_itself
 
     def run(self, modules: Sequence[Module]) -> None:
         defined = [(module, self._definitions(module)) for module in modules]
@@ -70,9 +82,7 @@ class Sweep:
         others here derive from is covered by them."""
         bases = {base for _, cls in classes for base in cls.bases}
         for last in (False, True):
-            for module, cls in classes:
-                if (cls.place in bases) is last and cls.place not in self.progress.instantiated:
-                    self._run_alone(module, cls)
+            self._run_each([row for row in classes if (row[1].place in bases) is last])
 
     def _run_rest(self, classes: Sequence[Row], functions: Sequence[Row]) -> None:
         candidates = [
@@ -85,15 +95,32 @@ class Sweep:
                 mentioned[name] = mentioned.get(name, 0) + 1
         called = {definition.name for _, definition in candidates if definition.is_class}
         for turn in range(3):
-            for module, definition in candidates:
+            rows = []
+            for row in candidates:
+                definition = row[1]
                 own = 1 if definition.name in definition.names else 0
                 is_used = mentioned.get(definition.name, 0) > own
                 of_class = definition.name.partition("::")[0] in called and not definition.is_class
-                if turn != (2 if of_class else 1 if is_used else 0):
-                    continue
-                seen = self.progress.instantiated if definition.is_class else self.progress.ran
-                if definition.place not in seen:
-                    self._run_alone(module, definition)
+                if turn == (2 if of_class else 1 if is_used else 0):
+                    rows.append(row)
+            self._run_each(rows)
+
+    def _run_each(self, rows: Sequence[Row]) -> None:
+        """Run each that neither a program nor one of those before it has run; several at a time in other processes,
+        where some may then run in vain."""
+        left = [row for row in rows if not self._has_run(row[1])]
+        if len(left) > _FEW:
+            self.ahead(lambda count: [partial(self._run_share, left, share) for share in shares(left, count)])
+        self._run_share(left, range(len(left)))
+
+    def _run_share(self, rows: Sequence[Row], share: range) -> None:
+        for number in share:
+            if not self._has_run(rows[number][1]):
+                self._run_alone(*rows[number])
+
+    def _has_run(self, definition: Definition) -> bool:
+        seen: Set[Place] = self.progress.instantiated if definition.is_class else self.progress.ran
+        return definition.place in seen
 
     def _run_alone(self, module: Module, definition: Definition) -> None:
         def act() -> Followed:
