@@ -64,8 +64,8 @@ from archlint.programs.sweep import Sweep
 
 def telling(function, word):
     def tell(self, *arguments):
-        if os.getpid() == here:
-            sys.stderr.write(word + '\\n')
+        with open(os.environ['TOLD'], 'a') as file:  # the other processes have no stderr
+            file.write(f"{'run' if os.getpid() == here else 'process'}: {word}\\n")
         return function(self, *arguments)
     return tell
 
@@ -108,10 +108,12 @@ def run(folder: Path, *arguments: str, way: str = "") -> tuple[str, int]:
 
 def run_telling(folder: Path, *arguments: str, way: str = "") -> tuple[str, str]:
     """What a command prints, less the time, and what it tells of programs that it takes or follows itself."""
-    environment = {**os.environ, "PYTHONPATH": str(Path(archlint.__file__).parents[1])}
+    told = folder.parent / f"{folder.name} told"
+    told.write_text("", "utf-8")
+    environment = {**os.environ, "PYTHONPATH": str(Path(archlint.__file__).parents[1]), "TOLD": str(told)}
     command = [sys.executable, "-c", dedent(RUN), way, *arguments, ".", "--format", "json", "--isolated"]
     done = subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True, check=False)
-    return re.sub(r'"elapsed_s": [\d.e-]+', "", done.stdout), done.stderr
+    return re.sub(r'"elapsed_s": [\d.e-]+', "", done.stdout), done.stderr + told.read_text("utf-8")
 
 
 @pytest.mark.parametrize("command", ["check", "graph"])
@@ -168,11 +170,11 @@ def one_robot(tmp_path: Path) -> Path:
 @pytest.mark.parametrize("command", ["check", "graph"])
 def test_what_is_started_from_one_package_is_divided_among_processes(one_robot, command):
     alone, told = run_telling(one_robot, command, "--jobs", "1", "--no-cache")
-    assert told.count("an executable") == 4
-    assert told.count("a class") == 12
+    assert told.count("run: an executable") == 4
+    assert told.count("run: a class") == 12
     together, told = run_telling(one_robot, command, "--jobs", "2", "--no-cache")
-    assert "an executable" not in told
-    assert "a class" not in told
+    assert "run: an executable" not in told
+    assert "run: a class" not in told
     assert together == alone
 
 
@@ -182,9 +184,26 @@ def test_what_a_process_has_divided_is_kept(one_robot, tmp_path_factory):
     node = one_robot / "robot" / "robot" / "door.py"
     node.write_text(node.read_text("utf-8").replace("'door'", "'gate'"), "utf-8")
     edited, told = run_telling(one_robot, "graph", "--jobs", "2", *cache)
-    assert told.count("an executable") <= 1
+    assert told.count("run: an executable") <= 1
     assert edited != cold
     assert edited == run_telling(one_robot, "graph", "--jobs", "1", "--no-cache")[0]
+
+
+@pytest.mark.parametrize("command", ["check", "graph"])
+def test_what_launch_files_share_is_followed_once(one_robot, command):
+    for number in range(10):
+        folder = one_robot / "robot" / f"launch{number}"
+        folder.mkdir()
+        text = LAUNCH.replace("_launched", str(number // 2 % 2)).format(name="robot")
+        text = text.replace("'node'", "'arm'" if number % 2 else "'base'")
+        (folder / "arm.launch.py").write_text(text, "utf-8")
+    alone, told = run_telling(one_robot, command, "--jobs", "1", "--no-cache")
+    launched = told.count("run: an executable") - 4
+    assert launched <= 4  # two topics that ten launch files give to two executables
+    together, told = run_telling(one_robot, command, "--jobs", "2", "--no-cache")
+    assert "run: an executable" not in told
+    assert told.count("process: an executable") == 4 + launched
+    assert together == alone
 
 
 def test_shares_are_neighbours_of_about_the_same_length():

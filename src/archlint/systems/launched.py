@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -64,11 +64,10 @@ class LaunchSystems:
 
     def system(self, launched: Launched) -> System:
         nodes: list[Node] = []
-        for started in launched.started:
-            if not started.dormant and started.kind != StartedKind.PROCESS:
-                started_nodes = self.nodes(started, launched.file)
-                reason, condition = self._doubt(started, started_nodes), launched.condition(started.branch_arms)
-                nodes.extend(replace(node, doubt=reason, condition=condition) for node in started_nodes)
+        for started in _processes(launched):
+            started_nodes = self.nodes(started, launched.file)
+            reason, condition = self._doubt(started, started_nodes), launched.condition(started.branch_arms)
+            nodes.extend(replace(node, doubt=reason, condition=condition) for node in started_nodes)
         programs = list({id(node.program): node.program for node in nodes if node.program is not None}.values())
         return System(
             name=launched.file,
@@ -95,23 +94,49 @@ class LaunchSystems:
 
     def nodes(self, started: Started, launch_file: str) -> list[Node]:
         """The nodes of one started process."""
-        program, words = self.program(started), None
-        if program is not None and _wants_words(program, started):
-            words = words_of(started)
-            again = None if words is None else self.program(started, None, words)
-            program = again if again is not None and _has_nodes(again) else program
+        program = self._followed(started)
         if program is None or not _has_nodes(program):
             return self._external_nodes(started, program, launch_file)
-        changes = parameter_overrides(started, program, self.parameters_of, _rules(started))
-        if changes is not None:
-            again = self.program(started, changes, words)
-            program = again if again is not None and _has_nodes(again) else program
         own = [blueprint for blueprint in program.nodes if not (blueprint.test or blueprint.made_again)]
         nodes = [self._node(blueprint, program, started, launch_file) for blueprint in own]
         if not any(node.is_node for node in nodes):
             # It starts a node for sure, and all that is known of it is what some helper creates there.
             nodes.append(self._unfollowed(started, program, launch_file))
         return nodes
+
+    def _followed(self, started: Started) -> Program | None:
+        """The program of one started process, as it runs there."""
+        program, words = self.program(started), None
+        if program is not None and _wants_words(program, started):
+            words = words_of(started)
+            again = None if words is None else self.program(started, None, words)
+            program = again if again is not None and _has_nodes(again) else program
+        if program is None or not _has_nodes(program):
+            return program
+        changes = parameter_overrides(started, program, self.parameters_of, _rules(started))
+        if changes is None:
+            return program
+        again = self.program(started, changes, words)
+        return again if again is not None and _has_nodes(again) else program
+
+    def by_executable(self, launches_: Iterable[Launched]) -> list[list[Started]]:
+        """What launch files start, all processes of one executable together; those with most to run first."""
+        rows: dict[tuple[str, str], list[Started]] = {}
+        for started in (started for launched in launches_ for started in _processes(launched)):
+            key = (started.package.text or "", started.executable.text or "")
+            if key in self.entries:
+                rows.setdefault(key, []).append(started)
+
+        def weight(key: tuple[str, str]) -> int:
+            program = self.linker.started.get(key)
+            return len(rows[key]) * (1 if program is None else 1 + len(program.callbacks))
+
+        return [rows[key] for key in sorted(rows, key=lambda key: -weight(key))]
+
+    def follow(self, group: Iterable[Started]) -> None:
+        """Follow the programs of some processes, and leave it to others what systems these make."""
+        for started in group:
+            self._followed(started)
 
     def _external_nodes(self, started: Started, program: Program | None, launch_file: str) -> list[Node]:
         """The nodes of what is not here, as far as they are known from elsewhere."""
@@ -221,6 +246,11 @@ class LaunchSystems:
         if key not in self._modules:
             self._modules[key] = self.linker.module_of(entry, f"{folder}/")
         return self._modules[key]
+
+
+def _processes(launched: Launched) -> Iterator[Started]:
+    """What a launch file starts that may be nodes."""
+    return (row for row in launched.started if not row.dormant and row.kind != StartedKind.PROCESS)
 
 
 def _below(started: Started, namespace: str) -> Text:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence, Set
+from collections.abc import Callable, Iterable, Mapping, Sequence, Set
 from dataclasses import dataclass, replace
 from functools import partial
 from typing import TYPE_CHECKING, Protocol
@@ -45,8 +45,9 @@ def launch_systems(
     """
     launched = _launched(launches, chosen, arguments)
     maker = LaunchSystems(linker, entries, launches, opened.package_dependencies, distro, externals)
-    making = _Making(maker, launches, _parts(launched), closed, chosen, configured, memory)
-    linker.ahead(lambda: [partial(making.systems_of, group) for group in _batches(launched)])
+    making = _Making(maker, launches, launched, _parts(launched), closed, chosen, configured, memory)
+    linker.ahead(making.programs_in_parts)
+    linker.ahead(making.alternatives_in_parts)
     systems = making.systems_of(launched)
     others = [other.launched for system in systems for _, other in system.alternatives if other.launched is not None]
     runs = [*launched, *others]
@@ -75,11 +76,22 @@ class _Making:
 
     maker: LaunchSystems
     launches: Launches
+    launched: Sequence[Launched]
     parts: Set[str | None]
     closed: bool
     chosen: str | None
     configured: Sequence[Glob]
     memory: KeptSystems | None
+
+    def programs_in_parts(self) -> list[Callable[[], object]]:
+        """Following what the launch files start, an executable a part: launches of one share what they can."""
+        chosen = [launch for launch in self.launched if self._is_system(launch)]
+        return [partial(self.maker.follow, group) for group in self.maker.by_executable(chosen)]
+
+    def alternatives_in_parts(self) -> list[Callable[[], object]]:
+        """Making the systems of launch files that may start something else with other arguments, a few a part."""
+        split = [row for row in self.launched if self._is_system(row) and (undecided_arguments(row) or _choices(row))]
+        return [partial(self.systems_of, group) for group in _batches(split)]
 
     def systems_of(self, group: Iterable[Launched]) -> list[System]:
         systems = []
@@ -103,13 +115,12 @@ class _Making:
 
     def _system_of(self, launch: Launched) -> System | None:
         """The system of a launch file; None where it is none, or not one of those that are configured."""
-        named = self.chosen is not None or any(glob.matches(launch.file) for glob in self.configured)
-        if launch.ros1 or not launch.is_launch_file or (self.configured and not named):
+        if not self._is_system(launch):
             return None
         system = self.maker.system(launch)
         is_included = launch.file in self.parts
         # The nodes of a part may have their partners beside it.
-        is_closed = (self.closed and not is_included) or (named and _is_complete(launch, system))
+        is_closed = (self.closed and not is_included) or (self._is_named(launch) and _is_complete(launch, system))
         settled = partial(replace, closed=is_closed, is_included=is_included)
         alternatives = [
             (values, settled(self.maker.system(self.launches.run(launch.file, {**launch.arguments, **values}))))
@@ -121,6 +132,19 @@ class _Making:
         alternatives = [(values, settled(self.maker.system(run))) for values, run in more]
         alternatives[:0] = [(defaults, settled(system))] if alternatives else []
         return settled(system, alternatives=alternatives, defaults_decide=bool(alternatives))
+
+    def _is_named(self, launch: Launched) -> bool:
+        """Whether somebody has said that a launch file is a system."""
+        return self.chosen is not None or any(glob.matches(launch.file) for glob in self.configured)
+
+    def _is_system(self, launch: Launched) -> bool:
+        is_meant = not self.configured or self._is_named(launch)
+        return is_meant and launch.is_launch_file and not launch.ros1
+
+
+def _choices(launch: Launched) -> bool:
+    """Whether a launch file gives choices of which not all have been tried."""
+    return bool(other_choices(launch)[1])
 
 
 def _with_other_choices(
