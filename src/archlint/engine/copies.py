@@ -78,7 +78,10 @@ def once_for_copied_code(
     place is in none; None for what cannot be read.
     """
     alike: dict[tuple[object, ...], list[Finding]] = {}
+    once: dict[tuple[object, ...], Finding] = {}
     for finding in sorted(findings, key=lambda finding: finding.sort_key):
+        once.setdefault((finding.code, finding.place, finding.message), finding)  # two readers of a file may say it
+    for finding in once.values():
         said, file = _NUMBER.sub("0", finding.message), finding.place.file
         alike.setdefault((finding.code, finding.severity, said, package_of(file) or file), []).append(finding)
     shown: list[Finding] = []
