@@ -410,6 +410,26 @@ def test_a_circle_that_one_package_does_not_declare_is_told_where_it_uses_the_ot
     ]
 
 
+@pytest.mark.parametrize(
+    ("included", "help"),
+    [
+        ("drive.launch.xml", "move what uses it from here to a launch file of 'all': other packages include this file"),
+        ("", "move the launch files that use it into a package of their own, such as talk_bringup"),
+    ],
+)
+def test_a_launch_file_in_a_circle_is_not_moved_where_others_include_it(lint: Lint, included: str, help: str):
+    include = f'<include file="$(find-pkg-share talk)/launch/{included}"/>' if included else ""
+    drive = '<launch><node pkg="all" exec="watch"/></launch>'
+    files = {
+        "talk/package.xml": manifest("talk", *depends("rclpy")),
+        "talk/launch/drive.launch.xml": drive,
+        "all/package.xml": manifest("all", *depends("talk")),
+        "all/launch/all.launch.xml": f"<launch>{include}</launch>",
+    }
+    (found,) = lint(files, code="PKG003")
+    assert (found.place.file, found.help) == ("talk/launch/drive.launch.xml", help)
+
+
 def test_a_package_that_closes_several_circles_is_told_once(lint: Lint):
     uses = node("import arm\nimport leg\nprint(arm, leg)")
     leg = {

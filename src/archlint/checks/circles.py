@@ -60,8 +60,9 @@ def circular_dependency(system: System, options: Options) -> Iterator[Finding]:
         of_launch = [steps for steps in circles if _are_of_launch([needs[start][end] for start, end in steps])]
         kept = [steps for steps in circles if steps not in of_launch] or [*_with_copies(workspace, of_launch, needs)]
         if kept:
-            diagnostic = _undeclared(workspace, kept[0], needs) if len(kept) == 1 else _of_one_package(kept, needs)
-            yield replace(diagnostic, severity=Severity.INFO if kept[0] in of_launch else Severity.WARNING)
+            of_several = len(kept) > 1
+            told = _of_one_package(workspace, kept, needs) if of_several else _undeclared(workspace, kept[0], needs)
+            yield replace(told, severity=Severity.INFO if kept[0] in of_launch else Severity.WARNING)
 
 
 def _around_one_package(circles: list[list[str]]) -> Iterator[list[list[str]]]:
@@ -120,7 +121,7 @@ def _undeclared(workspace: WorkspaceIndex, steps: list[Step], needs: Needs) -> F
         here,
         f"packages depend on each other in a circle: {' → '.join(names)}; '{package}' uses '{other}' here without "
         "declaring it",
-        help=f"remove {copies[0]}: it is a copy of this file" if copies else _cure(package, [here]),
+        help=f"remove {copies[0]}: it is a copy of this file" if copies else _cure(workspace, package, [here], other),
         related=[Related(needs[start][end], f"'{start}' depends on '{end}' here") for start, end in others],
         identity=tuple(sorted(names[1:])),
     )
@@ -138,7 +139,7 @@ def _with_copies(workspace: WorkspaceIndex, circles: list[list[Step]], needs: Ne
     return (steps for steps in circles if _copies(workspace, steps, needs))
 
 
-def _of_one_package(circles: list[list[Step]], needs: Needs) -> Finding:
+def _of_one_package(workspace: WorkspaceIndex, circles: list[list[Step]], needs: Needs) -> Finding:
     """The finding for a package that is in several such circles: what starts or includes everything, most often."""
     package, _ = circles[0][0]
     first, *others = sorted({steps[0][1] for steps in circles}, key=lambda other: needs[package][other])
@@ -148,17 +149,30 @@ def _of_one_package(circles: list[list[Step]], needs: Needs) -> Finding:
         uses[0],
         f"'{package}' uses {len(uses)} packages that depend on it, without declaring them: "
         f"{listed(sorted([first, *others]))}",
-        help=_cure(package, uses),
+        help=_cure(workspace, package, uses, ""),
         related=[Related(place, f"'{other}' is used here") for other, place in zip(others, uses[1:], strict=True)],
         identity=(package, "several"),
     )
 
 
-def _cure(package: str, uses: list[Place]) -> str:
-    """What to do about uses that a package does not declare: launch files need no home beside a library."""
+def _cure(workspace: WorkspaceIndex, package: str, uses: list[Place], other: str) -> str:
+    """What to do about uses that a package does not declare: launch files need no home beside a library.  Those that
+    other packages include would only take the circle along."""
     if _are_of_launch(uses):
+        if _are_included_elsewhere(workspace, package, {use.file for use in uses}):
+            there = f"a launch file of '{other}'" if other else "launch files of these packages"
+            return f"move what uses it from here to {there}: other packages include this file"
         return f"move the launch files that use it into a package of their own, such as {package}_bringup"
     return "move what both need into a separate package"
+
+
+def _are_included_elsewhere(workspace: WorkspaceIndex, package: str, files: set[str]) -> bool:
+    """Whether another package includes one of some launch files of a package."""
+    return any(
+        include.reference.source in files and workspace.package_of(include.place.file) != package
+        for launched in workspace.launched
+        for include in launched.included
+    )
 
 
 def _are_of_launch(uses: list[Place]) -> bool:
