@@ -71,8 +71,12 @@ def _node(*lines: str) -> str:
 @pytest.mark.parametrize(
     ("line", "what", "help"),
     [
-        ("mix()", "mix() fails: 'first' is missing", "write mix(first)"),
-        ("mix(1, 2, 3)", "mix() fails: it takes at most 2 arguments by position", "write mix(first, second)"),
+        ("mix()", "mix() fails: 'first' is missing", "give what it takes: mix(first)"),
+        (
+            "mix(1, 2, 3)",
+            "mix() fails: it takes at most 2 arguments by position",
+            "give what it takes: mix(first, second)",
+        ),
         ("mix(1, quiet=True)", "mix() fails: it has no parameter 'quiet'", "take out quiet="),
         ("mix(1, lowd=True)", "mix() fails: it has no parameter 'lowd'", "write loud= instead of lowd="),
         (
@@ -82,17 +86,25 @@ def _node(*lines: str) -> str:
         ),
         ("Arm(limit=1.0)", "Arm() fails: it has no parameter 'limit'", "take out limit="),
         ("Gripper()", "Gripper() fails: 'node' is missing", "write Gripper(self)"),
-        ("mix(1, first=2)", "mix() fails: 'first' is given by position and by name", "write mix(first)"),
-        ("log()", "log() fails: 'text' is missing", "write log(text)"),
-        ("Point(1.0, 2.0, 3.0)", "Point() fails: it takes at most 2 arguments by position", "write Point(x, y)"),
-        ("self.drive()", "drive() fails: 'speed' is missing", "write self.drive(speed)"),
+        ("mix(1, first=2)", "mix() fails: 'first' is given by position and by name", "give what it takes: mix(first)"),
+        ("log()", "log() fails: 'text' is missing", "give what it takes: log(text)"),
+        (
+            "Point(1.0, 2.0, 3.0)",
+            "Point() fails: it takes at most 2 arguments by position",
+            "give what it takes: Point(x, y)",
+        ),
+        ("self.drive()", "drive() fails: 'speed' is missing", "give what it takes: self.drive(speed)"),
         (
             "self.drive(self, 1.0, 0.5)",
             "drive() fails: it takes at most 2 arguments by position",
-            "write self.drive(speed, turn)",
+            "give what it takes: self.drive(speed, turn)",
         ),
-        ("self.stop()", "stop() fails: 'hard' is missing", "write self.stop(hard)"),
-        ("self.check(1, 2)", "check() fails: it takes at most 1 argument by position", "write self.check(value)"),
+        ("self.stop()", "stop() fails: 'hard' is missing", "give what it takes: self.stop(hard)"),
+        (
+            "self.check(1, 2)",
+            "check() fails: it takes at most 1 argument by position",
+            "give what it takes: self.check(value)",
+        ),
     ],
 )
 def test_arguments_that_a_function_does_not_take(judge: Judge, line: str, what: str, help: str) -> None:

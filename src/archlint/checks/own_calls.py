@@ -55,7 +55,9 @@ def _cure(call: RefusedOwnCall) -> str:
     if wrong.misuse is Misuse.UNKNOWN_KEYWORD:
         return cure_of_keywords(wrong.parameters, keywords_meant(wrong.parameters, call.keywords))
     itself = {"node", "parent_node", "ros_node"} if call.in_node else set[str]()
-    return f"write {call.name}({', '.join('self' if name in itself else name for name in call.signature)})"
+    takes = ", ".join("self" if name in itself else name for name in call.signature)
+    # The names of parameters are those of the definition: where the call is, there may be no such variables.
+    return f"{'write' if itself.issuperset(call.signature) else 'give what it takes:'} {call.name}({takes})"
 
 
 def _not_called(name: str, place: Place) -> Finding:
