@@ -557,6 +557,32 @@ def test_a_share_folder_of_no_package_with_a_file_of_this_one(findings):
     assert findings("LCH004", line, **{"config/arm.launch.xml": "<launch/>"}, **fetched) == []
 
 
+def test_a_share_folder_of_a_package_whose_programs_are_not_here(findings):
+    """A driver that is built from source, with a parameter file of which there is a copy here."""
+    here = {"config/arm.launch.xml": "<launch/>"}
+    line = include("$(find-pkg-share old_machine)/config/arm.launch.xml")
+    driver = '<node pkg="old_machine" exec="driver_node"/>'
+    assert findings("LCH004", line + driver, **here) == []
+    assert len(findings("LCH004", line + driver.replace("driver_node", "talker"), **here)) == 1
+
+
+@pytest.mark.parametrize(("package", "told"), [("arm_description", 0), ("gripper_arm", 1)])
+def test_a_package_that_is_only_of_the_same_kind(tmp_path, monkeypatch, package, told):
+    monkeypatch.chdir(tmp_path)
+    share = f'<launch><include file="$(find-pkg-share {package})/launch/deep.launch.xml"/></launch>'
+    for name, files in {"robot": {"launch/it.launch.xml": share}, "gripper_description": {}}.items():
+        inner = files if files else {"launch/deep.launch.xml": "<launch/>"}
+        files = {
+            "package.xml": manifest(name),
+            "setup.py": SETUP.replace("robot", name),
+            f"{name}/__init__.py": "",
+            **inner,
+        }
+        write_files(tmp_path / name, {**files, f"resource/{name}": ""})
+    write_files(tmp_path, {"archlint.toml": 'select = ["LCH004"]'})
+    assert len(check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings) == told
+
+
 @pytest.mark.parametrize("package", ["nav2_bringup", "lighthouse", "rob"])
 def test_a_share_folder_of_a_package_from_elsewhere(findings, package):
     declared = {"package.xml": manifest(more="<depend>rob</depend>")}

@@ -72,14 +72,52 @@ def package_that_installs(workspace: WorkspaceIndex, package: str, executable: s
 
 _DISTINCT = 2
 _SHORT = 3
+_KINDS = frozenset(
+    [
+        "bringup",
+        "common",
+        "config",
+        "control",
+        "controller",
+        "description",
+        "driver",
+        "drivers",
+        "gazebo",
+        "hardware",
+        "interfaces",
+        "launch",
+        "moveit",
+        "msgs",
+        "navigation",
+        "robot",
+        "ros2",
+        "sensor",
+        "simulation",
+    ]
+)
+"""Words that say what a package is for: those of very different robots have them in common."""
 
 
 def _alone(workspace: WorkspaceIndex, package: str, having: Sequence[str], launch_file: str) -> str | None:
     if len(having) != 1 or is_wanted_from_elsewhere(workspace, package):
         return None
     own = having[0]
-    is_like = any(len(word) > _SHORT for word in _words(own) & _words(package))
+    if _has_programs_of_its_own(workspace, package):
+        return None
+    is_like = any(len(word) > _SHORT and word not in _KINDS for word in _words(own) & _words(package))
     return own if is_like or own == workspace.package_of(launch_file) else None
+
+
+def _has_programs_of_its_own(workspace: WorkspaceIndex, package: str) -> bool:
+    """Whether launch files start what no package here has as a program of the absent one: it is then elsewhere."""
+    named = {
+        started.executable.text
+        for launched in workspace.launched
+        for started in launched.started
+        if started.package.text == package
+    }
+    here = {name for installs in workspace.installs.values() for name in installs.executables}
+    return any(name is not None and name not in here for name in named)
 
 
 def _words(name: str) -> set[str]:
