@@ -8,6 +8,7 @@ import pytest
 
 from archlint.finding import Finding, Severity
 from checks.judging import Judge
+from robot_package import SETUP
 
 NODE = """
 import rclpy
@@ -267,3 +268,28 @@ def test_a_launch_file_that_python_refuses_to_compile(findings: Callable[..., li
 def test_an_object_is_no_slip_for_its_class(judge: Judge, name: str, near: str) -> None:
     (finding,) = judge("API005", _node(f"{name}.destroy_node()  # here"))
     assert finding.message.endswith(f"; did you mean '{near}'?" if near else "a NameError")
+
+
+PROGRAM = _node("print(math.hypot(3.0, 4.0))").removesuffix("\n\nmain()\n") + "\n"
+
+
+def test_a_console_script_with_the_name_of_a_launch_file(findings: Callable[..., list[Finding]]) -> None:
+    """`ros2 launch` offers the file by its name, and what runs it is the console script."""
+    setup = SETUP.replace("robot.talker:main", "robot.talker_for_launch:main")
+    (told,) = findings("API005", **{"setup.py": setup, "robot/talker_for_launch.py": PROGRAM})
+    assert told.place.file == "robot/talker_for_launch.py"
+    assert told.message.startswith("nothing defines 'math'")
+
+
+def test_a_file_with_the_name_of_a_launch_file_that_nothing_runs(findings: Callable[..., list[Finding]]) -> None:
+    assert not findings("API005", **{"robot/talker_for_launch.py": PROGRAM})
+
+
+def test_a_launch_file_beside_the_programs(findings: Callable[..., list[Finding]]) -> None:
+    """What a console script names describes a launch, too: it is read as a launch file, in which nothing calls this."""
+    setup = SETUP.replace("robot.talker:main", "robot.robot_launch:main")
+    launch = (
+        "from launch import LaunchDescription\n\n\ndef generate_launch_description():\n    return LaunchDescription([])"
+    )
+    idle = "\n\n\ndef main():\n    pass\n\n\ndef idle():\n    print(math.pi)\n"
+    assert not findings("API005", **{"setup.py": setup, "robot/robot_launch.py": launch + idle})

@@ -11,7 +11,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from archlint.analysis.kept import kept_for_few_files
+from archlint.analysis.kept import kept_for_few_files, once
 from archlint.launch.files import GENERATE
 from archlint.place import Place
 from archlint.python_code.offered_names import MAKES_NAMES, bound_in, own_names, starred
@@ -66,7 +66,7 @@ def undefined_names(workspace: WorkspaceIndex) -> Iterator[Undefined]:
         if file.kind not in _KINDS or file.relative.endswith(_SPHINX) or workspace.roles.is_test(file.relative):
             continue
         unbound = _unbound(workspace, file.relative)
-        if file.kind == "launch_python":
+        if file.kind == "launch_python" and file.relative not in _programs_called_like_launch_files(workspace):
             if file_facts.problems:
                 continue  # Python refuses all of it
             if not any(function.name == GENERATE for function in statements_of(file_facts.body, facts.Function)):
@@ -84,6 +84,16 @@ def undefined_names(workspace: WorkspaceIndex) -> Iterator[Undefined]:
                 of_self = read.of_self and span not in _first_values(file_facts)
                 called = span in _called(file_facts)
                 yield Undefined(place, read.name.id, known, of_self, read.added, read.without_self, called)
+
+
+@once
+def _programs_called_like_launch_files(workspace: WorkspaceIndex) -> frozenset[str]:
+    """The modules of console scripts with the name of a launch file, ``follow_launch.py``, that describe no launch."""
+    programs = (e for installs in workspace.installs.values() for e in installs.executables.values())
+    modules = {(each.package, each.module) for each in programs if each.module}
+    named = {path for package, module in modules for path in workspace.code.files_named(package, module)}
+    codes = {path: workspace.facts_at(path) for path in named}
+    return frozenset(path for path, code in codes.items() if code is not None and GENERATE not in own_names(code))
 
 
 @once_for
