@@ -104,6 +104,28 @@ def test_a_package_that_rosdistro_has_needs_no_address(capsys: pytest.CaptureFix
     assert checked(capsys)[:2] == (OWN, 2)
 
 
+def test_a_copy_with_another_name_is_a_beginning_of_ones_own(capsys: pytest.CaptureFixture[str]) -> None:
+    package("src/laser/robot_scanner", "dora", ADDRESS)
+    assert checked(capsys)[1] == 1  # laser_driver alone
+
+
+def test_a_copy_that_needs_a_package_of_the_team_was_changed(capsys: pytest.CaptureFixture[str]) -> None:
+    package("src/laser/laser_driver", "carl", f"{ADDRESS}<exec_depend>brain</exec_depend>")
+    assert checked(capsys)[1] == 0
+
+
+@pytest.mark.parametrize(("needed", "vendored"), [("brain", False), ("rclcpp", True)])
+def test_a_copy_that_is_built_with_a_package_of_the_team_was_changed(
+    capsys: pytest.CaptureFixture[str], needed: str, vendored: bool
+) -> None:
+    manifest = MANIFEST.format(name="laser_driver", who="carl", more=ADDRESS).replace("ament_python", "ament_cmake")
+    write("src/laser/laser_driver/package.xml", manifest)
+    build = f"find_package(ament_cmake REQUIRED)\nfind_package({needed} REQUIRED)\n"
+    write("src/laser/laser_driver/CMakeLists.txt", f"project(laser_driver)\n{build}ament_package()\n")
+    files, hidden, _ = checked(capsys, "--select", "PKG001")
+    assert ("src/laser/laser_driver/CMakeLists.txt" not in files, hidden > 0) == (vendored, vendored)
+
+
 def test_what_releases_write_into_each_package_shows_a_clone(capsys: pytest.CaptureFixture[str]) -> None:
     Path("src/laser/LICENSE").unlink()
     assert checked(capsys)[1] == 0

@@ -1,14 +1,17 @@
 """Packages that a workspace holds and that others maintain: copies and submodules of drivers, libraries and the like.
 
 Nothing says so outright. A package counts as one of them if all of this speaks for it: rosdistro has its name, or its
-package.xml names the address of a project; it lies in a folder that has what the root of a repository has, such as a
-license; and nobody who maintains it, or has written it, has a part in the packages of which that cannot be said. Where
-most packages of a workspace look like that, it is the workspace of those who maintain them.
+package.xml the address of a project that is called alike (a copy with another name is a beginning of one's own); it
+lies in a folder that has what the root of a repository has, such as a license; nobody who maintains it, or has written
+it, has a part in the packages of which that cannot be said; and it needs none of these. Where most packages of a
+workspace look like that, it is the workspace of those who maintain them.
 """
 
 from __future__ import annotations
 
 import posixpath
+import re
+from collections.abc import Set
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
@@ -22,6 +25,8 @@ if TYPE_CHECKING:
 _LICENSES = ("LICENSE", "LICENSE.txt", "LICENSE.md", "LICENCE", "COPYING", "license.txt")
 _FILES = (*_LICENSES, "CONTRIBUTING.md", ".travis.yml", ".gitlab-ci.yml")
 _FOLDERS = (".github",)
+_WORD = re.compile(r"[a-z0-9]+")
+_SHORT = 3
 _HISTORY = "CHANGELOG.rst"
 """What ``catkin_generate_changelog`` writes into each package of a repository that is released."""
 
@@ -37,11 +42,21 @@ def vendored_folders(workspace: WorkspaceIndex) -> frozenset[str]:
         for folder, package in packages.items()
         if _is_published(package) and (folder in with_history or _is_in_a_repository(workspace, folder))
     }
-    own = {person for folder, package in packages.items() if folder not in foreign for person in package.people}
+    own = [package for folder, package in packages.items() if folder not in foreign]
+    people, names = {person for package in own for person in package.people}, {package.name for package in own}
     chosen = frozenset(
-        folder for folder, package in foreign.items() if package.people and own.isdisjoint(package.people)
+        folder
+        for folder, package in foreign.items()
+        if package.people and people.isdisjoint(package.people) and not _needs(workspace, package, names)
     )
     return chosen if len(chosen) * 2 <= len(packages) else frozenset()
+
+
+def _needs(workspace: WorkspaceIndex, package: Package, names: Set[str]) -> bool:
+    """Whether a package declares that it needs another one, or its CMakeLists.txt names that."""
+    installs = workspace.installs.get(package.name)
+    words = frozenset[str]() if installs is None else installs.words
+    return any(dependency.name in names for dependency in package.dependencies) or not names.isdisjoint(words)
 
 
 def vendored_package(workspace: WorkspaceIndex, file: str) -> str | None:
@@ -51,7 +66,13 @@ def vendored_package(workspace: WorkspaceIndex, file: str) -> str | None:
 
 
 def _is_published(package: Package) -> bool:
-    return package.has_address or package.name in table().names
+    return package.name in table().names or any(_is_called_like(address, package.name) for address in package.addresses)
+
+
+def _is_called_like(address: str, name: str) -> bool:
+    """Whether an address has a word of a name that is longer than an abbreviation."""
+    said = _WORD.findall(address.lower())
+    return any(len(word) > _SHORT and word in said for word in _WORD.findall(name.lower()))
 
 
 def _is_in_a_repository(workspace: WorkspaceIndex, folder: str) -> bool:

@@ -51,7 +51,7 @@ class _Reader:
         self.dependencies: list[Dependency] = []
         self.in_export: dict[str, int] = {}
         self.people: set[str] = set()
-        self.has_address = False
+        self.addresses: list[str] = []
 
     def doctype(self, *_: object) -> None:
         raise ManifestError("a document type is not allowed here", self.parser.CurrentLineNumber)
@@ -81,8 +81,8 @@ class _Reader:
             self.people.update(
                 said for said in (text.lower(), self.attributes.get("email", "").strip().lower()) if said
             )
-        elif depth == 2 and tag == "url":
-            self.has_address = self.has_address or bool(text)
+        elif depth == 2 and tag == "url" and text:
+            self.addresses.append(text)
         elif depth == 2 and tag == "member_of_group" and self.holds():
             self.groups.append(text)
         elif depth == 3 and tag in _DEPENDENCIES and self.stack[1] == "export":
@@ -138,7 +138,7 @@ def read_manifest(file: SourceFile, data: bytes, root: str, relative: str) -> Pa
         reader.build_type in ("", "catkin") and reader.needs("catkin"),
         in_export=reader.in_export,
         people=frozenset(reader.people),
-        has_address=reader.has_address,
+        addresses=tuple(reader.addresses),
     )
 
 

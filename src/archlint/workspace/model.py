@@ -133,8 +133,8 @@ class Package:
     """The dependencies that its manifest has inside ``<export>``, where nothing reads them, each with its line."""
     people: frozenset[str] = frozenset()
     """The names and addresses of those who maintain it and have written it, in small letters."""
-    has_address: bool = False
-    """Whether its manifest names a page, a repository or a list of issues."""
+    addresses: tuple[str, ...] = ()
+    """The pages that its manifest names: of the project, its repository, its issues."""
 
     def runtime_dependencies(self) -> frozenset[str]:
         """Names this package needs to run, or to build and run (``depend``)."""
