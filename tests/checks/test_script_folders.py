@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from archlint.finding import Severity
 from robot_package import SETUP, TALKER, manifest
 
 RIGHT = "[develop]\nscript_dir=$base/lib/robot\n[install]\ninstall_scripts=$base/lib/robot\n"
@@ -56,3 +57,27 @@ def test_a_tool_that_a_launch_file_starts_is_a_program(findings):
     (told,) = findings("PKG013", launch, **{"setup.cfg": "", "robot/talker.py": TOOL})
     assert told.message.startswith("'talker' is installed in bin")
     assert TALKER != TOOL
+
+
+NO_PROGRAMS = SETUP.replace("'talker = robot.talker:main'", "")
+OF_ANOTHER = RIGHT.replace("lib/robot", "lib/old")
+
+
+def test_a_package_without_programs_that_names_the_folder_of_another(findings):
+    """Nothing is installed there yet; the next one to add a program will not find it."""
+    (told,) = findings("PKG013", **{"setup.py": NO_PROGRAMS, "setup.cfg": OF_ANOTHER})
+    assert (told.place.file, told.place.line, told.severity) == ("setup.cfg", 4, Severity.INFO)
+    assert told.message.startswith("programs of the package would be installed in lib/old")
+
+
+@pytest.mark.parametrize(
+    "files",
+    [
+        {"setup.py": NO_PROGRAMS, "setup.cfg": RIGHT},
+        {"setup.py": NO_PROGRAMS, "setup.cfg": ""},
+        {"setup.py": "from tools import scripts\n" + NO_PROGRAMS.replace("[]", "scripts()"), "setup.cfg": OF_ANOTHER},
+        {"setup.cfg": OF_ANOTHER, "robot/talker.py": TOOL},
+    ],
+)
+def test_packages_without_programs_for_ros(findings, files):
+    assert findings("PKG013", **files) == []

@@ -26,10 +26,11 @@ _OPTION = "install_scripts"
 
 @dataclass(frozen=True)
 class OutOfSight:
-    """A package whose programs go to ``folder``, or to ``bin`` where that is empty; ``executable`` is the first one."""
+    """A package whose programs go to ``folder``, or to ``bin`` where that is empty; ``executable`` is the first one,
+    None where there is none yet."""
 
     package: str
-    executable: Executable
+    executable: Executable | None
     place: Place
     folder: str = ""
 
@@ -55,6 +56,8 @@ def out_of_sight(workspace: WorkspaceIndex) -> Iterator[OutOfSight]:
             first = min(programs, key=lambda executable: executable.place)
             place = _line_of(path, text) if wanted else first.place
             yield OutOfSight(package.name, first, place, posixpath.basename(wanted))
+        elif wanted and not installs.executables and not installs.open_executables:
+            yield OutOfSight(package.name, None, _line_of(path, text), posixpath.basename(wanted))
 
 
 def _is_of_another(folder: str, package: str) -> bool:
