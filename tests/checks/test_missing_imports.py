@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from pathlib import Path
 
 import pytest
 
+from archlint.config.settings import load
+from archlint.engine.pipeline import Request, check
 from archlint.finding import Finding
+from robot_package import manifest, write_files
 
 SETUP = """
 from setuptools import setup
@@ -201,3 +205,70 @@ def test_modules_that_may_well_be_called_so(said: Callable[..., list[Finding]], 
 
 def test_a_module_that_the_project_asks_pip_for(said: Callable[..., list[Finding]]) -> None:
     assert said("import matplotlab", **{"requirements.txt": "matplotlab\n"}) == []
+
+
+INTERFACES = {
+    "interfaces/package.xml": manifest("home_interfaces", "ament_cmake"),
+    "interfaces/CMakeLists.txt": """
+cmake_minimum_required(VERSION 3.8)
+project(home_interfaces)
+find_package(rosidl_default_generators REQUIRED)
+rosidl_generate_interfaces(${PROJECT_NAME} "msg/Door.msg" "srv/OpenDoor.srv" "msg/Both.msg" "srv/Both.srv")
+""",
+    "interfaces/msg/Door.msg": "bool open\n",
+    "interfaces/msg/Both.msg": "bool open\n",
+    "interfaces/srv/OpenDoor.srv": "---\nbool success\n",
+    "interfaces/srv/Both.srv": "---\nbool success\n",
+}
+WITH_PYTHON = INTERFACES["interfaces/CMakeLists.txt"] + "ament_python_install_package(${NAME})\n"
+
+
+@pytest.fixture
+def beside_interfaces(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[..., list[Finding]]:
+    """What is said of a line of a console script in a workspace that has a package of interfaces, too."""
+    monkeypatch.chdir(tmp_path)
+
+    def run(line: str, files: dict[str, str]) -> list[Finding]:
+        own = {"robot/package.xml": manifest(), "robot/setup.py": SETUP, "robot/robot/__init__.py": ""}
+        own |= {"robot/robot/talker.py": TALKER.format(line=line), "archlint.toml": 'select = ["API006"]\n'}
+        write_files(tmp_path, own | INTERFACES | files)
+        return check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+
+    return run
+
+
+@pytest.mark.parametrize(
+    ("line", "having", "name"),
+    [
+        ("from home_interfaces import Door", "home_interfaces.msg", "Door"),
+        ("from home_interfaces import OpenDoor", "home_interfaces.srv", "OpenDoor"),
+        ("from std_srvs import Trigger", "std_srvs.srv", "Trigger"),
+    ],
+)
+def test_an_interface_that_is_imported_from_its_package(beside_interfaces, line: str, having: str, name: str) -> None:
+    (told,) = beside_interfaces(line, {})
+    package = having.partition(".")[0]
+    assert told.message == f"package {package} has '{name}' in {having}: the import fails with an ImportError"
+    assert told.help == f"write `from {having} import {name}`"
+
+
+def test_interfaces_of_one_package_are_one_finding(beside_interfaces):
+    lines = "from home_interfaces import Door\nfrom home_interfaces import OpenDoor"
+    (told,) = beside_interfaces(lines, {})
+    assert told.place.line == 3 and "another import of the file does the same" in told.message
+
+
+@pytest.mark.parametrize(
+    ("line", "files"),
+    [
+        ("from home_interfaces import msg", {}),
+        ("from home_interfaces import Window", {}),
+        ("from home_interfaces import Both", {}),
+        ("from home_interfaces.msg import Door", {}),
+        ("try:\n    from home_interfaces import Door\nexcept ImportError:\n    Door = None", {}),
+        ("from home_interfaces import Door", {"interfaces/home_interfaces/__init__.py": "Door = object\n"}),
+        ("from home_interfaces import Door", {"interfaces/CMakeLists.txt": WITH_PYTHON}),
+    ],
+)
+def test_what_a_package_of_interfaces_has_or_may_have(beside_interfaces, line: str, files: dict[str, str]) -> None:
+    assert not beside_interfaces(line, files)

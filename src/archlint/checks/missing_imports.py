@@ -32,6 +32,9 @@ def _finding(missing: MissingImport) -> Finding:
     elif missing.present:
         message = f"there is no package {module.partition('.')[0]}: the import fails; the module is {missing.present}"
         help = f"write `from {missing.present} import …`"
+    elif missing.interfaces:
+        message = f"package {module} has '{name}' in {missing.interfaces}: the import fails with an ImportError"
+        help = f"write `from {missing.interfaces} import {name}`"
     elif name:
         message = f"{module} has no '{name}': the import fails with an ImportError"
         help = f"define {name} there, or import what there is"
@@ -39,6 +42,7 @@ def _finding(missing: MissingImport) -> Finding:
         message = f"there is no module {module}: the import fails{meant(missing.near)}"
         help = f"import {missing.near}" if missing.near else "correct the name, or add the file"
     kind = "beside" if missing.beside else "present" if missing.present else ""
+    kind = f"interfaces of {module}" if missing.interfaces else kind
     return finding(
         "API006",
         missing.place,

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Union
 
 from archlint.analysis.kept import kept_for_each_file, once
 from archlint.packaging.entry_points import is_on_disk
-from archlint.packaging.mistaken_imports import interfaces_of, near_module
+from archlint.packaging.mistaken_imports import interfaces_of, kind_left_out, near_module
 from archlint.packaging.renamed_packages import present_name
 from archlint.place import Place
 from archlint.python_code.absent_imports import forgiving, is_tolerant
@@ -52,6 +52,8 @@ class MissingImport:
     """The folder of that module, where it is no package that ``find_packages()`` would install."""
     present: str = ""
     """What the module is called now that its package has another name."""
+    interfaces: str = ""
+    """The module that has the ``name``, an interface, where it is imported from the package itself."""
 
 
 def missing_imports(workspace: WorkspaceIndex) -> Iterator[MissingImport]:
@@ -122,6 +124,11 @@ def _absent_names(
 ) -> Iterator[MissingImport]:
     """The names that a module of the workspace does not have."""
     path = workspace.code.file_of_import(file.relative, module)
+    if path is None and "." not in module:
+        for name in names:
+            having = kind_left_out(workspace, file, module, name)
+            if having is not None:
+                yield MissingImport(place, module, name, interfaces=having)
     if path is None or not _is_whole(workspace, module):
         return
     for name in names:

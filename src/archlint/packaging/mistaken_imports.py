@@ -42,6 +42,23 @@ def interfaces_of(workspace: WorkspaceIndex, file: SourceFile, module: str, name
     return f"{next(iter(having))}.{kind}" if len(having) == 1 else None
 
 
+def kind_left_out(workspace: WorkspaceIndex, file: SourceFile, package: str, name: str) -> str | None:
+    """The module of interfaces that has a name which a file imports from their package itself: what is generated there
+    is empty.  None where the package may have Python code of that name besides."""
+    if workspace.interfaces is None or package in workspace.code.modules:
+        return None
+    if workspace.code.path_of_import(file.relative, package) is not None:
+        return None
+    installs = workspace.installs.get(package)
+    if installs is not None and not _INSTALL_PYTHON.isdisjoint(installs.words):
+        return None
+    kinds = [kind for kind in INTERFACE_KINDS if workspace.interfaces.defines(package, kind, name)]
+    return f"{package}.{kinds[0]}" if len(kinds) == 1 else None
+
+
+_INSTALL_PYTHON = frozenset({"PYTHON_INSTALL_DIR", "ament_python_install_module", "ament_python_install_package"})
+
+
 def near_module(workspace: WorkspaceIndex, file: SourceFile, module: str) -> str | None:
     """The module that was meant by one whose top-level name is nowhere and a known one but for a slip."""
     top, dot, rest = module.partition(".")
@@ -93,4 +110,4 @@ def _shortened(name: str) -> set[str]:
     return {name[:at] + name[at + 1 :] for at in range(len(name))}
 
 
-__all__ = ["interfaces_of", "near_module"]
+__all__ = ["interfaces_of", "kind_left_out", "near_module"]
