@@ -66,6 +66,26 @@ def test_names_and_remappings(robot):
     assert topics(system()) == {"/alice": ["/alice/state", "/words"]}
 
 
+COUNTED = TALKER.replace(
+    """        self.declare_parameter('topic', 'chatter')
+        self.create_publisher(String, self.get_parameter('topic').value, 10)
+""",
+    """        for number in range(self.declare_parameter('cameras', 0).value):
+            name = self.declare_parameter(f'camera{number}', '').value
+            self.create_publisher(String, f'/{name}/image', 10)
+""",
+)
+
+
+def test_parameters_that_are_only_declared_with_the_value_of_another(robot):
+    robot(
+        '<node pkg="robot" exec="talker"><param name="cameras" value="2"/><param name="camera0" value="front"/>'
+        '<param name="camera1" value="rear"/></node>',
+        **{"robot/talker.py": COUNTED},
+    )
+    assert topics(system()) == {"/talker": ["/front/image", "/rear/image", "/talker/state"]}
+
+
 NAMES = """\
 import rclpy
 from rclpy.node import Node

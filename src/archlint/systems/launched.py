@@ -19,7 +19,13 @@ from archlint.systems.known_externals import NO_EXTERNAL_NODES, ExternalSources,
 from archlint.systems.model import System
 from archlint.systems.nodes import Node, key_of
 from archlint.systems.overrides import applied, overrides_of
-from archlint.systems.parameter_overrides import is_undecided, known_name, parameter_overrides
+from archlint.systems.parameter_overrides import (
+    declared_names,
+    is_undecided,
+    known_name,
+    parameter_overrides,
+    with_what_came_up,
+)
 from archlint.systems.understood import doubt
 
 if TYPE_CHECKING:
@@ -33,6 +39,8 @@ if TYPE_CHECKING:
 _OF_PROGRAMS = (StartedKind.NODE, StartedKind.PROCESS, StartedKind.COMPONENT)
 """What may be a program of the workspace; a component is the class that its plugin names."""
 
+_ROUNDS = 3
+"""How often a program runs again because of parameters that it declares only with the values of others."""
 RERUNS = 600
 """How many programs one session may run again with parameters from outside."""
 
@@ -113,11 +121,16 @@ class LaunchSystems:
             program = again if again is not None and _has_nodes(again) else program
         if program is None or not _has_nodes(program):
             return program
-        changes = parameter_overrides(started, program, self.parameters_of, _rules(started))
-        if changes is None:
-            return program
-        again = self.program(started, changes, words)
-        return again if again is not None and _has_nodes(again) else program
+        rules = _rules(started)
+        changes = parameter_overrides(started, program, self.parameters_of, rules)
+        for _ in range(_ROUNDS):
+            again = None if changes is None else self.program(started, changes, words)
+            if changes is None or again is None or not _has_nodes(again):
+                break
+            new = declared_names(again) - declared_names(program)
+            program = again
+            changes = with_what_came_up(changes, new, started, program, self.parameters_of, rules) if new else None
+        return program
 
     def by_executable(self, launches_: Iterable[Launched]) -> list[list[Started]]:
         """What launch files start, all processes of one executable together; those with most to run first."""

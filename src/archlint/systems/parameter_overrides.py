@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence, Set
 from typing import TYPE_CHECKING
 
 from archlint.model import ENDPOINT_KINDS, Blueprint, Creation, Overrides, Program, Text, node_key
@@ -53,6 +53,37 @@ def parameter_overrides(
         return None
     others = next(iter(decisive.values())) if len(decisive) == 1 else overrides_of(started, None, parameters_of)
     return Overrides(decisive, others, _settled(nodes, decisive) | defaults, names)
+
+
+def with_what_came_up(
+    before: Overrides,
+    new: Set[str],
+    started: Started,
+    program: Program,
+    parameters_of: Callable[[str], ParameterFacts],
+    remaps: Sequence[RemapRule] = (),
+) -> Overrides | None:
+    """The overrides of a program together with those of the ``new`` parameters, which it has only declared since it
+    runs with them, in a loop that goes on as long as another parameter says, for example; None where nothing sets
+    one."""
+    nodes = [blueprint for blueprint in program.nodes if not blueprint.test]
+    came_up: dict[tuple[str | None, str | None], Mapping[str, object]] = {}
+    for blueprint in nodes:
+        node = instantiate(blueprint, program, name=started.name, namespace=started.namespace, remaps=remaps)
+        reached = blueprint.use_global_arguments and known_name(node) is not None
+        values = overrides_of(started, known_name(node), parameters_of) if reached else {}
+        came_up[node_key(blueprint)] = {name: value for name, value in values.items() if name in new}
+    if not any(came_up.values()):
+        return None
+    of_nodes = {key: {**came_up.get(key, {}), **before.of_nodes.get(key, {})} for key in {**before.of_nodes, **came_up}}
+    others = next(iter(of_nodes.values())) if len(of_nodes) == 1 else before.others
+    return Overrides(of_nodes, others, before.settled | _settled(nodes, came_up), before.names)
+
+
+def declared_names(program: Program) -> frozenset[str]:
+    """The parameters that the nodes of a program declare by names that are known."""
+    every = (declaration.name.text for node in program.nodes for declaration in node.parameters)
+    return frozenset(name for name in every if name is not None)
 
 
 def is_undecided(nodes: Iterable[Blueprint]) -> bool:
