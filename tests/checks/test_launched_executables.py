@@ -112,6 +112,72 @@ def test_an_entry_of_a_setup_py_that_cmake_does_not_read(findings, cmake, found)
     ]
 
 
+ENTRIES = SETUP.replace("'talker =", "'arm_node = robot.arm_node:main', 'talker =")
+BUILT_WITH_CMAKE = {
+    "CMakeLists.txt": "project(robot)\n" + SCRIPTS,
+    "package.xml": CMAKE,
+    "setup.py": ENTRIES,
+    "scripts/drive.py": "",
+    "robot/arm_node.py": TALKER,
+}
+
+
+def test_the_entries_of_a_setup_py_that_cmake_does_not_read_are_one_finding(findings):
+    started = f"{node()}\n{node(exec='arm_node')}\n{node(name='second')}"
+    (told,) = findings("LCH001", started, **BUILT_WITH_CMAKE)
+    assert told.message == (
+        "package 'robot' installs none of these 2 executables: arm_node, talker: "
+        "CMake builds it, and its setup.py is not read"
+    )
+    assert told.help.startswith("install the scripts in CMakeLists.txt, install(PROGRAMS")
+    assert [(row.place.file, row.place.line) for row in told.related if "started" in row.message] == [
+        ("launch/it.launch.xml", 2),
+        ("launch/it.launch.xml", 3),
+    ]
+
+
+def test_a_script_that_cmake_installs_is_to_be_started_instead_of_an_entry_that_it_does_not_read(findings):
+    cmake = "project(robot)\ninstall(PROGRAMS robot/arm_node.py DESTINATION lib/robot)\n"
+    files = {"CMakeLists.txt": cmake + SCRIPTS, "setup.py": ENTRIES.replace("'arm_node =", "'gripper =")}
+    (told,) = findings("LCH001", node(exec="gripper"), **BUILT_WITH_CMAKE | files)
+    assert told.message.endswith("its setup.py is not read; robot/arm_node.py is installed as 'arm_node.py'")
+    assert told.help == "start 'arm_node.py'"
+
+
+def test_an_entry_that_cmake_does_not_read_is_not_offered(findings):
+    (told,) = findings("LCH001", node(exec="gripper"), **BUILT_WITH_CMAKE)
+    assert told.help == "add it to CMakeLists.txt, or start one that the package installs: drive.py"
+    (told,) = findings("LCH001", node(exec="arm_node.py"), **BUILT_WITH_CMAKE)
+    assert told.help == "install robot/arm_node.py in CMakeLists.txt"
+    cmake = {"CMakeLists.txt": "project(robot)\ninstall(DIRECTORY launch DESTINATION share/robot)\n"}
+    (told,) = findings("LCH001", node(exec="gripper"), **BUILT_WITH_CMAKE | cmake)
+    assert told.help == "add it to CMakeLists.txt"
+
+
+def test_a_script_of_the_name_without_node_is_the_one_to_start(findings):
+    (told,) = findings("LCH001", node(exec="drive_node"), **BUILT_WITH_CMAKE)
+    assert told.message == (
+        "package 'robot' installs no executable 'drive_node'; scripts/drive.py is installed as 'drive.py'"
+    )
+
+
+@pytest.mark.parametrize(
+    ("text", "hint"),
+    [
+        ("class Tracker:\n    pass\n", "; robot/tracking.py is not installed and starts nothing"),
+        ("try:\n    import rclpy\nexcept ImportError:\n    rclpy = None\n", "; robot/tracking.py is not installed and"),
+        ("import rclpy\nrclpy.init()\n", "; robot/tracking.py exists but is not installed"),
+        ("def run():\n    pass\ntracker = run()\n", "; robot/tracking.py exists but is not installed"),
+        ("from robot.talker import main\n", "; robot/tracking.py exists but is not installed"),
+        ("if __name__ == '__main__':\n    print()\n", "; robot/tracking.py exists but is not installed"),
+    ],
+)
+def test_a_module_that_starts_nothing_needs_more_than_to_be_installed(findings, text: str, hint: str):
+    (told,) = findings("LCH001", node(exec="tracking_node"), **{"robot/tracking.py": text})
+    assert hint in told.message
+    assert told.help.startswith("give it a main(), and install it in setup.py") == ("exists" not in hint)
+
+
 @pytest.mark.parametrize(
     ("package", "executable"),
     [

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.checks.folding import folds, with_places
@@ -14,7 +15,7 @@ from archlint.finding import Finding, Related
 from archlint.launch.kinds import StartedKind
 from archlint.launch_files.shown_files import is_shown_only
 from archlint.packaging.absent_packages import is_nowhere, is_placeholder, owners_of_component, package_that_installs
-from archlint.packaging.entry_points import is_empty
+from archlint.packaging.entry_points import is_empty, starts_nothing
 from archlint.suggestions import did_you_mean, listed, nearest
 
 if TYPE_CHECKING:
@@ -49,21 +50,53 @@ def unknown_executable(system: System, options: Options) -> Iterator[Finding]:
         unread = package is None or package.build_type not in ("ament_python", "ament_cmake")
         if unread or installs.open_executables or not installs.build_files or name in installs.mentioned:
             continue
-        hint, help = _included(installs, started, name, system.workspace) or _instead(installs, name, system.workspace)
         if entry is not None:
-            hint = ": CMake builds it, and its setup.py is not read"
-            help = (
-                f"install a script as '{name}' in CMakeLists.txt: install(PROGRAMS … DESTINATION lib/${{PROJECT_NAME}})"
-            )
+            yield _unread_entry(started, name, entry, _installed(system.workspace, installs))
+            continue
+        hint, help = _included(installs, started, name, system.workspace) or _instead(installs, name, system.workspace)
         yield finding(
             "LCH001",
             started.places.get("executable", started.place),
             f"package '{installs.package}' installs no executable '{name}'{hint}",
             help=help,
-            related=[] if entry is None else [Related(entry.place, f"the entry of '{name}' is here")],
             identity=(installs.package, name),
             group=(installs.package, name),
         )
+
+
+def _installed(workspace: WorkspaceIndex, installs: Installs) -> dict[str, Executable]:
+    """The executables of a package without those of a setup.py that CMake does not read."""
+    package = workspace.packages.get(installs.package)
+    return {
+        name: executable
+        for name, executable in installs.executables.items()
+        if not is_ignored_by_cmake(package, executable)
+    }
+
+
+def _unread_entry(started: Started, name: str, entry: Executable, installed: dict[str, Executable]) -> Finding:
+    """The finding for an executable that only a setup.py names, in a package that CMake builds."""
+    own = [other for other in sorted(installed) if _stem(installed[other]) == _stem(entry)]
+    instead = own[0] if len(own) == 1 else ""
+    hint = f": {_NOT_READ}"
+    hint += f"; {installed[instead].script or instead} is installed as '{instead}'" if instead else ""
+    return finding(
+        "LCH001",
+        started.places.get("executable", started.place),
+        f"package '{entry.package}' installs no executable '{name}'{hint}",
+        help=f"start '{instead}'"
+        if instead
+        else f"install a script as '{name}' in CMakeLists.txt: install(PROGRAMS … DESTINATION lib/${{PROJECT_NAME}})",
+        related=[Related(entry.place, f"the entry of '{name}' is here")],
+        identity=(entry.package, name),
+        group=(entry.package, _UNREAD),
+        meant=instead,
+    )
+
+
+_NOT_READ = "CMake builds it, and its setup.py is not read"
+_UNREAD = "setup.py "
+"""What the entries of a setup.py that CMake does not read have in common: the name of no executable."""
 
 
 def _is_named_by_cmake(installs: Installs, name: str) -> bool:
@@ -74,8 +107,29 @@ def _is_named_by_cmake(installs: Installs, name: str) -> bool:
 
 @folds("LCH001", across_systems=True)
 def _of_one_executable(several: Sequence[Finding]) -> Finding:
-    """One finding for an executable that is not there, however many launch actions start it."""
-    return with_places(several, "it is started here, too")
+    """One finding for an executable that is not there, however many launch actions start it; and for all that are not
+    there because CMake does not read the setup.py."""
+    names = dict.fromkeys(finding.identity[1] for finding in several)
+    if len(names) == 1:
+        return with_places(several, "it is started here, too")
+    first = several[0]
+    listed_names = listed(sorted(names))
+    instead = [finding.meant for finding in several]
+    related = [
+        row
+        for finding in several
+        for row in (Related(finding.place, f"'{finding.identity[1]}' is started here"), *finding.related)
+    ]
+    return replace(
+        first,
+        message=f"package '{first.identity[0]}' installs none of these {len(names)} executables: {listed_names}: {_NOT_READ}",
+        help=f"start what CMake installs: {listed(sorted(set(instead)))}"
+        if all(instead)
+        else "install the scripts in CMakeLists.txt, install(PROGRAMS … DESTINATION lib/${PROJECT_NAME}), "
+        "and start them by the names of their files",
+        related=tuple(dict.fromkeys(related[1:])),
+        meant="",
+    )
 
 
 def _from_no_package(system: System, workspace: WorkspaceIndex, started: Started, name: str) -> Iterator[Finding]:
@@ -88,7 +142,9 @@ def _from_no_package(system: System, workspace: WorkspaceIndex, started: Started
         yield _launch_file(started, package, name)
     if not is_nowhere(workspace, package):
         return
-    near = nearest(package, [own for own, installs in workspace.installs.items() if name in installs.executables])
+    near = nearest(
+        package, [own for own, installs in workspace.installs.items() if name in _installed(workspace, installs)]
+    )
     near = near or _without_spaces(workspace, package) or package_that_installs(workspace, package, name, started.file)
     if near is not None:
         yield _no_package(started, name, near, "installs")
@@ -171,10 +227,13 @@ def _included(installs: Installs, started: Started, name: str, workspace: Worksp
 
 def _instead(installs: Installs, name: str, workspace: WorkspaceIndex) -> tuple[str, str]:
     """What to start or to install instead of an executable that is not there: a hint and a line of help."""
-    known = sorted(installs.executables)
-    same = [executable for executable in known if _stem(installs.executables[executable]) == name.removesuffix(".py")]
+    installed = _installed(workspace, installs)
+    known = sorted(installed)
+    same = [executable for executable in known if _stem(installed[executable]) == name.removesuffix(".py")]
+    if not same:
+        same = [file for file in known if file.endswith(".py") and _stem(installed[file]) == name.removesuffix("_node")]
     if len(same) == 1:
-        source = installs.executables[same[0]]
+        source = installed[same[0]]
         return f"; {source.script or source.module} is installed as '{same[0]}'", f"start '{same[0]}'"
     if name in installs.too_deep:
         where = installs.too_deep[name]
@@ -182,7 +241,7 @@ def _instead(installs: Installs, name: str, workspace: WorkspaceIndex) -> tuple[
             f": it is installed as {where}",
             "install the content of the folder, with a trailing slash: install(DIRECTORY …/ …)",
         )
-    owners = [install.package for install in workspace.installs.values() if name in install.executables]
+    owners = [install.package for install in workspace.installs.values() if name in _installed(workspace, install)]
     if len(owners) == 1:
         return f"; package '{owners[0]}' installs it", f"start it from package '{owners[0]}'"
     build = _build_file(installs, workspace)
@@ -190,13 +249,16 @@ def _instead(installs: Installs, name: str, workspace: WorkspaceIndex) -> tuple[
     there = [file for file in files if posixpath.basename(file) == name]
     if len(there) == 1:
         return did_you_mean(name, known), f"install {there[0]} in {build}"
-    stems = {name, name.removesuffix("_node")} - {_stem(executable) for executable in installs.executables.values()}
+    stems = {name, name.removesuffix("_node")} - {_stem(executable) for executable in installed.values()}
     meant = [file for file in files if posixpath.basename(file).removesuffix(".py") in stems]
     if len(meant) == 1 and is_empty(workspace, meant[0]):
         return f"; {meant[0]} is empty", f"remove the node, or write its program there and install it in {build}"
+    if len(meant) == 1 and starts_nothing(workspace, meant[0]):
+        return f"; {meant[0]} is not installed and starts nothing", f"give it a main(), and install it in {build}"
     if len(meant) == 1:  # nearer than another node of a similar name
         return f"; {meant[0]} exists but is not installed", f"install it in {build} under the name '{name}'"
-    return did_you_mean(name, known), f"add it to {build}, or start one that the package installs: {listed(known)}"
+    others = f", or start one that the package installs: {listed(known)}" if known else ""
+    return did_you_mean(name, known), f"add it to {build}{others}"
 
 
 def _stem(executable: Executable) -> str:

@@ -87,6 +87,19 @@ def is_empty(workspace: WorkspaceIndex, file: str) -> bool:
     return not (workspace.tree.text(file) or "").strip()
 
 
+def starts_nothing(workspace: WorkspaceIndex, file: str) -> bool:
+    """Whether a module has no ``main`` and does nothing when it is run: a process of it ends at once."""
+    file_facts = workspace.facts_at(file)
+    if file_facts is None or file_facts.problems or main_guard(file_facts) is not None:
+        return False
+    body, names = file_facts.body, _bound_names(file_facts.body)
+    if "main" in names or _binds_more(body) or _works_on_import(file_facts):
+        return False
+    calls = calls_in([statement for statement in statements_of(body) if isinstance(statement, facts.Expression)])
+    own = {statement.name for statement in statements_of(body, facts.Function)}
+    return next(calls, None) is None and all(call.func.variable not in own for call in calls_in(body))
+
+
 def _functions(file_facts: facts.Facts) -> tuple[str, ...] | None:
     """The functions that a module defines, or the ``main`` that it imports: no other function of another module is a
     program.  None where a star import may bring one."""
@@ -175,4 +188,4 @@ def _binds_more(body: Sequence[facts.Stmt]) -> bool:
     return any(stars) or any(variable.id in ("globals", "setattr") for variable in everything_in(body, facts.Name))
 
 
-__all__ = ["NoFunction", "NoFunctionNamed", "NoModule", "broken_target", "is_empty", "is_on_disk"]
+__all__ = ["NoFunction", "NoFunctionNamed", "NoModule", "broken_target", "is_empty", "is_on_disk", "starts_nothing"]
