@@ -113,7 +113,7 @@ def _of_one_executable(several: Sequence[Finding]) -> Finding:
     if len(names) == 1:
         return with_places(several, "it is started here, too")
     first = several[0]
-    listed_names = listed(sorted(names))
+    those = f"none of these {len(names)} executables: {listed(sorted(names))}"
     instead = [finding.meant for finding in several]
     related = [
         row
@@ -122,7 +122,7 @@ def _of_one_executable(several: Sequence[Finding]) -> Finding:
     ]
     return replace(
         first,
-        message=f"package '{first.identity[0]}' installs none of these {len(names)} executables: {listed_names}: {_NOT_READ}",
+        message=f"package '{first.identity[0]}' installs {those}: {_NOT_READ}",
         help=f"start what CMake installs: {listed(sorted(set(instead)))}"
         if all(instead)
         else "install the scripts in CMakeLists.txt, install(PROGRAMS … DESTINATION lib/${PROJECT_NAME}), "
