@@ -357,3 +357,62 @@ def test_a_timer_that_is_to_run_once(judge: Judge):
         """,
     )
     assert (finding.help or "").endswith("and end the callback with the timer's cancel()")
+
+
+THREAD = """
+    import threading
+
+    import rclpy
+    from rclpy.node import Node
+    from std_msgs.msg import Float32
+
+
+    class Robot(Node):
+        def __init__(self):
+            super().__init__('robot')
+            self.create_subscription(Float32, 'speed', self.listen, 10)
+
+        def listen(self, message):
+            self.start({given})
+
+        def start(self, speed):
+            thread = threading.Thread(target=self.drive, args={args}, daemon=True)  {mark}
+            thread.start()
+
+        def drive(self, {parameters}):
+            if {test}:
+                print('forwards')
+
+
+    def main():
+        rclpy.init()
+        rclpy.spin(Robot())
+
+
+    main()
+"""
+
+
+@pytest.mark.parametrize("given", ["self.read()", "max(0.0, read())", "float(message.data)"])
+def test_a_number_for_the_arguments_of_a_thread(judge: Judge, given: str):
+    """`args=(speed)` is the number itself; the function compares it with one."""
+    source = THREAD.format(given=given, args="(speed)", parameters="speed", test="speed > 0.0", mark="# here")
+    (told,) = judge("API001", source)
+    assert "'args' takes a tuple of arguments, not " in told.message and "number" in told.message
+    assert told.help == "put a comma behind it, which makes the tuple: args=(…,)"
+
+
+@pytest.mark.parametrize(
+    ("args", "parameters", "test"),
+    [
+        ("(speed,)", "speed", "speed > 0.0"),
+        ("(speed)", "speed", "speed == 0.0"),
+        ("(speed)", "speed", "len(speed) > 0"),
+        ("(speed)", "limit", "limit > 0.0"),
+        ("(speed)", "speed, limit", "speed > 0.0"),
+        ("(speed)", "*speed", "speed > 0.0"),
+        ("[speed]", "speed", "speed > 0.0"),
+    ],
+)
+def test_what_may_be_the_arguments_of_a_thread(judge: Judge, args: str, parameters: str, test: str):
+    judge("API001", THREAD.format(given="self.read()", args=args, parameters=parameters, test=test, mark=""))

@@ -233,7 +233,7 @@ def _is_no_entity(value: Value, path: str) -> bool:
 def _is_no_tuple(value: Value, written: facts.Expr | None) -> bool:
     """Whether nothing can go through it: ``args=(node)`` is the node itself."""
     match value:
-        case Known(value=bool() | int() | float()):
+        case Known(value=bool() | int() | float()) | Unknown(of_class="int" | "float"):
             return True
         case Instance(cls=ClassValue() as cls):
             return node_classes.is_node(cls) and node_classes.has_only(cls) and not _defines(cls, _GONE_THROUGH)

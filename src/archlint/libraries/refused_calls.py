@@ -13,6 +13,7 @@ from archlint.interpreter.values import Instance, Value, alternatives
 from archlint.libraries.api_signatures import distros, needed, refusing_distros
 from archlint.libraries.kinds_of_arguments import Kind, described, is_other, kinds_of
 from archlint.libraries.rclpy import names, node_classes, refusals
+from archlint.libraries.thread_arguments import number_given
 from archlint.libraries.values import EntityValue
 from archlint.syntax import facts
 from archlint.syntax.bare_super import bare_super_calls
@@ -174,8 +175,10 @@ def _other_kind(api: Api, site: CallSite, bound: Mapping[str, Value], place: Pla
         return None
     written = _written(api, site)
     other = [name for name, kind in kinds.items() if _is_other(api, kind, bound[name], written.get(name))]
-    if not other:
+    number = number_given(bound, written) if kinds.get("args") is Kind.ARGUMENTS and not other else ""
+    if not other and not number:
         return None
+    other = other or ["args"]
     first = min(other, key=api.params.index)
     others = (name for name in other if name != first)
     swapped = next((name for name in others if _are_swapped(api, kinds, (first, name), bound, written)), None)
@@ -185,7 +188,7 @@ def _other_kind(api: Api, site: CallSite, bound: Mapping[str, Value], place: Pla
         api.path,
         model.Misuse.KIND if swapped is None else model.Misuse.SWAPPED,
         (first,) if swapped is None else (first, swapped),
-        given=described(value, written.get(first)),
+        given=f"the number '{number}'" if number else described(value, written.get(first)),
         wanted=kinds[first].value,
         signature=needed(api.path) or api.params,
         distros=distros(),
