@@ -329,3 +329,30 @@ def test_entries_whose_modules_lack_one_function_are_one_finding(findings):
     assert [one.message for one in found.related] == ["the entry of 'right'"]
     (found,) = findings("PKG002", **files | {"robot/right.py": "def main():\n    pass\n"})
     assert found.message == "the executable 'left' cannot start: 'robot.left' has no function 'main'"
+
+
+ASYNC = TALKER.replace("def main():", "async def main():")
+
+
+def test_a_console_script_that_is_an_async_def(findings):
+    """The script says `sys.exit(main())`: what it exits with is a coroutine that never runs."""
+    (told,) = findings(
+        "PKG002", **{"robot/talker.py": ASYNC + "\nif __name__ == '__main__':\n    asyncio.run(main())\n"}
+    )
+    assert told.place.file == "setup.py"
+    assert "'main' of 'robot.talker' is an async def" in told.message
+    assert told.help == "name a function in the entry that calls asyncio.run(main())"
+    assert [related.place.line for related in told.related] == [11]
+
+
+@pytest.mark.parametrize(
+    "talker",
+    [
+        ASYNC.replace("async def main", "@run\nasync def main"),
+        ASYNC + "\n\nmain = sync(main)\n",
+        ASYNC + "\n\ntry:\n    import asyncio\nexcept ImportError:\n    def main():\n        pass\n",
+        ASYNC.replace("async def main", "async def run") + "\n\ndef main():\n    asyncio.run(run())\n",
+    ],
+)
+def test_a_console_script_that_runs_its_coroutine(findings, talker: str):
+    assert findings("PKG002", **{"robot/talker.py": talker}) == []

@@ -12,7 +12,7 @@ from archlint.checks.plugin_classes import plugin_classes
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related, Severity
-from archlint.packaging.entry_points import NoFunction, NoFunctionNamed, NoModule, broken_target
+from archlint.packaging.entry_points import NeverAwaited, NoFunction, NoFunctionNamed, NoModule, broken_target
 from archlint.packaging.imports import imports
 from archlint.suggestions import did_you_mean, listed, meant, nearest
 
@@ -86,6 +86,13 @@ def _broken(workspace: WorkspaceIndex, executable: Executable) -> Iterator[Findi
             group = () if functions is None or functions else (executable.place.file, "", "")
             what = f"'{module}' is a module, but the entry names no function in it"
             yield _entry_finding(executable, what, help, group)
+        case NeverAwaited(module, function, place):
+            what = (
+                f"'{function}' of '{module}' is an async def, and nothing runs the coroutine that the script gets of it"
+            )
+            help = f"name a function in the entry that calls asyncio.run({function}())"
+            told = _entry_finding(executable, what, help)
+            yield replace(told, related=(Related(place, f"'{function}' is defined here"),))
         case NoFunction(module, function, names, runs_first, ros1):
             near = nearest(function, names)
             group = () if near is not None else (executable.place.file, function, ros1)

@@ -6,10 +6,11 @@ import posixpath
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Union
 
 from archlint.analysis.aside import ros1_module
 from archlint.packaging.generated_files import submodule_around
+from archlint.place import Place
 from archlint.suggestions import nearest
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in
@@ -51,7 +52,19 @@ class NoFunction:
     """The first module of ROS 1 that it imports: a function alone would not start it either."""
 
 
-def broken_target(workspace: WorkspaceIndex, executable: Executable) -> NoModule | NoFunctionNamed | NoFunction | None:
+@dataclass(frozen=True)
+class NeverAwaited:
+    """The function is an ``async def``: the script calls it, and nothing runs the coroutine that it gets."""
+
+    module: str
+    function: str
+    place: Place
+
+
+Broken = Union[NoModule, NoFunctionNamed, NoFunction, NeverAwaited]
+
+
+def broken_target(workspace: WorkspaceIndex, executable: Executable) -> Broken | None:
     """What is wrong with what a console script starts; None where it can start, or may be of another distribution."""
     module, function = executable.module, executable.function
     modules = workspace.code.modules_of(executable.package)
@@ -73,13 +86,23 @@ def broken_target(workspace: WorkspaceIndex, executable: Executable) -> NoModule
         return None if any(map(_does_something, file_facts.body)) else NoFunctionNamed(module, _functions(file_facts))
     head = function.partition(".")[0]
     if any(map(partial(_defines, head), file_facts.body)):
-        return None  # as nearly always
+        coroutine = _coroutine(file_facts, function)
+        return None if coroutine is None else NeverAwaited(module, function, Place(paths[0], *coroutine.name_span))
     names = _bound_names(file_facts.body)
     if head in names or _binds_more(file_facts.body):
         return None
     if _serves_on_import(file_facts):
         return None
     return NoFunction(module, head, names, _works_on_import(file_facts), ros1_module(file_facts) or "")
+
+
+def _coroutine(file_facts: facts.Facts, function: str) -> facts.Function | None:
+    """The ``async def`` that a module has under a name, which nothing else there binds and no decorator changes."""
+    defined = [item for item in everything_in(file_facts.body, facts.Function) if item.name == function]
+    if len(defined) != 1 or not defined[0].is_async or defined[0].decorators or defined[0] not in file_facts.body:
+        return None
+    assigned = (target.variable for part in everything_in(file_facts.body) for target in part.assigned)
+    return None if function in assigned or _binds_more(file_facts.body) else defined[0]
 
 
 def is_empty(workspace: WorkspaceIndex, file: str) -> bool:
@@ -188,4 +211,13 @@ def _binds_more(body: Sequence[facts.Stmt]) -> bool:
     return any(stars) or any(variable.id in ("globals", "setattr") for variable in everything_in(body, facts.Name))
 
 
-__all__ = ["NoFunction", "NoFunctionNamed", "NoModule", "broken_target", "is_empty", "is_on_disk", "starts_nothing"]
+__all__ = [
+    "NeverAwaited",
+    "NoFunction",
+    "NoFunctionNamed",
+    "NoModule",
+    "broken_target",
+    "is_empty",
+    "is_on_disk",
+    "starts_nothing",
+]
