@@ -61,6 +61,15 @@ def test_a_module_that_is_installed_or_may_be(findings, imports, installed):
     assert findings("PKG004", **files(imports, installed, **{"scripts/serial.py": "A = 1\n"})) == []
 
 
+@pytest.mark.parametrize(
+    "imports", ["from robot.arm_tools import RADIUS", "import robot.arm_tools", "from robot import arm_tools"]
+)
+def test_a_module_of_the_installed_package_of_python_is_not_needed_beside_the_script(findings, imports):
+    line = "ament_python_install_package(${PROJECT_NAME})\n" + ALONE.replace("scripts/", "robot/")
+    package = {"robot/__init__.py": "", "robot/arm_tools.py": "RADIUS = 1.0\n"}
+    assert findings("PKG004", **files("", line, **package, **{"robot/drive.py": DRIVE.format(imports)})) == []
+
+
 def test_a_module_that_another_package_has(findings):
     more = {"tools/package.xml": CMAKE.replace("robot", "tools"), "tools/gps_tools.py": "RADIUS = 1.0\n"}
     more["tools/CMakeLists.txt"] = "project(tools)\nfind_package(ament_cmake REQUIRED)\nament_package()\n"

@@ -14,6 +14,7 @@ from archlint.packaging.left_out_code import LeftOut, certain_imports, changes_p
 from archlint.packaging.uninstalled_files import understood
 from archlint.place import Place
 from archlint.ros.python_modules import is_known
+from archlint.syntax import facts
 
 if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
@@ -40,8 +41,15 @@ def _beside(workspace: WorkspaceIndex, script: str) -> Iterator[tuple[str, Place
         return
     for statement in certain_imports(file_facts.body):
         for file in files_of_import(workspace, script, statement):
-            if posixpath.dirname(file) == posixpath.dirname(script) and _is_nowhere_else(workspace, file):
+            # Through a package, `from robot.tools import …`, it comes from where Python packages are installed.
+            is_beside = f"{posixpath.join(posixpath.dirname(script), _name(statement))}.py" == file
+            if is_beside and _is_nowhere_else(workspace, file):
                 yield file, Place(script, *statement.span)
+
+
+def _name(statement: facts.Import | facts.ImportFrom) -> str:
+    """The module that an import names; empty for a relative one, which a script cannot use."""
+    return "" if isinstance(statement, facts.ImportFrom) and statement.level else statement.module
 
 
 def _is_nowhere_else(workspace: WorkspaceIndex, file: str) -> bool:
