@@ -100,6 +100,16 @@ def test_a_value_that_comes_only_later(judge: Judge):
     )
 
 
+def test_a_value_that_only_another_branch_gives(judge: Judge):
+    branches = ("if message.data:", "    for i in range(3):", "        print(i)", "else:", "    print(i)  # here")
+    (finding,) = judge("API005", _node(*branches))
+    assert finding.message == (
+        "'i' gets a value only in another branch of this function: this line fails with an UnboundLocalError"
+    )
+    assert finding.help == "give i a value in this branch, too"
+    assert [row.place.line for row in finding.related] == [15]
+
+
 TRIED = ("try:", "    a = float(message.data)", "except ValueError:")
 
 

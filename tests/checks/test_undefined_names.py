@@ -146,6 +146,33 @@ def test_the_names_of_one_statement_are_one_finding(judge: Judge) -> None:
     ]
 
 
+@pytest.mark.parametrize(
+    "lines",
+    [
+        ("return True", "try:", "    print(result)", "except OSError:", "    pass"),
+        ("raise OSError", "print(result)"),
+        ("for number in range(3):", "    continue", "    print(result)"),
+        ("if self.limit:", "    return 1", "else:", "    return 2", "print(result)"),
+    ],
+)
+def test_a_line_that_nothing_leads_to_does_not_fail(judge: Judge, lines: tuple[str, ...]) -> None:
+    judge("API005", _node(*lines))
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        ("if self.limit:", "    return True", "print(result)  # here"),
+        ("for number in range(3):", "    break", "print(result)  # here"),
+        ("return result  # here",),
+        ("def inner():", "    return 1", "print(result, inner())  # here"),
+        ("if self.limit:", "    return 1", "    print(result)", "print(result)  # here"),
+    ],
+)
+def test_a_line_beside_a_return_fails(judge: Judge, lines: tuple[str, ...]) -> None:
+    judge("API005", _node(*lines))
+
+
 def test_what_other_files_write(judge: Judge) -> None:
     other = _node("pass").replace("import rclpy\n", "import rclpy\nfrom math import hypot\n", 1)
     (finding,) = judge("API005", _node("print(hypot(1, 2))  # here"), other)

@@ -47,11 +47,13 @@ def undefined_name(system: System, options: Options) -> Iterator[Finding]:
 
 
 def _too_early(read: UnboundLocal) -> Finding:
+    elsewhere = (read.assigned.line, read.assigned.column) < (read.place.line, read.place.column)
+    reason = "gets a value only in another branch of" if elsewhere else "gets a value only later in"
     return finding(
         "API005",
         read.place,
-        f"'{read.name}' gets a value only later in this function: this line fails with an UnboundLocalError",
-        help=f"give {read.name} a value before",
+        f"'{read.name}' {reason} this function: this line fails with an UnboundLocalError",
+        help=f"give {read.name} a value in this branch, too" if elsewhere else f"give {read.name} a value before",
         related=[Related(read.assigned, "it makes the name a variable of this function, wherever else it has a value")],
         identity=(read.name, "early"),
         group=(read.place.file, read.name, "early"),

@@ -17,7 +17,7 @@ from archlint.place import Place
 from archlint.python_code.offered_names import MAKES_NAMES, bound_in, own_names, starred
 from archlint.syntax import facts
 from archlint.syntax.bindings import bound_by
-from archlint.syntax.flow_facts import covers
+from archlint.syntax.flow_facts import covers, is_unreachable
 from archlint.syntax.parts import everything_in, once_for, parts_of
 from archlint.syntax.walk import statements_of
 
@@ -161,6 +161,8 @@ class _Scope:
     names: frozenset[str]
     members: frozenset[str] = frozenset()
     without_self: str = ""
+    body: Sequence[facts.Stmt] = ()
+    """The statements of the function that the code is in."""
 
     def within(self, names: frozenset[str]) -> _Scope:
         return replace(self, names=self.names | names)
@@ -204,7 +206,7 @@ def _reads(body: Sequence[facts.Base], scope: _Scope) -> Iterator[_Read]:
             case facts.Annotated(target=target, value=value):
                 stack += [fact for fact in (value, target) if fact is not None]
             case facts.Name(id=name):
-                if name not in scope.names and name not in seen:
+                if name not in scope.names and name not in seen and not is_unreachable(scope.body, part.span):
                     seen.add(name)
                     yield scope.read(part)
             case _:
@@ -237,7 +239,7 @@ def _reads_inside(part: facts.Function | facts.Lambda | facts.Class, scope: _Sco
                     yield from _reads([statement], scope.within(own))
         case facts.Function(params=params, body=body):
             inside = scope.within(frozenset(param.name for param in params))
-            yield from _reads(body, inside.within(frozenset(bound_in(body))))
+            yield from _reads(body, replace(inside.within(frozenset(bound_in(body))), body=body))
             yield from _only_added_to(part, inside)
         case facts.Lambda(params=params, body=body):
             yield from _reads([body], scope.within(frozenset((*(param.name for param in params), *bound_in([body])))))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from archlint.syntax import facts
 
@@ -25,6 +25,26 @@ def covers(fact: facts.Base, span: facts.Span) -> bool:
     return around[:2] <= span[:2] and span[2:] <= around[2:]
 
 
+def is_unreachable(body: Sequence[facts.Stmt], span: facts.Span) -> bool:
+    """Whether what stands at a place comes after a ``return``, ``raise``, ``break`` or ``continue`` of the same block,
+    so that no line leads there."""
+    ended = False
+    for statement in body:
+        if covers(statement, span):
+            return ended or any(is_unreachable(block, span) for block in statement.blocks)
+        ended = ended or _ends(statement)
+    return False
+
+
+def _ends(statement: facts.Stmt) -> bool:
+    match statement:
+        case facts.Return() | facts.Raise() | facts.Jump(kind="break" | "continue"):
+            return True
+        case facts.If(body=body, orelse=orelse):
+            return any(map(_ends, body)) and any(map(_ends, orelse))
+    return False
+
+
 def lines_of(fact: facts.Base) -> range:
     """The lines that a fact is written on."""
     span: facts.Span = getattr(fact, "span", (0, 0, 0, 0))
@@ -41,4 +61,4 @@ def is_within(statement: facts.Stmt, first: tuple[int, int], last: tuple[int, in
     return first <= begins and ends <= last
 
 
-__all__ = ["covers", "ends_of", "is_within", "lines_of", "sufficient"]
+__all__ = ["covers", "ends_of", "is_unreachable", "is_within", "lines_of", "sufficient"]
