@@ -219,6 +219,19 @@ def test_a_function_that_is_not_there_is_to_be_written_or_another_named(findings
     assert found.help == "define 'serve_all' in the module, or use a function that it has"
 
 
+@pytest.mark.parametrize(
+    "text",
+    [
+        "while True:\n    print()\n",
+        "while True:\n    for key in 'ab':\n        break\n",
+        "try:\n    while True:\n        print()\nfinally:\n    print()\n",
+        "with open('a') as log:\n    while True:\n        log.flush()\n",
+    ],
+)
+def test_a_module_that_never_comes_to_its_end_is_asked_for_no_function(findings, text):
+    assert findings("PKG002", **{"robot/talker.py": text}) == []
+
+
 LOOK = "import cv2\ncamera = cv2.VideoCapture(0)\nwhile True:\n    if cv2.waitKey(1) == 113:\n        break\n"
 
 
@@ -227,10 +240,11 @@ LOOK = "import cv2\ncamera = cv2.VideoCapture(0)\nwhile True:\n    if cv2.waitKe
     [
         LOOK,
         "import rclpy\nrclpy.init()\nrclpy.spin(rclpy.create_node('look'))\n",
-        "try:\n    while True:\n        pass\nfinally:\n    pass\n",
+        "try:\n    while True:\n        pass\nexcept KeyboardInterrupt:\n    pass\n",
+        "while True:\n    for key in 'ab':\n        print()\n    else:\n        break\n",
         "import os\nfor name in ('a', 'b'):\n    os.system(name)\n",
     ],
-    ids=["a loop", "a spin", "a loop inside", "a loop over what to start"],
+    ids=["a loop", "a spin", "a loop inside", "a loop that another one leaves", "a loop over what to start"],
 )
 def test_a_module_that_does_its_work_when_it_is_imported_fails_at_its_end(findings, text):
     (found,) = findings("PKG002", **{"robot/talker.py": text})

@@ -91,7 +91,7 @@ def broken_target(workspace: WorkspaceIndex, executable: Executable) -> Broken |
     names = _bound_names(file_facts.body)
     if head in names or _binds_more(file_facts.body):
         return None
-    if _serves_on_import(file_facts):
+    if _serves_on_import(file_facts) or any(map(_never_ends, file_facts.body)):
         return None
     return NoFunction(module, head, names, _works_on_import(file_facts), ros1_module(file_facts) or "")
 
@@ -153,6 +153,28 @@ def _serves_on_import(file_facts: facts.Facts) -> bool:
             case facts.Attribute(value=facts.Name(id="app" | "uvicorn"), attr="run"):
                 return True
     return False
+
+
+def _never_ends(statement: facts.Stmt) -> bool:
+    """Whether a statement is a loop that only the end of the program ends, so that nothing after it is asked for."""
+    match statement:
+        case facts.While(test=test, body=body):
+            return test.truth is True and not any(map(_leaves_loop, body))
+        case facts.Try(body=body, handlers=[], final=final):
+            return any(map(_never_ends, body)) and not any(map(_leaves_loop, final))
+        case facts.With(body=body):
+            return any(map(_never_ends, body))
+    return False
+
+
+def _leaves_loop(statement: facts.Stmt) -> bool:
+    """Whether a statement has a ``break`` of the loop around it."""
+    match statement:
+        case facts.Jump(kind="break"):
+            return True
+        case facts.For(orelse=inner) | facts.While(orelse=inner):
+            return any(map(_leaves_loop, inner))
+    return any(_leaves_loop(each) for block in statement.blocks for each in block)
 
 
 def is_on_disk(workspace: WorkspaceIndex, package: str, module: str) -> bool:
