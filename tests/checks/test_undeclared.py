@@ -661,7 +661,7 @@ def test_a_package_of_interfaces_whose_generators_only_package_xml_can_name(lint
 
 DESCRIBED = """\
 from launch import LaunchDescription
-from launch.actions import IncludeLaunchDescription
+from launch.actions import ExecuteProcess, IncludeLaunchDescription
 from launch.substitutions import Command, FindExecutable, PathJoinSubstitution
 from launch_ros.actions import Node
 from launch_ros.substitutions import FindPackageShare
@@ -677,6 +677,10 @@ def generate_launch_description():
         ("Node(package='robot', executable='a', parameters=[{'d': Command(['xacro ', 'a.xacro'])}])", ["xacro"]),
         ("Node(package='robot', executable='a', parameters=[{'d': Command('cat a.urdf')}])", []),
         ("Node(package='robot', executable='a', arguments=[FindExecutable(name='xacro')])", ["xacro"]),
+        ("ExecuteProcess(cmd=['rviz2', '-d', 'a.rviz'], output='screen')", ["rviz2"]),
+        ("ExecuteProcess(cmd=[['rviz2 ', '-d a.rviz']], shell=True)", ["rviz2"]),
+        ("ExecuteProcess(cmd=['gazebo', '--verbose'], name='rviz2')", []),
+        ("ExecuteProcess(cmd=['bash', '-c', 'rviz2'])", []),
         ("IncludeLaunchDescription([FindPackageShare('nav2_bringup'), '/launch/a.launch.py'])", ["nav2_bringup"]),
         ("IncludeLaunchDescription([FindPackageShare('robot'), '/launch/a.launch.py'])", []),
     ],

@@ -16,7 +16,7 @@ from archlint.packaging.build_dependencies import packages_to_declare
 from archlint.packaging.cpp_includes import packages_of_headers
 from archlint.packaging.imports import imports_at_start
 from archlint.packaging.interface_dependencies import not_handed, types_of_others
-from archlint.packaging.launch_dependencies import packages_of_files, packages_of_includes, runs_of_xacro
+from archlint.packaging.launch_dependencies import packages_of_files, packages_of_includes, runs_of_programs
 from archlint.packaging.manifests import package_around
 from archlint.ros import packages
 from archlint.workspace.closure import closure
@@ -238,7 +238,7 @@ def _of_launch(workspace: WorkspaceIndex) -> Iterator[Use]:
     for place, needed in packages_of_files(workspace):
         if not _beside_the_code(place.file):
             yield Use(place, needed, "takes files of")
-    for place, needed in runs_of_xacro(workspace):
+    for place, needed in runs_of_programs(workspace):
         if not _beside_the_code(place.file):
             yield Use(place, needed, "runs the program")
 

@@ -1,5 +1,5 @@
 """The packages that launch files need besides those of the nodes that they start: of files that they include, and of
-the program ``xacro``, which a substitution runs."""
+the programs ``xacro`` and ``rviz2``, which a substitution or a process runs."""
 
 from __future__ import annotations
 
@@ -15,7 +15,9 @@ from archlint.syntax.parts import everything_in
 if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
 
-_XACRO = "xacro"
+_PROGRAMS = frozenset({"rviz2", "xacro"})
+"""The programs that the package of the same name installs into ``bin``, and no other one."""
+_RUN_BY = frozenset({"Command", "ExecuteProcess", "FindExecutable"})
 
 
 def packages_of_includes(workspace: WorkspaceIndex) -> Iterator[tuple[Place, str]]:
@@ -45,19 +47,29 @@ def packages_of_files(workspace: WorkspaceIndex) -> Iterator[tuple[Place, str]]:
                 yield file.given or in_place, file.package or ""
 
 
-def runs_of_xacro(workspace: WorkspaceIndex) -> Iterator[tuple[Place, str]]:
-    """Where a launch file in Python has a ``Command`` or ``FindExecutable`` for the program ``xacro``."""
+def runs_of_programs(workspace: WorkspaceIndex) -> Iterator[tuple[Place, str]]:
+    """Where a launch file in Python has a ``Command``, a ``FindExecutable`` or an ``ExecuteProcess`` for such a
+    program, each with the package that has it."""
     for file, file_facts in workspace.code.asked_for():
         if file.kind != "launch_python":
             continue
         classes = names_from_launch(file_facts.body)
         for call in everything_in(file_facts.body, facts.Call):
             class_name = classes.get(call.func.last_name, "")
-            if class_name in ("Command", "FindExecutable") and call.args and _first_word(call.args[0].value) == _XACRO:
-                yield Place(file.relative, *call.span), _XACRO
+            word = _first_word(_command(class_name, call)) if class_name in _RUN_BY else ""
+            if word in _PROGRAMS:
+                yield Place(file.relative, *call.span), word
 
 
-def _first_word(value: facts.Expr) -> str:
+def _command(class_name: str, call: facts.Call) -> facts.Expr | None:
+    """What a call is given to run: its ``cmd``, or else its first argument."""
+    named = [argument.value for argument in call.args if argument.keyword == "cmd"]
+    if class_name == "ExecuteProcess":
+        return named[0] if named else None
+    return call.args[0].value if call.args else None
+
+
+def _first_word(value: facts.Expr | None) -> str:
     """The first word of a command as it is written: of a text, or of the first item of a list."""
     match value:
         case facts.Sequence(elements=[first, *_]):
@@ -67,4 +79,4 @@ def _first_word(value: facts.Expr) -> str:
     return ""
 
 
-__all__ = ["packages_of_includes", "runs_of_xacro"]
+__all__ = ["packages_of_includes", "runs_of_programs"]
