@@ -115,3 +115,26 @@ def test_a_line_that_calls_nothing(judge: Judge, source: str, name: str):
 def test_a_line_that_may_do_something(judge: Judge, line: str):
     """A property runs code; a class or a value is looked at by whoever tries things out."""
     judge("API001", _node(line))
+
+
+@pytest.mark.parametrize("test", ["self.pose == False", "self.pose is True", "not (self.pose != True)"])
+def test_a_method_that_is_compared_with_true_or_false(judge: Judge, test: str):
+    (finding,) = judge("API001", _node(f"print({test})  # here"))
+    assert finding.message == "this line does not call pose(): the method itself is neither True nor False"
+    assert finding.help == "write self.pose()"
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "print(self.pose() == False)",
+        "print(self.place == False)",
+        "print(self.callback == False)",
+        "print(self.pose == other)",
+        "print(self.pose is None)",
+        "self.pose = self.pose() == 3\n        print(self.pose == True)",
+    ],
+)
+def test_what_may_be_true_or_false(judge: Judge, line: str):
+    """A property, an attribute that is set, and one that takes the place of the method."""
+    judge("API001", _node(line))

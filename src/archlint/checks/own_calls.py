@@ -11,6 +11,7 @@ from archlint.checks.registry import finding
 from archlint.checks.uncalled import unless_uncalled
 from archlint.finding import Finding, Related, Severity
 from archlint.model import Misuse
+from archlint.python_code.compared_methods import compared_methods
 from archlint.python_code.own_calls import RefusedOwnCall, calls_of_bare_super, refused_own_calls
 from archlint.python_code.own_results import WrongLength, wrong_lengths
 from archlint.python_code.uncalled_names import uncalled_names
@@ -19,6 +20,8 @@ if TYPE_CHECKING:
     from archlint.finding import Place
     from archlint.systems.model import System
 
+COMPARED = "compared"
+"""The group of findings about a method that is compared with True or False."""
 NOT_CALLED = "not called"
 """The group of findings about functions that a line names and does not call."""
 
@@ -32,6 +35,8 @@ def own_call_findings(system: System) -> Iterator[Finding]:
             yield from unless_uncalled(system, _wrong_length(row))
         for name, place in uncalled_names(system.workspace):
             yield from unless_uncalled(system, _not_called(name, place))
+        for name, place in compared_methods(system.workspace):
+            yield from unless_uncalled(system, _compared(name, place))
         for place in calls_of_bare_super(system.workspace):
             yield from unless_uncalled(system, _of_bare_super(place))
 
@@ -58,6 +63,17 @@ def _cure(call: RefusedOwnCall) -> str:
     takes = ", ".join("self" if name in itself else name for name in call.signature)
     # The names of parameters are those of the definition: where the call is, there may be no such variables.
     return f"{'write' if itself.issuperset(call.signature) else 'give what it takes:'} {call.name}({takes})"
+
+
+def _compared(name: str, place: Place) -> Finding:
+    return finding(
+        "API001",
+        place,
+        f"this line does not call {name}(): the method itself is neither True nor False",
+        help=f"write self.{name}()",
+        identity=(COMPARED, name),
+        group=(place.file, COMPARED, name),
+    )
 
 
 def _not_called(name: str, place: Place) -> Finding:
@@ -101,4 +117,4 @@ def _of_bare_super(place: Place) -> Finding:
     )
 
 
-__all__ = ["NOT_CALLED", "own_call_findings"]
+__all__ = ["COMPARED", "NOT_CALLED", "own_call_findings"]

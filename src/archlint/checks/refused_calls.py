@@ -23,7 +23,7 @@ from archlint.checks.attributes import (
 )
 from archlint.checks.early_reads import TOO_EARLY, early_read_findings
 from archlint.checks.folding import folds, with_others
-from archlint.checks.own_calls import NOT_CALLED, own_call_findings
+from archlint.checks.own_calls import COMPARED, NOT_CALLED, own_call_findings
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.time_operators import OPERATOR, time_operator_findings
@@ -261,7 +261,7 @@ def _finding(call: RefusedCall) -> Finding:
 @folds("API001")
 def of_one_file(findings: Sequence[Finding]) -> Finding:
     """The first call of a file for all that are wrong in the same way."""
-    if findings[0].group[1] == NOT_CALLED:
+    if findings[0].group[1] in (COMPARED, NOT_CALLED):
         return with_others(findings, "another line in this file does", "more lines in this file do", "the same")
     if findings[0].group[1] == OPERATOR:
         return with_others(findings, "another operator in this file does", "more operators in this file do", "the same")
