@@ -25,6 +25,7 @@ class Brake:
             return 1.0
         return 0.0
 """
+STOP = BRAKE + "\n    def stop(self):\n        return self.force(1.0)\n"
 CAR = """\
 import rclpy
 from rclpy.node import Node
@@ -66,11 +67,21 @@ def manifest(name: str, tags: str = "") -> str:
     [
         ({}, False),
         ({"car/car/drive.py": CAR.replace("press()", "force(3.0)")}, True),
+        ({"car/car/brake.py": STOP, "car/car/drive.py": CAR.replace("press()", "stop()")}, True),
+        ({"car/car/brake.py": STOP}, False),
         ({"car/setup.py": LIBRARY}, True),
         ({"fleet/package.xml": manifest("fleet", "<depend>car</depend>"), "fleet/setup.py": LIBRARY}, True),
         ({"fleet/package.xml": manifest("fleet"), "fleet/setup.py": LIBRARY}, False),
     ],
-    ids=["left over", "called", "a library", "another package needs it", "another package"],
+    ids=[
+        "left over",
+        "called",
+        "called by one that is called",
+        "led to by what nothing calls",
+        "a library",
+        "another package needs it",
+        "another package",
+    ],
 )
 def test_an_attribute_that_a_method_reads_which_nothing_calls(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, files: dict[str, str], told: bool

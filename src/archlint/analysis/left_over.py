@@ -120,6 +120,15 @@ def idle_methods(workspace: WorkspaceIndex, file: str) -> frozenset[str]:
     return frozenset() if uses is None else frozenset(uses.idle)
 
 
+def idle_callers(workspace: WorkspaceIndex, file: str, method: str) -> frozenset[str]:
+    """An idle method of a file, and the others there that lead to it: who calls one of them calls it, too."""
+    uses, reached = _uses(workspace, file), {method}
+    for _ in range(_HOPS if uses is not None else 0):
+        assert uses is not None
+        reached |= {name for name, named in uses.idle.items() if not reached.isdisjoint(named)}
+    return frozenset(reached)
+
+
 def is_named_nowhere(workspace: WorkspaceIndex, file: str, method: str) -> bool:
     """Whether a file does not name a method that it defines, not even in another that nothing calls."""
     uses = _uses(workspace, file)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import posixpath
 from typing import TYPE_CHECKING
 
-from archlint.analysis.left_over import idle_methods
+from archlint.analysis.left_over import idle_callers, idle_methods
 from archlint.analysis.source_code import code_of
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in
@@ -17,17 +17,22 @@ if TYPE_CHECKING:
 
 def uncalled_method(workspace: WorkspaceIndex | None, place: Place) -> str | None:
     """The name of the method that holds a place, where its own file does not name it again, and no other Python file
-    has a word for both the method and its module; None for any other place.  A file that has a method of that name
-    itself, and does not import the module, means its own."""
+    has a word for the module and for the method or one that leads to it; None for any other place.  A file that has a
+    method of that name itself, and does not import the module, means its own."""
     if workspace is None:
         return None
     function = code_of(workspace).function_at(place)
     if function is None or function.name not in idle_methods(workspace, place.file):
         return None
-    module, code = posixpath.basename(place.file).removesuffix(".py"), workspace.code
-    others = (other for other in code.files_that_mention(function.name) if other != place.file)
-    named = (other for other in others if code.mentions(other, module))
-    return None if any(_may_call(workspace, other, place.file, function.name) for other in named) else function.name
+    leading = sorted(idle_callers(workspace, place.file, function.name))
+    is_called = any(_is_called_elsewhere(workspace, place.file, name) for name in leading)
+    return None if is_called else function.name
+
+
+def _is_called_elsewhere(workspace: WorkspaceIndex, file: str, method: str) -> bool:
+    module, code = posixpath.basename(file).removesuffix(".py"), workspace.code
+    others = (other for other in code.files_that_mention(method) if other != file)
+    return any(code.mentions(other, module) and _may_call(workspace, other, file, method) for other in others)
 
 
 def _may_call(workspace: WorkspaceIndex, file: str, module: str, method: str) -> bool:
