@@ -608,6 +608,17 @@ def test_what_cmake_does_not_need_declared(lint: Lint, find: str, tags: list[str
     assert lint(built(find, *tags)) == []
 
 
+@pytest.mark.parametrize(
+    ("declared", "told"),
+    [("ament_cmake_ros", 0), ("ament_cmake_auto", 0), ("ament_cmake_python", 1), ("ament_cmake_core", 1)],
+)
+def test_what_exports_ament_cmake(lint: Lint, declared: str, told: int):
+    files = built("")
+    files["package.xml"] = files["package.xml"].replace("ament_cmake<", f"{declared}<", 1)
+    messages = [row.message for row in lint(files)]
+    assert messages == told * ["package 'robot' builds with 'ament_cmake', which its package.xml does not declare"]
+
+
 OTHER = manifest("arm_msgs", *depends("std_msgs"))
 
 

@@ -22,6 +22,9 @@ if TYPE_CHECKING:
     from archlint.workspace.installed import Installs
     from archlint.workspace.model import Package
 
+_CMAKE = "ament_cmake"
+_CMAKE_OF_ROS = "ament_cmake_ros"
+"""It exports ament_cmake (``buildtool_export_depend`` of its package.xml), which the table of packages leaves open."""
 _BUILD_TYPES = frozenset({"ament_cmake", "cmake"})
 _LETTERS = re.compile(r"[^a-z0-9]+")
 
@@ -42,6 +45,8 @@ def packages_to_declare(
         declared = {
             d.name for d in package.dependencies if d.kind != "doc" and condition_holds(d.condition) is not False
         }
+        if _CMAKE_OF_ROS in declared:
+            declared.add(_CMAKE)
         there = closure([package.name, *declared], brought_by)
         at_build = there - _built_later(workspace, package, brought_by)
         asked_for = [*installs.required, *_generators(installs)]
