@@ -52,6 +52,14 @@ def test_ros__parameters_is_missing_misspelt_or_in_the_wrong_place(findings, tex
     assert [related.place.file for related in told.related] == ["launch/it.launch.xml"]
 
 
+def test_a_file_that_two_launch_files_give_is_told_once(findings):
+    files = {"config/p.yaml": "talker:\n  rate: 1.0\n"}
+    other = {"launch/other.launch.xml": f"<launch>\n{LOAD_IT.replace('talker', 'second')}\n</launch>"}
+    (rate,) = findings("PRM009", LOAD_IT, **files, **other)
+    assert rate.place.line == 2
+    assert sorted(row.place.file for row in rate.related) == ["launch/it.launch.xml", "launch/other.launch.xml"]
+
+
 GOOD = [
     "",
     "# nothing yet\n",

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from archlint.checks.folding import folds
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related, Severity
@@ -34,6 +35,18 @@ if TYPE_CHECKING:
 @rule("PRM009", scope=Scope.LAUNCH_FILE)
 def parameter_file_structure(system: System, options: Options) -> Iterator[Finding]:
     """Keys of parameter files without ``ros__parameters`` above them, or with it in the wrong place."""
+    for told in _refused(system):
+        yield replace(told, group=(*told.identity, str(told.place.line)))
+
+
+@folds("PRM009", across_systems=True)
+def given_by_several_launch_files(several: Sequence[Finding]) -> Finding:
+    """One finding for a line of a file, however many launch files give the file to a node."""
+    given = dict.fromkeys(row for told in several for row in told.related)
+    return replace(several[0], related=tuple(given))
+
+
+def _refused(system: System) -> Iterator[Finding]:
     for key in misplaced_in_files(system):
         yield finding(
             "PRM009",
