@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+import pytest
 from tests.cpp_nodes import graph
 
 HEADER = """
@@ -214,3 +215,38 @@ int main(int argc, char ** argv) { rclcpp::init(argc, argv); rclcpp::spin(std::m
 def test_types_of_points_are_written_with_macros() -> None:
     [node] = graph({"src/robot.cpp": POINTS})["nodes"]
     assert [end["name"] for end in node["publishers"]] == ["/scan"]
+
+
+SETTINGS = """
+#include "rclcpp/rclcpp.hpp"
+class Talker : public rclcpp::Node {
+public:
+  Talker() : Node("talker") {
+    declare_parameter("name", "arm");
+    read();
+  }
+  void read() {
+    settings.name = get_parameter("name").as_string();
+    state_ = create_publisher<std_msgs::msg::String>(settings.name + "/state", settings.depth);
+  }
+private:
+  %s
+  rclcpp::Publisher<std_msgs::msg::String>::SharedPtr state_;
+};
+int main(int argc, char ** argv) { rclcpp::init(argc, argv); rclcpp::spin(std::make_shared<Talker>()); }
+"""
+
+
+@pytest.mark.parametrize(
+    "member",
+    [
+        "struct { std::string name; int depth = 7; } settings;",
+        "struct Settings { std::string name; int depth = 7; } settings;",
+        "struct { std::string name; int depth{7}; } settings, others;",
+        "class Settings { public: std::string name; int depth = 7; }; Settings settings;",
+    ],
+)
+def test_a_member_whose_type_is_written_with_it(member: str) -> None:
+    [node] = graph({"src/talker.cpp": SETTINGS % member})["nodes"]
+    [end] = node["publishers"]
+    assert (end["name"], end["qos"]["depth"]) == ("/arm/state", 7)

@@ -33,9 +33,9 @@ class ClassLowering(FunctionLowering):
 
     def _class(self, node: Node, body: list[Stmt]) -> None:
         name, block = node.child_by_field_name("name"), node.child_by_field_name("body")
-        if name is None or block is None:
+        if block is None:
             return
-        own, span = self.names.parts(name)[-1].name, self.source.span(node)
+        own, span = self.names.parts(node)[-1].name, self.source.span(node)
         outer = (self._template_parameters, self._class_parameters, self.names.class_parameters)
         self._class_parameters, self._template_parameters = self._template_parameters, []
         numbered = enumerate(self._class_parameters)
@@ -50,7 +50,7 @@ class ClassLowering(FunctionLowering):
             named = [] if bases or node.type != "struct_specifier" else _names_of(fields)
             inner += self._constructors(own, block, [self.names.parts(base) for base in bases], named, span)
         self._template_parameters, self._class_parameters, self.names.class_parameters = outer
-        body.append(facts.Class(own, given(written), inner, [], span, self.source.span(name)))
+        body.append(facts.Class(own, given(written), inner, [], span, self.source.span(name or node)))
 
     def _members(self, block: Node, own: str) -> tuple[list[Stmt], list[Stmt], bool]:
         """The statements of a class body, those that set its fields, and whether it declares a constructor."""

@@ -16,7 +16,7 @@ from archlint.syntax.cpp.damage import problems_of
 from archlint.syntax.cpp.declared import declared
 from archlint.syntax.cpp.literals import number_of, text_of
 from archlint.syntax.cpp.lower_classes import ClassLowering
-from archlint.syntax.cpp.names import Names
+from archlint.syntax.cpp.names import Names, unnamed
 from archlint.syntax.cpp.parser import parse
 from archlint.syntax.cpp.source import SourceText
 from archlint.syntax.facts import FACTS_VERSION, Facts
@@ -94,6 +94,9 @@ class Lowering(ClassLowering):
                     self.names.nested.add(own)
                 if node.child_by_field_name("body") is not None:
                     self.names.placed.setdefault(own, set()).add(space)
+            elif name is None and node.type in ("class_specifier", "struct_specifier"):
+                self.names.classes.add(unnamed(node))
+                self.names.nested.add(unnamed(node))
             elif name is not None and node.type == "namespace_definition":
                 spaces = self.source.text(name).split("::")
                 self.names.namespaces.update(spaces)

@@ -42,6 +42,11 @@ class Part(NamedTuple):
     """Its template arguments, each a type or an expression."""
 
 
+def unnamed(node: Node) -> str:
+    """What a class without a name is called, by its place in the file."""
+    return f"unnamed_{node.start_point[0] + 1}_{node.start_point[1] + 1}"
+
+
 @dataclass
 class FunctionScope:
     """The function that is being lowered."""
@@ -204,6 +209,9 @@ class Names:
             case "type_descriptor":
                 inner = node.child_by_field_name("type")
                 return [] if inner is None else self.parts(inner)
+            case "class_specifier" | "struct_specifier":  # ``struct { std::string name; } settings;``
+                own = node.child_by_field_name("name")
+                return [Part(unnamed(node))] if own is None else self.parts(own)
         return [Part(self._source.text(node))]
 
     def written(self, parts: list[Part]) -> list[Part]:
