@@ -130,7 +130,7 @@ def test_a_name_that_is_defined_or_may_be(findings, above, line, argument):
 
 
 PERFORMED = """\
-from launch import LaunchContext, LaunchDescription
+from launch import LaunchContext, LaunchDescription, conditions
 from launch.actions import DeclareLaunchArgument, LogInfo, OpaqueFunction
 from launch.substitutions import LaunchConfiguration, PathJoinSubstitution, TextSubstitution
 from launch_ros.actions import Node
@@ -156,6 +156,10 @@ def generate_launch_description():
         ("text = kind.perform({})", "LaunchConfiguration is called with a dict, which is not the launch context"),
         ("text = f'{kind.perform(None)}.urdf'", "LaunchConfiguration is called with None, which"),
         ("text = PathJoinSubstitution(['a', kind]).perform({})", "PathJoinSubstitution is called with a dict"),
+        (
+            "text = 'a' if conditions.IfCondition(kind).evaluate(None) else 'b'",
+            "LaunchConfiguration is called with None, which",
+        ),
         ("text = kind.perform(LaunchContext())", "a new LaunchContext, in which no launch argument has a value"),
     ],
 )
@@ -173,6 +177,7 @@ def test_a_substitution_that_is_performed_without_the_launch_context(findings, l
         "text = LaunchConfiguration('kind', default='a').perform(LaunchContext())",
         "text = TextSubstitution(text='a').perform({})",
         "text = kind.perform({}) if os.environ.get('TRY') else ''",
+        "text = 'a' if conditions.IfCondition('true').evaluate(None) else 'b'",  # which looks up no argument
         "start(None) if os.environ.get('TRY') else None",
         "text = LaunchConfiguration('other', default='a').perform(os.context)",
     ],

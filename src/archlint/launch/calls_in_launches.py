@@ -36,8 +36,8 @@ from archlint.launch.mistakes import NotAPath
 from archlint.launch.moveit_configs import actions as moveit_actions
 from archlint.launch.moveit_configs import descriptions
 from archlint.launch.moveit_configs import methods as moveit_methods
-from archlint.launch.objects import LaunchObject, known_text, made_by_base
-from archlint.launch.perform_calls import perform_method, stops_the_launch
+from archlint.launch.objects import LaunchObject, argument, known_text, made_by_base
+from archlint.launch.perform_calls import is_without_context, perform_method, stops_the_launch
 from archlint.launch.substitutions.paths import package_prefix, package_share
 from archlint.launch.tables import CONDITIONS, SUBSTITUTIONS, LaunchClass
 from archlint.libraries.python.effects import path_join
@@ -128,6 +128,8 @@ def _perform_argument(run: LaunchRun, receiver: Value, site: CallSite) -> Value:
 
 def _evaluate(run: LaunchRun, receiver: Value, site: CallSite) -> Value:
     """``IfCondition(…).evaluate(context)``, also by the name of what it calls."""
+    if is_without_context(run, argument(receiver, "predicate_expression"), site):
+        return Unknown(calls.UNDECIDED)
     verdict = run.judge(receiver)
     return Unknown(calls.UNDECIDED) if verdict.holds is None else Known(verdict.holds)
 

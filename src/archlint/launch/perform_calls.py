@@ -35,6 +35,15 @@ def perform_method(run: LaunchRun, receiver: Value, site: CallSite) -> Value:
         return run.perform(asked)
 
 
+def is_without_context(run: LaunchRun, tested: Value | None, site: CallSite) -> bool:
+    """Whether ``IfCondition(LaunchConfiguration(…)).evaluate()`` is given what is no context, as is noted."""
+    wrong = _not_a_context(site.values[0] if site.values else None)
+    if wrong is None or tested is None or kind_of(tested) is not LaunchClass.LAUNCH_CONFIGURATION:
+        return False
+    _note(run, site.expression, tested, wrong)
+    return True
+
+
 def _note(run: LaunchRun, e: facts.Call | None, asked: Value, given: str) -> None:
     if e is not None and stops_the_launch(run):
         run.note_without_context(WithoutContext(class_name(asked), given, run.place(e.span)))
