@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from textwrap import dedent
 
 import pytest
 
@@ -320,3 +321,45 @@ def test_a_launch_file_beside_the_programs(findings: Callable[..., list[Finding]
     )
     idle = "\n\n\ndef main():\n    pass\n\n\ndef idle():\n    print(math.pi)\n"
     assert not findings("API005", **{"setup.py": setup, "robot/robot_launch.py": launch + idle})
+
+
+PASTED = """
+import rclpy
+
+
+def __init__(self):
+    super().__init__('picker')
+    self.bridge = CvBridge()
+    self.create_subscription(Image, 'image', print, 10)
+"""
+
+
+def test_a_method_that_stands_outside_of_every_class(judge: Judge) -> None:
+    (finding,) = judge("API005", PASTED.replace("__('picker')", "__('picker')  # here"))
+    assert finding.message == "super() fails here with a RuntimeError: __init__() stands outside of every class"
+    assert finding.help == "move __init__() into the class that it was written for, or delete it"
+
+
+@pytest.mark.parametrize(
+    "source",
+    [
+        """
+        def make(base):
+            class Made(base):
+                def __init__(self):
+                    super().__init__()
+            return Made
+        """,
+        """
+        class Made(dict):
+            def __init__(self):
+                super().__init__()
+        """,
+        """
+        def look(self):
+            return super(dict, self).keys()
+        """,
+    ],
+)
+def test_a_super_that_has_a_class(judge: Judge, source: str) -> None:
+    assert not judge("API005", "import rclpy\n" + dedent(source))

@@ -14,6 +14,7 @@ from archlint.checks.scope import Scope
 from archlint.checks.uncalled import unless_uncalled
 from archlint.finding import Finding, Related, Severity
 from archlint.python_code.how_imported import import_of
+from archlint.python_code.stray_methods import StrayMethod, stray_methods
 from archlint.python_code.unbound_locals import UnboundLocal, unbound_locals
 from archlint.python_code.undefined_beside import stops_a_launch
 from archlint.python_code.undefined_names import Undefined, undefined_names
@@ -32,9 +33,13 @@ def undefined_name(system: System, options: Options) -> Iterator[Finding]:
     """Names that code reads and that neither the file nor Python defines."""
     if system.workspace is not None:
         leaders: dict[tuple[str, object], str] = {}
+        stray = stray_methods(system.workspace)
+        yield from map(_outside_of_classes, stray)
         for read in undefined_names(system.workspace):
             if stops_a_launch(system.workspace, read):
                 continue  # LCH008 tells all names of that statement
+            if any(method.holds(read.place) for method in stray):
+                continue  # what such a method lacks, its class and the imports of that have
             told = _finding(system.workspace, read)
             statement = getattr(source_code(system).statement_at(read.place), "span", None)
             if statement is not None and told.group == (read.place.file, read.name):
@@ -44,6 +49,18 @@ def undefined_name(system: System, options: Options) -> Iterator[Finding]:
             yield from unless_uncalled(system, told)
         for local in unbound_locals(system.workspace):
             yield from unless_uncalled(system, _too_early(local) if local.caught is None else _past_handler(local))
+
+
+def _outside_of_classes(method: StrayMethod) -> Finding:
+    return finding(
+        "API005",
+        method.call,
+        f"super() fails here with a RuntimeError: {method.name}() stands outside of every class",
+        help=f"move {method.name}() into the class that it was written for, or delete it",
+        related=[Related(method.definition, f"{method.name}() begins here")],
+        identity=(method.name, "stray"),
+        group=(method.call.file, method.name, "stray"),
+    )
 
 
 def _too_early(read: UnboundLocal) -> Finding:
