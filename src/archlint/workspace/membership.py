@@ -48,7 +48,7 @@ def place(
     setups = _build_files(packages, files, "setup_py", read)
     names, beside = _names_by_root(packages, files, texts, setups)
     homes: dict[str, str | None] = {}
-    libraries = _parameter_libraries(packages, files, setups, read)
+    libraries = _parameter_libraries(packages, files, texts, setups, read)
     placed = []
     for file in files:
         folder = os.path.dirname(file.path)
@@ -82,9 +82,14 @@ def _member(file: SourceFile, package: str | None, module: str | None, links: tu
 
 
 def _parameter_libraries(
-    packages: Mapping[str, Package | None], files: Iterable[SourceFile], setups: Mapping[str, str], read: Read
+    packages: Mapping[str, Package | None],
+    files: Iterable[SourceFile],
+    texts: Mapping[str, str],
+    setups: Mapping[str, str],
+    read: Read,
 ) -> dict[str, list[str]]:
-    """The files that code is generated from, each with the names of what is generated."""
+    """The files that code is generated from, each with the names of what is generated.  ``texts`` and ``setups`` are
+    those of the packages' own folders; a CMakeLists.txt below them is read here."""
     libraries: dict[str, list[str]] = {}
     for file in files:
         folder = os.path.dirname(file.path)
@@ -92,10 +97,7 @@ def _parameter_libraries(
         if package is None:
             continue
         if file.kind == "cmake":
-            text = ""
-            with suppress(OSError):
-                text = read(file).decode("utf-8", "replace")
-            rows = generated_by_cmake(text, package.name)
+            rows = generated_by_cmake(texts.get(folder) or _text_of(file, read), package.name)
         else:
             rows = generated_by_setup(setups.get(folder, ""), package.name)
         for path, module in rows:
@@ -160,10 +162,16 @@ def _build_files(
     texts: dict[str, str] = {}
     for file in files:
         folder = os.path.dirname(file.path)
-        if file.kind == kind and packages.get(folder) is not None:
-            with suppress(OSError):
-                texts[folder] = read(file).decode("utf-8", "replace")
+        if file.kind == kind and packages.get(folder) is not None and (text := _text_of(file, read)):
+            texts[folder] = text
     return texts
+
+
+def _text_of(file: SourceFile, read: Read) -> str:
+    """The text of a build file; empty where it cannot be read."""
+    with suppress(OSError):
+        return read(file).decode("utf-8", "replace")
+    return ""
 
 
 def _as_built(package: Package | None, text: str | None) -> Package | None:
