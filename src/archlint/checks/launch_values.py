@@ -60,8 +60,9 @@ def launch_description(system: System, options: Options) -> Iterator[Finding]:
     for no_choice in system.launched.no_choices if system.launched is not None else ():
         yield _no_choice(no_choice)
     yield from map(_foreign, foreign_launch_files(system))
-    left_out = told_as_left_out(system)
-    for file, wrong in wrong_descriptions(system):
+    descriptions = [*wrong_descriptions(system)]
+    left_out = told_as_left_out(system) if any(wrong.argument for _, wrong in descriptions) else set()
+    for file, wrong in descriptions:
         if (file, wrong.argument) not in left_out:  # LCH003 tells it, where the argument is read
             yield _of_description(file, wrong)
     if system.launched is None and system.workspace is not None:
