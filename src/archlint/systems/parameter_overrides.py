@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence, Set
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Set
 from typing import TYPE_CHECKING
 
 from archlint.model import ENDPOINT_KINDS, Blueprint, Creation, Overrides, Program, Text, node_key
@@ -37,12 +37,10 @@ def parameter_overrides(
     by_node: dict[tuple[str | None, str | None], Mapping[str, object]] = {}
     names: dict[tuple[str | None, str | None], tuple[Text, Text]] = {}
     nodes = [blueprint for blueprint in program.nodes if not blueprint.test]
-    for blueprint in nodes:
-        node = instantiate(blueprint, program, name=started.name, namespace=started.namespace, remaps=remaps)
+    for blueprint, node, values in _given(started, program, parameters_of, remaps):
         if program.reads_node_names and node.own is not None and node.own != instantiate(blueprint, program).own:
             names[node_key(blueprint)] = (node.own.name, node.own.namespace)
-        reached = blueprint.use_global_arguments
-        by_node[node_key(blueprint)] = overrides_of(started, known_name(node), parameters_of) if reached else {}
+        by_node[node_key(blueprint)] = values
     everything, mentioned = _decided_by(program)
     decisive = {
         key: _decisive([node for node in nodes if node_key(node) == key], values, everything, mentioned)
@@ -68,16 +66,28 @@ def with_what_came_up(
     one."""
     nodes = [blueprint for blueprint in program.nodes if not blueprint.test]
     came_up: dict[tuple[str | None, str | None], Mapping[str, object]] = {}
-    for blueprint in nodes:
-        node = instantiate(blueprint, program, name=started.name, namespace=started.namespace, remaps=remaps)
-        reached = blueprint.use_global_arguments and known_name(node) is not None
-        values = overrides_of(started, known_name(node), parameters_of) if reached else {}
-        came_up[node_key(blueprint)] = {name: value for name, value in values.items() if name in new}
+    for blueprint, node, values in _given(started, program, parameters_of, remaps):
+        known = new if known_name(node) is not None else ()
+        came_up[node_key(blueprint)] = {name: value for name, value in values.items() if name in known}
     if not any(came_up.values()):
         return None
     of_nodes = {key: {**came_up.get(key, {}), **before.of_nodes.get(key, {})} for key in {**before.of_nodes, **came_up}}
     others = next(iter(of_nodes.values())) if len(of_nodes) == 1 else before.others
     return Overrides(of_nodes, others, before.settled | _settled(nodes, came_up), before.names)
+
+
+def _given(
+    started: Started,
+    program: Program,
+    parameters_of: Callable[[str], ParameterFacts],
+    remaps: Sequence[RemapRule],
+) -> Iterator[tuple[Blueprint, Node, Mapping[str, object]]]:
+    """What a launch sets on each node of a program, which has the name that it has there."""
+    for blueprint in program.nodes:
+        if not blueprint.test:
+            node = instantiate(blueprint, program, name=started.name, namespace=started.namespace, remaps=remaps)
+            reached = blueprint.use_global_arguments
+            yield blueprint, node, overrides_of(started, known_name(node), parameters_of) if reached else {}
 
 
 def declared_names(program: Program) -> frozenset[str]:
