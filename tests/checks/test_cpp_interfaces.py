@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from tests.cpp_nodes import NODE
 
 from archlint.config.settings import load
 from archlint.engine.pipeline import Request, check
@@ -21,20 +22,7 @@ project(robot)
 add_executable(robot src/robot.cpp)
 install(TARGETS robot DESTINATION lib/${PROJECT_NAME})
 """
-SOURCE = """
-#include "rclcpp/rclcpp.hpp"
-%s
-class Robot : public rclcpp::Node {
-public:
-  Robot() : Node("robot") {
-    %s
-  }
-};
-int main(int argc, char ** argv) {
-  rclcpp::init(argc, argv);
-  rclcpp::spin(std::make_shared<Robot>());
-}
-"""
+SOURCE = NODE.replace('#include "std_msgs/msg/string.hpp"', "%s")
 
 
 def findings(root: Path, includes: str = "", statements: str = "", build: str = BUILD, **files: str) -> list[Finding]:

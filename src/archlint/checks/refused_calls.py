@@ -84,16 +84,18 @@ def unknown_attribute(system: System, options: Options) -> Iterator[Finding]:
             "API002",
             call.place,
             f"{call.given.rpartition('.')[2]} has no {name}()",
-            help=LOG_WITH.format(name)
-            if logs
-            else f"use {call.wanted}"
-            if call.wanted
-            else _define(system, call, name),
+            help=_in_place_of_absent(system, call, name, logs),
             identity=(call.api,),
             group=_group(call, logs),
             meant=call.wanted,
         )
         yield from [diagnostic] if call.wanted else unless_uncalled(system, diagnostic)
+
+
+def _in_place_of_absent(system: System, call: RefusedCall, name: str, logs: bool) -> str:
+    if logs:
+        return LOG_WITH.format(name)
+    return f"use {call.wanted}" if call.wanted else _define(system, call, name)
 
 
 _CREATES = {

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from archlint.checks.registry import registered
 from archlint.packaging.vendored import vendored_folders, vendored_package
+from archlint.workspace.around import is_below
 
 if TYPE_CHECKING:
     from archlint.engine.request import Request
@@ -30,7 +31,7 @@ def without_vendored(
     shown: list[Finding] = []
     hidden: list[Finding] = []
     for finding in findings:
-        asked_for = any(_is_below(os.path.abspath(finding.place.file), path) for path in named)
+        asked_for = any(is_below(os.path.abspath(finding.place.file), path) for path in named)
         (hidden if not asked_for and _is_vendored(index, finding) else shown).append(finding)
     return shown, hidden
 
@@ -46,12 +47,8 @@ def _holds_own(index: WorkspaceIndex, path: str) -> bool:
     """Whether a path holds a package of those who ask, or lies in none that others maintain."""
     vendored = vendored_folders(index)
     roots = {os.path.abspath(package.root): folder in vendored for folder, package in index.manifests.items()}
-    held = [of_others for root, of_others in roots.items() if _is_below(root, path)]
-    return not (all(held) if held else any(_is_below(path, root) for root, of_others in roots.items() if of_others))
-
-
-def _is_below(path: str, around: str) -> bool:
-    return path == around or path.startswith(around.rstrip(os.sep) + os.sep)
+    held = [of_others for root, of_others in roots.items() if is_below(root, path)]
+    return not (all(held) if held else any(is_below(path, root) for root, of_others in roots.items() if of_others))
 
 
 __all__ = ["without_vendored"]

@@ -73,27 +73,8 @@ def package_that_installs(workspace: WorkspaceIndex, package: str, executable: s
 _DISTINCT = 2
 _SHORT = 3
 _KINDS = frozenset(
-    [
-        "bringup",
-        "common",
-        "config",
-        "control",
-        "controller",
-        "description",
-        "driver",
-        "drivers",
-        "gazebo",
-        "hardware",
-        "interfaces",
-        "launch",
-        "moveit",
-        "msgs",
-        "navigation",
-        "robot",
-        "ros2",
-        "sensor",
-        "simulation",
-    ]
+    {"bringup", "common", "config", "control", "controller", "description", "driver", "drivers", "gazebo", "hardware"}
+    | {"interfaces", "launch", "moveit", "msgs", "navigation", "robot", "ros2", "sensor", "simulation"}
 )
 """Words that say what a package is for: those of very different robots have them in common."""
 

@@ -94,7 +94,7 @@ def _named(file_facts: facts.Facts) -> list[tuple[str, str, facts.Span]]:
     calls = [*everything_in(file_facts.body, facts.Call)]
     if not _ASKS.isdisjoint(map(called_name, calls)):
         return []
-    texts_of = _only_values(file_facts, _text)
+    texts_of = _only_values(file_facts, lambda value: value.text)
     shares = _only_values(file_facts, lambda value: _share(value, texts_of))
     rows = []
     for call in calls:
@@ -108,24 +108,17 @@ def _named(file_facts: facts.Facts) -> list[tuple[str, str, facts.Span]]:
     return rows
 
 
-def _text(value: facts.Base | None) -> str | None:
-    match value:
-        case facts.Literal(value=str(text)):
-            return text
-    return None
-
-
 def _share(value: facts.Base | None, texts_of: Mapping[str, str]) -> str | None:
     """The package whose share folder an expression is, alone or as the only part of a path."""
     match value:
         case facts.Call(args=[facts.Argument(value=inner)]) if called_name(value) == "join":
             return _share(inner, texts_of)
         case facts.Call(func=function, args=[facts.Argument(value=package)]) if function.last_name == _SHARE:
-            return _text(package) or texts_of.get(package.variable)
+            return package.text or texts_of.get(package.variable)
     return None
 
 
-def _only_values(file_facts: facts.Facts, meant: Callable[[facts.Base | None], str | None]) -> dict[str, str]:
+def _only_values(file_facts: facts.Facts, meant: Callable[[facts.Expr], str | None]) -> dict[str, str]:
     """The variables that only ever have one value of a kind."""
     values: dict[str, set[str | None]] = {}
     for part in everything_in(file_facts.body):
