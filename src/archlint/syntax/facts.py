@@ -79,7 +79,7 @@ from archlint.syntax.statements import (
     WithItem,
 )
 
-FACTS_VERSION = 25
+FACTS_VERSION = 26
 """Raised whenever the shape or the meaning of the facts changes: old cache entries are then misses."""
 
 

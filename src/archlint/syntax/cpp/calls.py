@@ -57,6 +57,18 @@ NODE_INTERFACES = (
 """Methods of a node that stand for the node itself, to those who create something on it."""
 
 
+def command_line(values: Sequence[Expr], span: Span) -> list[Argument]:
+    """What ``rclcpp::init(argc, argv)`` is given, in the words of ``rclpy.init()``: no words where ``argc`` is 0, so
+    that no rule of a launch file reaches the process."""
+    match values:
+        case [facts.Name() | facts.Literal() as count, _, *_]:
+            none = facts.Compare(count, ["=="], [facts.Literal(0, span)], span)
+            words = facts.Conditional(none, facts.Sequence("list", [], span), facts.Literal(None, span), span)
+            return [Argument(words, "args")]
+        case _:
+            return []
+
+
 def method(node: Expr, name: str, types: Sequence[Expr], arguments: Sequence[Expr], span: Span) -> facts.Call | None:
     """A create call on a node, with rclpy's keywords; None for what is no such call."""
     row = METHODS.get(name)
@@ -223,6 +235,7 @@ __all__ = [
     "NODE_INTERFACES",
     "WITH_TYPE",
     "action",
+    "command_line",
     "free_timer",
     "method",
     "node_arguments",

@@ -279,7 +279,8 @@ class CallLowering(MethodLowering):
             created = self._created(values[0], calls.FREE[path], types, values[1:], span)
             return created or facts.Opaque(path, span)
         if path in ("rclcpp.init", "rclcpp.shutdown"):
-            return facts.Call(self.names.library(path, span), [], span)
+            words = [] if path == "rclcpp.shutdown" else calls.command_line(values, span)
+            return facts.Call(self.names.library(path, span), words, span)
         if path in ("rclcpp.create_timer", "rclcpp.create_wall_timer"):
             return calls.free_timer(path, values, span)
         if path in ("rclcpp_action.create_server", "rclcpp_action.create_client"):
