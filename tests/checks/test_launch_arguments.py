@@ -578,9 +578,10 @@ def generate_launch_description():
 def test_a_declaration_that_comes_late_in_the_list_has_to_move_there(findings):
     (told,) = findings("LCH003", **{"launch/a.launch.py": LATE_IN_THE_LIST})
     assert told.help == "put 'side' before 'talker' in the LaunchDescription: actions run in that order"
+    assert told.place.line == 11  # 'side' in the list
     assert [(row.place.line, row.message) for row in told.related] == [
         (7, "it is declared here"),
-        (11, "'side' is in the list here"),
+        (8, "'side' is read here"),
         (10, "'talker' comes before it"),
     ]
     in_order = LATE_IN_THE_LIST.replace("        talker,\n        side,", "        side,\n        talker,")

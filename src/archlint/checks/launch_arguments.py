@@ -11,11 +11,12 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
 from archlint.checks.folding import folds, with_places
+from archlint.checks.late_declarations import LATE, late_declaration
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related, Severity
 from archlint.launch.kinds import FileStatus
-from archlint.launch_files.launch_code import listed_as, may_read_argument
+from archlint.launch_files.launch_code import may_read_argument
 from archlint.launch_files.misread_arguments import MisreadArgument, misread_arguments
 from archlint.launch_files.unread_arguments import all_readers_are_known
 from archlint.suggestions import did_you_mean, listed
@@ -101,6 +102,7 @@ def told_as_left_out(system: System) -> set[tuple[str, str]]:
 
 def _undeclared_uses(system: System, launched: Launched) -> Iterator[Finding]:
     reported: set[str] = set()
+    own = {use.name: use.own_default for use in launched.undeclared if use.own_default is not None}
     plain: dict[str, list[UndeclaredUse]] = {}
     for use in launched.undeclared:
         alone = use.file == launched.file
@@ -111,8 +113,8 @@ def _undeclared_uses(system: System, launched: Launched) -> Iterator[Finding]:
         reported.add(use.name)
         if use.unseen is not None:
             continue  # an include in front of it is not there, which LCH004 reports: what it declares nobody knows
-        if use.own_default is not None:
-            yield _its_own_default(use, use.own_default)
+        if use.name in own:
+            yield _its_own_default(use, own[use.name])
             continue
         places = [argument.place for argument in launched.declared if argument.name == use.name]
         later = [place for place in places if place.file == use.file]  # what an include declares is for itself
@@ -125,14 +127,17 @@ def _undeclared_uses(system: System, launched: Launched) -> Iterator[Finding]:
         if not places or (alone and not _declares(launched) and _is_required_by_include(launched, use)):
             plain.setdefault(use.file, []).append(use)
             continue
-        message = f"no launch argument '{use.name}' is declared at this point, and nothing sets it"
-        help = f"declare it before it is read: {_declaration(use)}"
-        related = [Related(place, "it is declared here" if later else "declared here, later") for place in places[:1]]
         if later:
-            message = f"the launch argument '{use.name}' is read before it is declared"
-            help, entries = _the_right_order(system.workspace, use, places[0])
-            related.extend(entries)
-        yield finding("LCH003", use.place, message, help=help, related=related, identity=(use.file, use.name))
+            yield late_declaration(system.workspace, use, places[0])
+            continue
+        yield finding(
+            "LCH003",
+            use.place,
+            f"no launch argument '{use.name}' is declared at this point, and nothing sets it",
+            help=f"declare it before it is read: {_declaration(use)}",
+            related=[Related(places[0], "declared here, later")],
+            identity=(use.file, use.name),
+        )
     for uses in plain.values():
         yield _never_declared(launched, uses)
 
@@ -147,23 +152,6 @@ def _passed_to_any(workspace: WorkspaceIndex) -> frozenset[str]:
 
 def _may_be_here(workspace: WorkspaceIndex, include: Included) -> bool:
     return include.reference.status == FileStatus.UNKNOWN or include.reference.package in workspace.packages
-
-
-def _the_right_order(
-    workspace: WorkspaceIndex | None, use: UndeclaredUse, declared: Place
-) -> tuple[str, list[Related]]:
-    """What to move where, and the entries of the list that it is about: a declaration may be created early, and yet
-    come late in the ``LaunchDescription``."""
-    if workspace is None or declared.span > use.place.span:
-        return "move the declaration before this line: actions run in order", []
-    entry, reader = listed_as(workspace, declared), listed_as(workspace, use.place)
-    if entry is None or reader is None:
-        return "put the declaration before what reads it in the LaunchDescription: actions run in that order", []
-    rows = [
-        Related(entry[1], f"'{entry[0]}' is in the list here"),
-        Related(reader[1], f"'{reader[0]}' comes before it"),
-    ]
-    return f"put '{entry[0]}' before '{reader[0]}' in the LaunchDescription: actions run in that order", rows
 
 
 def _is_required_by_include(launched: Launched, use: UndeclaredUse) -> bool:
@@ -355,6 +343,10 @@ def _of_one_cause(findings: Sequence[Finding]) -> Finding:
     """One finding for an included file that does not take an argument, however many others hand it over; and for the
     launch files of a folder that all have the same habit."""
     first, *others = findings
+    if LATE in first.group and others:
+        names = listed([f"'{diagnostic.identity[-1]}'" for diagnostic in findings])
+        message = f"the launch arguments {names} are read before they are declared"
+        return replace(with_places(findings), message=message)
     if _NEVER_ADDED in first.group and others:
         names = listed([f"'{diagnostic.identity[-1]}'" for diagnostic in findings])
         message = f"the launch arguments {names} are read, but their declarations are not in the LaunchDescription"

@@ -11,13 +11,15 @@ from archlint.finding import Place
 class UndeclaredUse:
     """A launch configuration that is read and that nothing has declared or set.
 
-    ``own_default`` is the declaration whose default value reads the argument that it declares; ``unseen`` is an include
-    in front of the read whose file is not there: nobody can say what that one would have declared.  What is read
-    ``later`` is of an action that a timer or an event starts: all of the file has been visited by then.
+    It stands at ``place``, and the action for which it is performed is at ``read_at``.  ``own_default`` is the
+    declaration whose default value reads the argument that it declares; ``unseen`` is an include in front of the read
+    whose file is not there: nobody can say what that one would have declared.  What is read ``later`` is of an action
+    that a timer or an event starts: all of the file has been visited by then.
     """
 
     name: str
     place: Place
+    read_at: Place
     file: str
     conditional: bool = False
     own_default: Place | None = None

@@ -207,7 +207,8 @@ class LaunchRun(Run):
         own = self.place_now if self.declaring == name else None
         unseen = next((include.place for include in self.result.included if include.is_missing), None)
         self._note(
-            UndeclaredUse(name, place, self.file, conditional, own, unseen, self.later > 0), self.result.undeclared
+            UndeclaredUse(name, place, self.place_now, self.file, conditional, own, unseen, self.later > 0),
+            self.result.undeclared,
         )
 
     def note_read(self, name: str) -> None:

@@ -69,9 +69,12 @@ def has_action_for(workspace: WorkspaceIndex, package: str | None, executable: s
     )
 
 
+_ADDING = frozenset({"LaunchDescription", "add_action", "add_entity"})
+
+
 def listed_as(workspace: WorkspaceIndex, at: Place) -> tuple[str, Place] | None:
-    """The variable that the action made at a place is kept in, and where ``LaunchDescription([…])`` lists it; None
-    where either is not written so."""
+    """The variable that the action made at a place is kept in, and where ``LaunchDescription([…])`` lists it, or
+    ``add_action()`` adds it; None where either is not written so."""
     file_facts = workspace.facts_at(at.file)
     body = [] if file_facts is None else file_facts.body
     names = [
@@ -80,7 +83,7 @@ def listed_as(workspace: WorkspaceIndex, at: Place) -> tuple[str, Place] | None:
         if len(assign.targets) == 1 and assign.span[:2] <= at.span[:2] and at.span[2:] <= assign.span[2:]
     ]
     for call in everything_in(body, facts.Call):
-        if called_name(call) == "LaunchDescription" and len(names) == 1 and names[0]:
+        if called_name(call) in _ADDING and len(names) == 1 and names[0]:
             listed = (part for argument in call.args for part in everything_in([argument.value], facts.Name))
             entry = next((part for part in listed if part.id == names[0]), None)
             if entry is not None:
