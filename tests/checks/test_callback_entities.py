@@ -134,6 +134,42 @@ class TestEntitiesOfCallbacks:
         found = run(source(TIMER, f"def tick(self):\n    made = self.{create}\n    {destroy}"))
         assert [one.message.endswith(end) for one in found if one.code == "EXE005"] == ([True] if end else [])
 
+    @pytest.mark.parametrize(
+        ("subscription", "elsewhere", "expected"),
+        [
+            ("Empty, 'left/go'", "", []),
+            ("Empty, 'left/go'", "self.create_publisher(Empty, '/left/go', 10).publish(Empty())", ["EXE005"]),
+            ("Empty, 'left/go'", "self.there = self.create_publisher(Empty, '/left/go', 10)", []),
+            ("Empty, 'left/go'", "self.create_publisher(Empty, load_name(), 10).publish(Empty())", ["EXE005"]),
+            ("Empty, load_name()", "", ["EXE005"]),
+            ("Imu, 'left/go'", "", ["EXE005"]),
+            ("Imu, 'left/go'", "self.create_publisher(Imu, 'right/go', 10)", []),
+        ],
+        ids=[
+            "nobody sends it",
+            "somebody does",
+            "its publisher is never used",
+            "perhaps under this name",
+            "who knows which",
+            "a driver may",
+            "sent to another robot",
+        ],
+    )
+    def test_a_callback_for_what_nobody_sends_never_runs(
+        self, run: Run, tmp_path: Path, subscription: str, elsewhere: str, expected: list[str]
+    ):
+        """In a lesson, somebody sends it by hand."""
+        (tmp_path / "package.xml").write_text("<package format='3'><name>robot</name></package>")
+        setup = f"self.create_subscription({subscription}, self.on_go, 10)\n{elsewhere}"
+        text = source(setup, "def on_go(self, message):\n    self.create_publisher(Empty, 'gone', 10)\n")
+        text = text.replace(
+            "from std_msgs", "from sensor_msgs.msg import Imu\nfrom somewhere import load_name\nfrom std_msgs"
+        )
+        assert "EXE005" in codes(run(text))
+        others = "".join(f"    rclpy.create_node('part_{number}')\n" for number in range(5))
+        text = text.replace("    rclpy.spin(", f"{others}    rclpy.spin(")
+        assert [code for code in codes(run(text)) if code == "EXE005"] == expected
+
     @pytest.mark.parametrize(("end", "expected"), [("made.destroy()", 0), ("made.server_is_ready()", 1)])
     def test_an_action_client_takes_itself_off_its_node(self, run: Run, end: str, expected: int):
         tick = f"def tick(self):\n    made = ActionClient(self, Fibonacci, 'a')\n    {end}"

@@ -181,6 +181,25 @@ def test_a_handler_that_has_looked_for_the_server(judge: Judge, handler: str):
     judge("SRV003", relay(handler, looks, "  # here"), OTHERS, config="[rules.SRV003]\nlost-answers = true")
 
 
+def test_a_helper_that_looks_for_each_of_several_servers(judge: Judge):
+    """It does so in one line, for one client after the other."""
+    handler = """def is_there(self, client):
+            return client.wait_for_service(timeout_sec=2.0)
+
+        def relay(self, request, response):
+            if not all([{looked for}]):
+                return response
+            self.client.call(Trigger.Request())
+            return self.other.call(Trigger.Request()){here}"""
+    other = "self.other = self.create_client(Trigger, 'smoke', callback_group=group)"
+    both = "self.is_there(self.client), self.is_there(self.other)"
+    text = relay(handler.replace("{looked for}", both), "", "", other)
+    judge("SRV003", text.replace("self.client.call(", "answer = self.client.call("), OTHERS)
+    text = relay(handler.replace("{looked for}", "self.is_there(self.client)"), "", "", other)
+    text = text.replace("self.client.call(Trigger.Request())", "answer = self.client.call(Trigger.Request())  # here")
+    judge("SRV003", text, OTHERS)
+
+
 def test_a_handler_that_keeps_others_waiting(judge: Judge):
     text = relay(CALLS, "self.client.wait_for_service(timeout_sec=2.0)", "  # here", "self.create_timer(1.0, print)")
     alone = text.replace("'relay', self.relay, callback_group=group", "'relay', self.relay")

@@ -401,6 +401,63 @@ def test_what_a_script_waits_for_is_told_in_a_lesson_and_on_demand(judge: Judge)
     assert found.severity is Severity.INFO
 
 
+START = """
+    import rclpy
+    from control_msgs.action import FollowJointTrajectory
+    from rclpy.action import ActionClient
+    from rclpy.node import Node
+
+
+    class Replay(Node):
+        def __init__(self):
+            super().__init__('replay')
+            self.arm = ActionClient(self, FollowJointTrajectory, 'follow')
+            self.step = self.create_timer(5.0, self.on_step)
+            self.timer = self.create_timer(1.0, self.start)
+
+        def start(self):
+            {first}
+            self.send()
+
+        def on_step(self):
+            {again}
+
+        def send(self):
+            self.arm.wait_for_server(){here}
+            self.arm.send_goal_async(FollowJointTrajectory.Goal())
+
+
+    def main():
+        rclpy.init()
+        {more}
+        rclpy.spin(Replay())
+
+
+    if __name__ == '__main__':
+        main()
+"""
+
+
+@pytest.mark.parametrize(
+    ("first", "again", "told"),
+    [
+        ("self.timer.cancel()", "pass", False),
+        ("self.timer.cancel()", "self.send()", False),
+        ("self.step.cancel()", "pass", True),
+        ("print('again')", "self.send()", True),
+    ],
+    ids=["it starts", "what comes later finds it", "another timer ends", "again and again"],
+)
+def test_a_timer_that_ends_itself_is_the_start_of_a_program(judge: Judge, first: str, again: str, told: bool):
+    """Whoever runs a player of motions wants it to wait for its arm, once: in a lesson it is told, as information."""
+    others = "".join(f"rclpy.create_node('part_{number}'); " for number in range(5))
+    text = START.replace("{first}", first).replace("{again}", again)
+    judge("TMO001", text.format(here="  # here" if told else "", more=others))
+    [wait] = judge("TMO001", text.format(here="  # here", more="pass"))
+    assert wait.severity is (Severity.WARNING if told else Severity.INFO)
+    assert ("server_is_ready" in (wait.help or "")) == told
+
+
 def test_what_the_scripts_of_one_package_wait_for_is_one_finding(judge: Judge, tmp_path):
     (tmp_path / "package.xml").write_text("<package format='3'><name>robot</name><version>0.0.1</version></package>")
     lines = "client = node.create_client(Trigger, 'far')\n        client.wait_for_service()  # here"

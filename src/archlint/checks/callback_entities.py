@@ -10,6 +10,8 @@ from archlint.analysis.taken_down import is_taken_down
 from archlint.checks.folding import folds, with_other_places
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
+from archlint.connections.lessons import is_lesson
+from archlint.connections.unsent_topics import is_sent_by_nobody
 from archlint.execution.callback_roles import callback_words, runs_in_executor
 from archlint.execution.early_lookups import early_lookups
 from archlint.finding import Finding, Related
@@ -43,7 +45,9 @@ _AGAIN_AND_AGAIN = frozenset(
 
 @rule("EXE005", scope=Scope.CODE)
 def entity_created_in_callback(system: System, options: Options) -> Iterator[Finding]:
-    """Create calls that a callback reaches each time it runs."""
+    """Create calls that a callback reaches each time it runs.  In a lesson, whoever tries a callback sends the message
+    by hand."""
+    lesson = is_lesson(system)
     ended, left = _given_to(system, _ENDS), _given_to(system, _LEAVES)
     listening = {(lookup.call.function, id(lookup.call.context)) for lookup in early_lookups(system)}
     yield from one_for_each_place(
@@ -54,6 +58,7 @@ def entity_created_in_callback(system: System, options: Options) -> Iterator[Fin
         if creation.context is not None and _each_time(system, creation, creation.context, program, ended, left)
         # That a new listener has heard nothing yet is told at the lookup.
         if creation.api != _LISTENER or (creation.function, id(creation.context)) not in listening
+        if lesson or not is_sent_by_nobody(system, creation.context)
     )
 
 

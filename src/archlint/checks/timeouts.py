@@ -16,7 +16,7 @@ from archlint.analysis.reach import (
     one_for_each_place,
     waits_for_ever,
 )
-from archlint.analysis.source_code import SourceCode, source_code
+from archlint.analysis.source_code import source_code
 from archlint.checks.folding import class_around, folds, of_one_class, of_one_package, package_around
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -40,6 +40,7 @@ from archlint.execution.asking_scripts import is_launched, is_step_of_asking_scr
 from archlint.execution.callback_roles import runs_in_executor
 from archlint.execution.called_by_hand import is_driven_by_hand
 from archlint.execution.client_loops import is_for_each_client
+from archlint.execution.own_timers import ends_its_timer_before
 from archlint.execution.present_servers import is_there
 from archlint.finding import Finding, Severity
 from archlint.model import Role
@@ -75,21 +76,29 @@ def wait_without_timeout(system: System, options: Options) -> Iterator[Finding]:
         and not is_announced_start(system, call)
         and (minor or not _is_minor(system, program, call))
         and not is_there(system, call)
-        and not _has_waited_at_start(source_code(system), program, call)
+        and not _has_waited_at_start(system, program, call)
     )
 
 
-def _has_waited_at_start(code: SourceCode, program: Program, call: ApiCall) -> bool:
-    """Whether a callback waits for a server that its program has waited for before it spun anything: it was there."""
+def _has_waited_at_start(system: System, program: Program, call: ApiCall) -> bool:
+    """Whether a callback waits for a server that its program has waited for before it spun anything, or in a timer that
+    starts it all: it was there."""
+    code = source_code(system)
     clients = {client.place for client in creations_of(call.receiver)}
     return runs_in_executor(call.context) and any(
         other.api == call.api
-        and other.context.role in (Role.INIT, Role.MAIN)
+        and (other.context.role in (Role.INIT, Role.MAIN) or _is_start(system, other))
+        and other.context is not call.context
         and bool(clients)
         and clients == {client.place for client in creations_of(other.receiver)}
         and waits_for_ever(code, other, _LIMIT[other.api])
         for other in program.calls
     )
+
+
+def _is_start(system: System, call: ApiCall) -> bool:
+    """Whether a timer that ends itself comes to a call: it starts, once, what the node is there for."""
+    return ends_its_timer_before(system, call)
 
 
 def _is_unused(system: System, program: Program, call: ApiCall) -> bool:
@@ -119,7 +128,7 @@ def _limitless_wait(system: System, program: Program, call: ApiCall) -> Finding:
     awaited = "a message" if call.api == WAIT_FOR_MESSAGE else server_words(system, call.creation, kind_of(call))
     if several:
         awaited = f"{kind_of(call)} after {kind_of(call)}"
-    cure = _cure(call)
+    cure = _cure(system, call)
     diagnostic = finding(
         "TMO001",
         call.place,
@@ -158,7 +167,12 @@ def _is_minor(system: System, program: Program, call: ApiCall) -> bool:
     workspace = system.workspace
     if workspace is not None and workspace.package_of(call.file) and is_not_installed(workspace, call.file):
         return True
-    if is_uncalled(call) or _is_step_of_script(call) or is_step_of_asking_script(system, program, call):
+    if (
+        is_uncalled(call)
+        or _is_step_of_script(call)
+        or _is_start(system, call)
+        or is_step_of_asking_script(system, program, call)
+    ):
         return True
     node = call.node or call.context.node
     if node is None or call.context.role not in (Role.MAIN, Role.INIT) or is_launched(system.workspace, node):
@@ -179,9 +193,9 @@ def _is_step_of_script(call: ApiCall) -> bool:
     return call.context.role in (Role.MAIN, Role.MODULE) and call.api != WAIT_FOR_MESSAGE and not in_constructor
 
 
-def _cure(call: ApiCall) -> _Cure:
-    """A callback does not wait, or everything else of its node waits with it."""
-    if not runs_in_executor(call.context):
+def _cure(system: System, call: ApiCall) -> _Cure:
+    """A callback does not wait, or everything else of its node waits with it; one that starts it all comes but once."""
+    if not runs_in_executor(call.context) or (_is_start(system, call) and not made_here(call)):
         return _Cure.PASS_ON if is_at_its_default(call) else _Cure.LIMIT
     if made_here(call):
         return _Cure.MAKE_EARLIER

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from itertools import chain
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
@@ -75,8 +76,10 @@ def is_looked_for(system: System, client: Creation) -> bool:
 
 @once
 def _looked_for(system: System) -> frozenset[Place]:
-    calls = (call for call in system.calls if call.api in _ASKS)
-    return frozenset(creation.place for call in calls for creation in creations_of(call.receiver))
+    calls = [call for call in system.calls if call.api in _ASKS]
+    # A helper looks for each of several servers in one line.
+    others = (client for call in calls for _, _, clients in call.call_chains for client in clients)
+    return frozenset(creation.place for creation in chain(others, *(creations_of(call.receiver) for call in calls)))
 
 
 @once
