@@ -12,6 +12,7 @@ from archlint.report import concise
 
 MARK = "# here"
 EVERYWHERE = {
+    "LCH003": "[rules.LCH003]\ncommand-line = true\n",
     "NME001": "[rules.NME001]\neverywhere = true\n",
     "OWN001": "closed-world = true\n",
     "OWN002": "closed-world = true\n",

@@ -99,6 +99,13 @@ def test_a_file_that_declares_nothing_gets_its_arguments_on_the_command_line(fin
     assert found.severity == Severity.WARNING
 
 
+def test_only_the_option_tells_of_a_file_that_declares_nothing(findings):
+    """It is started with its values on the command line, or by another file; one with declarations forgot this one."""
+    quiet = {"archlint.toml": 'select = ["LCH003"]'}
+    assert findings("LCH003", node(name="$(var x)"), **quiet) == []
+    assert len(findings("LCH003", '<arg name="z" default="a"/>' + node(name="$(var x)"), **quiet)) == 1
+
+
 @pytest.mark.parametrize(("passed", "told"), [("x", 0), ("y", 1)])
 def test_a_file_that_another_may_choose_gets_its_arguments_from_there(findings, passed: str, told: int):
     """Which file it is comes from an argument, whose default names none."""
@@ -316,6 +323,14 @@ def test_an_include_is_told_once(findings):
     (one,) = included(findings, "{'sped': '2.0'}.items()")
     assert one.message == "fast.launch.xml declares no launch argument 'sped'; did you mean 'speed'?"
     assert "declared are rate, speed" in (one.help or "")
+
+
+def test_an_argument_for_the_file_that_a_wrong_test_never_chooses(findings):
+    """LCH006 tells of the test: once it works, the other file takes the argument."""
+    slow = {"launch/slow.launch.xml": '<launch><arg name="sped" default="1"/></launch>'}
+    choice = "'fast.launch.xml' if LaunchConfiguration('quick') else 'slow.launch.xml'"
+    assert included(findings, "{'sped': '2'}.items()", choice, **slow) == []
+    assert len(included(findings, "{'sped': '2'}.items()", **slow)) == 1
 
 
 def test_the_same_mistake_at_two_includes_is_one(findings):

@@ -18,6 +18,7 @@ from archlint.finding import Finding, Related, Severity
 from archlint.launch.kinds import FileStatus
 from archlint.launch_files.launch_code import may_read_argument
 from archlint.launch_files.misread_arguments import MisreadArgument, misread_arguments
+from archlint.launch_files.substitution_values import is_chosen_in_vain
 from archlint.launch_files.unread_arguments import all_readers_are_known
 from archlint.suggestions import did_you_mean, listed
 
@@ -28,15 +29,18 @@ if TYPE_CHECKING:
     from archlint.systems.model import System, WorkspaceIndex
 
 
-@rule("LCH003", scope=Scope.LAUNCH_FILE)
+@rule("LCH003", scope=Scope.LAUNCH_FILE, command_line=False)
 def undeclared_launch_argument(system: System, options: Options) -> Iterator[Finding]:
-    """Launch configurations that are read and never set, and arguments that an include does not take."""
+    """Launch configurations that are read and never set, and arguments that an include does not take; with
+    ``command-line`` also the files that declare nothing, and get all values from whoever starts them."""
     launched = system.launched
     if launched is None or system.workspace is None:
         return
     told: list[Finding] = []
     if not launched.gaps and not _meant_to_be_included(launched):
         told = [*_of_one_call(_undeclared_uses(system, launched))]
+        if not options.flag("command-line"):
+            told = [diagnostic for diagnostic in told if diagnostic.severity is not Severity.INFO]
     yield from told
     if not told:
         yield from map(_misread, misread_arguments(system.workspace, launched.file))
@@ -47,6 +51,8 @@ def _of_includes(workspace: WorkspaceIndex, launched: Launched) -> list[Finding]
     # One include may be of one of several files, or of all of them: an argument is for the one that takes it.
     reported: dict[tuple[object, ...], Finding] = {}
     for place, includes in groupby(launched.included, key=lambda include: include.place):
+        if is_chosen_in_vain(workspace, place):
+            continue  # LCH006 says why the other file, which may take the argument, is never included
         for unknown_argument in _unknown_arguments(workspace, launched, list(includes)):
             first = reported.setdefault((place.file, unknown_argument.message), unknown_argument)
             if first.place != unknown_argument.place:  # the same file is included with the same arguments again

@@ -20,7 +20,8 @@ from archlint.syntax.bindings import bound_by
 from archlint.syntax.parts import everything_in
 
 if TYPE_CHECKING:
-    from archlint.systems.model import System
+    from archlint.place import Place
+    from archlint.systems.model import System, WorkspaceIndex
 
 
 class Misuse(StringEnum):
@@ -65,6 +66,16 @@ def misused_substitutions(system: System) -> Iterator[tuple[str, Misused]]:
     for file in system.launched.sources:
         if file.endswith(".py"):
             yield from ((file, misused) for misused in _of_file(system.workspace, file) or ())
+
+
+def is_chosen_in_vain(workspace: WorkspaceIndex, place: Place) -> bool:
+    """Whether code at a place tests a substitution, so that it chooses the same each time, whatever was meant."""
+    rows = (_of_file(workspace, place.file) if place.file.endswith(".py") else None) or ()
+    spans = (misused.span for misused in rows if misused.kind in _TESTS)
+    return any(place.span[:2] <= span[:2] and span[2:] <= place.span[2:] for span in spans)
+
+
+_TESTS = (Misuse.TESTED, Misuse.COMBINED, Misuse.COMPARED, Misuse.TEXT_TESTED)
 
 
 @once_for_each_file
@@ -266,4 +277,4 @@ def _printed(body: list[facts.Stmt]) -> Iterator[facts.Argument]:
             yield from call.args
 
 
-__all__ = ["Misuse", "Misused", "misused_substitutions"]
+__all__ = ["Misuse", "Misused", "is_chosen_in_vain", "misused_substitutions"]
