@@ -305,6 +305,12 @@ WRITES = "with open(os.path.join(folder, 'made.yaml'), 'w') as file:\n    file.w
         ({"robot/make.py": "(folder / 'made.yaml').write_text(text)\n"}, 0),
         ({"templates/made.yaml.j2": ""}, 0),
         ({"templates/made.xacro": ""}, 0),
+        ({"src/make.cpp": 'std::ofstream file(folder + "/made.yaml");\n'}, 0),
+        ({"src/make.cpp": 'std::ifstream file(folder + "/made.yaml");\n'}, 1),
+        ({"src/make.cpp": 'system("map_saver_cli -f " + share + "/config/temp/made");\n'}, 0),
+        ({"src/make.cpp": 'system("map_saver_cli -f " + share + "/config/temp/other");  // not made.yaml\n'}, 1),
+        ({"robot/make.py": "client.call(SaveMap.Request(map_url=folder + '/made'))\n"}, 0),
+        ({"robot/make.py": "read(folder + '/made')\n"}, 1),
         ({"robot/make.py": WRITES.replace("'w'", "'r'")}, 1),  # who reads it does not make it
         ({"robot/make.py": WRITES.replace("made.yaml", "premade.yaml")}, 1),
         ({"robot/make.py": WRITES, "config/temp/other.yaml": ""}, 1),  # the folder is there: what is kept there is, too

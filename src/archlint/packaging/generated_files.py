@@ -6,6 +6,7 @@ import posixpath
 import re
 from typing import TYPE_CHECKING
 
+from archlint.analysis.cpp_nodes import CPP_SOURCES
 from archlint.workspace.folders import folders_above
 from archlint.workspace.ignore import GITIGNORE, Ignores, Patterns, patterns_of
 from archlint.workspace.submodules import paths_of_submodules
@@ -18,11 +19,15 @@ _TEMPLATES = (".in", ".j2", ".jinja", ".jinja2", ".em", ".erb", ".mako", ".templ
 
 _OPENED = r"""\bopen\([^#]{{0,200}}?(?<![\w.-]){name}["'][\s)]*,\s*(?:mode\s*=\s*)?["'][wax]"""
 _WRITTEN = r"""(?<![\w.-]){name}["'][\s)]*\)\.write_(?:text|bytes)\("""
+_STREAMED = r"""\bofstream\b[^;]{{0,200}}?(?<![\w.-]){name}\""""
+_SAVES = re.compile(r"\bmap_saver|\bsave_?map|\bserialize_?map", re.IGNORECASE)
+"""What a source names that has a map saved: Nav2's or slam_toolbox's program or service."""
 
 
 def is_generated(workspace: WorkspaceIndex | None, package: str, path: str) -> bool:
     """Whether a missing file of a package is evidently made later: its folder is not in the source either, and a
-    script of the workspace opens a file of its name to write, or a template of that name lies in the package.
+    source of the workspace opens a file of its name to write or has a map saved under it, or a template of that name
+    lies in the package.
 
     ``path`` starts at the package's share folder.
     """
@@ -87,11 +92,14 @@ def submodule_around(workspace: WorkspaceIndex, path: str) -> str | None:
 
 def _is_written(workspace: WorkspaceIndex, name: str) -> bool:
     quoted = re.escape(name)
-    writes = re.compile("|".join(form.format(name=quoted) for form in (_OPENED, _WRITTEN)))
-    scripts = {
-        path for folder in workspace.manifests for path in workspace.tree.files_below(folder) if path.endswith(".py")
-    }
-    words = WORD.findall(name)
-    mentioning = (path for path in sorted(scripts) if all(workspace.code.mentions(path, word) for word in words))
-    texts = (workspace.tree.text(path) for path in mentioning)
-    return any(text is not None and writes.search(text) for text in texts)
+    writes = re.compile("|".join(form.format(name=quoted) for form in (_OPENED, _WRITTEN, _STREAMED)))
+    saved = re.compile(rf"""[/"']{re.escape(posixpath.splitext(name)[0])}(?:\.yaml)?["']""")
+    sources = {path for folder in workspace.manifests for path in workspace.tree.files_below(folder)}
+    sources = {path for path in sources if path.endswith((".py", *CPP_SOURCES))}
+    words = WORD.findall(posixpath.splitext(name)[0])
+    mentioning = (path for path in sorted(sources) if all(workspace.code.mentions(path, word) for word in words))
+    for path in mentioning:
+        text, launches = workspace.tree.text(path) or "", workspace.launch_files.can_be_launched(path)
+        if writes.search(text) or (not launches and _SAVES.search(text) and saved.search(text)):
+            return True
+    return False
