@@ -40,6 +40,13 @@ def test_a_package_that_was_renamed(findings):
     assert finding.help == "start it from package 'robot'"
 
 
+def test_where_the_share_folder_of_a_renamed_package_is_looked_for(findings):
+    """Another name at the node alone would not be enough: launch fails at that folder as well."""
+    inner = '<param from="$(find-pkg-share robto)/config/talker.yaml"/>'
+    (finding,) = findings("LCH001", node("\n" + inner, pkg="robto", exec="talker"))
+    assert [(row.place.line, row.message) for row in finding.related] == [(2, "its share folder is looked for here")]
+
+
 OF_TWO_WORDS = {"setup.py": SETUP.replace("talker =", "arm_talker =")}
 
 

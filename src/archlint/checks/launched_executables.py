@@ -147,9 +147,18 @@ def _from_no_package(system: System, workspace: WorkspaceIndex, started: Started
     )
     near = near or _without_spaces(workspace, package) or package_that_installs(workspace, package, name, started.file)
     if near is not None:
-        yield _no_package(started, name, near, "installs")
+        yield _with_share_folders(system, _no_package(started, name, near, "installs"), package)
     elif is_placeholder(package) and not is_shown_only(system):
-        yield _no_package(started, name, None, "installs")
+        yield _with_share_folders(system, _no_package(started, name, None, "installs"), package)
+
+
+def _with_share_folders(system: System, told: Finding, package: str) -> Finding:
+    """A finding about a package that is not there, with the places that look for its share folder: they stop the launch
+    as well."""
+    references = () if system.launched is None else system.launched.references
+    places = dict.fromkeys(reference.place for reference in references if reference.package == package)
+    rows = (Related(place, "its share folder is looked for here") for place in places if place != told.place)
+    return replace(told, related=(*told.related, *rows))
 
 
 def _without_spaces(workspace: WorkspaceIndex, package: str) -> str | None:
