@@ -186,3 +186,77 @@ def test_a_file_outside_of_the_workspace_is_in_none(
     elsewhere.write_text(NODE.format(name="other"), encoding="utf-8")
     files, _, _ = checked(capsys, "src", str(elsewhere))
     assert len(files) == 3
+
+
+@pytest.mark.parametrize(
+    ("said", "vendored"),
+    [
+        ("git clone https://github.com/carl/scanner.git", 2),
+        ("    git clone -b ros2 git@github.com:carl/scanner", 2),
+        ("git clone https://github.com/carl/laser_tools.git", 1),
+        ("It takes the place of https://github.com/carl/scanner.", 1),
+    ],
+)
+def test_a_readme_that_says_to_clone_what_it_lies_in(
+    capsys: pytest.CaptureFixture[str], said: str, vendored: int
+) -> None:
+    package("src/scanner-humble/scan_driver", "dora")
+    write("src/scanner-humble/README.md", f"# Scanner\n\n```\n{said}\n```\n")
+    assert checked(capsys)[1] == vendored
+
+
+def test_the_readme_of_the_workspace_is_about_no_package(capsys: pytest.CaptureFixture[str]) -> None:
+    write("README.md", "git clone https://github.com/team/robot.git\n")
+    assert checked(capsys)[1] == 1
+
+
+OLD = "teb_local_planner"
+"""The name of a package that was released for ROS 1."""
+
+
+@pytest.mark.parametrize(
+    ("folder", "version", "who", "vendored"),
+    [
+        (f"src/{OLD}", "0.8.4", "dora", 2),
+        (f"src/{OLD}", "0.0.0", "dora", 1),  # what `ros2 pkg create` writes
+        (f"src/{OLD}", "1.0.1", "dora", 1),  # the version of the team's packages
+        (f"src/{OLD}", "0.8.4", "todo", 1),
+        (f"src/custom_nav/{OLD}", "0.8.4", "dora", 1),
+        ("src/navigation", "0.8.4", "dora", 1),  # released once, and a word that anybody may take
+    ],
+)
+def test_the_manifest_of_a_release(
+    capsys: pytest.CaptureFixture[str], folder: str, version: str, who: str, vendored: int
+) -> None:
+    package(folder, who)
+    manifest = Path(folder, "package.xml")
+    text = manifest.read_text(encoding="utf-8").replace("@example.org", "@robots.org").replace("1.0.1", version)
+    manifest.write_text(text, encoding="utf-8")
+    assert checked(capsys)[1] == vendored
+
+
+def test_a_package_that_goes_with_a_copy(capsys: pytest.CaptureFixture[str]) -> None:
+    package("src/laser/laser_driver", "carl", f"{ADDRESS}<exec_depend>laser_driver_tools</exec_depend>")
+    package("src/laser_driver_tools", "carl")
+    assert checked(capsys)[1] == 2
+    package("src/laser_driver_tools", "dora")
+    assert checked(capsys)[1] == 0  # it is the team's, and the driver needs it
+
+
+def test_what_lies_in_a_repository_of_published_packages(capsys: pytest.CaptureFixture[str]) -> None:
+    package("src/laser/laser_filter", "carl", ADDRESS)
+    package("src/laser/beam_helpers", "dora")
+    assert checked(capsys)[1] == 0  # three copies, and two packages of the team
+    write(".gitignore", "build/\n")  # the team's repository, into which one other was copied
+    assert checked(capsys)[1] == 3
+
+
+def test_a_copy_may_need_what_lies_in_its_repository(capsys: pytest.CaptureFixture[str]) -> None:
+    package("src/laser/laser_driver", "carl", f"{ADDRESS}<exec_depend>beam_helpers</exec_depend>")
+    package("src/laser/beam_helpers", "dora")
+    assert checked(capsys)[1] == 1
+
+
+def test_a_configuration_that_moveit_made_is_the_teams(capsys: pytest.CaptureFixture[str]) -> None:
+    package("src/laser/arm_moveit_config", "dora", "<url>https://github.com/moveit/moveit2</url>")
+    assert checked(capsys)[1] == 1

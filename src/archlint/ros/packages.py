@@ -9,6 +9,7 @@ from pathlib import Path
 import msgspec
 
 FILE = Path(__file__).with_suffix(".json")
+RELEASED = Path(__file__).with_name("released_names.json")
 
 _BY_MODULE = {
     "action_msgs": "action_msgs",
@@ -85,3 +86,10 @@ class Table(msgspec.Struct):
 def table() -> Table:
     """The table that ``scripts/generate_packages`` writes, read once."""
     return msgspec.json.decode(FILE.read_bytes(), type=Table)
+
+
+@cache
+def released_names() -> frozenset[str]:
+    """The names of all packages that were ever released, for ROS 1 and for distributions that have ended, too:
+    ``scripts/generate_released_names`` writes them.  Whether rosdep knows one today, :func:`table` says."""
+    return msgspec.json.decode(RELEASED.read_bytes(), type=frozenset[str]) | table().names

@@ -52,6 +52,7 @@ class _Reader:
         self.in_export: dict[str, int] = {}
         self.people: set[str] = set()
         self.addresses: list[str] = []
+        self.version = ""
 
     def doctype(self, *_: object) -> None:
         raise ManifestError("a document type is not allowed here", self.parser.CurrentLineNumber)
@@ -74,6 +75,8 @@ class _Reader:
         depth = len(self.stack)
         if depth == 2 and tag == "name" and not self.name:
             self.name, self.name_line = text, self.line
+        elif depth == 2 and tag == "version":
+            self.version = self.version or text
         elif depth == 2 and tag in _DEPENDENCIES and text:
             condition = self.attributes.get("condition")
             self.dependencies.append(Dependency(text, _DEPENDENCIES[tag], condition, self.line))
@@ -139,6 +142,7 @@ def read_manifest(file: SourceFile, data: bytes, root: str, relative: str) -> Pa
         in_export=reader.in_export,
         people=frozenset(reader.people),
         addresses=tuple(reader.addresses),
+        version=reader.version,
     )
 
 

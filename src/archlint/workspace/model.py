@@ -135,6 +135,8 @@ class Package:
     """The names and addresses of those who maintain it and have written it, in small letters."""
     addresses: tuple[str, ...] = ()
     """The pages that its manifest names: of the project, its repository, its issues."""
+    version: str = ""
+    """As its manifest says it; ``ros2 pkg create`` writes 0.0.0."""
 
     def runtime_dependencies(self) -> frozenset[str]:
         """Names this package needs to run, or to build and run (``depend``)."""
