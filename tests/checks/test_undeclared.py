@@ -530,6 +530,23 @@ def test_no_fix_names_a_package_that_only_another_manifest_knows(lint: Lint):
     assert (missing([found]), found.fix) == (["secret_msgs"], None)
 
 
+def test_the_place_is_one_that_runs(lint: Lint):
+    """Neither a copy nor a module that no program imports, where there is a better one."""
+    files = {
+        "package.xml": manifest("robot", *depends("rclpy")),
+        "setup.py": SETUP,
+        "robot/__init__.py": "",
+        "robot/kept (copy).py": node(LASER, POSE, PATH),
+        "robot/older.py": node(LASER, POSE),
+        "robot/talker.py": node("from robot import tools", LASER),
+        "robot/tools.py": "",
+    }
+    (told,) = lint(files)
+    assert missing([told]) == ["geometry_msgs", "nav_msgs", "sensor_msgs"]
+    assert (told.place.file, told.place.line) == ("robot/talker.py", 3)
+    assert [row.place.file for row in told.related] == ["robot/older.py", "robot/kept (copy).py"]
+
+
 def test_each_file_goes_by_the_manifest_around_it(lint: Lint):
     """Two packages of one name, and a package.xml inside a package, which makes none."""
     files = {
@@ -577,6 +594,7 @@ def built(find: str, *tags: str) -> dict[str, str]:
     [
         ("find_package(rclcpp REQUIRED)", "builds with 'rclcpp'", "depend"),
         ("find_package(rosidl_default_generators REQUIRED)", "builds with 'rosidl_default", "buildtool_depend"),
+        ("find_package(eigen3_cmake_module REQUIRED)", "builds with 'eigen3_cmake_module'", "buildtool_depend"),
         ("if(BUILD_TESTING)\nfind_package(ament_lint_auto REQUIRED)\nendif()", "builds its tests with", "test_depend"),
         ("foreach(name std_srvs)\nfind_package(${name} REQUIRED)\nendforeach()", "builds with 'std_srvs'", "depend"),
     ],
@@ -597,6 +615,7 @@ def test_what_cmake_asks_for(lint: Lint, find: str, message: str, tag: str):
         ("find_package(ament_cmake_python REQUIRED)", []),  # ament_cmake brings it
         ("find_package(Eigen3 REQUIRED)", []),  # no package of ROS
         ("find_package(urdfdom REQUIRED)", depends("liburdfdom-dev")),
+        ("find_package(eigen3_cmake_module REQUIRED)", depends("flight_lib")),  # nobody knows what that exports
         ("if(WITH_NODE)\nfind_package(rclcpp REQUIRED)\nendif()", []),
         ("if(BUILD_TESTING)\nelse()\nfind_package(rclcpp REQUIRED)\nendif()", []),
         ("if(BUILD_TESTING)\nif(WITH_NODE)\nfind_package(rclcpp REQUIRED)\nendif()\nendif()", []),

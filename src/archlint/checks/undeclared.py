@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from collections.abc import Set as AbstractSet
 from typing import TYPE_CHECKING
 
+from archlint.analysis.aside import is_disused
 from archlint.analysis.ignored import words_ignored_at
 from archlint.analysis.kept import once
 from archlint.checks.dependency_uses import BUILDS, FOR_OTHERS, How, Use, uses_by_package
@@ -16,6 +17,7 @@ from archlint.checks.scope import Scope
 from archlint.edit_sites import MissingDependencies, Sites
 from archlint.finding import Finding, Place, Related
 from archlint.packaging.skipped_packages import skipped_packages
+from archlint.packaging.unused_files import nothing_runs
 from archlint.ros import packages
 from archlint.rulebook import rules
 from archlint.suggestions import distance, meant, nearest
@@ -39,6 +41,7 @@ def undeclared_dependency(system: System, options: Options) -> Iterator[Finding]
         used.setdefault(workspace.manifests[folder].name, set()).update(use.needed for use in uses)
     for folder, uses in sorted(by_package.items()):
         uses = [use for use in uses if _is_somewhere(workspace, use.needed)]
+        uses.sort(key=lambda use: _spare(workspace, use.place.file))
         hidden = [use for use in uses if _is_hidden(workspace, use)]
         # What a comment allows is a finding of its own, for the comment to hide.
         shown = [use for use in uses if use not in hidden and not _closes_circle(use, workspace, folder, used)]
@@ -52,6 +55,14 @@ def _is_somewhere(workspace: WorkspaceIndex, name: str) -> bool:
     be an old one, that of the same package in setup.py, or of a repository that is built beside this one: nobody knows
     what to declare, and rosdep stops at it."""
     return name in packages.table().names or name in workspace.packages or name in _declared_anywhere(workspace)
+
+
+def _spare(workspace: WorkspaceIndex, file: str) -> int:
+    """How poor an example a file is of what a package uses: 1 for a module that no program runs, 2 for what is put
+    aside, such as ``driver copy.py``."""
+    if nothing_runs(workspace, file) or is_disused(workspace, file):
+        return 2
+    return int(workspace.code.kind_of(file) == "python" and file not in workspace.code.in_use())
 
 
 @once
@@ -195,7 +206,7 @@ def _reachable(name: str, workspace: WorkspaceIndex, used: Mapping[str, Abstract
     return closure([name], needs)
 
 
-_OF_THE_BUILD = re.compile(r"ament_|rosidl_default_generators$|rosidl_generator_")
+_OF_THE_BUILD = re.compile(r"ament_|rosidl_default_generators$|rosidl_generator_|\w+_cmake_module$")
 """The packages that are tools of a build."""
 
 

@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_aside
-from archlint.ros import packages
+from archlint.ros import packages, rosdep
 from archlint.workspace.closure import closure
 from archlint.workspace.installed import FoundPackage
 from archlint.workspace.manifest import condition_holds
@@ -25,6 +25,9 @@ if TYPE_CHECKING:
 _CMAKE = "ament_cmake"
 _CMAKE_OF_ROS = "ament_cmake_ros"
 """It exports ament_cmake (``buildtool_export_depend`` of its package.xml), which the table of packages leaves open."""
+_MODULE = "_cmake_module"
+"""How packages are called that are there for the CMake files of others, such as ``eigen3_cmake_module``: whoever has
+Eigen in its headers exports it, as ``px4_ros2_cpp`` does, and of a package from elsewhere nobody knows that."""
 _BUILD_TYPES = frozenset({"ament_cmake", "cmake"})
 _LETTERS = re.compile(r"[^a-z0-9]+")
 
@@ -53,8 +56,11 @@ def packages_to_declare(
         own = [asked for asked in asked_for if folder == "." or asked.place.file.startswith(f"{folder}/")]
         for asked in own:
             before = there if asked.of_tests else at_build
-            if asked.name in known and asked.name not in before and not _is_of_system(asked.name, declared - known):
-                yield package, asked
+            if asked.name not in known or asked.name in before or _is_of_system(asked.name, declared - known):
+                continue
+            if asked.name.endswith(_MODULE) and there - known - rosdep.keys():
+                continue
+            yield package, asked
 
 
 def _built_later(workspace: WorkspaceIndex, package: Package, brought_by: Callable[[str], set[str]]) -> set[str]:
