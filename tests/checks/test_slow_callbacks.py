@@ -188,7 +188,83 @@ def test_a_timer_that_has_ended_itself_has_no_next_turn(run: Run, first: str, ex
     found = [one for one in run(source(create, START.format(first=first))) if one.code == "EXE003"]
     assert [one.code for one in found] == expected
     beside = "self.create_subscription(Empty, 'beside', print, 10)\n"
-    assert "EXE003" in codes(run(source(create + beside, START.format(first=first))))
+    assert codes(run(source(create + beside, START.format(first=first)))) == expected
+
+
+@pytest.mark.parametrize(
+    ("first", "expected"),
+    [
+        ("if self.timer:\n        self.timer.cancel()", []),
+        ("if self.timer is not None:\n        self.destroy_timer(self.timer)", []),
+        ("if self.client.service_is_ready():\n        self.timer.cancel()", ["EXE003"]),
+    ],
+)
+def test_a_timer_is_ended_if_there_is_one(run: Run, first: str, expected: list[str]):
+    """Whoever starts it anew for the next time: the wait is one of many, and only if the server is absent."""
+    create = "self.client = self.create_client(Trigger, 'a')\nself.timer = self.create_timer(2.0, self.begin)\n"
+    beside = "self.create_subscription(Empty, 'beside', print, 10)\n"
+    assert codes(run(source(create + beside, START.format(first=first)))) == expected
+
+
+RESTARTS = """
+def tick(self):
+    {}
+
+def startAll(self):
+    subprocess.run(['ros2', 'launch', 'robot', 'all.launch.py'])
+
+def send_with_reconnect(self):
+    if send():
+        return
+    self.open_port()
+    time.sleep(0.5)
+
+def open_port(self):
+    self.port = open_serial()
+"""
+
+
+@pytest.mark.parametrize(
+    ("body", "expected"),
+    [
+        ("if not alive():\n        self.get_logger().warn('restarting the stack')\n        time.sleep(3.0)", []),
+        ("if not alive():\n        self.get_logger().info('the stack is away')\n        time.sleep(3.0)", ["EXE003"]),
+        ("self.get_logger().info('restarting the stack')\n    time.sleep(3.0)", ["EXE003"]),
+        ("if not alive():\n        restart_stack()\n        time.sleep(3.0)", []),
+        ("if not alive():\n        restrain()\n        time.sleep(3.0)", ["EXE003"]),
+        ("self.send_with_reconnect()", []),
+        ("if not alive():\n        self.get_logger().info('restarting')\n        self.startAll()", []),
+        ("if not alive():\n        self.startAll()", ["EXE003"]),
+    ],
+)
+def test_what_has_failed_is_brought_up_again_now_and_then(run: Run, body: str, expected: list[str]):
+    beside = "self.create_subscription(Empty, 'beside', print, 10)\n"
+    assert codes(run(source(TIMER + beside, RESTARTS.replace("{}", body)))) == expected
+
+
+CHECKPOINT = """
+def stop(self, message):
+    self.save()
+    {end}
+
+def tick(self):
+    self.save()
+
+def save(self):
+    subprocess.run(load(), check=False)
+"""
+
+
+@pytest.mark.parametrize("end", ["raise SystemExit", "sys.exit()", "pass"])
+def test_of_several_callbacks_one_that_goes_on_is_named(run: Run, end: str):
+    """After the other one, nothing is left that would have to wait."""
+    create = "self.create_subscription(Empty, 'stop', self.stop, 10)\nself.create_timer(60.0, self.tick)\n"
+    beside = "self.create_subscription(Empty, 'beside', print, 10)\n"
+    text = source(create + beside, CHECKPOINT.replace("{end}", end))
+    [wait] = [found for found in run(f"import sys\n{text}") if found.code == "EXE003"]
+    assert ("Robot.tick" in wait.message) == (end != "pass")
+    only = source(create.partition("\n")[0] + f"\n{beside}", CHECKPOINT.replace("{end}", end))
+    assert ("EXE003" in codes(run(f"import sys\n{only}"))) == (end == "pass")
 
 
 @pytest.mark.parametrize(

@@ -50,10 +50,11 @@ def _comes_after(code: SourceCode, last: _Path, earlier: _Path) -> bool:
 
 def is_called_in_branches(code: SourceCode, call: ApiCall) -> bool:
     """Whether the helper that holds a call is reached only where an ``if`` comes out in one way, whoever calls it."""
-    return all(any(_is_in_branch(code, place) for place in path[:-1]) for path in paths_to(call))
+    return all(any(is_in_branch(code, place) for place in path[:-1]) for path in paths_to(call))
 
 
-def _is_in_branch(code: SourceCode, place: Place) -> bool:
+def is_in_branch(code: SourceCode, place: Place) -> bool:
+    """Whether a function comes to a place only where an ``if`` comes out in one way."""
     graph = graph_of(code.body_at(place))
     return any(isinstance(edge.source.statement, facts.If) for edge in graph.outcomes(graph.evaluating(place.span)))
 
@@ -121,6 +122,7 @@ __all__ = [
     "certainly_true",
     "dominates",
     "is_called_in_branches",
+    "is_in_branch",
     "path_comes_before",
     "paths_to",
 ]

@@ -8,10 +8,9 @@ from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING
 
-from archlint.analysis.aside import is_not_installed
 from archlint.analysis.kept import once
 from archlint.analysis.order import is_called_in_branches
-from archlint.analysis.reach import argument, creations_of, judged_calls, one_for_each_place
+from archlint.analysis.reach import creations_of, judged_calls, one_for_each_place
 from archlint.analysis.source_code import SourceCode, source_code
 from archlint.checks.added_waits import added_waits
 from archlint.checks.callback_findings import finding_in_callback, told_at
@@ -23,37 +22,27 @@ from archlint.connections.lessons import is_lesson
 from archlint.execution import blocking
 from archlint.execution.attribute_loops import attribute_loops
 from archlint.execution.callback_roles import callback_words, runs_in_executor
-from archlint.execution.commands import ends_the_machine, is_soon_over
+from archlint.execution.commands import is_soon_over
 from archlint.execution.deadlock import threads_of
 from archlint.execution.kept_waiting import Waiting, blocks_nobody, is_one_chain, who_waits
+from archlint.execution.long_stays import LongStay, long_stays, period_of
 from archlint.execution.loop_times import in_loops
-from archlint.execution.own_timers import ends_its_timer_after, ends_its_timer_before
-from archlint.execution.present_servers import is_there
-from archlint.execution.processes import is_signalled_to_end
-from archlint.execution.retries import around_future, gives_up_loudly, is_retry, retries_after_errors
-from archlint.execution.sleeps import Stay, stay_of
+from archlint.execution.own_timers import ends_its_timer_after
+from archlint.execution.retries import gives_up_loudly, retries_after_errors
+from archlint.execution.sleeps import Stay
 from archlint.execution.spins import is_spin_call
 from archlint.execution.staged import is_between_moves, speaks_beside
 from archlint.execution.states import leaves_its_state
 from archlint.execution.stuck import clients_of_handlers, functions_that_ask
-from archlint.execution.ways_out import ends_with_the_node, hands_over
 from archlint.finding import Finding, Place, Related, Severity
 from archlint.model import Role
-from archlint.model.given import Constant
 
 if TYPE_CHECKING:
     from archlint.model import ApiCall, Callback, Program
     from archlint.systems.model import System
 
-MOMENT = 0.25
-"""Seconds of a sleep that are not worth a word, unless a loop adds them up or a timer comes more often."""
 PAUSE = 1.0
 """Seconds of sleep that the next message may be late, where a node only takes in these messages."""
-DISCOVERY = 1.0
-"""Seconds that a callback may look for a server."""
-_TRIFLES = frozenset({"clear", "cls", "reset", ""})
-
-_Row = tuple["Program", "ApiCall", Stay]
 
 
 @rule("EXE003", scope=Scope.CODE, by_program=True, taste=True, alone=False)
@@ -69,8 +58,8 @@ def slow_callback(system: System, options: Options) -> Iterator[Finding]:
     endless = {loop.loop for loop in attribute_loops(system)}
     spinning = {id(call.context) for _, call in judged_calls(system) if is_spin_call(call)}
     turning = {id(call.context) for _, call in judged_calls(system) if _turns(call)}
-    functions: dict[tuple[str, str], dict[Place, _Row]] = {}
-    for program, call, stay in _stays(system):
+    functions: dict[tuple[str, str], dict[Place, LongStay]] = {}
+    for program, call, stay in long_stays(system):
         if call.context.role == Role.SERVICE and stay.kind == "sleep":
             continue  # SRV008 has a bound of its own for these
         if call.context.role == Role.LIFECYCLE or call.cleaning:
@@ -103,17 +92,17 @@ def slow_callback(system: System, options: Options) -> Iterator[Finding]:
         if not all(_delays_nothing(code, row) for row in rows.values())
         or (alone and not (lesson and all(_is_occasional(code, row) for row in rows.values())))
     ]
-    worst: dict[tuple[str, ...], _Row] = {}
+    worst: dict[tuple[str, ...], LongStay] = {}
     for [row, *_] in slow_functions:
         cause = _cause(row[1].context)
         worst[cause] = min(worst.get(cause, row), row, key=longest_first)
     yield from one_for_each_place(
         _slow(system, rows, _place_of(system, worst[_cause(rows[0][1].context)])) for rows in slow_functions
     )
-    yield from one_for_each_place(added_waits(system, {id(call.context) for _, call, _ in _stays(system)}))
+    yield from one_for_each_place(added_waits(system, {id(call.context) for _, call, _ in long_stays(system)}))
 
 
-def _place_of(system: System, row: _Row) -> str:
+def _place_of(system: System, row: LongStay) -> str:
     place, _ = told_at(system, row[1])
     return _as_text(place)
 
@@ -122,7 +111,7 @@ def _as_text(place: Place) -> str:
     return f"{place.file}:{place.line}:{place.column}"
 
 
-def _longest_first(code: SourceCode, row: _Row) -> tuple[float, Place]:
+def _longest_first(code: SourceCode, row: LongStay) -> tuple[float, Place]:
     """What is worst of several lines: that which holds its thread up the longest, as a rule."""
     _, call, stay = row
     usual = _A_MOMENT if stay.kind == "process" and is_soon_over(code, call) else _USUAL.get(stay.kind, math.inf)
@@ -145,7 +134,7 @@ def _is_left_alone(system: System, program: Program, call: ApiCall, stay: Stay) 
     if role == Role.SUBSCRIPTION and stay.kind == "sleep":
         minor = (stay.seconds is None and not call.looped) or in_loops(code, call, stay, with_callers=True) <= PAUSE
     else:
-        period = _period(system, call)
+        period = period_of(system, call)
         in_time = period is None or (stay.seconds or 0.0) <= period
         brief = (
             bool(call.branch_arms) and stay.kind == "sleep" and in_loops(code, call, stay, with_callers=True) <= PAUSE
@@ -154,7 +143,7 @@ def _is_left_alone(system: System, program: Program, call: ApiCall, stay: Stay) 
     return minor and not made_here(call) and who_waits(code, call, program) == Waiting.NOBODY
 
 
-def _delays_nothing(code: SourceCode, row: _Row) -> bool:
+def _delays_nothing(code: SourceCode, row: LongStay) -> bool:
     """Whether a wait delays nothing that anybody would miss, or is for what the program asks whoever sits before it."""
     program, call, stay = row
     if stay.kind == "keyboard":
@@ -167,7 +156,7 @@ def _turns(call: ApiCall) -> bool:
     return call.context.role == Role.EXECUTE and call.looped and is_spin_call(call)
 
 
-def _is_occasional(code: SourceCode, row: _Row) -> bool:
+def _is_occasional(code: SourceCode, row: LongStay) -> bool:
     """Whether what a callback calls sleeps only under a condition, as where a connection is lost, or between moves."""
     _, call, stay = row
     return stay.kind == "sleep" and (is_called_in_branches(code, call) or is_between_moves(code, call))
@@ -180,58 +169,6 @@ def _is_pause_of_retry(code: SourceCode, call: ApiCall, stay: Stay) -> bool:
 
 
 _RUNS_AGAIN = frozenset({Role.SUBSCRIPTION, Role.TIMER, Role.EXECUTE, Role.SERVICE})
-
-
-def _is_no_program(system: System, callback: Callback) -> bool:
-    """Whether the callback's node is in a script of a package that installs others: nobody starts it."""
-    workspace, node = system.workspace, callback.node
-    file = callback.place.file if node is None else node.place.file
-    return workspace is not None and workspace.package_of(file) is not None and is_not_installed(workspace, file)
-
-
-def _stays(system: System) -> Iterator[_Row]:
-    code = source_code(system)
-    for program, call in judged_calls(system):
-        stay = stay_of(code, call) if runs_in_executor(call.context) else None
-        if stay is None or _trifle(call) or not _is_long(system, call, stay) or blocks_nobody(call.context, program):
-            continue
-        if (
-            is_signalled_to_end(code, call, stay)
-            or (stay.kind == "discovery" and is_there(system, call))
-            or ends_with_the_node(code, call, stay)
-            or ends_the_machine(code, call)
-            or hands_over(code, call, stay)
-            or (stay.kind == "process" and (not call.looped or is_retry(code, call)) and is_soon_over(code, call))
-            or _is_no_program(system, call.context)
-        ):
-            continue
-        yield program, call, stay
-
-
-def _is_long(system: System, call: ApiCall, stay: Stay) -> bool:
-    if stay.kind == "discovery":
-        return stay.seconds is not None and stay.seconds > DISCOVERY
-    if around_future(source_code(system), call):
-        return False
-    if stay.kind not in ("sleep", "process") or stay.seconds is None:
-        return True
-    period, seconds = _period(system, call), in_loops(source_code(system), call, stay, with_callers=True)
-    return seconds > MOMENT or (period is not None and seconds > period)
-
-
-def _trifle(call: ApiCall) -> bool:
-    """``os.system('clear')``: over before anybody notices."""
-    command = argument(call, "command")
-    return command is not None and all(
-        isinstance(option, Constant) and option.value in _TRIFLES for option in command.alternatives
-    )
-
-
-def _period(system: System, call: ApiCall) -> float | None:
-    """The seconds after which a callback runs again; None where nobody knows, or where it ends its own timer."""
-    creation = call.context.creation
-    ended = ends_its_timer_before(system, call) or ends_its_timer_after(system, call)
-    return None if creation is None or ended else creation.period
 
 
 @once
@@ -252,7 +189,7 @@ def held_up_by_goals(system: System) -> frozenset[int]:
     """The nodes, by their ``id()``, whose execute callbacks hold up all others: they are to have more threads."""
     return frozenset(
         id(call.context.node)
-        for program, call, stay in _stays(system)
+        for program, call, stay in long_stays(system)
         if call.context.role == Role.EXECUTE and not _is_left_alone(system, program, call, stay)
     )
 
@@ -277,11 +214,11 @@ _ITS_NEXT = {
 }
 
 
-def _slow(system: System, rows: Sequence[_Row], worst: str) -> Finding:
+def _slow(system: System, rows: Sequence[LongStay], worst: str) -> Finding:
     """The finding for a function; ``worst`` is the place of the longest wait of the node."""
     (program, call, stay), *others = rows
     callback = call.context
-    period = _period(system, call)
+    period = period_of(system, call)
     if stay.kind == "sleep" and stay.seconds is not None and period is not None and stay.seconds > period:
         end = f", longer than its period of {period:g} s"
     else:
@@ -313,7 +250,7 @@ def _slow(system: System, rows: Sequence[_Row], worst: str) -> Finding:
     return replace(diagnostic, severity=Severity.INFO) if mild else diagnostic
 
 
-def _other_lines(call: ApiCall, stay: Stay, others: Sequence[_Row]) -> str:
+def _other_lines(call: ApiCall, stay: Stay, others: Sequence[LongStay]) -> str:
     """What is said of the other lines of a function: whether they wait for the same kind of thing."""
     several = len(others) > 1
     if all(other.kind == stay.kind for _, _, other in others):

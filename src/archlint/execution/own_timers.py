@@ -6,13 +6,18 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
-from archlint.analysis.order import always_comes_after, always_comes_before
+from archlint.analysis.order import always_comes_after, always_comes_before, path_comes_before, paths_to
 from archlint.analysis.reach import calls_of, creations_of
 from archlint.analysis.source_code import source_code
+from archlint.finding import Place
 from archlint.model import Role
+from archlint.syntax import facts
+from archlint.syntax.flow_facts import covers
+from archlint.syntax.parts import everything_in
+from archlint.syntax.walk import calls_in, statements_of
 
 if TYPE_CHECKING:
-    from archlint.finding import Place
+    from archlint.analysis.source_code import SourceCode
     from archlint.model import ApiCall, Callback, Creation
     from archlint.systems.model import System
 
@@ -30,6 +35,32 @@ def ends_its_timer_after(system: System, call: ApiCall) -> bool:
     """Whether a timer's callback that has come to a call ends the timer: it comes there once."""
     code = source_code(system)
     return any(always_comes_after(code, end, call) for end in _ends_of_timer(system, call))
+
+
+def runs_once(system: System, call: ApiCall) -> bool:
+    """Whether a timer's callback that comes to a call comes there once: it ends the timer before or afterwards, be that
+    only if it is there: ``if self.timer: self.timer.cancel()``."""
+    code, ends = source_code(system), _ends_of_timer(system, call)
+    if any(always_comes_before(code, end, call) or always_comes_after(code, end, call) for end in ends):
+        return True
+    return all(any(path_comes_before(code, _guard(code, end), other) for end in ends) for other in paths_to(call))
+
+
+def _guard(code: SourceCode, end: ApiCall) -> tuple[Place, ...]:
+    """The way to a call that ends a timer, or to the condition around it that only asks whether there is one."""
+    *way, last = next(paths_to(end))
+    expression = code.expression(end)
+    ended = [] if expression is None else [expression.func, *(given.value for given in expression.args)]
+    owners = {part.dotted for part in everything_in(ended, facts.Attribute)}
+    for branch in statements_of(code.body(end), facts.If):
+        timers = [part for part in everything_in([branch.test], facts.Attribute) if part.dotted in owners]
+        if timers and any(covers(line, end.place.span) for line in branch.body) and not _calls(branch.test):
+            return (*way, Place.of(end.file, timers[0].span))
+    return (*way, last)
+
+
+def _calls(test: facts.Expr) -> bool:
+    return any(True for _ in calls_in(test))
 
 
 def _ends_of_timer(system: System, call: ApiCall) -> list[ApiCall]:
@@ -73,4 +104,4 @@ def _ends_by_callback(system: System) -> dict[Place, list[ApiCall]]:
     return by_callback
 
 
-__all__ = ["ENDS_TIMER", "ends_its_timer_after", "ends_its_timer_before", "timer_period"]
+__all__ = ["ENDS_TIMER", "ends_its_timer_after", "ends_its_timer_before", "runs_once", "timer_period"]

@@ -5,13 +5,17 @@ from __future__ import annotations
 from collections.abc import Set as AbstractSet
 from typing import TYPE_CHECKING
 
+from archlint.analysis.order import paths_to
+from archlint.syntax import facts
 from archlint.syntax.control_flow import graph_of
 from archlint.syntax.flow_blocks import without_exceptions
+from archlint.syntax.parts import everything_in
 from archlint.syntax.walk import calls_in
 
 if TYPE_CHECKING:
     from archlint.analysis.source_code import SourceCode
     from archlint.execution.sleeps import Stay
+    from archlint.finding import Place
     from archlint.model import ApiCall
 
 
@@ -34,15 +38,23 @@ def hands_over(code: SourceCode, call: ApiCall, stay: Stay) -> bool:
 
 
 def _ends_in(code: SourceCode, call: ApiCall, functions: AbstractSet[str]) -> bool:
-    """Whether every way on from a call leads to a call of one of some functions."""
-    graph = graph_of(code.body(call))
-    waits = graph.evaluating(call.place.span)
-    ends = [
-        block
-        for block in graph.blocks
-        if any(inner_call.func.dotted in functions for inner_call in calls_in(block.fact))
-    ]
+    """Whether every way on from a call leads to a call of one of some functions, in the function that holds it or in
+    one that has called that."""
+    return all(any(_leads_to(code, place, functions) for place in path) for path in paths_to(call))
+
+
+def _leads_to(code: SourceCode, place: Place, functions: AbstractSet[str]) -> bool:
+    graph = graph_of(code.body_at(place))
+    waits = graph.evaluating(place.span)
+    ends = [block for block in graph.blocks if _is_end(block.fact, functions)]
     return bool(waits) and all(graph.post_dominates(ends, block, without_exceptions) for block in waits)
+
+
+def _is_end(fact: facts.Base | None, functions: AbstractSet[str]) -> bool:
+    """Whether a line calls one of some functions, or raises what ends the program (where that is asked for)."""
+    if isinstance(fact, facts.Raise) and functions is _ENDS_OF_PROGRAM:
+        return any(part.id == "SystemExit" for part in everything_in([fact], facts.Name))
+    return any(inner_call.func.dotted in functions for inner_call in calls_in(fact))
 
 
 __all__ = ["OF_PROCESS", "ends_with_the_node", "hands_over"]
