@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import os
 import random
 import re
 import shutil
+import subprocess
+import sys
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import redirect_stdout
 from io import StringIO
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
@@ -614,6 +618,36 @@ def test_only_the_launches_that_an_edit_can_change_run_again(workspace, outputs,
     replaced("robot/launch/names.yaml", "ear", "eye")(workspace)
     outputs(cached=True)
     assert set(launched) == {"robot/launch/all.launch.py"} | asks
+
+
+LAUNCHES = """
+import sys
+from archlint.cli import main
+from archlint.launch.launches import Launches
+
+run = Launches._run
+Launches._run = lambda self, path, given: [print(path, file=sys.stderr), run(self, path, given)][1]
+sys.exit(main(["check", ".", "--isolated", "--exit-zero", "--quiet", "--jobs", "1", "--cache-dir", "../cache"]))
+"""
+"""A run that says which launches it follows."""
+
+
+def test_launches_are_known_to_another_process(workspace):
+    """What a package installs holds sets, such as the folders of Python code, and each process has its own order of
+    what is in a set."""
+    for folder in ("maths", "words", "colours", "shapes"):
+        written(f"robot/robot/{folder}/__init__.py", "")(workspace)
+    launched: list[str] = []
+    periods = ["0.1", "0.2", "0.3", "0.4", "0.5"]
+    for seed, (period, other) in enumerate(pairwise(periods)):
+        replaced("robot/robot/talker.py", period, other)(workspace)
+        environment = {**os.environ, "PYTHONHASHSEED": str(seed)}
+        command = [sys.executable, "-c", LAUNCHES]
+        done = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
+        assert done.returncode == 0, done.stderr
+        launched.append(done.stderr)
+    assert len(launched[0].split()) > 2
+    assert [said.split() for said in launched[1:]] == [["robot/launch/words.launch.py"]] * 3
 
 
 def test_a_comment_at_the_end_is_no_reason_to_judge_again(workspace, outputs, monkeypatch):

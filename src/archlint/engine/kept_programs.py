@@ -11,6 +11,7 @@ from archlint.engine.own_code import own_code
 from archlint.programs.kept import KeptPrograms
 from archlint.programs.kept_launches import KeptLaunches
 from archlint.programs.kept_table import InMemory, Table, write
+from archlint.workspace.installed import PythonCode
 from archlint.workspace.test_code import FileRoles
 
 if TYPE_CHECKING:
@@ -128,10 +129,20 @@ def _digest(decisive: object) -> str:
     return hashlib.sha256(repr(decisive).encode()).hexdigest()
 
 
-def _plain(install: Installs) -> list[object]:
-    """All that is known of what a package installs, in an order that is always the same."""
-    values = (getattr(install, row.name) for row in fields(install))
-    return [sorted(value) if isinstance(value, frozenset) else value for value in values]
+def _plain(known: Installs | PythonCode) -> list[object]:
+    """All that is known of what a package installs, in an order that is the same in every process: sets have another
+    one in each."""
+    rows: list[object] = []
+    for row in fields(known):
+        value = getattr(known, row.name)
+        match value:
+            case frozenset():
+                rows.append(sorted(value))
+            case PythonCode():
+                rows.append(_plain(value))
+            case _:
+                rows.append(value)
+    return rows
 
 
 __all__ = ["ProgramCache", "ResultsInMemory"]
