@@ -1,4 +1,4 @@
-"""TMO002, TMO003 and SRV003: waits without a limit for a server that has been found are for lessons."""
+"""TMO002, TMO003 and SRV003: waits without a limit for a server that has been found are told on demand."""
 
 from __future__ import annotations
 
@@ -70,11 +70,18 @@ def asker(looks: str, after: str, here: str = "", server: str = "None") -> str:
 )
 def test_the_answer_of_a_server_that_has_been_found(judge: Judge, looks: str, after: str, here: str):
     """It seldom gets lost; whoever has a branch for that branch wants a limit."""
-    judge("TMO003", asker(looks, after, "  # here"))
     judge("TMO003", asker(looks, after, here), OTHERS)
     judge("TMO003", asker(looks, after, "  # here"), OTHERS, config="[rules.spin-without-timeout]\nlost-answers = true")
 
 
+def test_in_a_lesson_a_server_is_found_where_something_looks_at_it(judge: Judge):
+    """Whoever learns waits for two seconds, and then asks whoever is there."""
+    judge("TMO003", asker(FOUND, READS))
+    judge("TMO003", asker("self.client.wait_for_service(timeout_sec=2.0)", READS, "  # here"))
+    judge("TMO003", asker("self.client.wait_for_service(timeout_sec=2.0)", READS), OTHERS)
+
+
+LOOPS = "while not client.wait_for_service(timeout_sec=1.0):\n            print('waiting')"
 SPAWNER = """
     import rclpy
     from std_srvs.srv import Trigger
@@ -85,12 +92,12 @@ SPAWNER = """
         node = rclpy.create_node('spawner')
         {more}
         client = node.create_client(Trigger, 'spawn')
-        while not client.wait_for_service(timeout_sec=1.0):
-            print('waiting')
-        future = client.call_async(Trigger.Request())
-        rclpy.spin_until_future_complete(node, future){here}
-        if future.result() is None:
-            print('failed')
+        {looks}
+        if True:
+            future = client.call_async(Trigger.Request())
+            rclpy.spin_until_future_complete(node, future){here}
+            if future.result() is None:
+                print('failed')
 
 
     if __name__ == '__main__':
@@ -98,10 +105,25 @@ SPAWNER = """
 """
 
 
-@pytest.mark.parametrize(("more", "here"), [("pass", ""), ("node.create_timer(1.0, print)", "  # here")])
-def test_a_program_that_asks_once(judge: Judge, more: str, here: str):
+@pytest.mark.parametrize(
+    ("more", "looks", "here"),
+    [
+        ("pass", LOOPS, ""),
+        ("node.create_timer(1.0, print)", LOOPS, ""),
+        ("node.create_timer(1.0, print)", "if not client.wait_for_service(2.0):\n            return", "  # here"),
+        ("pass", "if not client.wait_for_service(2.0):\n            return", ""),
+    ],
+    ids=["it only asks", "it waits until the server comes", "it may find nobody", "only clients, in a loop"],
+)
+def test_a_program_that_asks_as_the_tutorial_does(judge: Judge, more: str, looks: str, here: str):
     """Its branch for no answer is the tutorial's, and whoever starts it has nothing else of it."""
-    judge("TMO003", SPAWNER.replace("{more}", more).replace("{here}", here), OTHERS)
+    text = SPAWNER.replace("{more}", more).replace("{looks}", looks)
+    judge("TMO003", text.replace("{here}", here), OTHERS)
+    judge("TMO003", text.replace("{here}", here))
+    again = text.replace("{here}", "  # here" if "timer" in more else "").replace(
+        "    if True:", "    for _ in range(3):"
+    )
+    judge("TMO003", again, OTHERS)
 
 
 def test_a_node_that_serves_itself(judge: Judge):
@@ -175,7 +197,7 @@ def relay(handler: str, looks: str, here: str, more: str = "pass") -> str:
 @pytest.mark.parametrize("handler", [CALLS, AWAITS], ids=["a call", "an await"])
 def test_a_handler_that_has_looked_for_the_server(judge: Judge, handler: str):
     looks = "self.client.wait_for_service(timeout_sec=2.0)"
-    judge("SRV003", relay(handler, looks, "  # here"))
+    judge("SRV003", relay(handler, looks, ""))
     judge("SRV003", relay(handler, looks, ""), OTHERS)
     judge("SRV003", relay(handler, "pass", "  # here"), OTHERS)
     judge("SRV003", relay(handler, looks, "  # here"), OTHERS, config="[rules.SRV003]\nlost-answers = true")

@@ -401,6 +401,8 @@ def test_what_a_script_waits_for_is_told_in_a_lesson_and_on_demand(judge: Judge)
     assert found.severity is Severity.INFO
 
 
+LOST_ANSWERS = "[rules.TMO003]\nlost-answers = true\n"
+
 START = """
     import rclpy
     from control_msgs.action import FollowJointTrajectory
@@ -771,7 +773,8 @@ class TestSpinWithoutTimeout:
         ],
     )
     def test_a_script_that_asks_a_server_which_it_has_found(self, judge: Judge, before: str, mark: str):
-        judge("TMO003", script(f"{before}\n        rclpy.spin_until_future_complete(node, {FUTURE}){mark}"))
+        text = script(f"{before}\n        rclpy.spin_until_future_complete(node, {FUTURE}){mark}")
+        judge("TMO003", text, config=LOST_ANSWERS)
 
     @pytest.mark.parametrize(
         ("before", "inside", "mark"),
@@ -785,7 +788,8 @@ class TestSpinWithoutTimeout:
     )
     def test_a_constructor_that_has_waited_for_the_server(self, judge: Judge, before: str, inside: str, mark: str):
         later = "node.load()" if inside == "pass" else "pass"
-        judge("TMO003", FILTER.format(before=before, inside=inside, later=later, mark=mark))
+        text = FILTER.format(before=before, inside=inside, later=later, mark=mark)
+        judge("TMO003", text, config=LOST_ANSWERS)
 
     def test_a_loop_until_the_future_is_done_asks_already(self, judge: Judge):
         lines = (
@@ -1007,16 +1011,16 @@ def test_a_spin_in_a_method_of_a_program_that_nothing_calls(judge: Judge, tmp_pa
     (tmp_path / "package.xml").write_text("<package format='3'><name>panel</name><version>0.0.1</version></package>")
     text = UNUSED.format(line="self.create_timer(1.0, print)", main=main)
     text = text.replace("Trigger.Request()))", f"Trigger.Request())){mark}")
-    judge("TMO003", text, "class Lamp:\n    def blink(self):\n        pass\n")
+    judge("TMO003", text, "class Lamp:\n    def blink(self):\n        pass\n", config=LOST_ANSWERS)
 
 
 def test_a_method_of_that_name_in_a_file_that_only_says_the_name_of_the_module(judge: Judge, tmp_path):
     (tmp_path / "package.xml").write_text("<package format='3'><name>panel</name><version>0.0.1</version></package>")
     text = UNUSED.format(line="self.create_timer(1.0, print)", main=MAIN)
     own = "class Lamp:\n    def blink(self):\n        self.blink() or print('node')\n"
-    judge("TMO003", text, own)
+    judge("TMO003", text, own, config=LOST_ANSWERS)
     marked = text.replace("Trigger.Request()))", "Trigger.Request()))  # here")
-    judge("TMO003", marked, "from node import Panel\n" + own)
+    judge("TMO003", marked, "from node import Panel\n" + own, config=LOST_ANSWERS)
 
 
 @pytest.mark.parametrize(
@@ -1039,7 +1043,7 @@ def test_a_method_that_no_file_of_the_workspace_names_does_not_run(
     )
     (package / "panel.py").write_text(UNUSED.format(line=line, main=main), encoding="utf-8")
     (package / "other.py").write_text(other, encoding="utf-8")
-    (tmp_path / "archlint.toml").write_text('select = ["TMO003", "TMO004"]', encoding="utf-8")
+    (tmp_path / "archlint.toml").write_text(f'select = ["TMO003", "TMO004"]\n{LOST_ANSWERS}', encoding="utf-8")
     monkeypatch.chdir(tmp_path)
     found = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
     assert sorted(one.code for one in found) == expected
@@ -1054,7 +1058,9 @@ def test_a_method_of_a_script_in_no_package_that_nothing_calls(
     more = "    def blink(self):\n        self.lamp.wait_for_service()\n"
     (tmp_path / "panel.py").write_text(text.replace("    def blink(self):\n", more), encoding="utf-8")
     (tmp_path / "lamp.py").write_text("class Lamp:\n    def blink(self):\n        pass\n", encoding="utf-8")
-    (tmp_path / "archlint.toml").write_text('select = ["TMO001", "TMO003", "TMO004"]', encoding="utf-8")
+    (tmp_path / "archlint.toml").write_text(
+        f'select = ["TMO001", "TMO003", "TMO004"]\n{LOST_ANSWERS}', encoding="utf-8"
+    )
     monkeypatch.chdir(tmp_path)
     assert len(check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings) == count
 

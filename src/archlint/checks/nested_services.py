@@ -22,7 +22,6 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.service_cycles import Edge, waits_behind
 from archlint.checks.wait_words import to_await
-from archlint.connections.lessons import is_lesson
 from archlint.execution.blocking import ONE
 from archlint.execution.callback_roles import runs_in_executor
 from archlint.execution.deadlock import AWAIT, CALL, SPIN, Verdict, related_executor, threads_of
@@ -70,8 +69,8 @@ _Row = tuple[Wait, Verdict, "list[Wait]"]
 @rule("SRV003", scope=Scope.CODE, lost_answers=False)
 def nested_service_call(system: System, options: Options) -> Iterator[Finding]:
     """Waits that the handler of a service reaches: one finding a handler, and a place for the handler that is worst
-    off.  That a wait which works has no limit is for a lesson and ``lost-answers``, where its server has been found."""
-    seldom = options.flag("lost-answers") or is_lesson(system)
+    off.  That a wait which works has no limit is for ``lost-answers``, where its server has been found."""
+    seldom = options.flag("lost-answers")
     judged: dict[Place, list[tuple[Wait, Verdict]]] = {}
     for wait, verdict in nested_waits(system, distros_to_judge(system.workspace, options.distros)):
         judged.setdefault(wait.call.place, []).append((wait, verdict))

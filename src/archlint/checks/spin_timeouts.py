@@ -31,7 +31,7 @@ from archlint.connections.own_servers import is_served_by_its_node
 from archlint.execution.asking_scripts import has_only_clients, is_step_of_asking_script
 from archlint.execution.expected_failures import expects_no_answer
 from archlint.execution.own_futures import spins_for_a_message, spins_for_own_future, spins_for_own_task
-from archlint.execution.present_servers import was_waited_for
+from archlint.execution.present_servers import until_it_comes, was_waited_for
 from archlint.execution.retries import is_retried
 from archlint.execution.spins_beside import SpunBeside, spun_beside
 from archlint.execution.stuck import spoken_of
@@ -53,8 +53,8 @@ _EXECUTOR_SPIN = "rclpy.executors.Executor.spin_until_future_complete"
 def spin_without_timeout(system: System, options: Options) -> Iterator[Finding]:
     """Spins until a future is complete that nothing limits.  Of a method that nothing calls, and of a client that
     nothing is seen to make, nobody knows whether it is ever there; a trial is ended by whoever runs it.  The answer of
-    a server that has been found seldom gets lost: that is for a lesson and ``lost-answers``."""
-    reported, seldom = spoken_of(system, options.distros), options.flag("lost-answers") or is_lesson(system)
+    a server that has been found seldom gets lost: that is for ``lost-answers``."""
+    reported, seldom = spoken_of(system, options.distros), options.flag("lost-answers")
     yield from one_for_each_place(
         _limitless_spin(system, program, call, options)
         for program, call in calls_of(system, (_SPIN, _EXECUTOR_SPIN))
@@ -76,8 +76,8 @@ def _is_uncalled(system: System, call: ApiCall) -> bool:
 
 
 def _is_all_there_is_to_do(system: System, program: Program, call: ApiCall) -> bool:
-    """Whether a script that somebody starts by hand waits for the answer of a server which it has found, or for the end
-    of a motion: it is there for nothing else, and Ctrl-C ends it."""
+    """Whether a script that somebody starts by hand waits for an answer after it has found a server (of several, often
+    not each is looked for), or for the end of a motion: it is there for nothing else, and Ctrl-C ends it."""
     if not is_step_of_asking_script(system, program, call) or not has_only_clients(program):
         return False
     if spins_for_a_result(system.workspace, call.place):
@@ -85,7 +85,10 @@ def _is_all_there_is_to_do(system: System, program: Program, call: ApiCall) -> b
     code, clients = source_code(system), {client.place for client in creations_of(argument(call, "future"))}
     return any(
         other.api in _LOOKS_FOR_SERVER
-        and not clients.isdisjoint(client.place for client in creations_of(other.receiver))
+        and (
+            not clients.isdisjoint(client.place for client in creations_of(other.receiver))
+            or always_comes_before(code, other, call)
+        )
         and (waits_for_ever(code, other, "timeout_sec") or not is_thrown_away(code, other))
         for other in program.calls
     )
@@ -100,24 +103,28 @@ def _is_part_of_start(system: System, call: ApiCall) -> bool:
 
 def _comes_as_a_rule(system: System, program: Program, call: ApiCall, options: Options) -> bool:
     """Whether the server has been looked for on every way to a spin, and no code is made for an answer that does not
-    come (a program that is there to ask once has the tutorial's, and nothing else to do), or the node that spins is the
-    server itself."""
+    come, or the node that spins is the server itself.  The tutorial has such code, too: a program that only asks, or
+    that has waited for the server until it came, has nothing else to do than to wait for its answer.  In a lesson, it
+    is found only where something looks at what the wait says."""
     code, clients = source_code(system), creations_of(argument(call, "future"))
     if not clients or spun_beside(code, call, program, options.distros) is not None:
         return False
     if all(map(is_served_by_its_node, clients)):
         return True
     places = {client.place for client in clients}
-    looks = (
+    looks = [
         other
         for other in program.calls
         if other.api in _LOOKS_FOR_SERVER
         and not places.isdisjoint(client.place for client in creations_of(other.receiver))
-    )
-    asks_once = has_only_clients(program) and call.context.role in (Role.MAIN, Role.MODULE) and not call.looped
-    if not asks_once and expects_no_answer(code, call):
+        and always_comes_before(code, other, call)
+        and not (is_lesson(system) and is_thrown_away(code, other) and not until_it_comes(code, other))
+    ]
+    if not looks or not expects_no_answer(code, call):
+        return bool(looks)
+    if call.context.role not in (Role.MAIN, Role.MODULE):
         return False
-    return any(always_comes_before(code, other, call) for other in looks)
+    return has_only_clients(program) or (not call.looped and any(until_it_comes(code, other) for other in looks))
 
 
 def _is_refused(program: Program, call: ApiCall) -> bool:
