@@ -25,11 +25,12 @@ def uncalled_method(workspace: WorkspaceIndex | None, place: Place) -> str | Non
     if function is None or function.name not in idle_methods(workspace, place.file):
         return None
     leading = sorted(idle_callers(workspace, place.file, function.name))
-    is_called = any(_is_called_elsewhere(workspace, place.file, name) for name in leading)
+    is_called = any(is_called_elsewhere(workspace, place.file, name) for name in leading)
     return None if is_called else function.name
 
 
-def _is_called_elsewhere(workspace: WorkspaceIndex, file: str, method: str) -> bool:
+def is_called_elsewhere(workspace: WorkspaceIndex, file: str, method: str) -> bool:
+    """Whether another Python file may call a method of one: it has a word for both."""
     module, code = posixpath.basename(file).removesuffix(".py"), workspace.code
     others = (other for other in code.files_that_mention(method) if other != file)
     return any(code.mentions(other, module) and _may_call(workspace, other, file, method) for other in others)
@@ -41,4 +42,4 @@ def _may_call(workspace: WorkspaceIndex, file: str, module: str, method: str) ->
     return all(function.name != method for function in own) or module in workspace.code.reached_from([file])
 
 
-__all__ = ["uncalled_method"]
+__all__ = ["is_called_elsewhere", "uncalled_method"]

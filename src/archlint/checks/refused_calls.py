@@ -23,6 +23,7 @@ from archlint.checks.attributes import (
 )
 from archlint.checks.early_reads import TOO_EARLY, early_read_findings
 from archlint.checks.folding import folds, with_others
+from archlint.checks.late_attributes import TOO_LATE, late_attribute_findings
 from archlint.checks.own_calls import COMPARED, NOT_CALLED, own_call_findings
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -74,6 +75,7 @@ def unknown_attribute(system: System, options: Options) -> Iterator[Finding]:
         if (diagnostic.place.file, diagnostic.place.line, diagnostic.identity[-1]) not in told:
             yield diagnostic
     yield from early_read_findings(system)
+    yield from late_attribute_findings(system)
     unported = _unported(absent)
     for diagnostic in absent_import_findings(system, {(call.place.file, call.place.line) for call in absent}):
         of_rospy = diagnostic.place.file in unported and diagnostic.identity[0].startswith("rclpy.ROS")
@@ -170,7 +172,7 @@ def absent_in_one_file(findings: Sequence[Finding]) -> Finding:
         return with_others(
             findings, "another attribute of the class is", "more attributes of the class are", "like that"
         )
-    if findings[0].group[0] == TOO_EARLY:
+    if findings[0].group[0] in (TOO_EARLY, TOO_LATE):
         return with_others(
             findings, "another attribute of the class is read", "more attributes of the class are read", "too early"
         )

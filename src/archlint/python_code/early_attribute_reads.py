@@ -23,7 +23,8 @@ from archlint.python_code.class_chains import (
     methods_of,
     targets_of,
 )
-from archlint.python_code.unassigned_attributes import may_get, members_of, names_of_body
+from archlint.python_code.methods_at_work import of_self
+from archlint.python_code.unassigned_attributes import has_self, may_get, members_of, names_of_body
 from archlint.python_code.unshared_objects import KEEPS_OUT
 from archlint.syntax import facts
 from archlint.syntax.control_flow import graph_of
@@ -87,24 +88,25 @@ def _is_certain(workspace: WorkspaceIndex, cls: ClassInFile, row: _Early) -> boo
     if members_of(workspace, chain) is None or any("__new__" in set(names_of_body(base.code)) for base in chain.own):
         return False  # what makes the object, once for all perhaps, may have given it anything
     bases = [base for base in chain.own if base.code is not cls.code]
-    if any(row.name in _gives(base.code) for base in bases) or _is_of_class(workspace, chain, row.name):
+    if any(row.name in gives(base.code) for base in bases) or is_of_class(workspace, chain, row.name):
         return False
     for other in derived_from(workspace, cls):
-        if {row.name, row.method} & _gives(other.code):
+        if {row.name, row.method} & gives(other.code):
             return False
     if _assigns_on_the_way(cls, bases, row):
         return False
     return not row.given or not may_get(workspace, cls, row.name)
 
 
-def _is_of_class(workspace: WorkspaceIndex, chain: Chain, name: str) -> bool:
-    """Whether an object has an attribute without any assignment to it: a method, one of the class, one of rclpy's."""
+def is_of_class(workspace: WorkspaceIndex, chain: Chain, name: str, *, own: bool = True) -> bool:
+    """Whether an object has an attribute without any assignment to it: one of rclpy's, or of its ``own`` classes."""
     bare = replace(chain, own=[])
     foreign = members_of(workspace, bare) or []
-    return any(name in names for names in foreign) or any(name in set(names_of_body(c.code)) for c in chain.own)
+    classes = chain.own if own else []
+    return any(name in names for names in foreign) or any(name in set(names_of_body(c.code)) for c in classes)
 
 
-def _gives(code: facts.Class) -> frozenset[str]:
+def gives(code: facts.Class) -> frozenset[str]:
     """The methods of a class, and all that it assigns to an object."""
     assigned = (target.attr for target in targets_of(code.body) if isinstance(target, facts.Attribute))
     return frozenset((*names_of_body(code), *assigned))
@@ -118,7 +120,7 @@ def _assigns_on_the_way(cls: ClassInFile, bases: Sequence[ClassInFile], row: _Ea
     for function in methods_of(cls.code):
         if function.name != _INIT:
             mentions[function.name] = mentions.get(function.name, frozenset()) | _mentioned(function.body)
-            if any(_of_self(target) == row.name for target in targets_of(function.body)):
+            if any(of_self(target) == row.name for target in targets_of(function.body)):
                 setters.add(function.name)
     seen: set[str] = set()
     while waiting:
@@ -138,7 +140,7 @@ def _assigns_on_the_way(cls: ClassInFile, bases: Sequence[ClassInFile], row: _Ea
 def _early(code: facts.Class) -> list[_Early]:
     methods = {function.name: function for function in methods_of(code)}
     init = methods.get(_INIT)
-    if init is None or not _has_self(init):
+    if init is None or not has_self(init):
         return []
     asked = {
         argument.value.text
@@ -153,7 +155,7 @@ def _in_constructor(
     init: facts.Function, methods: Mapping[str, facts.Function], others: frozenset[str]
 ) -> Iterator[_Early]:
     """The first read of each attribute, but for those of which nothing can be said."""
-    graph, caught, seen = graph_of(init.body), _caught(init.body), set(others)
+    graph, caught, seen = graph_of(init.body), caught_in(init.body), set(others)
     assigned = {name: rows for name, rows in _assigned(graph).items() if name not in others}
     later = {name: after([block for block, _ in rows]) for name, rows in assigned.items()}
     for block in graph.blocks:
@@ -180,7 +182,7 @@ def _assigned(graph: Graph) -> dict[str, list[tuple[Block, facts.Span]]]:
         for target in bound_at(block):
             inside = targets_of(target.body) if isinstance(target, facts.Function) else [target]
             for each in inside:
-                name = _of_self(each)
+                name = of_self(each)
                 if name is not None and isinstance(each, facts.Attribute):
                     assigned.setdefault(name, []).append((block, each.span))
     return assigned
@@ -188,7 +190,7 @@ def _assigned(graph: Graph) -> dict[str, list[tuple[Block, facts.Span]]]:
 
 def _direct(block: Block) -> Iterator[_Early]:
     for part, _ in read_at(block):
-        name = _of_self(part)
+        name = of_self(part)
         if name is not None and isinstance(part, facts.Attribute):
             yield _Early(name, part.span, part.span)
 
@@ -196,7 +198,7 @@ def _direct(block: Block) -> Iterator[_Early]:
 def _in_methods(methods: Mapping[str, facts.Function], block: Block) -> Iterator[_Early]:
     """What the methods read for certain that a block calls."""
     for call in () if block.fact is None else parts_of(block.fact, facts.Call):
-        method = methods.get(_of_self(call.func) or "")
+        method = methods.get(of_self(call.func) or "")
         if method is not None and method.name != _INIT:
             for read in _surely_read(method):
                 yield replace(read, method=method.name, called=call.span)
@@ -205,12 +207,12 @@ def _in_methods(methods: Mapping[str, facts.Function], block: Block) -> Iterator
 @once_for
 def _surely_read(method: facts.Function) -> list[_Early]:
     """What every run of a method reads before it assigns it."""
-    if method.decorators or method.is_async or method.is_generator or not _has_self(method):
+    if method.decorators or method.is_async or method.is_generator or not has_self(method):
         return []
-    graph, caught = graph_of(method.body), _caught(method.body)
+    graph, caught = graph_of(method.body), caught_in(method.body)
     assigned, rows = _assigned(graph), list[_Early]()
     for block in graph.blocks:
-        reads = [part for part, surely in read_at(block) if surely and _of_self(part) is not None]
+        reads = [part for part, surely in read_at(block) if surely and of_self(part) is not None]
         if not reads or block.statement is None or Itself(block.statement) in caught:
             continue
         if not graph.post_dominates([block], graph.entry, without_exceptions):
@@ -223,7 +225,7 @@ def _surely_read(method: facts.Function) -> list[_Early]:
     return rows
 
 
-def _caught(body: Sequence[facts.Stmt]) -> set[Itself[facts.Base]]:
+def caught_in(body: Sequence[facts.Stmt]) -> set[Itself[facts.Base]]:
     """The statements that are tried in case that they fail so."""
     return {
         Itself(part)
@@ -234,7 +236,7 @@ def _caught(body: Sequence[facts.Stmt]) -> set[Itself[facts.Base]]:
 
 
 def _mentioned(body: Sequence[facts.Base]) -> frozenset[str]:
-    return frozenset(name for part in everything_in(body) if (name := _of_self(part)) is not None)
+    return frozenset(name for part in everything_in(body) if (name := of_self(part)) is not None)
 
 
 def _mentioned_in(blocks: Collection[Block]) -> frozenset[str]:
@@ -264,15 +266,4 @@ def _is_given(blocks: Collection[Block]) -> bool:
     return False
 
 
-def _of_self(part: facts.Base) -> str | None:
-    match part:
-        case facts.Attribute(value=facts.Name(id="self"), attr=name):
-            return name
-    return None
-
-
-def _has_self(function: facts.Function) -> bool:
-    return bool(function.params) and function.params[0].name == "self"
-
-
-__all__ = ["EarlyRead", "early_attribute_reads"]
+__all__ = ["EarlyRead", "caught_in", "early_attribute_reads", "gives", "is_of_class"]

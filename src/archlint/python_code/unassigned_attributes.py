@@ -345,6 +345,11 @@ def may_get(workspace: WorkspaceIndex, cls: ClassInFile, name: str) -> bool:
         members = members_of(workspace, chain_of(workspace, derived))
         if members is None or any(name in names for names in members):
             return True
+    return may_be_set(workspace, cls, name)
+
+
+def may_be_set(workspace: WorkspaceIndex, cls: ClassInFile, name: str) -> bool:
+    """Whether code of the workspace that may have an object of a class gives it an attribute from outside."""
     file_facts = workspace.facts_at(cls.file)
     if file_facts is None or cls.code.name in _variables_of(file_facts):
         return True  # another class under its name
@@ -380,6 +385,7 @@ __all__ = [
     "Unassigned",
     "attributes_of_self",
     "has_self",
+    "may_be_set",
     "may_get",
     "members_of",
     "names_of_body",

@@ -1,0 +1,271 @@
+"""Attributes of a node that get their first value in a callback, and that another callback reads without asking.
+
+Until a message has come the read is an AttributeError.  So it is where a callback reads what only its own last lines
+assign, and where nothing calls the method that would assign it.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Collection, Iterator, Mapping
+from dataclasses import dataclass
+from functools import partial
+from typing import TYPE_CHECKING
+
+from archlint.analysis.uncalled_methods import is_called_elsewhere
+from archlint.place import Place
+from archlint.python_code.class_chains import (
+    ClassInFile,
+    chain_of,
+    classes_of,
+    derived_from,
+    kept_for_each_class,
+    methods_of,
+    targets_of,
+)
+from archlint.python_code.early_attribute_reads import gives, is_of_class
+from archlint.python_code.methods_at_work import INIT, Called, MethodsAtWork, methods_at_work, of_self
+from archlint.python_code.sure_reads import SureRead, sure_reads
+from archlint.python_code.unassigned_attributes import (
+    attributes_of_self,
+    has_self,
+    may_be_set,
+    members_of,
+    names_of_body,
+)
+from archlint.python_code.unshared_objects import is_unshared
+from archlint.string_enum import StringEnum
+from archlint.syntax import facts
+from archlint.syntax.parts import Itself, everything_in, names_in
+
+if TYPE_CHECKING:
+    from archlint.systems.model import WorkspaceIndex
+
+_ASKS = frozenset({"hasattr", "getattr", "setattr", "delattr"})
+_RUNS_CALLBACKS = ("spin", "spin_once", "spin_until_future_complete", "wait_for_message")
+_STARTS_LATER = frozenset({"reset", "autostart"})
+"""What makes a timer begin after the constructor."""
+
+
+class Late(StringEnum):
+    """When an attribute gets its first value."""
+
+    NEVER = "never"
+    """Nothing calls the method that assigns it."""
+    AFTERWARDS = "afterwards"
+    """The callback that reads it assigns it further down, and nothing else does."""
+    CALLED = "called"
+    """Another callback assigns it."""
+
+
+@dataclass(frozen=True)
+class LateRead:
+    """A read of an attribute that may have no value yet, in a ``method`` that runs as part of the callback ``reader``,
+    registered for something; ``setter`` is a method that assigns it."""
+
+    place: Place
+    cls: str
+    name: str
+    late: Late
+    reader: str
+    role: Called | None
+    setter: str
+    assigned: Place
+    is_sure: bool
+    is_unshared: bool
+    """Whether no other code has the object, so that none calls its methods."""
+
+
+@dataclass(frozen=True)
+class _Row:
+    """The same by the text of the class; nobody else may call ``alone``."""
+
+    name: str
+    span: facts.Span
+    late: Late
+    reader: str
+    role: Called | None
+    setter: str
+    assigned: facts.Span
+    is_sure: bool
+    alone: frozenset[str]
+
+
+def late_attributes(workspace: WorkspaceIndex) -> Iterator[LateRead]:
+    """Every such read in the files that were asked for: the first of each attribute."""
+    for file, file_facts in workspace.code.asked_for():
+        if workspace.roles.is_test(file.relative):
+            continue
+        for code in classes_of(file_facts):
+            cls = ClassInFile(file.relative, code)
+            for row in _late(workspace, cls):
+                if _is_certain(workspace, cls, row):
+                    at = partial(Place, cls.file)
+                    yield LateRead(
+                        at(*row.span),
+                        code.name,
+                        row.name,
+                        row.late,
+                        row.reader,
+                        row.role,
+                        row.setter,
+                        at(*row.assigned),
+                        row.is_sure,
+                        is_unshared(workspace, cls),
+                    )
+
+
+def _is_certain(workspace: WorkspaceIndex, cls: ClassInFile, row: _Row) -> bool:
+    """Whether nothing else gives the object the attribute, and nobody else calls the methods that do."""
+    chain = chain_of(workspace, cls)
+    if members_of(workspace, chain) is None or is_of_class(workspace, chain, row.name):
+        return False
+    names = row.alone | {row.name}
+    bases = [base.code for base in chain.own if base.code is not cls.code]
+    if any(not names.isdisjoint(gives(base) | names_in(base.body)) for base in bases):
+        return False
+    for other in derived_from(workspace, cls):
+        is_known = members_of(workspace, chain_of(workspace, other)) is not None
+        if not is_known or not names.isdisjoint(gives(other.code)):
+            return False
+    if any(is_of_class(workspace, chain, name, own=False) for name in row.alone):
+        return False  # rclpy calls it
+    file_facts = workspace.facts_at(cls.file)
+    if file_facts is None or _calls_from_outside(file_facts, row.alone):
+        return False
+    if any(is_called_elsewhere(workspace, cls.file, name) for name in row.alone):
+        return False
+    return not may_be_set(workspace, cls, row.name)
+
+
+def _calls_from_outside(file_facts: facts.Facts, methods: frozenset[str]) -> bool:
+    """Whether a file asks any object but ``self`` for one of some methods."""
+    return any(
+        part.attr in methods and of_self(part) is None for part in everything_in(file_facts.body, facts.Attribute)
+    )
+
+
+# ---------------------------------------------------------------------------------------- by the text of the class
+
+
+@kept_for_each_class
+def _late(code: facts.Class) -> list[_Row]:
+    count = Counter(function.name for function in methods_of(code))
+    work = methods_at_work(code)
+    if INIT not in work.methods or any(number > 1 for number in count.values()):
+        return []
+    if not work.registered or any(name in names_in(code.body) for name in _RUNS_CALLBACKS):
+        return []
+    setters = _setters(work)
+    early = work.after([INIT])
+    asked = {
+        argument.value.text
+        for call in everything_in(code.body, facts.Call)
+        if call.func.last_name in _ASKS
+        for argument in call.args
+    }
+    others = {*names_of_body(code), *asked}
+    late = {name: where for name, where in setters.items() if name not in others and early.isdisjoint(where) and where}
+    rows = {row.name: row for row in _never(work, late)}
+    for reader, role in _readers(code, work, early) if late else ():
+        for read in sure_reads(work, reader, frozenset(late)):
+            row = _row(work, reader, role, read, setters)
+            if row is not None:
+                rows.setdefault(row.name, row)
+    return [*rows.values()]
+
+
+def _never(work: MethodsAtWork, late: Mapping[str, dict[str, facts.Span]]) -> Iterator[_Row]:
+    """The first read of each attribute that only methods assign which nothing calls."""
+    seen: set[str] = set()
+    idle = {name: work.leading_to(setters) for name, setters in late.items()}
+    idle = {name: methods for name, methods in idle.items() if not any(map(work.called_for, methods))}
+    for method, function in work.methods.items() if idle else ():
+        written = {Itself(target) for target in targets_of(function.body)}
+        for part in attributes_of_self(function.body) if has_self(function) else ():
+            methods = idle.get(part.attr)
+            if methods is None or method in methods or part.attr in seen or Itself[facts.Base](part) in written:
+                continue
+            seen.add(part.attr)
+            setter, assigned = next(iter(late[part.attr].items()))
+            yield _Row(part.attr, part.span, Late.NEVER, method, None, setter, assigned, True, frozenset(methods))
+
+
+def _setters(work: MethodsAtWork) -> dict[str, dict[str, facts.Span]]:
+    """The methods that assign each attribute of ``self``, with the first place of each."""
+    setters: dict[str, dict[str, facts.Span]] = {}
+    for method, function in work.methods.items():
+        for target in targets_of(function.body):
+            name = of_self(target)
+            if name is not None and isinstance(target, facts.Attribute) and not name.startswith("__"):
+                setters.setdefault(name, {}).setdefault(method, target.span)
+    return setters
+
+
+def _readers(code: facts.Class, work: MethodsAtWork, early: set[str]) -> Iterator[tuple[str, Called | None]]:
+    """The callbacks that may run once the constructor is done, those of timers first."""
+    yield INIT, None
+    later = not _STARTS_LATER.isdisjoint(names_in(code.body) | _keywords(code))
+    rows = [(name, role) for method, name, role in work.registered if method in early]
+    rows = [(name, role) for name, role in rows if not (role is Called.TIMER and later)]
+    for wanted in (Called.TIMER, Called.MESSAGE, Called.REQUEST):
+        yield from dict.fromkeys((name, role) for name, role in rows if role is wanted)
+
+
+def _keywords(code: facts.Class) -> set[str]:
+    calls = everything_in(code.body, facts.Call)
+    return {argument.keyword for call in calls for argument in call.args if argument.keyword}
+
+
+def _row(
+    work: MethodsAtWork,
+    reader: str,
+    role: Called | None,
+    read: SureRead,
+    setters: Mapping[str, dict[str, facts.Span]],
+) -> _Row | None:
+    """What is said of a read in a callback; None where what assigns the attribute may have run by then."""
+    own = setters[read.name]
+    if not work.after(read.before).isdisjoint(own):
+        return None
+    leading = work.leading_to(own)
+    called = {name: work.called_for(name) for name in leading}
+    tops = {name for name in leading if called[name]}
+    if not tops or (reader in tops and not read.is_sure):
+        return None
+    late = Late.AFTERWARDS if tops == {reader} else Late.CALLED
+    if late is Late.CALLED and not _comes_later(role, set().union(*called.values())):
+        return None
+    asked = {*read.asks, *_attributes_in(work, work.after([name for name in read.asks if name in work.methods]))}
+    if not all(_is_of_others(work, setters.get(name, {}), tops | {reader}) for name in asked):
+        return None
+    setter, assigned = next(iter(own.items()))
+    return _Row(read.name, read.span, late, reader, role, setter, assigned, read.is_sure, frozenset(leading))
+
+
+def _attributes_in(work: MethodsAtWork, methods: Collection[str]) -> set[str]:
+    """The attributes of ``self`` that some methods name."""
+    parts = (part for name in methods for part in everything_in(work.methods[name].body, facts.Attribute))
+    return {name for part in parts if (name := of_self(part)) is not None}
+
+
+def _is_of_others(work: MethodsAtWork, setters: Mapping[str, facts.Span], callbacks: set[str]) -> bool:
+    """Whether an attribute for which a condition asks says nothing of what some callbacks have done: only the
+    constructor and other messages give it a value."""
+    later = work.leading_to([method for method in setters if method not in work.after([INIT])])
+    others = {method for method in later if work.called_for(method)}
+    if not later.isdisjoint(work.after(callbacks)):
+        return False
+    return all(work.called_for(method) <= {Called.MESSAGE} for method in others) and later <= work.after(others)
+
+
+def _comes_later(role: Called | None, setters: set[Called]) -> bool:
+    """Whether a callback may well run before those that assign something."""
+    if role is None:
+        return True
+    if role is Called.TIMER:
+        return Called.TIMER not in setters
+    return setters <= {Called.MESSAGE, Called.PARAMETERS}
+
+
+__all__ = ["Late", "LateRead", "late_attributes"]

@@ -1,0 +1,204 @@
+"""API002: attributes that one callback assigns and another reads before there is a value."""
+
+from __future__ import annotations
+
+import pytest
+
+from archlint.finding import Severity
+from checks.judging import Judge
+
+NODE = """
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import Float32
+from std_srvs.srv import Trigger
+
+
+class Pilot(Node):
+    def __init__(self):
+        super().__init__('pilot')
+        self.speed = None
+        self.pub = self.create_publisher(Float32, 'command', 10)
+        self.sub = self.create_subscription(Float32, 'height', self.on_height, 10)
+        {init}
+
+    def on_height(self, msg):
+        self.height = msg.data
+
+{methods}
+
+
+def main():
+    rclpy.init()
+    rclpy.spin(Pilot())
+
+
+main()
+"""
+TIMER = "self.timer = self.create_timer(0.1, self.steer)"
+SECOND = "self.other = self.create_subscription(Float32, 'speed', self.steer, 10)"
+
+SERVICE = "self.srv = self.create_service(Trigger, 'set', self.on_set)"
+SETS = ("def on_set(self, request, response):", "    self.goal = 1.0", "    return response")
+ASKS = ("def is_ready(self):", "    return self.ready", "ready = False")
+
+
+def _node(init: str, *lines: str) -> str:
+    return NODE.format(init=init, methods="\n".join(f"    {line}" for line in lines))
+
+
+def test_a_timer_that_reads_what_the_first_message_brings(judge: Judge):
+    source = _node(TIMER, "def steer(self):", "    self.pub.publish(Float32(data=self.height))  # here")
+    (finding,) = judge("API002", source)
+    assert finding.message == (
+        "only on_height() assigns self.height: this line fails with an AttributeError if the timer's callback steer() "
+        "comes here first"
+    )
+    assert finding.help == "assign self.height in __init__(), and do without it here until it has a value"
+    assert finding.severity is Severity.WARNING
+    assert [row.place.line for row in finding.related] == [16]
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        ("def steer(self, msg):", "    self.pub.publish(Float32(data=msg.data - self.height))  # here"),
+        ("def steer(self, msg):", "    if msg.data > 1.0:", "        print(self.height)  # here"),
+        ("def steer(self, msg):", "    low = abs(msg.data)", "    if low:", "        print(self.height)  # here"),
+        ("def steer(self, msg):", "    self.log(msg)", "", "def log(self, msg):", "    print(self.height)  # here"),
+        ("def steer(self, msg):", "    if self.height is None:  # here", "        return"),
+    ],
+)
+def test_a_second_subscription(judge: Judge, lines: tuple[str, ...]):
+    judge("API002", _node(SECOND, *lines))
+
+
+def test_a_condition_about_what_another_message_brings(judge: Judge):
+    judge(
+        "API002",
+        _node(
+            f"{TIMER}; {SECOND.replace('steer', 'on_speed')}",
+            "def on_speed(self, msg):",
+            "    self.speed = msg.data",
+            "def steer(self):",
+            "    if self.speed is None:",
+            "        return",
+            "    print(self.speed, self.height)  # here",
+        ),
+    )
+
+
+def test_the_constructor_itself(judge: Judge):
+    (finding,) = judge("API002", _node("self.report()", "def report(self):", "    print(self.height)  # here"))
+    assert finding.message.endswith("if its __init__() comes here first")
+    assert finding.severity is Severity.ERROR
+
+
+def test_a_callback_that_assigns_only_afterwards(judge: Judge):
+    (finding,) = judge(
+        "API002",
+        _node(TIMER, "def steer(self):", "    print(self.last)  # here", "    self.last = 1.0", "    print(self.last)"),
+    )
+    assert finding.message == (
+        "steer() reads self.last before anything assigns it: the first time that is an AttributeError"
+    )
+
+
+def test_a_method_that_nothing_calls(judge: Judge):
+    (finding,) = judge(
+        "API002",
+        _node(
+            TIMER,
+            "def steer(self):",
+            "    if rclpy.ok():",
+            "        print(self.limit)  # here",
+            "def set_limit(self, limit):",
+            "    self.limit = limit",
+        ),
+    )
+    assert finding.message == (
+        "only set_limit() assigns self.limit, and nothing calls it: this line fails with an AttributeError"
+    )
+    assert finding.help == "assign self.limit in __init__(), or call or register set_limit()"
+
+
+def test_all_of_a_class_are_one_finding(judge: Judge):
+    source = _node(
+        f"{TIMER}; {SECOND.replace('steer', 'on_width')}",
+        "def on_width(self, msg):",
+        "    self.width = msg.data",
+        "def steer(self):",
+        "    print(self.height, self.width)  # here",
+    )
+    (finding,) = judge("API002", source)
+    assert finding.message.endswith("; another attribute of the class is read too early")
+
+
+@pytest.mark.parametrize(
+    ("init", "lines"),
+    [
+        ("self.height = 0.0; " + TIMER, ("def steer(self):", "    print(self.height)")),
+        (TIMER, ("height = 0.0", "def steer(self):", "    print(self.height)")),
+        (TIMER, ("def steer(self):", "    if hasattr(self, 'height'):", "        print(self.height)")),
+        (
+            TIMER,
+            (
+                "def steer(self):",
+                "    try:",
+                "        print(self.height)",
+                "    except AttributeError:",
+                "        pass",
+            ),
+        ),
+        # a flag that the same message sets, or a method that may ask for it
+        (TIMER, ("def steer(self):", "    if self.ready:", "        print(self.height)", "ready = False")),
+        (
+            TIMER,
+            (
+                "def steer(self):",
+                "    if self.is_ready():",
+                "        print(self.height)",
+                "def is_ready(self):",
+                "    return self.seen",
+                "seen = False",
+                "def see(self):",
+                "    self.seen = True",
+            ),
+        ),
+        # begun by the message, or waiting for it
+        ("pass", ("def steer(self):", "    print(self.height)")),
+        ("self.other = None", ("def begin(self):", f"    {TIMER}", "def steer(self):", "    print(self.height)")),
+        (TIMER, ("def steer(self):", "    self.event.wait()", "    print(self.height)", "event = None")),
+        (TIMER, ("def steer(self):", "    while self.speed is None:", "        pass", "    print(self.height)")),
+        (
+            f"{TIMER}; self.timer.cancel()",
+            ("def steer(self):", "    print(self.height)", "def go(self):", "    self.timer.reset()"),
+        ),
+        (f"{TIMER}; rclpy.spin_once(self)", ("def steer(self):", "    print(self.height)")),
+        # assigned on the way
+        (TIMER, ("def steer(self):", "    self.on_height(Float32())", "    print(self.height)")),
+        (TIMER, ("def steer(self):", "    self.height = 1.0", "    print(self.height)")),
+        ("self.on_height(Float32()); " + TIMER, ("def steer(self):", "    print(self.height)")),
+        # a request is sent by who knows when
+        (f"{SERVICE}; {SECOND}", (*SETS, "def steer(self, msg):", "    print(self.goal)")),
+    ],
+)
+def test_what_is_there_by_then_or_may_be(judge: Judge, init: str, lines: tuple[str, ...]):
+    ready = _node(init, *lines).replace("self.height = msg.data", "self.height = msg.data; self.ready = True")
+    judge("API002", ready)
+
+
+def test_attributes_that_others_give_the_node(judge: Judge):
+    source = _node(TIMER, "def steer(self):", "    print(self.height)")
+    judge("API002", source.replace("rclpy.spin(Pilot())", "pilot = Pilot(); pilot.height = 1.0; rclpy.spin(pilot)"))
+
+
+def test_a_method_that_the_program_calls(judge: Judge):
+    source = _node(TIMER, "def steer(self):", "    print(self.limit)", "def set_limit(self):", "    self.limit = 1.0")
+    judge("API002", source.replace("rclpy.spin(Pilot())", "pilot = Pilot(); pilot.set_limit(); rclpy.spin(pilot)"))
+
+
+def test_a_class_that_derives_from_it(judge: Judge):
+    source = _node(TIMER, "def steer(self):", "    print(self.limit)", "def set_limit(self):", "    self.limit = 1.0")
+    derived = "class Second(Pilot):\n    def begin(self):\n        self.set_limit()\n\n\ndef main():"
+    judge("API002", source.replace("def main():", derived).replace("spin(Pilot", "spin(Second"))
