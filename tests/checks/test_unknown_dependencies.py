@@ -108,6 +108,19 @@ def test_a_rule_of_the_team_and_dependencies_for_others(judge: Judge, tag: str):
     assert judge(tag, **{"docker/rosdep.yaml": "python-gripper-pip:\n  ubuntu:\n    pip: [gripper]\n"}) == []
 
 
+@pytest.mark.parametrize(
+    ("file", "text", "told"),
+    [
+        ("setup.sh", "cat > rules.yaml <<END\nOpenCV:\n  ubuntu: [python3-opencv]\nEND\n", 0),
+        ("rules/own.yml", "OpenCV: {ubuntu: [libopencv-dev]}\n", 0),
+        ("config/vision.yaml", "OpenCV:\n  threads: 4\n", 1),
+        ("setup.sh", "echo OpenCV: installed on ubuntu\n", 1),
+    ],
+)
+def test_a_rule_of_the_team_for_a_name_that_is_nearly_one_of_rosdep(judge: Judge, file: str, text: str, told: int):
+    assert len(judge("<depend>OpenCV</depend>", **{file: text})) == told
+
+
 def test_a_module_that_comes_with_python(judge: Judge):
     (one,) = judge("<exec_depend>csv</exec_depend>", **{"robot/node.py": "import csv\nimport rclpy\n"})
     assert one.help == "remove the line"

@@ -13,7 +13,7 @@ from archlint.checks.packages import workspace_of
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place
-from archlint.packaging.absent_packages import is_a_key_of_some_file
+from archlint.packaging.absent_packages import has_a_rule_for_rosdep, is_a_key_of_some_file
 from archlint.ros import packages, rosdep
 from archlint.ros.mistaken_dependencies import Mistake, Mistaken, mistaken, modules_of_pip, of_python_2
 from archlint.workspace.manifest import condition_holds
@@ -64,6 +64,8 @@ def _unknown(
     workspace: WorkspaceIndex, package: Package, dependency: Dependency, there: frozenset[str]
 ) -> Iterator[Finding]:
     name = dependency.name
+    if has_a_rule_for_rosdep(workspace, name):
+        return
     if name == _BUILD_TYPE:
         yield _finding(package, dependency, "", _instead_of_build_type(workspace, package, dependency))
         return

@@ -142,6 +142,20 @@ def is_a_key_of_some_file(workspace: WorkspaceIndex, name: str) -> bool:
     return any(rule.search(workspace.tree.text(path) or "") for path in paths)
 
 
+_WITH_RULES = re.compile(r"[^/]*(?:\.ya?ml|\.sh|\.bash|[Dd]ockerfile[^/]*)")
+_SYSTEM = r"['\"]?(?:ubuntu|debian|fedora|rhel|arch|gentoo|osx|macports|alpine|nixos|opensuse)['\"]?[ \t]*:"
+
+
+def has_a_rule_for_rosdep(workspace: WorkspaceIndex, name: str) -> bool:
+    """Whether a file of the workspace says what rosdep installs for a name, or a script that writes such a file."""
+    rule = re.compile(
+        rf"^[ \t]*['\"]?{re.escape(name)}['\"]?[ \t]*:[ \t]*(?:\{{[ \t]*|\n[ \t]+){_SYSTEM}", re.MULTILINE
+    )
+    paths = workspace.tree.files_below(workspace.tree.top)
+    named = (path for path in paths if _WITH_RULES.fullmatch(posixpath.basename(path)))
+    return any(rule.search(workspace.tree.text(path) or "") for path in named)
+
+
 def owners_of_component(workspace: WorkspaceIndex, plugin: str) -> list[str]:
     """The packages whose CMake files, or C++ sources, register a component under its name."""
     name = rf"(?<![\w:])(?:::)?{re.escape(plugin)}(?![\w:])"
@@ -163,6 +177,7 @@ def _stands_in(workspace: WorkspaceIndex, files: Sequence[str], text: re.Pattern
 
 
 __all__ = [
+    "has_a_rule_for_rosdep",
     "is_a_key_of_some_file",
     "is_nowhere",
     "is_placeholder",
