@@ -232,6 +232,15 @@ def test_a_method_of_a_program_that_nothing_calls_is_information(findings: Calla
     assert finding.help == "delete helper(), which nothing calls"
 
 
+def test_what_is_wrong_in_a_method_that_nothing_calls_is_one_finding(findings: Callable[..., list[Finding]]) -> None:
+    body = "def helper(self):\n        time.sleep(delay)\n        log(delay)"
+    node = _node("print(other)").replace("def helper(self):\n        pass", body)
+    called, uncalled = findings("API005", **{"robot/talker.py": node})
+    assert called.message == "nothing defines 'other': this line fails with a NameError"
+    assert (uncalled.help, len(uncalled.related)) == ("delete helper(), which nothing calls", 2)
+    assert uncalled.message.endswith("; 2 more names are not defined, either")
+
+
 LAUNCH = """
 from launch import LaunchDescription
 from launch.actions import OpaqueFunction

@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.checks.registry import finding
-from archlint.checks.uncalled import unless_uncalled
+from archlint.checks.uncalled import once_where_uncalled, unless_uncalled
 from archlint.finding import Finding, Related
 from archlint.launch_files.launch_properties import ActionOverwritten, overwritten_actions
 from archlint.python_code.absent_members import AbsentMember, absent_members
@@ -39,9 +39,6 @@ OF_OBJECT = "object"
 UNASSIGNED = "unassigned"
 """The group of findings about attributes of one class that nothing assigns, and that are no slips."""
 
-UNCALLED = "uncalled"
-"""The group of findings about one method that nothing calls."""
-
 
 def attribute_findings(system: System) -> Iterator[Finding]:
     """The findings about attributes, but for what is said of a callback or of a call that rclpy refuses."""
@@ -71,14 +68,7 @@ def attribute_findings(system: System) -> Iterator[Finding]:
     for read in unassigned_attributes(system.workspace):
         if (read.place.file, read.name) not in told:
             diagnostic = _unassigned(read)
-            yield from [diagnostic] if read.is_slip or read.local else _of_uncalled(system, diagnostic)
-
-
-def _of_uncalled(system: System, diagnostic: Finding) -> Iterator[Finding]:
-    """What is advised for a method that nothing calls, once for all that is wrong in it."""
-    for told in unless_uncalled(system, diagnostic):
-        same = told.help == diagnostic.help
-        yield told if same else replace(told, group=(UNCALLED, told.place.file, told.help or ""))
+            yield from [diagnostic] if read.is_slip or read.local else once_where_uncalled(system, diagnostic)
 
 
 def _overwritten(assignment: Overwritten) -> Finding:
@@ -221,7 +211,6 @@ __all__ = [
     "LOG_WITH",
     "OF_CLASS",
     "UNASSIGNED",
-    "UNCALLED",
     "attribute_findings",
     "called_property",
 ]

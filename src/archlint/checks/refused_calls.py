@@ -17,7 +17,6 @@ from archlint.checks.attributes import (
     LOGS,
     OF_CLASS,
     UNASSIGNED,
-    UNCALLED,
     attribute_findings,
     called_property,
 )
@@ -28,7 +27,7 @@ from archlint.checks.own_calls import COMPARED, NOT_CALLED, own_call_findings
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.time_operators import OPERATOR, time_operator_findings
-from archlint.checks.uncalled import unless_uncalled
+from archlint.checks.uncalled import UNCALLED, unless_uncalled
 from archlint.finding import Finding
 from archlint.libraries.absent_names import instead_of
 from archlint.libraries.api_signatures import attributes_of, signatures_of

@@ -36,6 +36,18 @@ def unless_uncalled(system: System, diagnostic: Finding) -> Iterator[Finding]:
         yield replace(mild, help=f"delete {name}(), which nothing calls") if deletes else mild
 
 
+UNCALLED = "uncalled"
+"""The group of findings about one method that nothing calls."""
+
+
+def once_where_uncalled(system: System, diagnostic: Finding) -> Iterator[Finding]:
+    """The same as :func:`unless_uncalled`; what is advised for a method that nothing calls, once for all that is wrong
+    in it."""
+    for told in unless_uncalled(system, diagnostic):
+        same = told.help == diagnostic.help
+        yield told if same else replace(told, group=(UNCALLED, told.place.file, told.help or ""))
+
+
 def uncalled_in_program(system: System, place: Place) -> str | None:
     """The name of the method of a program, or of a module that only programs of its own package may use, that holds a
     place, where nothing calls it but methods of that kind."""
@@ -56,4 +68,4 @@ def _is_of_programs(system: System, file: str) -> bool:
     return not any(dependency.name == name for package in others for dependency in package.dependencies)
 
 
-__all__ = ["uncalled_in_program", "unless_uncalled"]
+__all__ = ["UNCALLED", "once_where_uncalled", "uncalled_in_program", "unless_uncalled"]

@@ -11,7 +11,7 @@ from archlint.analysis.source_code import source_code
 from archlint.checks.folding import folds, with_others
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
-from archlint.checks.uncalled import unless_uncalled
+from archlint.checks.uncalled import once_where_uncalled, unless_uncalled
 from archlint.finding import Finding, Related, Severity
 from archlint.python_code.how_imported import import_of
 from archlint.python_code.stray_methods import StrayMethod, stray_methods
@@ -46,7 +46,7 @@ def undefined_name(system: System, options: Options) -> Iterator[Finding]:
                 # A statement fails at the first of its names, which tells the rest.
                 leader = leaders.setdefault((read.place.file, statement), read.name)
                 told = replace(told, group=(read.place.file, leader))
-            yield from unless_uncalled(system, told)
+            yield from once_where_uncalled(system, told)
         for local in unbound_locals(system.workspace):
             yield from unless_uncalled(system, _too_early(local) if local.caught is None else _past_handler(local))
 
