@@ -92,5 +92,11 @@ def test_the_only_name_of_a_node_is_no_advice_where_it_is_nothing_like_it(findin
 
 @pytest.mark.parametrize("target", ["chatter", "/chatter"])
 def test_a_remapping_to_a_name_that_the_node_has_anyway(findings, target: str):
-    (found,) = findings("LCH002", node(f'<remap from="chater" to="{target}"/>'))
-    assert found.help == f"remove it: the node has the name '{target}' already"
+    """Nothing is lost: the line says what holds without it."""
+    assert findings("LCH002", node(f'<remap from="chater" to="{target}"/>')) == []
+    assert len(findings("LCH002", node('<remap from="chater" to="words"/>'))) == 1
+
+
+def test_a_node_is_renamed_by_name_alone(findings):
+    (told,) = findings("LCH002", node('<remap from="/talker" to="speaker"/>'))
+    assert told.help == "remove it, or rename the node with name=: a remapping is for topics, services and actions"

@@ -113,6 +113,9 @@ def _dead(system: System, remap: Remap, nodes: list[Node], started: Started) -> 
             return None
         expanded = full
         known |= names_of_node
+        target = names.expand(remap.target.text or "", name, namespace)
+        if remap.target.resolution == "exact" and target in names_of_node:
+            return None  # it says what the node has anyway, as one that says the name again does
     return _Dead(source, expanded, frozenset(known))
 
 
@@ -125,7 +128,7 @@ def _finding(remap: Remap, nodes: list[Node], dead: _Dead) -> Finding:
         "LCH002",
         remap.place,
         f"{node_name} has no name '{dead.expanded}', so this remapping has no effect{hint}",
-        help=_advice(remap, dead, hint) if parameter is None else _as_parameter(remap, parameter),
+        help=_advice(node_name, dead, hint) if parameter is None else _as_parameter(remap, parameter),
         node=node_name,
         identity=(node_name or "", dead.expanded),
         group=() if hint or parameter is not None else _source_of(nodes[0]),
@@ -158,13 +161,12 @@ def _as_parameter(remap: Remap, name: str) -> str:
     )
 
 
-def _advice(remap: Remap, dead: _Dead, hint: str) -> str:
-    """A name of the node that may be meant; the only one that it has is no advice where it is nothing like it, and none
-    is where the node has the target anyway.  Of two names that are nearly alike either may be the slip."""
+def _advice(node_name: str | None, dead: _Dead, hint: str) -> str:
+    """A name of the node that may be meant; the only one that it has is no advice where it is nothing like it.  Of two
+    names that are nearly alike either may be the slip."""
+    if dead.expanded == node_name:
+        return "remove it, or rename the node with name=: a remapping is for topics, services and actions"
     own = sorted(name for name in dead.known if "/_action/" not in name)
-    target = remap.target.text or ""
-    if target in own or f"/{target}" in own:
-        return f"remove it: the node has the name '{target}' already"
     last = dead.source.rpartition("/")[2]
     if len(own) > 1 or hint or any(name.endswith(f"/{last}") for name in own):
         return f"use a full name of the node: {listed(own)}" + (", or correct that one" if hint else "")
