@@ -332,3 +332,16 @@ def test_a_launch_file_that_is_started_as_a_program_is_to_be_included(findings, 
 def test_a_program_of_the_name_that_is_no_launch_file_is_to_be_installed(findings):
     (told,) = findings("LCH001", node(exec="view_robot.py"), **{"scripts/view_robot.py": TALKER})
     assert told.help == "install scripts/view_robot.py in setup.py"
+
+
+def test_the_scripts_of_a_package_that_are_not_installed_are_one_finding(findings):
+    """One edit of its setup.py mends all of them."""
+    started = "\n".join(node(exec=name) for name in ("tracking", "planning", "driving"))
+    files = {"robot/tracking.py": TALKER, "robot/planning.py": TALKER}
+    one, other = findings("LCH001", started, **files)
+    assert one.message == (
+        "package 'robot' installs none of these 2 executables: planning, tracking; "
+        "their files exist but are not installed"
+    )
+    assert [(row.place.line, row.message) for row in one.related] == [(2, "'planning' is started here")]
+    assert other.message == "package 'robot' installs no executable 'driving'"

@@ -5,7 +5,7 @@ from __future__ import annotations
 import posixpath
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from archlint.checks.folding import folds, with_places
 from archlint.checks.packages import is_ignored_by_cmake
@@ -53,14 +53,14 @@ def unknown_executable(system: System, options: Options) -> Iterator[Finding]:
         if entry is not None:
             yield _unread_entry(started, name, entry, _installed(system.workspace, installs))
             continue
-        hint, help = _included(installs, started, name, system.workspace) or _instead(installs, name, system.workspace)
+        advice = _included(installs, started, name, system.workspace) or _instead(installs, name, system.workspace)
         yield finding(
             "LCH001",
             started.places.get("executable", started.place),
-            f"package '{installs.package}' installs no executable '{name}'{hint}",
-            help=help,
+            f"package '{installs.package}' installs no executable '{name}'{advice.hint}",
+            help=advice.help,
             identity=(installs.package, name),
-            group=(installs.package, name),
+            group=(installs.package, _LEFT_OUT if advice.is_left_out else name),
         )
 
 
@@ -95,8 +95,9 @@ def _unread_entry(started: Started, name: str, entry: Executable, installed: dic
 
 
 _NOT_READ = "CMake builds it, and its setup.py is not read"
-_UNREAD = "setup.py "
-"""What the entries of a setup.py that CMake does not read have in common: the name of no executable."""
+_UNREAD, _LEFT_OUT = "setup.py ", "left out "
+"""What the entries of a setup.py that CMake does not read have in common, and the scripts that a package does not
+install: the names of no executable."""
 
 
 def _is_named_by_cmake(installs: Installs, name: str) -> bool:
@@ -107,8 +108,8 @@ def _is_named_by_cmake(installs: Installs, name: str) -> bool:
 
 @folds("LCH001", across_systems=True)
 def _of_one_executable(several: Sequence[Finding]) -> Finding:
-    """One finding for an executable that is not there, however many launch actions start it; and for all that are not
-    there because CMake does not read the setup.py."""
+    """One finding for an executable that is not there, however many launch actions start it; for all that are not there
+    because CMake does not read the setup.py, and for all scripts of a package that are not installed."""
     names = dict.fromkeys(finding.identity[1] for finding in several)
     if len(names) == 1:
         return with_places(several, "it is started here, too")
@@ -120,6 +121,13 @@ def _of_one_executable(several: Sequence[Finding]) -> Finding:
         for finding in several
         for row in (Related(finding.place, f"'{finding.identity[1]}' is started here"), *finding.related)
     ]
+    if first.group[1] == _LEFT_OUT:
+        return replace(
+            first,
+            message=f"package '{first.identity[0]}' installs {those}; their files exist but are not installed",
+            help="install each, in setup.py or CMakeLists.txt, under the name that the launch files use",
+            related=tuple(dict.fromkeys(related[1:])),
+        )
     return replace(
         first,
         message=f"package '{first.identity[0]}' installs {those}: {_NOT_READ}",
@@ -222,7 +230,16 @@ def _include(started: Started) -> str:
 _INCLUDE = {".py": "IncludeLaunchDescription(…)", ".xml": '<include file="…"/>'}
 
 
-def _included(installs: Installs, started: Started, name: str, workspace: WorkspaceIndex) -> tuple[str, str] | None:
+class _Advice(NamedTuple):
+    """What is said of an executable that is not there, beside that it is not."""
+
+    hint: str
+    help: str
+    is_left_out: bool = False
+    """Whether its file is there, so that one edit of a build file mends it together with others."""
+
+
+def _included(installs: Installs, started: Started, name: str, workspace: WorkspaceIndex) -> _Advice | None:
     """What is said of a launch file of the package that is started as if it were a program."""
     files = [
         file
@@ -231,10 +248,10 @@ def _included(installs: Installs, started: Started, name: str, workspace: Worksp
     ]
     if len(files) != 1:
         return None
-    return f": {files[0]} is a launch file, and no program", f"include it instead: {_include(started)}"
+    return _Advice(f": {files[0]} is a launch file, and no program", f"include it instead: {_include(started)}")
 
 
-def _instead(installs: Installs, name: str, workspace: WorkspaceIndex) -> tuple[str, str]:
+def _instead(installs: Installs, name: str, workspace: WorkspaceIndex) -> _Advice:
     """What to start or to install instead of an executable that is not there: a hint and a line of help."""
     installed = _installed(workspace, installs)
     known = sorted(installed)
@@ -243,31 +260,36 @@ def _instead(installs: Installs, name: str, workspace: WorkspaceIndex) -> tuple[
         same = [file for file in known if file.endswith(".py") and _stem(installed[file]) == name.removesuffix("_node")]
     if len(same) == 1:
         source = installed[same[0]]
-        return f"; {source.script or source.module} is installed as '{same[0]}'", f"start '{same[0]}'"
+        return _Advice(f"; {source.script or source.module} is installed as '{same[0]}'", f"start '{same[0]}'")
     if name in installs.too_deep:
         where = installs.too_deep[name]
-        return (
+        return _Advice(
             f": it is installed as {where}",
             "install the content of the folder, with a trailing slash: install(DIRECTORY …/ …)",
         )
     owners = [install.package for install in workspace.installs.values() if name in _installed(workspace, install)]
     if len(owners) == 1:
-        return f"; package '{owners[0]}' installs it", f"start it from package '{owners[0]}'"
+        return _Advice(f"; package '{owners[0]}' installs it", f"start it from package '{owners[0]}'")
     build = _build_file(installs, workspace)
     files = workspace.code.files_of(installs.package)
     there = [file for file in files if posixpath.basename(file) == name]
     if len(there) == 1:
-        return did_you_mean(name, known), f"install {there[0]} in {build}"
+        return _Advice(did_you_mean(name, known), f"install {there[0]} in {build}")
     stems = {name, name.removesuffix("_node")} - {_stem(executable) for executable in installed.values()}
     meant = [file for file in files if posixpath.basename(file).removesuffix(".py") in stems]
     if len(meant) == 1 and is_empty(workspace, meant[0]):
-        return f"; {meant[0]} is empty", f"remove the node, or write its program there and install it in {build}"
+        return _Advice(
+            f"; {meant[0]} is empty", f"remove the node, or write its program there and install it in {build}"
+        )
     if len(meant) == 1 and starts_nothing(workspace, meant[0]):
-        return f"; {meant[0]} is not installed and starts nothing", f"give it a main(), and install it in {build}"
+        return _Advice(
+            f"; {meant[0]} is not installed and starts nothing", f"give it a main(), and install it in {build}"
+        )
     if len(meant) == 1:  # nearer than another node of a similar name
-        return f"; {meant[0]} exists but is not installed", f"install it in {build} under the name '{name}'"
+        help = f"install it in {build} under the name '{name}'"
+        return _Advice(f"; {meant[0]} exists but is not installed", help, is_left_out=True)
     others = f", or start one that the package installs: {listed(known)}" if known else ""
-    return did_you_mean(name, known), f"add it to {build}{others}"
+    return _Advice(did_you_mean(name, known), f"add it to {build}{others}")
 
 
 def _stem(executable: Executable) -> str:
