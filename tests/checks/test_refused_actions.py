@@ -198,3 +198,4 @@ def test_a_group_of_settings_in_xml(findings):
         },
     )
     assert (told.place.line, told.message[:40]) == (2, "nothing is in this group that SetLaunchC")
+    assert (told.help or "").endswith('or write scoped="false"')

@@ -154,7 +154,8 @@ def _idle(group: IdleGroup) -> Finding:
         "LCH008",
         group.place,
         f"nothing is in this group that {shown} could be for: what it sets ends with the group",
-        help="put the actions that it is for into the group, or write scoped=False",
+        help="put the actions that it is for into the group, or write "
+        + ("scoped=False" if group.place.file.endswith(".py") else 'scoped="false"'),
         identity=group.settings,
         group=(group.place.file, "idle group"),
     )
