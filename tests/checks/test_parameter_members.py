@@ -141,3 +141,50 @@ def test_a_method_of_rclcpp_for_another_type(findings, read: str, column: int, m
 )
 def test_a_method_of_rclcpp_for_the_type(findings, read: str):
     assert findings("PRM010", **{"src/robot.cpp": CPP.format(read=read)}) == []
+
+
+OVERLOADS = """
+#include <rclcpp/rclcpp.hpp>
+
+std::string setting(rclcpp::Node & node, const std::string & name, const std::string & fallback)
+{{
+  node.declare_parameter(name, fallback);
+  return node.get_parameter(name).as_string();
+}}
+
+double setting(rclcpp::Node & node, const std::string & name, double fallback)
+{{
+  node.declare_parameter(name, fallback);
+  return node.get_parameter(name).as_double();
+}}
+
+bool setting(rclcpp::Node & node, const std::string & name, bool fallback)
+{{
+  node.declare_parameter(name, fallback);
+  return node.get_parameter(name).{read};
+}}
+
+class Robot : public rclcpp::Node
+{{
+public:
+  Robot() : Node("robot")
+  {{
+    const std::string side = "left";
+    setting(*this, "side", side);
+    setting(*this, "rate", 10.0);
+    setting(*this, "is_real", true);
+  }}
+}};
+
+int main(int argc, char ** argv)
+{{
+  rclcpp::init(argc, argv);
+  rclcpp::spin(std::make_shared<Robot>());
+}}
+"""
+
+
+def test_an_overload_is_chosen_by_the_type_of_its_argument(findings):
+    assert findings("PRM010", **{"src/robot.cpp": OVERLOADS.format(read="as_bool()")}) == []
+    (told,) = findings("PRM010", **{"src/robot.cpp": OVERLOADS.format(read="as_int()")})
+    assert told.message == "'as_int()' throws an exception here: the parameter 'is_real' is a bool"

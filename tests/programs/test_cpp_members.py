@@ -250,3 +250,29 @@ def test_a_member_whose_type_is_written_with_it(member: str) -> None:
     [node] = graph({"src/talker.cpp": SETTINGS % member})["nodes"]
     [end] = node["publishers"]
     assert (end["name"], end["qos"]["depth"]) == ("/arm/state", 7)
+
+
+HELPER = """
+#include "rclcpp/rclcpp.hpp"
+class Helper {
+public:
+  void attach(rclcpp_lifecycle::LifecycleNode * node) { node_ = node; }
+private:
+  rclcpp_lifecycle::LifecycleNode * node_{%s};
+};
+class Robot : public rclcpp_lifecycle::LifecycleNode {
+public:
+  Robot() : LifecycleNode("robot"), helper_(std::make_shared<Helper>()) { helper_->attach(this); }
+private:
+  std::shared_ptr<Helper> helper_;
+};
+int main(int argc, char ** argv) {
+  rclcpp::init(argc, argv);
+  rclcpp::spin(std::make_shared<Robot>()->get_node_base_interface());
+}
+"""
+
+
+@pytest.mark.parametrize("value", ["nullptr", ""])
+def test_a_pointer_in_braces_makes_no_node(value: str) -> None:
+    assert [node["name"] for node in graph({"src/robot.cpp": HELPER % value})["nodes"]] == ["/robot"]

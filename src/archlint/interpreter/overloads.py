@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING
 
-from archlint.interpreter.values import FunctionValue, Value
+from archlint.interpreter.values import FunctionValue, Known, Value
 
 if TYPE_CHECKING:
     from archlint.interpreter.call_site import CallSite
@@ -46,7 +47,8 @@ def meant(overloads: Overloads, function: FunctionValue, site: CallSite) -> Func
     """The one that takes as many arguments as are given; where none does, the shortest that could with the defaults of
     its declaration, which a definition outside of the class does not repeat; else the one that takes the fewest.
 
-    Types are not compared: of several that fit it is the one that was found by the name.
+    Of several that take as many it is the one whose parameters have the types of the constants that are given; types
+    that say nothing leave the one that was found by the name.
     """
     functions = all_of(overloads, function)
     if len(functions) < 2:
@@ -56,7 +58,42 @@ def meant(overloads: Overloads, function: FunctionValue, site: CallSite) -> Func
     if not fitting:
         with_defaults = [other for other in functions if given <= _accepted(other)]
         return min(with_defaults, key=_accepted) if with_defaults else min(functions, key=_required)
+    fitting = _of_given_types(fitting, site)
     return next((other for other in fitting if other.ir is function.ir), fitting[-1])
+
+
+def _of_given_types(functions: list[FunctionValue], site: CallSite) -> list[FunctionValue]:
+    """Those of some functions whose parameters have the most types in common with the constants of a call."""
+    if len(functions) < 2:
+        return functions
+    given = [_KIND_OF_VALUE.get(type(value.value)) if isinstance(value, Known) else None for value in site.args]
+    shared = [_types_shared(function, given) for function in functions]
+    return [function for function, count in zip(functions, shared, strict=True) if count == max(shared)]
+
+
+def _types_shared(function: FunctionValue, given: list[str | None]) -> int:
+    """How many constants have the type of their parameter; -1 where a text is given for a number, or the reverse."""
+    count = 0
+    for param, kind in zip(function.ir.params, given, strict=False):
+        wanted = None if param.annotation is None or param.kind == "star" else _kind_of_type(param.annotation.dotted)
+        if kind is None or wanted is None:
+            continue
+        if "text" in (kind, wanted) and kind != wanted:
+            return -1
+        count += kind == wanted
+    return count
+
+
+_KIND_OF_VALUE = {str: "text", bool: "bool", int: "integer", float: "number"}
+_KIND_OF_TYPE = {"str": "text", "bool": "bool", "int": "integer", "float": "number", "double": "number"}
+_INTEGER = re.compile(
+    r"(?:std\W+)?(?:u?int\d+_t|size_t)|(?:unsigned |signed )*(?:long|short|unsigned)(?: long)?(?: int)?"
+)
+
+
+def _kind_of_type(name: str) -> str | None:
+    """What constants a parameter of a type takes as they are; None for a class, or a type that is not known."""
+    return _KIND_OF_TYPE.get(name) or ("integer" if _INTEGER.fullmatch(name) else None)
 
 
 def _accepted(function: FunctionValue) -> int:

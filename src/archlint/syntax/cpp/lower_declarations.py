@@ -144,12 +144,12 @@ class DeclarationLowering(CallLowering):
             return facts.Sequence("tuple", self.lower_all(inner), span)
         smart = last.name in ("shared_ptr", "unique_ptr", "optional", "atomic") or last.name.endswith("Ptr")
         plain = kind is None or kind.type in ("primitive_type", "sized_type_specifier", "placeholder_type_specifier")
-        if smart or plain or is_pointer(parts):
+        if smart or plain or variable.is_pointer or is_pointer(parts):
             return (
                 self.lower(inner[0])
                 if len(inner) == 1
                 else facts.Literal(None, span)
-                if smart
+                if smart or variable.is_pointer
                 else facts.Opaque("a value", span)
             )
         assert kind is not None
