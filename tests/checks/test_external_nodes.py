@@ -201,3 +201,11 @@ def test_a_value_may_be_for_a_node_from_elsewhere_in_the_same_process(
     write_robot(tmp_path, line, **files, **{"package.xml": manifest(build_type="ament_cmake")})
     report = check(Request((".",), Settings(), cached=False, jobs=1))
     assert len([finding for finding in report.findings if finding.code == "PRM004"]) == found
+
+
+def test_a_second_node_that_a_parameter_makes_is_no_namesake(told):
+    named = '<node pkg="acme" exec="base" name="driver"/>'
+    log = replace(BASE, name="log")
+    [(_, _, message)] = told(("NME004",), more=named, known=(BASE, log))
+    assert "several have the name '/driver'" in message
+    assert told(("NME004",), more=named, known=(BASE, replace(log, conditional=True))) == []

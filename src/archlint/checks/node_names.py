@@ -64,6 +64,8 @@ def _coexist(system: System, node: Node, other: Node) -> bool:
         return False
     if any(_is_tool(each) or is_brief(system, each) for each in (node, other)):
         return False
+    if any(each.known is not None and each.known.conditional for each in (node, other)):
+        return False  # who starts the program may never meet the condition
     if node.started is not other.started:
         return True
     return not (_gone_before(node, other) or _gone_before(other, node) or _in_other_branches(node, other))
@@ -254,7 +256,7 @@ def _of_one_process(system: System, first: Node, other: Node) -> Iterator[Findin
     if other.launch_place is None:
         return
     renamed = first.started is not None and first.started.name is not None
-    differ = _own_name(first) != _own_name(other)
+    differ = first.known is not None or _own_name(first) != _own_name(other)
     message = f"this executable creates several nodes with the name '{first.name}'"
     if renamed and differ:
         message = f"name= renames every node of this executable, so several have the name '{first.name}'"

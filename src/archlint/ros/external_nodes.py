@@ -84,6 +84,8 @@ class ExternalNode(msgspec.Struct, frozen=True, omit_defaults=True, forbid_unkno
     own_name: bool = False
     """Whether arguments of its own give it its name, and a namespace below that of the process, so that a launch file
     cannot."""
+    conditional: bool = False
+    """Whether its program makes it under a condition, such as a parameter."""
 
 
 class ExternalNodes(msgspec.Struct, frozen=True):

@@ -78,7 +78,8 @@ def blueprint_of(row: ExternalNode, started: Started, distro: str | None) -> tup
     if not read:
         reasons.append(f"its source in {distro} was not read")
     versions = row.versions if distro is None or not read else {distro: row.versions.get(distro, "")}
-    known = KnownExternal(row.source, dict(versions), tuple(reasons), row.takes_any_parameter or not read)
+    any_parameter = row.takes_any_parameter or not read
+    known = KnownExternal(row.source, dict(versions), tuple(reasons), any_parameter, row.conditional)
     return blueprint, known
 
 

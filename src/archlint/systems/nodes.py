@@ -110,6 +110,8 @@ class KnownExternal:
     open: tuple[str, ...] = ()
     """Why it may have more than that; empty where it does not."""
     takes_any_parameter: bool = False
+    conditional: bool = False
+    """Whether its program makes it under a condition, such as a parameter."""
 
     @property
     def complete(self) -> bool:
