@@ -1020,7 +1020,9 @@ def test_a_method_of_that_name_in_a_file_that_only_says_the_name_of_the_module(j
     own = "class Lamp:\n    def blink(self):\n        self.blink() or print('node')\n"
     judge("TMO003", text, own, config=LOST_ANSWERS)
     marked = text.replace("Trigger.Request()))", "Trigger.Request()))  # here")
-    judge("TMO003", marked, "from node import Panel\n" + own, config=LOST_ANSWERS)
+    judge("TMO003", text, "from node import Panel\n" + own, config=LOST_ANSWERS)
+    calls = own.replace("print('node')", "Panel().blink()")
+    judge("TMO003", marked, "from node import Panel\n" + calls, config=LOST_ANSWERS)
 
 
 @pytest.mark.parametrize(

@@ -62,6 +62,17 @@ def manifest(name: str, tags: str = "") -> str:
     )
 
 
+OWN = """\
+
+    def force(self, speed):
+        return 2.0
+
+    def hold(self):
+        return self.force(1.0)
+"""
+OWN_OF_CAR = CAR.replace("\n\ndef main", f"{OWN}\n\ndef main", 1)
+
+
 @pytest.mark.parametrize(
     ("files", "told"),
     [
@@ -69,6 +80,8 @@ def manifest(name: str, tags: str = "") -> str:
         ({"car/car/drive.py": CAR.replace("press()", "force(3.0)")}, True),
         ({"car/car/brake.py": STOP, "car/car/drive.py": CAR.replace("press()", "stop()")}, True),
         ({"car/car/brake.py": STOP}, False),
+        ({"car/car/drive.py": OWN_OF_CAR}, False),
+        ({"car/car/drive.py": OWN_OF_CAR.replace("press()", "force(3.0)")}, True),
         ({"car/setup.py": LIBRARY}, True),
         ({"fleet/package.xml": manifest("fleet", "<depend>car</depend>"), "fleet/setup.py": LIBRARY}, True),
         ({"fleet/package.xml": manifest("fleet"), "fleet/setup.py": LIBRARY}, False),
@@ -78,6 +91,8 @@ def manifest(name: str, tags: str = "") -> str:
         "called",
         "called by one that is called",
         "led to by what nothing calls",
+        "another has a method of that name",
+        "another has one, and calls this one, too",
         "a library",
         "another package needs it",
         "another package",

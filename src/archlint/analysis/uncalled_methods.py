@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 def uncalled_method(workspace: WorkspaceIndex | None, place: Place) -> str | None:
     """The name of the method that holds a place, where its own file does not name it again, and no other Python file
     has a word for the module and for the method or one that leads to it; None for any other place.  A file that has a
-    method of that name itself, and does not import the module, means its own."""
+    method of that name itself, and does not import the module or asks ``self`` alone for it, means its own."""
     if workspace is None:
         return None
     function = code_of(workspace).function_at(place)
@@ -37,9 +37,14 @@ def is_called_elsewhere(workspace: WorkspaceIndex, file: str, method: str) -> bo
 
 
 def _may_call(workspace: WorkspaceIndex, file: str, module: str, method: str) -> bool:
+    """Whether a file may call the method of a module.  One that has a method of that name, and asks nothing else than
+    ``self`` for it, means its own."""
     file_facts = workspace.facts_at(file)
-    own = [] if file_facts is None else everything_in(file_facts.body, facts.Function)
-    return all(function.name != method for function in own) or module in workspace.code.reached_from([file])
+    if file_facts is None or all(each.name != method for each in everything_in(file_facts.body, facts.Function)):
+        return True
+    asked = [each for each in everything_in(file_facts.body, facts.Attribute) if each.attr == method]
+    of_itself = all(each.dotted == f"self.{method}" for each in asked) and not workspace.code.mentions(file, "getattr")
+    return not of_itself and module in workspace.code.reached_from([file])
 
 
 __all__ = ["is_called_elsewhere", "uncalled_method"]
