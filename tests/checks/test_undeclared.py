@@ -659,6 +659,17 @@ def test_a_package_that_the_build_needs_and_that_is_declared_to_run(lint: Lint):
     assert one.sites is None  # a <depend> beside the <exec_depend> would be refused
 
 
+def test_what_is_declared_to_run_beside_what_is_not_declared(lint: Lint):
+    find = f"{FIND_OTHER}\nfind_package(rclcpp REQUIRED)\nfind_package(std_srvs REQUIRED)"
+    (told,) = lint(with_other(find, *depends("arm_msgs", tag="exec_depend")))
+    assert told.message.endswith("does not declare: arm_msgs, rclcpp, std_srvs (arm_msgs: to run only)")
+    assert told.help == (
+        "write <depend>arm_msgs</depend> instead of its <exec_depend>; "
+        "add a line like <depend>rclcpp</depend> for each to robot/package.xml"
+    )
+    assert "arm_msgs" not in (added(told) or "") and "rclcpp" in (added(told) or "")
+
+
 @pytest.mark.parametrize(
     ("find", "tags"),
     [

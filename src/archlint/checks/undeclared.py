@@ -119,9 +119,11 @@ def _message(workspace: WorkspaceIndex, package: Package, first: Use, needed: Se
         return what + _hint(workspace, package, first)
     more = f" and {len(needed) - _NAMED} more" if len(needed) > _NAMED else ""
     listed = ", ".join(needed[:_NAMED]) + more
-    tests = f" ({', '.join(for_tests[:_NAMED])}: for tests only)" if for_tests else ""
+    to_run = [name for name in needed if name in _to_run_only(package)]
+    kinds = ((for_tests, "for tests only"), (to_run, "to run only"))
+    partly = "; ".join(f"{', '.join(names[:_NAMED])}: {kind}" for names, kind in kinds if names)
     what = f"package '{package.name}' uses {len(needed)} packages that its package.xml does not declare"
-    return f"{what}: {listed}{tests}"
+    return f"{what}: {listed}" + (f" ({partly})" if partly else "")
 
 
 def _to_run_only(package: Package) -> set[str]:
@@ -146,13 +148,20 @@ def _help(package: Package, by_needed: Mapping[str, Sequence[Use]]) -> str:
     needed = sorted(by_needed)
     if not package.in_export.keys().isdisjoint(needed):
         return f"declare {'it' if len(needed) == 1 else 'each'} outside of <export>: entries inside it do not count"
-    to_run = _to_run_only(package)
-    if needed[0] in to_run and package.format > 1:
+    to_run = [name for name in needed if name in _to_run_only(package) and package.format > 1]
+    others = [name for name in needed if name not in to_run]
+    cures = []
+    if to_run:
         later = ": colcon may build it after this package" if len(needed) == 1 else ""
-        return f"write <depend>{needed[0]}</depend> instead of its <exec_depend>{later}"
-    tag = _tag(package, by_needed[needed[0]])
-    manifest, line = package.manifest.relative, f"<{tag}>{needed[0]}</{tag}>"
-    return f"add {line} to {manifest}" if len(needed) == 1 else f"add a line like {line} for each to {manifest}"
+        rest = "" if len(to_run) == 1 else f", and so for {', '.join(to_run[1:_NAMED])}"
+        cures.append(f"write <depend>{to_run[0]}</depend> instead of its <exec_depend>{later}{rest}")
+    if others:
+        tag = _tag(package, by_needed[others[0]])
+        manifest, line = package.manifest.relative, f"<{tag}>{others[0]}</{tag}>"
+        cures.append(
+            f"add {line} to {manifest}" if len(others) == 1 else f"add a line like {line} for each to {manifest}"
+        )
+    return "; ".join(cures)
 
 
 def _related(by_needed: Mapping[str, Sequence[Use]]) -> Iterator[Related]:
