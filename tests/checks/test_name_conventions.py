@@ -97,7 +97,9 @@ def write_package(folder: Path, name: str, text: str) -> None:
 def test_so_are_those_of_several_packages(folder: Path):
     write_package(folder, "arms", ARM)
     write_package(folder, "base", BASE)
+    assert check(Request((".",), load(folder), cached=False, jobs=1)).findings == []  # they make up a robot
 
+    (folder / "archlint.toml").write_text('select = ["NME001"]\n[rules.NME001]\neverywhere = true\n')
     [finding] = check(Request((".",), load(folder), cached=False, jobs=1)).findings
     assert finding.message == "2 nodes in 2 packages fix 3 absolute names: no namespace applies to any of them"
 
@@ -173,6 +175,7 @@ def test_packages_that_have_both_forms_are_told_with_the_others(folder: Path):
     write_package(folder, "arms", ARM)
     write_package(folder, "bases", BASE)
 
+    (folder / "archlint.toml").write_text('select = ["NME001"]\n[rules.NME001]\neverywhere = true\n')
     [finding] = check(Request((".",), load(folder), cached=False, jobs=1)).findings
     assert finding.message.startswith("3 nodes in 3 packages fix 4 absolute names, beside relative ones such as")
     assert places([finding]) == [("lidars/robot/talker.py", 9)]
@@ -414,8 +417,9 @@ def test_a_script_of_a_package_whose_cmake_files_install_no_program(folder: Path
 def test_a_node_that_speaks_with_a_fixed_system_cannot_be_started_twice(folder: Path):
     commander = node("Commander", "/drone/cmd_pose", "/fmu/in/offboard_control_mode")
     assert check(request(folder, commander=commander)).findings == []
+    assert check(request(folder, commander=commander, arm=ARM)).findings == []  # nor can what runs beside it
 
-    [finding] = check(request(folder, commander=commander, arm=ARM)).findings
+    [finding] = check(everywhere(folder, commander=commander, arm=ARM)).findings
     assert finding.message.startswith("2 names of Arm")
 
 

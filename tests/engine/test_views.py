@@ -121,5 +121,6 @@ def test_both_ends_of_a_mistake_are_told_wherever_one_asks(capsys: pytest.Captur
 def test_findings_of_other_packages_are_not_told(capsys: pytest.CaptureFixture[str]) -> None:
     node = Path("src/second/second/node.py")
     node.write_text(node.read_text().replace("'chatter'", "'/robot/absolute'"))
+    Path("archlint.toml").write_text("[rules.NME001]\neverywhere = true\n")
     assert "NME001" in printed(capsys, "check", "src/second", "--select", "NME001")
     assert printed(capsys, "check", "src/talker", "--select", "NME001") == ""

@@ -78,7 +78,7 @@ def told(system: System, names: Sequence[FixedName], everywhere: bool) -> list[t
     workspace that starts nothing but its own nodes, also hears of what else speaks against absolute names, and so does
     who wants to be told of all, ``everywhere``.
     """
-    if everywhere or (is_lesson(system) and _starts_each_once(system.workspace)):
+    if everywhere or (is_lesson(system) and _stands_alone(system) and _starts_each_once(system.workspace)):
         return _told_of_all(system.workspace, names, everywhere)
     parted = _parted(system.workspace, names)
     kept = _with_other_absolute_names(names, parted)
@@ -102,6 +102,14 @@ def _with_other_absolute_names(
         if any(text.startswith("/") and (text, kind) not in parted for text, kind in (_end_of(name), *written)):
             kept.add(name.home)
     return kept
+
+
+def _stands_alone(system: System) -> bool:
+    """Whether the nodes of a workspace are in one package, and talk to no system of which there is one, such as PX4: a
+    lesson has one package of code.  Several make up a robot, and such a system has its names from elsewhere."""
+    nodes = [node for node in system.nodes if not node.external and not node.test]
+    written = (end for node in nodes for end in node.endpoints if (end.written or "").startswith("/"))
+    return len({node.package for node in nodes}) <= 1 and not any(is_foreign(system.workspace, end) for end in written)
 
 
 def _starts_each_once(workspace: WorkspaceIndex | None) -> bool:
