@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from robot_package import TALKER, UNDER_CONDITIONS, node
+from robot_package import SETUP, TALKER, UNDER_CONDITIONS, node
 
 
 def test_the_node_that_a_helper_works_on_is_no_second_one(findings):
@@ -428,6 +428,26 @@ def test_a_helper_node_that_is_made_beside_the_other(findings):
     text = before + READ.format(line="pass").replace("    read()\n", "    it = Talker()\n    read()\n")
     text = text.replace("spin(Talker())", "spin(it)")
     assert len(findings("NME004", node(name="it"), **{"robot/talker.py": text})) == 1
+
+
+PAIRS = (("left", "right"), ("up", "down"))
+
+
+def test_helper_nodes_of_one_package_are_one_finding_whatever_launch_files_start_them(findings):
+    """Only the code can tell them apart, and it does so once for all launch files."""
+    before, _, _ = TALKER.partition("\ndef main")
+    main = "\ndef main():\n    rclpy.init()\n    helper = rclpy.create_node('{}')\n    rclpy.spin(Talker())\n"
+    helpers = {"left": "reader", "right": "reader", "up": "writer", "down": "writer"}
+    files = {
+        f"robot/{name}.py": before.replace("'talker'", f"'{name}'") + main.format(helper)
+        for name, helper in helpers.items()
+    }
+    entries = ", ".join(f"'{name} = robot.{name}:main'" for name in helpers)
+    files["setup.py"] = SETUP.replace("'talker = robot.talker:main'", entries)
+    files |= {f"launch/{name}.launch.xml": f"<launch>{node(exec=name)}</launch>" for name in ("left", "up")}
+    outer = "".join(f'<include file="$(dirname)/{name}.launch.xml"/>{node(exec=other)}' for name, other in PAIRS)
+    (told,) = findings("NME004", outer, **files)
+    assert told.message == "two nodes of this system have the name '/reader'; another node is started in the same way"
 
 
 def test_two_launch_actions_are_one_finding_with_all_names(findings):

@@ -157,14 +157,18 @@ def _of_two_actions(system: System, several: list[Twins]) -> Iterator[Finding]:
         node=names[0],
         identity=tuple(names),
     )
+    files = dict.fromkeys((first.launch_place.file, here.file))
     if late:
-        yield replace(diagnostic, group=(_TOGETHER, system.name or "", here.file))
-    elif first.launch_place.file != here.file:
-        yield replace(diagnostic, group=(_TOGETHER, system.name or "", first.launch_place.file, here.file))
+        files, cause = {here.file: None}, ""
+    elif not sole:
+        files, cause = {(other.package or ""): None}, _CODE
     else:
-        yield replace(diagnostic, group=(_TOGETHER, system.name or "", here.file, help if sole else "code"))
+        cause = help if len(files) == 1 else ""
+    yield replace(diagnostic, group=(_TOGETHER, system.name or "", *files, cause))
 
 
+_CODE = "code"
+"""The cause of what no launch file can mend: nodes that a class makes beside its own, each time under one name."""
 _TOGETHER, _OF_PROCESS = "together", "of one process"
 """Kinds of groups: nodes that are started in the same way, and starts of one executable."""
 
