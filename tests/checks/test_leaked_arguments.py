@@ -39,6 +39,14 @@ def test_a_default_that_the_next_include_gets(findings):
     assert finding.place.file == "launch/it.launch.xml"
 
 
+def test_the_launch_files_of_a_package_with_the_same_leak_are_one_finding(findings):
+    """They are copies of each other, such as those of a driver for two and for three cameras."""
+    launch = include("driver", rviz="false") + include("panel")
+    (told,) = findings("LCH009", launch, **FILES, **{"launch/more.launch.xml": f"<launch>{launch}</launch>"})
+    assert told.place.file == "launch/it.launch.xml"
+    assert (told.related[-1].place.file, told.related[-1].message) == ("launch/more.launch.xml", "it is set here, too")
+
+
 def test_an_argument_that_each_include_sets_anew_is_told_once(findings):
     launch = OWN + include("driver", rviz="false") + include("driver", rviz="$(var rviz)x") + include("panel")
     (finding,) = findings("LCH009", launch, **FILES)

@@ -6,7 +6,7 @@ import posixpath
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from archlint.checks.folding import folds, with_other_places
+from archlint.checks.folding import folds, package_around, with_other_places
 from archlint.checks.launch_arguments import places_of_unknown_arguments
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -14,7 +14,7 @@ from archlint.finding import Finding, Related
 
 if TYPE_CHECKING:
     from archlint.launch.mistakes import LeakedArgument
-    from archlint.systems.model import System
+    from archlint.systems.model import System, WorkspaceIndex
 
 _SHARED = frozenset({"use_sim_time", "log_level"})
 """Arguments that all launch files of a system are meant to have in common."""
@@ -29,10 +29,10 @@ def leaked_launch_argument(system: System, options: Options) -> Iterator[Finding
     for leak in system.launched.leaked:
         shared = leak.name in _SHARED or (leak.name == "namespace" and leak.is_declared_in_vain)
         if leak.given not in told and not shared:
-            yield _finding(leak)
+            yield _finding(system.workspace, leak)
 
 
-def _finding(leak: LeakedArgument) -> Finding:
+def _finding(workspace: WorkspaceIndex, leak: LeakedArgument) -> Finding:
     name, value, own = leak.name, _shown(leak.value), _shown(leak.own)
     other = posixpath.basename(leak.file)
     if leak.default:
@@ -59,7 +59,7 @@ def _finding(leak: LeakedArgument) -> Finding:
         help=f"put the include into a {group}, which gives the arguments back at its end",
         related=related,
         identity=(name, leak.file),
-        group=(leak.include.file, name, "default" if leak.default else "given"),
+        group=(*package_around(workspace, leak.include.file), name, "default" if leak.default else "given"),
     )
 
 
@@ -69,7 +69,8 @@ def _shown(text: str) -> str:
 
 @folds("LCH009", across_systems=True)
 def _of_one_argument(findings: Sequence[Finding]) -> Finding:
-    """One finding for an argument of a file, whichever of its includes set it and wherever it is read."""
+    """One finding for an argument, whichever includes of the launch files of a package set it and wherever it is read:
+    one of these files is a copy of the other."""
     return with_other_places(findings, "it is set here, too")
 
 
