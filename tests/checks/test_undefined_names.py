@@ -372,3 +372,7 @@ def test_a_method_that_stands_outside_of_every_class(judge: Judge) -> None:
 )
 def test_a_super_that_has_a_class(judge: Judge, source: str) -> None:
     assert not judge("API005", "import rclpy\n" + dedent(source))
+
+
+def test_gaps_of_an_exercise_are_there_to_be_filled_in(judge: Judge):
+    judge("API005", _node("self.pub.publish(____)", "self.limit = ________(self.limit)"))

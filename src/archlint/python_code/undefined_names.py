@@ -78,12 +78,17 @@ def undefined_names(workspace: WorkspaceIndex) -> Iterator[Undefined]:
         if brought is None:
             continue
         for read in unbound:
-            if read.added or not brought.has(read.name.id):
+            if (read.added or not brought.has(read.name.id)) and not _is_blank(read.name.id):
                 known = read.known | brought.names if brought.names else read.known  # a copy for each read is a square
                 place, span = Place(file.relative, *read.name.span), read.name.span
                 of_self = read.of_self and span not in _first_values(file_facts)
                 called = span in _called(file_facts)
                 yield Undefined(place, read.name.id, known, of_self, read.added, read.without_self, called)
+
+
+def _is_blank(name: str) -> bool:
+    """Whether a name is a gap that an exercise leaves for others to fill in, ``____``."""
+    return len(name) > 1 and not name.strip("_")
 
 
 @once
