@@ -144,6 +144,16 @@ def test_one_publisher_against_many_is_one_finding():
     assert len(finding.related) == 3
 
 
+def test_the_subscription_that_disagrees_with_the_publisher_is_told():
+    source = node("/a", publisher("x", "p/msg/One"))
+    wrong, right = node("/b", subscriber("x", "p/msg/Two")), node("/c", subscriber("x", "p/msg/One"))
+
+    [finding] = found(topic_type_mismatch, system(source, wrong, right, name="launch/all.launch.py"))
+
+    assert finding.message.startswith("/b subscribes to '/x' as p/msg/Two, but /a publishes it as p/msg/One")
+    assert [related.message.split()[0] for related in finding.related] == ["/a", "/c"]
+
+
 def test_arms_of_one_branch_are_never_both_there():
     judged = system(
         node(

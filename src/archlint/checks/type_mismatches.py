@@ -195,10 +195,12 @@ def _one_type(end: Endpoint, other: Endpoint) -> bool:
 
 
 def _mismatch(code: str, connection: Connection, pairs: list[tuple[Endpoint, Endpoint]]) -> Finding:
-    """One finding for two types of one name: at the endpoint that comes last in the source."""
+    """One finding for two types of one name: at the endpoint that comes last in the source, of those that disagree with
+    the other side, if any do."""
     ends = in_source_order({id(end): end for pair in pairs for end in pair}.values())
-    last = ends[-1]
-    against = [endpoint for endpoint, other in pairs if other is last]
+    across = [pair for pair in pairs if pair[0].kind != pair[1].kind] or pairs
+    last = in_source_order({id(end): end for pair in across for end in pair}.values())[-1]
+    against = [endpoint for endpoint, other in across if other is last]
     rest = [end for end in ends if end is not last and end not in against]
     return finding(
         code,
