@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from robot_package import CMAKE, SETUP, TALKER, node
+from robot_package import CMAKE, SETUP, TALKER, manifest, node
 
 IMPORTS = "from robot.words.greetings import HELLO\n" + TALKER
 CODE = {"robot/talker.py": IMPORTS, "robot/words/greetings.py": "HELLO = 'hello'\n"}
@@ -144,6 +144,28 @@ def test_the_module_of_an_entry(findings):
     (finding,) = findings("PKG004", **files)
     assert finding.message.startswith("packages= leaves out 'robot.nodes', in which the executable 'talker' is:")
     assert [row.message for row in finding.related] == ["the entry of 'talker'"]
+
+
+def test_the_scripts_of_entries_in_a_folder_that_is_no_package(findings):
+    entries = "'talker = robot.talker:main', 'tool = scripts.tool:main', 'other = scripts.other:main'"
+    text = setup("find_packages()").replace("'talker = robot.talker:main'", entries)
+    tool = "import rclpy\nfrom rclpy.node import Node\nrclpy.init()\nrclpy.spin(Node('tool'))\n"
+    files = {"setup.py": text, "robot/__init__.py": "", "scripts/tool.py": tool, "scripts/other.py": tool}
+    (finding,) = findings("PKG004", **files)
+    assert finding.message.startswith("packages= leaves out 'scripts', in which the executable 'tool' is")
+    assert finding.help == "add an empty file scripts/__init__.py: find_packages() passes over a folder without one"
+    assert [row.message for row in finding.related] == ["the entry of 'tool'", "the entry of 'other'"]
+    assert findings("PKG002", **files) == []
+    in_share = {"setup.py": text.replace("data_files=[", "data_files=[('share/robot/scripts', ['scripts/tool.py']), ")}
+    assert [len(row.related) for row in findings("PKG004", **files | in_share)] == [2]
+    assert len(findings("PKG002", **files, **{"scripts/__init__.py": ""})) == 2
+
+
+def test_a_setup_file_of_a_package_without_a_build_type_is_never_run(findings):
+    untyped = manifest().replace("<export><build_type>ament_python</build_type></export>", "")
+    files = CODE | {"package.xml": untyped, "setup.py": setup("['robot']")}
+    assert len(findings("PKG004", **files)) == 1
+    assert findings("PKG004", **files, **{"CMakeLists.txt": "project(robot)\nament_package()\n"}) == []
 
 
 def test_all_that_one_setup_file_leaves_out_is_one_finding(findings):

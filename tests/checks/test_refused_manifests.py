@@ -77,6 +77,15 @@ def test_a_build_type_in_an_element_that_is_not_export(findings, full):
     assert finding.help == "write <export>"
 
 
+def test_a_package_without_a_build_type_that_depends_on_the_one_it_means(findings, full):
+    python = {"setup.py": SETUP, "CMakeLists.txt": AMENT}
+    tool = "<buildtool_depend>ament_python</buildtool_depend>"
+    both = f"{tool}<buildtool_depend>ament_cmake</buildtool_depend>"
+    for tools, build_type in ((tool, "ament_python"), (both, "ament_cmake")):
+        (finding,) = findings("PKG011", **{"package.xml": full.format(tools), **python})
+        assert finding.help == f"add <export><build_type>{build_type}</build_type></export>"
+
+
 def test_a_package_of_ros_1(findings, full):
     text = full.replace(MAIL, "").format("<buildtool_depend>catkin</buildtool_depend>")
     assert findings("PKG011", **{"package.xml": text}) == []

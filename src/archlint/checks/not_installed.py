@@ -16,6 +16,7 @@ from archlint.finding import Finding, Related
 from archlint.launch_files.missing_files import namesake
 from archlint.packaging.interface_dependencies import NotGenerated, not_generated
 from archlint.packaging.left_out_code import LeftOut, has_init, left_out_code
+from archlint.packaging.refused_manifests import is_passed_over
 from archlint.packaging.uninstalled_data import DataLeftOut, data_left_out
 from archlint.packaging.uninstalled_files import (
     FolderListed,
@@ -43,8 +44,11 @@ _SHOWN = 5
 def not_installed(system: System, options: Options) -> Iterator[Finding]:
     """Code and launch files that the build of a package leaves out, and files that it lists in vain."""
     workspace = workspace_of(system)
-    if workspace is None:
-        return
+    if workspace is not None:
+        yield from (told for told in _all_left_out(workspace) if not is_passed_over(workspace, told.place.file))
+
+
+def _all_left_out(workspace: WorkspaceIndex) -> Iterator[Finding]:
     needed: dict[str, list[LeftOut]] = {}
     for needing in left_out_code(workspace):
         needed.setdefault(needing.package, []).append(needing)
@@ -87,6 +91,7 @@ def _code(workspace: WorkspaceIndex, package: str, rows: Sequence[LeftOut]) -> F
     assert code is not None  # or nothing would be known to be left out
     names = {path: name for name, path in workspace.code.modules_of(package).items()}
     groups: dict[_Group, list[LeftOut]] = {}
+    names |= {row.file: row.module for row in rows if row.module}
     for row in rows:
         groups.setdefault(_group(row.file, names[row.file]), []).append(row)
     [first, *others] = groups

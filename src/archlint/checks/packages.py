@@ -14,6 +14,7 @@ from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related, Severity
 from archlint.packaging.entry_points import NeverAwaited, NoFunction, NoFunctionNamed, NoModule, broken_target
 from archlint.packaging.imports import imports
+from archlint.packaging.left_out_code import is_entry_left_out
 from archlint.suggestions import did_you_mean, listed, meant, nearest
 
 if TYPE_CHECKING:
@@ -104,6 +105,8 @@ def _broken(workspace: WorkspaceIndex, executable: Executable) -> Iterator[Findi
                 help = f"port the module to ROS 2, which has no {ros1}, or remove the entry"
             diagnostic = _entry_finding(executable, f"'{module}' has no function '{function}'{hint}", help, group)
             at_the_end = runs_first and near is None
+            if at_the_end and is_entry_left_out(workspace, executable):
+                return  # it is not even installed, as PKG004 says
             yield _fails_at_the_end(diagnostic, executable, module, function) if at_the_end else diagnostic
 
 

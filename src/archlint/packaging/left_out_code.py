@@ -30,6 +30,8 @@ class LeftOut:
     needed_at: Place
     entry: str = ""
     """The executable that cannot start, where its own module is left out, or a module beside its script."""
+    module: str = ""
+    """The name under which the entry asks for the file, where that is not the name of a module of the package."""
 
 
 def left_out_code(workspace: WorkspaceIndex) -> Iterator[LeftOut]:
@@ -40,8 +42,8 @@ def left_out_code(workspace: WorkspaceIndex) -> Iterator[LeftOut]:
             start = _file_of(workspace, executable)
             if start is None:
                 continue
-            if executable.module is not None and _is_left_out(workspace, start):
-                yield LeftOut(start, package, executable.place, executable.name)
+            if is_entry_left_out(workspace, executable):
+                yield LeftOut(start, package, executable.place, executable.name, executable.module or "")
             yield from _imported_from(workspace, start, seen)
 
 
@@ -51,7 +53,21 @@ def _file_of(workspace: WorkspaceIndex, executable: Executable) -> str | None:
         return None
     if executable.module is None:
         return executable.script
-    return workspace.code.modules_of(executable.package).get(executable.module)
+    known = workspace.code.modules_of(executable.package).get(executable.module)
+    return known or _beside_setup(workspace, executable.package, executable.module)
+
+
+def _beside_setup(workspace: WorkspaceIndex, package: str, module: str) -> str | None:
+    """The file of a module in a folder beside setup.py that is no package of Python, such as ``scripts``."""
+    folder = workspace.installs[package].folder
+    path = posixpath.normpath(posixpath.join(folder, f"{module.replace('.', '/')}.py"))
+    return path if path in workspace.code.files_named(package, module) else None
+
+
+def is_entry_left_out(workspace: WorkspaceIndex, executable: Executable) -> bool:
+    """Whether setup.py does not install the module of an entry."""
+    start = None if executable.module is None else _file_of(workspace, executable)
+    return start is not None and _is_left_out(workspace, start, of_entry=True)
 
 
 def _imported_from(workspace: WorkspaceIndex, start: str, seen: set[str]) -> Iterator[LeftOut]:
@@ -73,15 +89,17 @@ def _imported_from(workspace: WorkspaceIndex, start: str, seen: set[str]) -> Ite
                     yield LeftOut(imported, package, Place(file, *statement.span))
 
 
-def _is_left_out(workspace: WorkspaceIndex, file: str) -> bool:
-    """Whether a file belongs to a package whose setup.py is understood and does not install it."""
+def _is_left_out(workspace: WorkspaceIndex, file: str, of_entry: bool = False) -> bool:
+    """Whether a file belongs to a package whose setup.py is understood and does not install it; a module ``of_entry``
+    is not found in the share folder."""
     installs = _installs_of(workspace, file)
     if installs is None or installs.python is None or installs.open_files:
         return False
     if _is_of_another_distribution(workspace, installs.folder, file):
         return False
     scripts = (executable.script for executable in installs.executables.values())  # they find each other
-    return not installs.python.has(file) and not any(installs.places_of(file)) and file not in scripts
+    places = [place for place in installs.places_of(file) if not (of_entry and place.startswith("share/"))]
+    return not installs.python.has(file) and not places and file not in scripts
 
 
 def _installs_of(workspace: WorkspaceIndex, file: str) -> Installs | None:
@@ -138,4 +156,12 @@ def has_init(workspace: WorkspaceIndex, folder: str) -> bool:
     return workspace.tree.is_file(posixpath.join(folder, "__init__.py"))
 
 
-__all__ = ["LeftOut", "certain_imports", "changes_path", "files_of_import", "has_init", "left_out_code"]
+__all__ = [
+    "LeftOut",
+    "certain_imports",
+    "changes_path",
+    "files_of_import",
+    "has_init",
+    "is_entry_left_out",
+    "left_out_code",
+]

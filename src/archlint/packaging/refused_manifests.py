@@ -58,9 +58,25 @@ def _built_with(workspace: WorkspaceIndex, package: Package) -> str:
     cmake, setup = (
         workspace.tree.text(posixpath.normpath(posixpath.join(package.relative, file))) for file in _PROJECTS
     )
-    if cmake is not None:
+    is_python = setup is not None and "catkin_pkg" not in setup
+    if cmake is not None and not (is_python and _asks_for_python(package)):
         return "ament_cmake" if _AMENT.search(cmake) and "find_package(catkin" not in cmake else ""
-    return "ament_python" if setup is not None and "catkin_pkg" not in setup else ""
+    return "ament_python" if is_python else ""
+
+
+def _asks_for_python(package: Package) -> bool:
+    """Whether a package is to be built with ament_python, as its dependencies say, and not with CMake."""
+    tools = {dependency.name for dependency in package.dependencies if dependency.kind == "buildtool"}
+    return "ament_python" in tools and not any(tool.startswith("ament_cmake") for tool in tools)
+
+
+def is_passed_over(workspace: WorkspaceIndex, file: str) -> bool:
+    """Whether a file is the setup.py of a package without a build type beside a CMakeLists.txt, which colcon runs
+    instead."""
+    folder, name = posixpath.split(file)
+    package = workspace.manifests.get(folder or ".")
+    untyped = name in ("setup.py", "setup.cfg") and package is not None and package.build_type == "catkin"
+    return untyped and workspace.tree.is_file(posixpath.join(folder, "CMakeLists.txt"))
 
 
 def refused_manifests(workspace: WorkspaceIndex) -> Iterator[RefusedManifest]:
@@ -83,4 +99,4 @@ def _judged(workspace: WorkspaceIndex) -> Iterator[Package]:
             yield package
 
 
-__all__ = ["RefusedManifest", "Untyped", "refused_manifests", "untyped_manifests"]
+__all__ = ["RefusedManifest", "Untyped", "is_passed_over", "refused_manifests", "untyped_manifests"]
