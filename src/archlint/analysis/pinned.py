@@ -71,6 +71,15 @@ def is_on_focal(workspace: WorkspaceIndex) -> bool:
     return _is_among(_named_or_told(workspace), _ON_FOCAL, but_not=_SINCE_HUMBLE)
 
 
+def may_be_on_focal(workspace: WorkspaceIndex) -> bool:
+    """Whether a README or the last build of a workspace names such a distribution, beside others or not, and its files
+    name none that came later."""
+    if not _OLDER.isdisjoint(named_distros(workspace)):
+        return True
+    told = _in_readmes(workspace) | _built_with(workspace)
+    return named_distros(workspace).isdisjoint(_SINCE_HUMBLE) and not told.isdisjoint(_OLDER)
+
+
 _BEFORE_GALACTIC = frozenset({"dashing", "eloquent", "foxy"})
 """The distributions whose ``Node`` of launch took ``node_name`` and the like, and whose parameters have no type."""
 _ON_FOCAL = frozenset({"foxy", "galactic"})

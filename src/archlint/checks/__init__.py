@@ -62,6 +62,7 @@ MODULES: tuple[str, ...] = (
     "idle_groups",
     "starvation",
     "substitution_values",
+    "target_headers",
     "timeouts",
     "ignored_limits",
     "spin_timeouts",

@@ -46,10 +46,10 @@ def packages_of_headers(workspace: WorkspaceIndex) -> Iterator[tuple[Place, str]
             continue
         for path in _built(workspace, installs):
             seen = {name}
-            for header, line in _includes(workspace.tree.text(path) or ""):
+            for header, line in includes_of(workspace.tree.text(path) or ""):
                 needed, _, inside = header.partition("/")
-                known = _has_header(workspace, needed, header) if needed in workspace.packages else needed in of_ros
-                if inside and known and needed not in seen and not _has_header(workspace, name, header):
+                known = has_header(workspace, needed, header) if needed in workspace.packages else needed in of_ros
+                if inside and known and needed not in seen and not has_header(workspace, name, header):
                     seen.add(needed)
                     yield Place(path, line, 1, line, 1), needed
 
@@ -64,7 +64,7 @@ def _built(workspace: WorkspaceIndex, installs: Installs) -> list[str]:
         by_name.setdefault(posixpath.basename(path), []).append(path)
     reached = dict.fromkeys(todo)
     while todo:
-        for header, _ in _includes(workspace.tree.text(todo.pop()) or ""):
+        for header, _ in includes_of(workspace.tree.text(todo.pop()) or ""):
             fitting = [
                 path for path in by_name.get(posixpath.basename(header), ()) if f"/{path}".endswith(f"/{header}")
             ]
@@ -73,7 +73,7 @@ def _built(workspace: WorkspaceIndex, installs: Installs) -> list[str]:
     return sorted(reached)
 
 
-def _has_header(workspace: WorkspaceIndex, package: str, header: str) -> bool:
+def has_header(workspace: WorkspaceIndex, package: str, header: str) -> bool:
     """Whether a package of the workspace has a header, or makes it of an interface file."""
     makes = workspace.packages[package].is_interface_package and header.split("/")[1:2] in _OF_INTERFACES
     return makes or any(f"/{path}".endswith(f"/{header}") for path in _code(workspace).get(package, ()))
@@ -104,7 +104,7 @@ def _home(path: str, folders: Container[str]) -> str | None:
     return folder or ("." if "." in folders else None)
 
 
-def _includes(text: str) -> Sequence[tuple[str, int]]:
+def includes_of(text: str) -> Sequence[tuple[str, int]]:
     """The headers that a file includes, with their lines, outside of conditions: but for the guard around a header."""
     rows: list[tuple[str, int]] = []
     depth, guard, before = 0, "", ""
@@ -129,4 +129,4 @@ def _includes(text: str) -> Sequence[tuple[str, int]]:
     return rows
 
 
-__all__ = ["packages_of_headers"]
+__all__ = ["has_header", "includes_of", "packages_of_headers"]

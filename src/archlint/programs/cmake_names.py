@@ -11,6 +11,7 @@ import re
 from collections.abc import Iterable, Iterator, Sequence
 
 from archlint.finding import Place
+from archlint.programs.built_targets import built_targets
 from archlint.workspace.cmake import Argument, Command
 from archlint.workspace.cmake_run import Step
 from archlint.workspace.installed import Installs, NameInCMake
@@ -39,6 +40,7 @@ def read_names(installs: Installs, steps: Sequence[Step]) -> None:
         return
     installs.targets = frozenset(_made(steps))
     installs.looked_for = frozenset(step.command.texts[0] for step in steps if _finds(step))
+    installs.built = built_targets(steps, installs.package)
     there = installs.targets | installs.mentioned
     always = [step for step in steps if step.of_tests or not step.conditional]
     named = [name for step in always for name in (*_of_targets(step), *_own_library(step, installs.package))]

@@ -76,6 +76,20 @@ class NameInCMake:
 
 
 @dataclass(frozen=True)
+class BuiltTarget:
+    """A program or library that CMake commands make of ``sources`` (shown paths); ``place`` is where they say what it
+    depends on, or else where it is made."""
+
+    name: str
+    sources: tuple[str, ...]
+    place: Place
+    given: frozenset[str]
+    """The packages, targets and libraries of the system that commands may give it, by their names."""
+    open: bool = False
+    """Whether it may be given more, or is made in one of several cases."""
+
+
+@dataclass(frozen=True)
 class AbsentFolder:
     """A folder in which ``package_dir=``, written at ``place``, puts packages, and that is not there: setuptools stops.
     ``unneeded`` is true where the packages are found without it."""
@@ -153,6 +167,8 @@ class Installs:
     """The targets that the CMake files make."""
     looked_for: frozenset[str] = frozenset()
     """The packages that the CMake files look for, in any case or not."""
+    built: list[BuiltTarget] = field(default_factory=list)
+    """The targets that are made of sources, where all that makes them is read."""
     generates_nothing: bool = False
     """True where no command of the build can generate interfaces."""
 
