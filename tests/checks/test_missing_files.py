@@ -27,6 +27,30 @@ def generate_launch_description():
     assert len(findings("LCH004", **{"launch/py.launch.py": launch})) == found
 
 
+@pytest.mark.parametrize(
+    ("code", "found"),
+    [
+        ("robot = xacro.process_file(path, mappings={'arm': 'left'}).toxml()", 1),
+        ("robot = xacro.process(path)", 1),
+        ("try:\n        robot = xacro.process_file(path)\n    except OSError:\n        pass", 0),
+        ("robot = somewhere.process_file(path)", 0),
+    ],
+)
+def test_a_robot_that_xacro_is_given(findings, code, found):
+    launch = f"""\
+import os, somewhere, xacro
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    path = os.path.join(get_package_share_directory('robot'), 'config', 'arm.urdf.xacro')
+    {code}
+    return LaunchDescription([Node(package='robot', executable='talker')])
+"""
+    assert len(findings("LCH004", **{"launch/py.launch.py": launch})) == found
+
+
 def test_a_missing_file_behind_the_block_that_every_package_copies(findings):
     cmake = "project(robot)\ninstall(DIRECTORY launch DESTINATION share/robot)\n" + CMAKE_TESTS
     files = {"CMakeLists.txt": cmake, "package.xml": CMAKE, "setup.py": "", "config/talk.yaml": ""}

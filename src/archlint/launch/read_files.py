@@ -51,6 +51,13 @@ def _open(run: LaunchRun, site: CallSite) -> Value:
     return Unknown(reason(*site.args) if site.args else "a file")
 
 
+def _processed(run: LaunchRun, site: CallSite) -> Value:
+    """``xacro.process_file(path)`` and ``xacro.process(path)``, which read a robot."""
+    if site.args and not run.activation.tries:
+        note_paths(run, site.args[:1], run.place_now)
+    return Unknown("what xacro makes of a file")
+
+
 def _load_yaml(run: LaunchRun, site: CallSite) -> Value:
     """``yaml.safe_load(file)``: what a YAML file of this workspace holds."""
     return _of_yaml(run, _text_in(run, site.args), _file_of(run, site.args))
@@ -243,6 +250,8 @@ PLAIN: dict[str, Plain] = {
     "yaml.safe_load": _load_yaml,
     "yaml.load": _load_yaml,
     "yaml.full_load": _load_yaml,
+    "xacro.process": _processed,
+    "xacro.process_file": _processed,
     "yaml.dump": _written(_dumped, "yaml.dump", _YAML_OPTIONS),
     "yaml.safe_dump": _written(_dumped, "yaml.safe_dump", _YAML_OPTIONS),
     "json.dump": _written(json.dumps, "json.dump", _JSON_OPTIONS),
