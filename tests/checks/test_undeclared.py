@@ -511,13 +511,87 @@ def test_a_package_that_a_build_leaves_out(lint: Lint, path: str, text: str, lin
     assert out == ([] if line is None else [(path, line)])
 
 
-def test_a_package_that_is_nowhere_is_left_out(lint: Lint):
-    """It may be the old name of another one, and rosdep would stop at it."""
+def test_types_of_a_package_that_is_nowhere_are_told_apart(lint: Lint):
+    """Nobody knows what to declare: it may be the old name of another one, and rosdep would stop at it."""
     files = {
         "talk/package.xml": manifest("talk", *depends("rclpy")),
         "talk/talk/a.py": node("from secret_msgs.msg import X", LASER),
     }
-    assert missing(lint(files)) == ["sensor_msgs"]
+    first, second = lint(files)
+    assert first.message.startswith(
+        "package 'talk' imports 'secret_msgs', which is neither in this workspace nor released"
+    )
+    assert missing([second]) == ["sensor_msgs"]
+
+
+STARTS = """
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    return LaunchDescription([{0}])
+"""
+
+
+def launching(*actions: str) -> dict[str, str]:
+    return {
+        "talk/package.xml": manifest("talk", *depends("rclpy", "launch_ros")),
+        "talk/launch/talk.launch.py": STARTS.format(", ".join(actions)),
+    }
+
+
+def started(package: str, executable: str = "run_it") -> str:
+    return f"Node(package='{package}', executable='{executable}')"
+
+
+def test_a_package_that_a_launch_file_names_and_that_is_nowhere(lint: Lint):
+    (found,) = lint(launching(started("secret_driver")))
+    assert found.message == (
+        "package 'talk' starts a node of 'secret_driver', which is neither in this workspace nor released for ROS 2, "
+        "and which its package.xml does not declare"
+    )
+    assert (found.fix, found.place.line) == (None, 8)
+
+
+def test_all_that_are_nowhere_are_one_finding_for_a_package(lint: Lint):
+    config = "get_package_share_directory('secret_maps') + '/maps/hall.yaml'"
+    actions = [started("secret_driver"), f"Node(package='talk', executable='a', parameters=[{{'map': {config}}}])"]
+    (found,) = lint(launching(*actions))
+    assert found.message == (
+        "package 'talk' uses 2 packages that are neither in this workspace nor released for ROS 2, and that its "
+        "package.xml does not declare: secret_driver, secret_maps"
+    )
+    assert [row.message for row in found.related] == ["'secret_maps' is named here"]
+
+
+def test_a_package_of_ros_1_has_a_successor(lint: Lint):
+    (found,) = lint(launching(started("map_server")))
+    assert found.message.endswith("; did you mean 'nav2_map_server'?")
+
+
+@pytest.mark.parametrize(
+    "more",
+    [
+        {"archlint.toml": 'select = ["PKG001"]\nexternal = ["secret_driver"]\n'},
+        {"README.md": "git clone https://example.org/secret_driver.git\n"},
+        {"robot.repos": "repositories: {drivers/secret_driver: {type: git}}\n"},
+        {"drivers/secret_driver/CMakeLists.txt": "project(secret_driver)\n"},
+        {"talk/.gitignore": "x\n", "README.md": "For ROS 2 Foxy.\n"},
+        {"other/package.xml": "<package><name>secret_driver</name><"},
+    ],
+)
+def test_a_package_that_may_be_somewhere(lint: Lint, more: dict[str, str]):
+    assert [found for found in lint(launching(started("secret_driver")) | more) if found.code == "PKG001"] == []
+
+
+def test_a_package_of_a_distribution_that_has_ended(lint: Lint):
+    assert lint(launching(started("nav2_recoveries", "recoveries_server"))) == []
+
+
+def test_a_name_of_which_another_rule_says_what_is_meant(lint: Lint):
+    assert lint(launching(started("your_package"))) == []
 
 
 def test_no_fix_names_a_package_that_only_another_manifest_knows(lint: Lint):

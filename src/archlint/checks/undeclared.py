@@ -14,6 +14,7 @@ from archlint.checks.dependency_uses import BUILDS, FOR_OTHERS, How, Use, uses_b
 from archlint.checks.packages import workspace_of
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
+from archlint.checks.strangers import strangers
 from archlint.edit_sites import MissingDependencies, Sites
 from archlint.finding import Finding, Place, Related
 from archlint.packaging.skipped_packages import skipped_packages
@@ -40,6 +41,7 @@ def undeclared_dependency(system: System, options: Options) -> Iterator[Finding]
     for folder, uses in by_package.items():
         used.setdefault(workspace.manifests[folder].name, set()).update(use.needed for use in uses)
     for folder, uses in sorted(by_package.items()):
+        yield from strangers(workspace, workspace.manifests[folder], uses)
         uses = [use for use in uses if _is_somewhere(workspace, use.needed)]
         uses.sort(key=lambda use: _spare(workspace, use.place.file))
         hidden = [use for use in uses if _is_hidden(workspace, use)]
@@ -51,9 +53,8 @@ def undeclared_dependency(system: System, options: Options) -> Iterator[Finding]
 
 
 def _is_somewhere(workspace: WorkspaceIndex, name: str) -> bool:
-    """Whether a package is known: of this workspace, of ROS, or to another manifest here.  A name that is nowhere may
-    be an old one, that of the same package in setup.py, or of a repository that is built beside this one: nobody knows
-    what to declare, and rosdep stops at it."""
+    """Whether a package is known: of this workspace, of ROS, or to another manifest here.  Of a name that is nowhere
+    nobody knows what to declare, and rosdep stops at it."""
     return name in packages.table().names or name in workspace.packages or name in _declared_anywhere(workspace)
 
 

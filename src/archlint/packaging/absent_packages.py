@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.cpp_nodes import CPP_SOURCES
 from archlint.analysis.kept import once
+from archlint.analysis.pinned import may_be_on_focal
 from archlint.ros import packages
 from archlint.suggestions import distance, nearest
 
@@ -31,6 +32,52 @@ def is_nowhere(workspace: WorkspaceIndex, package: str) -> bool:
 @once
 def _declared(workspace: WorkspaceIndex) -> frozenset[str]:
     return frozenset(d.name for own in workspace.packages.values() for d in own.dependencies)
+
+
+def is_from_nowhere(workspace: WorkspaceIndex, package: str) -> bool:
+    """Whether a name is that of no package which anybody could have: nowhere, in no distribution that has ended, taken
+    from elsewhere by no file of the workspace, and that of no folder or manifest here which was not read."""
+    if not is_nowhere(workspace, package) or package in packages.table().ended or may_be_on_focal(workspace):
+        return False
+    return not (is_wanted_from_elsewhere(workspace, package) or package in _folders_and_manifests(workspace))
+
+
+_NAME = re.compile(r"<name>\s*([^<\s]+)\s*</name>")
+
+
+@once
+def _folders_and_manifests(workspace: WorkspaceIndex) -> frozenset[str]:
+    """The names of all folders, and those that any package.xml gives a package."""
+    tree = workspace.tree
+    paths = tree.files_below(tree.top)
+    manifests = (path for path in paths if posixpath.basename(path) == "package.xml")
+    named = {match[1] for path in manifests for match in _NAME.finditer(tree.text(path) or "")}
+    return frozenset(named.union(*(posixpath.dirname(path).split("/") for path in paths)))
+
+
+def is_told_as_another(workspace: WorkspaceIndex, package: str) -> bool:
+    """Whether it is known which package of the workspace was meant by one that is nowhere, wherever a launch file names
+    it: LCH001 and LCH004 say so there."""
+    if is_placeholder(package) or package != package.strip():
+        return True
+    for launched in workspace.launched:
+        for started in launched.started:
+            name = started.executable.text
+            if started.package.text == package and name is not None:
+                here = [own for own, installs in workspace.installs.items() if name in installs.executables]
+                if nearest(package, here) or package_that_installs(workspace, package, name, started.file):
+                    return True
+        for reference in launched.references:
+            if reference.package == package:
+                path = _BELOW.sub("", reference.written or "")
+                if package_meant(workspace, package, path) or package_with(
+                    workspace, package, path, reference.place.file
+                ):
+                    return True
+    return False
+
+
+_BELOW = re.compile(r"^\$\(find-pkg-share [\w.-]+\)/?")
 
 
 def is_placeholder(package: str) -> bool:
@@ -179,8 +226,10 @@ def _stands_in(workspace: WorkspaceIndex, files: Sequence[str], text: re.Pattern
 __all__ = [
     "has_a_rule_for_rosdep",
     "is_a_key_of_some_file",
+    "is_from_nowhere",
     "is_nowhere",
     "is_placeholder",
+    "is_told_as_another",
     "is_wanted_from_elsewhere",
     "owners_of_component",
     "package_meant",

@@ -80,6 +80,8 @@ class Table(msgspec.Struct):
 
     names: frozenset[str]
     brings: dict[str, list[str]]
+    ended: frozenset[str]
+    """The packages of distributions of ROS 2 that have ended, as far as none that is maintained has them."""
 
 
 @cache

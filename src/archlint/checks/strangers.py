@@ -1,0 +1,63 @@
+"""PKG001 about packages that nobody knows: neither of the workspace nor released, and declared nowhere."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
+
+from archlint.analysis.aside import is_disused
+from archlint.checks.dependency_uses import How, Use
+from archlint.checks.registry import finding
+from archlint.finding import Finding, Related
+from archlint.packaging.absent_packages import is_from_nowhere, is_told_as_another
+from archlint.ros.mistaken_dependencies import mistaken
+from archlint.suggestions import listed
+
+if TYPE_CHECKING:
+    from archlint.systems.model import WorkspaceIndex
+    from archlint.workspace.model import Package
+
+_STOPS: frozenset[How] = frozenset({"imports", "starts a node of", "includes a launch file of", "takes files of"})
+"""Uses at which a program or launch stops without the package."""
+
+
+def strangers(workspace: WorkspaceIndex, package: Package, uses: Sequence[Use]) -> Iterator[Finding]:
+    """One finding for all such packages that the code and the launch files of a package name."""
+    by_name: dict[str, list[Use]] = {}
+    for use in uses:
+        if use.how in _STOPS and not is_disused(workspace, use.place.file):
+            by_name.setdefault(use.needed, []).append(use)
+    names = [
+        name for name in sorted(by_name) if is_from_nowhere(workspace, name) and not is_told_as_another(workspace, name)
+    ]
+    if names:
+        yield _finding(package, {name: by_name[name] for name in names})
+
+
+def _finding(package: Package, by_name: dict[str, list[Use]]) -> Finding:
+    names = list(by_name)
+    first = min((uses[0] for uses in by_name.values()), key=lambda use: use.place)
+    of_ros_1 = mistaken(names[0], (), is_python=False) if len(names) == 1 else None
+    instead = of_ros_1.instead if of_ros_1 is not None else ""
+    if len(names) == 1:
+        what = f"package '{package.name}' {first.how} '{names[0]}', which"
+        what += " is neither in this workspace nor released for ROS 2, and which its package.xml does not declare"
+    else:
+        what = f"package '{package.name}' uses {len(names)} packages that are neither in this workspace nor released"
+        what += f" for ROS 2, and that its package.xml does not declare: {listed(names)}"
+    name = "the name" if len(names) == 1 else "each name"
+    return finding(
+        "PKG001",
+        first.place,
+        what + (f"; did you mean '{instead}'?" if instead else ""),
+        help=f"correct {name}, or declare it in package.xml and say where it comes from",
+        related=[
+            Related(uses[0].place, f"'{name}' is named here")
+            for name, uses in by_name.items()
+            if uses[0].place != first.place
+        ],
+        identity=(package.name, "nowhere", *names),
+    )
+
+
+__all__ = ["strangers"]
