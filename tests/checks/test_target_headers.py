@@ -98,6 +98,7 @@ def test_headers_of_another_package_of_the_workspace(tmp_path, monkeypatch):
         "add_library(parts src/parts.cpp)\ntarget_link_libraries(parts ${nav_msgs_TARGETS})\n"
         + TRACKER
         + "target_link_libraries(tracker parts)\n",
+        TRACKER + "ament_target_dependencies(traker nav_msgs)\n",
         "if(WITH_TRACKER)\n" + TRACKER + "endif()\n",
         "foreach(name ${NAMES})\nadd_executable(${name} src/tracker.cpp)\nendforeach()\n",
         "find_package(ament_cmake_auto REQUIRED)\nament_auto_add_executable(tracker src/tracker.cpp)\n",

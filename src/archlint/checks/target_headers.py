@@ -52,7 +52,7 @@ def _finding(installs: Installs, rows: Sequence[HeaderNotGiven], *, is_own: bool
 
 def _cure(target: str, rows: Sequence[HeaderNotGiven]) -> str:
     names = sorted(row.package for row in rows)
-    lines = [f"find_package({row.package} REQUIRED)" for row in rows if not row.found]
+    lines = [f"find_package({row.package} REQUIRED)" for row in rows if not row.is_found]
     added = f"add {' and '.join(sorted(lines))}, and write" if lines else "write"
     return f"{added} ament_target_dependencies({target} {' '.join(names)})"
 

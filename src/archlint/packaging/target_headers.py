@@ -37,7 +37,7 @@ class HeaderNotGiven:
     package: str
     header: str
     at: Place
-    found: bool
+    is_found: bool
     """Whether a ``find_package()`` looks for the package."""
 
 
@@ -49,6 +49,10 @@ def headers_not_given(workspace: WorkspaceIndex, brought_by: Brings) -> Iterator
         if package is None or package.name != name or package.build_type != "ament_cmake" or package.ros1:
             continue
         if not installs.built or is_aside(workspace, package.manifest.relative):
+            continue
+        if any(
+            not named.package for named in installs.names_of_nothing
+        ):  # what a misspelt target is given, another lacks
             continue
         judge = _Judge(workspace, installs, brought_by)
         for target in installs.built:
@@ -115,8 +119,8 @@ class _Judge:
             return False
         if package in workspace.packages:
             in_same_folder = not (there - {self._installs.package}).isdisjoint(workspace.packages)
-            made = _OF_INTERFACE.match(header) is not None and workspace.packages[package].is_interface_package
-            return made or (not in_same_folder and has_header(workspace, package, header))
+            of_types = _OF_INTERFACE.match(header) is not None and workspace.packages[package].is_interface_package
+            return of_types or (not in_same_folder and has_header(workspace, package, header))
         if self._is_old:
             return False
         brings = packages.table().brings.get(package, ())
