@@ -596,8 +596,17 @@ def test_somebody_has_to_wait(run: Run, beside: str, severity: Severity | None):
         pytest.param(ALONE, "time.sleep(6.0)", [], id="nothing else"),
         pytest.param(ALONE + "self.create_timer(1.0, print)", "time.sleep(6.0)", [], id="a timer that seldom runs"),
         pytest.param(TIMER, "input('where to? ')", [], id="a dialogue"),
-        pytest.param(ALONE + "bring_up(self)", "time.sleep(6.0)", ["EXE003"], id="nobody knows"),
-        pytest.param(ALONE + "self.create_timer(0.1, print)", "time.sleep(6.0)", ["EXE003"], id="an often timer"),
+        pytest.param(ALONE + "bring_up(self)", "load(); time.sleep(6.0)", ["EXE003"], id="nobody knows"),
+        pytest.param(
+            ALONE + "self.create_timer(0.1, print)", "load(); time.sleep(6.0)", ["EXE003"], id="an often timer"
+        ),
+        pytest.param(ALONE + "self.create_timer(0.1, print)", "print(1); time.sleep(6.0)", [], id="in place of work"),
+        pytest.param(
+            ALONE + "self.create_timer(0.1, print)",
+            "self.sent = True; time.sleep(6.0)",
+            ["EXE003"],
+            id="it keeps something",
+        ),
         pytest.param(TIMER, "input('where to? ')\n    time.sleep(2.0)", ["EXE003"], id="a dialogue, and a sleep"),
     ],
 )
@@ -1019,7 +1028,9 @@ MANY_NODES = "".join(
     [
         ("time.sleep(3.0)", []),
         ("time.sleep(request.data)", []),
-        ("time.sleep(5.0)", ["SRV008"]),
+        ("time.sleep(5.0)", []),  # in place of work
+        ("self.get_logger().info(str(request.data)); time.sleep(5.0); response.success = True", []),
+        ("move(request.data); time.sleep(5.0)", ["SRV008"]),
         ("while self.moves():\n        time.sleep(0.5)", ["SRV008"]),
     ],
 )

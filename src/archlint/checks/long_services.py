@@ -20,6 +20,7 @@ from archlint.checks.scope import Scope
 from archlint.connections.actions_beside import action_beside
 from archlint.connections.lessons import is_lesson
 from archlint.execution.attribute_loops import attribute_loops
+from archlint.execution.demonstrations import stands_for_work
 from archlint.execution.kept_waiting import blocks_nobody
 from archlint.execution.longest_way import Stretch, longest_way
 from archlint.execution.loop_stops import can_be_stopped
@@ -61,11 +62,12 @@ _Sleep = tuple["ApiCall", Stay]
 @rule("SRV008", scope=Scope.CODE, by_program=True, taste=True, pauses=False)
 def long_running_service(system: System, options: Options) -> Iterator[Finding]:
     """Service handlers that sleep, once for long or again and again; one finding a handler.  Those that pause for a
-    known while, or for as long as the request says, count in a lesson and with ``pauses``."""
+    known while, for as long as the request says, or instead of work, count in a lesson and with ``pauses``."""
     pauses = options.flag("pauses") or is_lesson(system)
-    diagnostics = (diagnostic for _, diagnostic in long_handlers(system, options.distros))
     yield from one_for_each_place(
-        diagnostic for diagnostic in diagnostics if pauses or diagnostic.severity is not Severity.INFO
+        diagnostic
+        for callback, diagnostic in long_handlers(system, options.distros)
+        if pauses or (diagnostic.severity is not Severity.INFO and not stands_for_work(source_code(system), callback))
     )
 
 

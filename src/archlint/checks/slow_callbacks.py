@@ -24,6 +24,7 @@ from archlint.execution.attribute_loops import attribute_loops
 from archlint.execution.callback_roles import callback_words, runs_in_executor
 from archlint.execution.commands import is_soon_over
 from archlint.execution.deadlock import threads_of
+from archlint.execution.demonstrations import stands_for_work
 from archlint.execution.kept_waiting import Waiting, blocks_nobody, is_one_chain, who_waits
 from archlint.execution.long_stays import LongStay, long_stays, period_of
 from archlint.execution.loop_times import in_loops
@@ -60,10 +61,8 @@ def slow_callback(system: System, options: Options) -> Iterator[Finding]:
     turning = {id(call.context) for _, call in judged_calls(system) if _turns(call)}
     functions: dict[tuple[str, str], dict[Place, LongStay]] = {}
     for program, call, stay in long_stays(system):
-        if call.context.role == Role.SERVICE and stay.kind == "sleep":
-            continue  # SRV008 has a bound of its own for these
-        if call.context.role == Role.LIFECYCLE or call.cleaning:
-            continue  # a transition may take its time; and where something has failed, this is the way out of it
+        if _is_for_others(call, stay):
+            continue
         if not endless.isdisjoint(call.loops):
             continue  # EXE009 says that the loop never ends
         if id(call.context) in (spinning if stay.kind == "discovery" else turning):
@@ -74,6 +73,8 @@ def slow_callback(system: System, options: Options) -> Iterator[Finding]:
             continue  # a device is opened again as at the start: without it the callback can do nothing
         if stay.kind == "sleep" and (ends_its_timer_after(system, call) or (quiet and speaks_beside(code, call))):
             continue  # the timer sleeps once; and beside words that are spoken, a pause is short
+        if stay.kind == "sleep" and not alone and stands_for_work(code, call.context):
+            continue  # what waits meanwhile is what it is there to show
         if stay.kind == "lock" or _answers_in_time(call, stay):
             continue  # few processes hold a file for more than a moment, and the answer depends on the server
         if not asked.isdisjoint((call.context.place, client.place) for client in creations_of(call.receiver)):
@@ -100,6 +101,13 @@ def slow_callback(system: System, options: Options) -> Iterator[Finding]:
         _slow(system, rows, _place_of(system, worst[_cause(rows[0][1].context)])) for rows in slow_functions
     )
     yield from one_for_each_place(added_waits(system, {id(call.context) for _, call, _ in long_stays(system)}))
+
+
+def _is_for_others(call: ApiCall, stay: Stay) -> bool:
+    """Whether SRV008 has a bound of its own for a wait; a transition may take its time, and so may the way out of what
+    has failed."""
+    is_sleep_of_handler = call.context.role == Role.SERVICE and stay.kind == "sleep"
+    return is_sleep_of_handler or call.context.role == Role.LIFECYCLE or call.cleaning
 
 
 def _place_of(system: System, row: LongStay) -> str:
