@@ -301,7 +301,7 @@ def test_a_launch_file_that_python_refuses_to_compile(findings: Callable[..., li
     assert [finding.code for finding in told] == ["LNT002"]
 
 
-@pytest.mark.parametrize(("name", "near"), [("node", ""), ("Noed", "Node")])
+@pytest.mark.parametrize(("name", "near"), [("node", ""), ("Noed", "Node"), ("noed", "")])
 def test_an_object_is_no_slip_for_its_class(judge: Judge, name: str, near: str) -> None:
     (finding,) = judge("API005", _node(f"{name}.destroy_node()  # here"))
     assert finding.message.endswith(f"; did you mean '{near}'?" if near else "a NameError")

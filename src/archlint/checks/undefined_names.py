@@ -148,7 +148,7 @@ def _undefined(workspace: WorkspaceIndex, read: Undefined) -> Finding:
         in_launch_file = read.place.file in workspace.launch_files.all()
         statement = import_of(workspace, read.name, in_launch_file=in_launch_file, called=read.called)
     if not near and not statement and len(read.name) >= _SHORT:
-        known = (name for name in read.known if name not in _BUILT_IN and not _is_class_of(name, read.name))
+        known = (name for name in read.known if name not in _BUILT_IN and not _is_one_a_class(name, read.name))
         near = nearest(read.name, known) or ""
     cure = f"write `{statement}`" if statement else f"write {near}" if near else "define it, or remove the line"
     hint = meant(f"'{near}'" if near else "")
@@ -163,9 +163,9 @@ def _undefined(workspace: WorkspaceIndex, read: Undefined) -> Finding:
     )
 
 
-def _is_class_of(known: str, name: str) -> bool:
-    """Whether a name is that of a class of which the other may be an object: ``Node`` and ``node``."""
-    return known != name and known.lower() == name.lower() and known[:1].isupper() is not name[:1].isupper()
+def _is_one_a_class(known: str, name: str) -> bool:
+    """Whether one name is that of a class and the other is not: ``Node`` and ``node``, ``Duration``, ``direction``."""
+    return known[:1].isupper() is not name[:1].isupper()
 
 
 @folds("API005")
