@@ -250,13 +250,31 @@ def test_two_packages_of_nearly_one_name_are_no_slip(lint: Lint):
     files = {
         "arm_interface/package.xml": manifest("arm_interface"),
         "arm_interface/arm_interface/__init__.py": "",
-        "talk/package.xml": manifest("talk", *depends("rclpy", "arm_interfaces")),
+        "talk/package.xml": manifest("talk", *depends("rclpy", "arm_interfazes")),
         "talk/talk/node.py": node("import arm_interface"),
     }
     (slip,) = lint(files)
-    assert slip.message.endswith("; did you mean 'arm_interface' by 'arm_interfaces'?")
-    (both,) = lint(files | {"arm_interfaces/package.xml": manifest("arm_interfaces")})
+    assert slip.message.endswith("; did you mean 'arm_interface' by 'arm_interfazes'?")
+    (both,) = lint(files | {"arm_interfazes/package.xml": manifest("arm_interfazes")})
     assert "did you mean" not in both.message
+
+
+def test_a_name_that_is_told_to_be_another_one_is_told_once(lint: Lint):
+    """PKG008 says what to write for it: to declare that beside it would be one line too many."""
+    files = {
+        "package.xml": manifest("talk", *depends("rclpy", "sensor_msg")),
+        "talk/talk/node.py": node(LASER, POSE),
+    }
+    assert missing(lint(files)) == ["geometry_msgs"]
+    assert [row.meant for row in lint(files, code="PKG008")] == ["sensor_msgs"]
+    files["package.xml"] = manifest("talk", *depends("rclpy"), *depends("sensor_msg", tag="test_depend"))
+    assert missing(lint(files)) == ["geometry_msgs", "sensor_msgs"]
+
+
+def test_a_name_of_ros_1_stands_for_that_of_ros_2(lint: Lint):
+    files = built("find_package(rclcpp REQUIRED)", *depends("roscpp", tag="depend"))
+    assert lint(files) == []
+    assert [row.meant for row in lint(files, code="PKG008")] == ["rclcpp"]
 
 
 # -------------------------------------------------------------------------------------------------- one finding

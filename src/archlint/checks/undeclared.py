@@ -19,7 +19,8 @@ from archlint.edit_sites import MissingDependencies, Sites
 from archlint.finding import Finding, Place, Related
 from archlint.packaging.skipped_packages import skipped_packages
 from archlint.packaging.unused_files import nothing_runs
-from archlint.ros import packages
+from archlint.ros import packages, rosdep
+from archlint.ros.mistaken_dependencies import mistaken
 from archlint.rulebook import rules
 from archlint.suggestions import distance, meant, nearest
 from archlint.workspace.closure import closure
@@ -42,7 +43,8 @@ def undeclared_dependency(system: System, options: Options) -> Iterator[Finding]
         used.setdefault(workspace.manifests[folder].name, set()).update(use.needed for use in uses)
     for folder, uses in sorted(by_package.items()):
         yield from strangers(workspace, workspace.manifests[folder], uses)
-        uses = [use for use in uses if _is_somewhere(workspace, use.needed)]
+        renamed = _meant_by_others(workspace, workspace.manifests[folder])
+        uses = [use for use in uses if _is_somewhere(workspace, use.needed) and use.needed not in renamed]
         uses.sort(key=lambda use: _spare(workspace, use.place.file))
         hidden = [use for use in uses if _is_hidden(workspace, use)]
         # What a comment allows is a finding of its own, for the comment to hide.
@@ -56,6 +58,19 @@ def _is_somewhere(workspace: WorkspaceIndex, name: str) -> bool:
     """Whether a package is known: of this workspace, of ROS, or to another manifest here.  Of a name that is nowhere
     nobody knows what to declare, and rosdep stops at it."""
     return name in packages.table().names or name in workspace.packages or name in _declared_anywhere(workspace)
+
+
+def _meant_by_others(workspace: WorkspaceIndex, package: Package) -> set[str]:
+    """The packages that a manifest means by names which rosdep does not know: PKG008 tells to write these instead."""
+    there = packages.table().names | workspace.packages.keys()
+    known = there | rosdep.keys()
+    renamed: set[str] = set()
+    for d in package.dependencies:
+        if d.name not in known and d.kind not in FOR_OTHERS and condition_holds(d.condition):
+            wrong = mistaken(d.name, there, is_python=False)
+            near = rosdep.meant_by(d.name, there, is_python=False)
+            renamed.add(near or ("" if wrong is None else wrong.instead))
+    return renamed
 
 
 def _spare(workspace: WorkspaceIndex, file: str) -> int:
