@@ -34,6 +34,39 @@ def test_an_executable_of_another_workspace(findings):
     assert findings("LCH001", node(pkg="nav2_amcl", exec="amcl")) == []
 
 
+@pytest.mark.parametrize(
+    ("package", "executable", "hint"),
+    [
+        ("gazebo_ros", "spawn_entity", "; did you mean 'spawn_entity.py'?"),
+        ("rclcpp_components", "camera_container", ""),
+        ("robot_localization", "ekf_nodes", "; did you mean 'ekf_node'?"),
+    ],
+)
+def test_an_executable_that_a_package_of_ros_does_not_have(findings, package, executable, hint):
+    (finding,) = findings("LCH001", node(pkg=package, exec=executable))
+    assert finding.message == f"package '{package}' installs no executable '{executable}'{hint}"
+
+
+@pytest.mark.parametrize(
+    ("package", "executable"),
+    [
+        ("rclcpp_components", "component_container_event_cbg"),
+        ("slam_toolbox", "decentralized_multirobot_slam_toolbox_node"),
+        ("controller_manager", "spawner.py"),
+        ("rviz2", "/opt/venv/bin/python"),
+        ("rviz2", "$(var viewer)"),
+        ("topic_tools", "anything"),
+    ],
+)
+def test_an_executable_that_a_package_of_ros_has_or_may_have(findings, package, executable):
+    assert findings("LCH001", '<arg name="viewer"/>' + node(pkg=package, exec=executable)) == []
+
+
+def test_a_package_of_ros_that_is_external(findings):
+    files = {"archlint.toml": 'select = ["LCH001"]\nexternal = ["gazebo_ros"]\n'}
+    assert findings("LCH001", node(pkg="gazebo_ros", exec="spawn_entity"), **files) == []
+
+
 def test_a_package_that_was_renamed(findings):
     (finding,) = findings("LCH001", node(pkg="robto", exec="talker"))
     assert finding.message == "there is no package 'robto'; did you mean 'robot', which installs 'talker'?"

@@ -16,6 +16,7 @@ from archlint.launch.kinds import StartedKind
 from archlint.launch_files.shown_files import is_shown_only
 from archlint.packaging.absent_packages import is_nowhere, is_placeholder, owners_of_component, package_that_installs
 from archlint.packaging.entry_points import is_empty, starts_nothing
+from archlint.ros.released_programs import programs_instead
 from archlint.suggestions import did_you_mean, listed, nearest
 
 if TYPE_CHECKING:
@@ -37,6 +38,8 @@ def unknown_executable(system: System, options: Options) -> Iterator[Finding]:
         if started.kind is StartedKind.COMPONENT and installs is None:
             yield from _component_from_no_package(system.workspace, started, name)
         if started.kind not in (StartedKind.NODE, StartedKind.CONTAINER):
+            continue
+        if installs is None and started.package.text in options.external:
             continue
         if installs is None:
             yield from _from_no_package(system, system.workspace, started, name)
@@ -148,6 +151,8 @@ def _from_no_package(system: System, workspace: WorkspaceIndex, started: Started
         return
     if name.endswith(_LAUNCH_FILES):
         yield _launch_file(started, package, name)
+    elif not posixpath.isabs(name) and (programs := programs_instead(package, name)):
+        yield _no_program(started, package, name, programs)
     if not is_nowhere(workspace, package):
         return
     near = nearest(
@@ -167,6 +172,18 @@ def _with_share_folders(system: System, told: Finding, package: str) -> Finding:
     places = dict.fromkeys(reference.place for reference in references if reference.package == package)
     rows = (Related(place, "its share folder is looked for here") for place in places if place != told.place)
     return replace(told, related=(*told.related, *rows))
+
+
+def _no_program(started: Started, package: str, name: str, programs: Sequence[str]) -> Finding:
+    """The finding for a package of ROS that has not got the program."""
+    return finding(
+        "LCH001",
+        started.places.get("executable", started.place),
+        f"package '{package}' installs no executable '{name}'{did_you_mean(name, programs)}",
+        help=f"start one that it has: {listed(programs)}",
+        identity=(package, name),
+        group=(package, name),
+    )
 
 
 def _without_spaces(workspace: WorkspaceIndex, package: str) -> str | None:

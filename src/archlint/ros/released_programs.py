@@ -1,0 +1,60 @@
+"""The programs of packages of ROS that launch files start most, as all distributions since Foxy install them.
+
+Source: their CMakeLists.txt and setup.py in the branches of these distributions.  A package is left out whose programs
+are many, or change.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+
+_PROGRAMS: Mapping[str, str] = {
+    "controller_manager": "ros2_control_node spawner unspawner hardware_spawner spawner.py unspawner.py",
+    "foxglove_bridge": "foxglove_bridge",
+    "gazebo_ros": "spawn_entity.py gazebo_ros_paths.py",
+    "joint_state_publisher": "joint_state_publisher",
+    "joint_state_publisher_gui": "joint_state_publisher_gui",
+    "joy": "joy_node game_controller_node joy_enumerate_devices",
+    "nav2_amcl": "amcl",
+    "nav2_behaviors": "behavior_server",
+    "nav2_bt_navigator": "bt_navigator",
+    "nav2_collision_monitor": "collision_monitor collision_detector",
+    "nav2_controller": "controller_server",
+    "nav2_lifecycle_manager": "lifecycle_manager",
+    "nav2_map_server": "map_server map_saver_cli map_saver_server costmap_filter_info_server vector_object_server",
+    "nav2_planner": "planner_server",
+    "nav2_smoother": "smoother_server",
+    "nav2_velocity_smoother": "velocity_smoother",
+    "nav2_waypoint_follower": "waypoint_follower",
+    "rclcpp_components": "component_container component_container_mt component_container_isolated",
+    "robot_localization": "ekf_node ukf_node navsat_transform_node robot_localization_listener_node se_node",
+    "robot_state_publisher": "robot_state_publisher",
+    "ros_gz_bridge": "parameter_bridge static_bridge bridge_node",
+    "ros_gz_sim": "create gzserver remove delete_entity spawn_entity set_entity_pose",
+    "ros_ign_bridge": "parameter_bridge static_bridge",
+    "ros_ign_gazebo": "create",
+    "rviz2": "rviz2",
+    "slam_toolbox": "async_slam_toolbox_node sync_slam_toolbox_node localization_slam_toolbox_node "
+    "lifelong_slam_toolbox_node map_and_localization_slam_toolbox_node merge_maps_kinematic",
+    "teleop_twist_joy": "teleop_node",
+    "teleop_twist_keyboard": "teleop_twist_keyboard",
+    "tf2_ros": "static_transform_publisher tf2_echo tf2_monitor buffer_server",
+    "turtlesim": "turtlesim_node turtle_teleop_key draw_square mimic",
+    "twist_mux": "twist_mux twist_marker",
+}
+_MORE = {
+    "rclcpp_components": re.compile(r"component_container_\w+"),
+    "slam_toolbox": re.compile(r"\w+slam_toolbox_node"),
+}
+"""What newer ones of a package are called."""
+
+
+def programs_instead(package: str, name: str) -> list[str]:
+    """The programs of a package which does not have one of a name; empty where it has, or may have it."""
+    programs = _PROGRAMS.get(package, "").split()
+    may_be = name in programs or (package in _MORE and _MORE[package].fullmatch(name) is not None)
+    return [] if may_be else programs
+
+
+__all__ = ["programs_instead"]
