@@ -130,8 +130,9 @@ def _written(here: str = "''", there: str = "''") -> dict[str, str]:
         ("lc and LaunchConfiguration('kind')", "'and' takes it for true", "AndSubstitution"),
         ("lc or 'true'", "'or' takes it for true", "OrSubstitution"),
         ("not lc", "this test takes it for true", "condition=IfCondition"),
-        ("1 if lc else 2", "this test takes it for true", "condition=IfCondition"),
-        ("1 if start and lc else 2", "this test takes it for true", "condition=IfCondition"),
+        ("1 if lc else 2", "this test takes it for true", "use PythonExpression"),
+        ("1 if start and lc else 2", "this test takes it for true", "use PythonExpression"),
+        ("lc if lc else None", "this test takes it for true", "condition=IfCondition"),
     ],
 )
 def test_a_substitution_that_is_taken_for_its_value(findings, here, message, help):

@@ -65,7 +65,10 @@ def _said(misused: Misused) -> tuple[str, str]:
         case Misuse.TEXT_TESTED:
             text = f"the text of the launch argument '{what}' is tested: any text is true, and so is 'false'"
             return text, "compare it: ….perform(context).lower() == 'true'"
-    return f"a {what} has no value yet, so that this test takes it for true", "give the action condition=IfCondition(…)"
+    help = "give the action condition=IfCondition(…)"
+    if misused.chooses:
+        help = """use PythonExpression(["… if '", …, "' == 'true' else …"])"""
+    return f"a {what} has no value yet, so that this test takes it for true", help
 
 
 def _list_with(what: str) -> str:

@@ -56,7 +56,7 @@ class Misused:
     is_given: bool = False
     """Whether the result is an argument, or an item of what is one: a parameter's value, say."""
     chooses: bool = False
-    """Whether it decides between two texts, as in ``'a' if … else 'b'``."""
+    """Whether it decides between two texts, as in ``'a' if … else 'b'``, or a test between two constants."""
 
 
 def misused_substitutions(system: System) -> Iterator[tuple[str, Misused]]:
@@ -210,6 +210,8 @@ def _misused(code: _Code) -> Iterator[Misused]:
                 yield from _tested(code, operand)
             case facts.Conditional() if id(part) in decided:
                 pass  # the action only runs with the outcome that the test has
+            case facts.Conditional(test=test, body=facts.Literal(), orelse=facts.Literal()):
+                yield from (replace(misused, chooses=True) for misused in _tested(code, test))
             case facts.If(test=test) | facts.While(test=test) | facts.Conditional(test=test):
                 yield from _tested(code, test)
 
