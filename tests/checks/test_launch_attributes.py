@@ -158,3 +158,24 @@ def test_elements_that_a_node_has(findings):
     inner = "<param name='rate' value='2.0'/><remap from='a' to='b'/><env name='A' value='1'/>"
     assert findings("LCH005", f"<node pkg='robot' exec='talker'>{inner}</node>") == []
     assert len(findings("LCH007", "<node pkg='robot' exec='talker'><param name='rate' value='$(arg f)'/></node>")) == 1
+
+
+@pytest.mark.parametrize(
+    ("given", "help"),
+    [
+        ("parameters=[{'a': 1}], ros_parameters={'b': 2}", ": put its values into parameters=, which is given, too"),
+        ("name='talker', node_name='talker'", ": remove it: name=, which is given, too"),
+        ("ros_parameters={'b': 2}", ""),
+    ],
+)
+def test_what_is_given_under_the_right_name_too(findings, given: str, help: str):
+    text = f"""
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    return LaunchDescription([Node(package='robot', executable='talker', {given})])
+"""
+    (told,) = findings("LCH005", **{"launch/more.launch.py": text})
+    assert told.help == f"this call raises TypeError before anything is started{help}"

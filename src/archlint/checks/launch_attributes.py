@@ -14,7 +14,7 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Severity
 from archlint.launch_files.launch_code import is_for_several_distros
-from archlint.suggestions import did_you_mean, distance
+from archlint.suggestions import did_you_mean, distance, nearest
 
 if TYPE_CHECKING:
     from archlint.launch.mistakes import UnknownAttribute
@@ -29,6 +29,9 @@ _RENAMED = {
     "ns": "namespace",
     "launch_description_sources": "launch_description_source",
 }
+
+_OF_SEVERAL = frozenset({"arguments", "parameters", "remappings", "ros_arguments"})
+"""Arguments that take several values."""
 
 _OF_ROS_1 = {"rosparam": '<param from="…"/>'}
 """Elements of ROS 1, and how ROS 2 writes them."""
@@ -50,11 +53,14 @@ def unknown_launch_attribute(system: System, options: Options) -> Iterator[Findi
         hint = f"; write '{_OF_ROS_1[wrong.name]}'" if wrong.name in _OF_ROS_1 and "param" in wrong.known else hint
         kind = "element" if wrong.nested else "attribute" if wrong.of_element else "argument"
         why = "launch rejects this file" if wrong.of_element else "this call raises TypeError"
+        meant = renamed if renamed in wrong.known else nearest(wrong.name, wrong.known)
+        do = f"put its values into {meant}=" if meant in _OF_SEVERAL else f"remove it: {meant}="
+        merge = f": {do}, which is given, too" if meant in wrong.given else ""
         diagnostic = finding(
             "LCH005",
             wrong.place,
             f"{wrong.action} has no {kind} '{wrong.name}'{since}{hint}",
-            help=f"{why} before anything is started",
+            help=f"{why} before anything is started{merge}",
             identity=(wrong.action, wrong.name),
             group=(_OLD,) if wrong.place.file in old else (wrong.place.file,),
         )

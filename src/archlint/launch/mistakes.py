@@ -62,6 +62,8 @@ class UnknownAttribute:
     """Whether the action is an element of XML or YAML."""
     nested: bool = False
     """Whether it is an element inside of that one, instead of an attribute."""
+    given: frozenset[str] = frozenset()
+    """What a call in Python gives by name."""
 
 
 @dataclass(frozen=True)

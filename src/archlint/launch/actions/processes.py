@@ -200,7 +200,8 @@ def _check_keywords(run: LaunchRun, entity: LaunchObject) -> None:
     places = entity.places
     for name in entity.arguments:
         if name not in known and name not in _KEYWORDS_OF_ALL and not name.isdigit() and name in places:
-            run.note_unknown_attribute(UnknownAttribute(entity.kind, name, tuple(known), places[name]))
+            given = frozenset(entity.arguments)
+            run.note_unknown_attribute(UnknownAttribute(entity.kind, name, tuple(known), places[name], given=given))
 
 
 def _components(run: LaunchRun, entity: LaunchObject, container: Started | Text | None) -> None:
