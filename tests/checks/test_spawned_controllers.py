@@ -85,3 +85,39 @@ def test_a_manager_that_may_know_more(findings, manager: str):
 def test_a_manager_that_knows_no_controller_at_all(findings):
     controllers = "controller_manager:\n  ros__parameters:\n    update_rate: 100\n"
     assert _told(findings, MANAGER.format("", "") + _spawner("legs"), controllers) == []
+
+
+MOVEIT = """\
+from launch_ros.actions import Node
+from moveit_configs_utils import MoveItConfigsBuilder
+from moveit_configs_utils.launches import generate_spawn_controllers_launch
+
+
+def generate_launch_description():
+    config = MoveItConfigsBuilder('robot', package_name='robot').to_moveit_configs()
+    description = generate_spawn_controllers_launch(config)
+    known = {'arm_controller.type': 'joint_trajectory_controller/JointTrajectoryController'}
+    known['joint_state_broadcaster.type'] = 'joint_state_broadcaster/JointStateBroadcaster'
+    description.add_action(Node(package='controller_manager', executable='ros2_control_node', parameters=[known]))
+    return description
+"""
+NAMED = """\
+moveit_simple_controller_manager:
+  controller_names:
+    - {0}
+  {0}:
+    type: FollowJointTrajectory
+"""
+
+
+def test_a_controller_that_the_configuration_of_moveit_names(findings):
+    files = {"launch/spawn.launch.py": MOVEIT, "config/moveit_controllers.yaml": NAMED.format("arms_controller")}
+    (told,) = findings("LCH012", **files)
+    assert (told.place.file, told.place.line) == ("config/moveit_controllers.yaml", 3)
+    assert told.help == "write 'arm_controller'"
+    assert [(row.place.file, row.place.line) for row in told.related] == [
+        ("launch/spawn.launch.py", 8),
+        ("launch/spawn.launch.py", 11),
+    ]
+    files["config/moveit_controllers.yaml"] = NAMED.format("arm_controller")
+    assert findings("LCH012", **files) == []

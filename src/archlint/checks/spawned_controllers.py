@@ -21,15 +21,17 @@ def unknown_controller(system: System, options: Options) -> Iterator[Finding]:
     """Spawned controllers that none of the controller manager's parameters gives a type."""
     for spawned in unknown_controllers(system):
         near = nearest(spawned.name, spawned.known)
+        place = spawned.named_at or spawned.place
+        spawns = [] if spawned.named_at is None else [Related(spawned.place, "the controllers are spawned here")]
         yield finding(
             "LCH012",
-            spawned.place,
+            place,
             f"the controller manager gets no type of a controller '{spawned.name}', so that spawning it fails"
             + (meant(f"'{near}'") if near is not None else ""),
             help=f"write '{near}'" if near is not None else f"spawn one that it knows: {listed(spawned.known)}",
-            related=[Related(spawned.manager, "the controller manager is started here")],
+            related=[*spawns, Related(spawned.manager, "the controller manager is started here")],
             identity=(spawned.name,),
-            group=(spawned.place.file, spawned.name),
+            group=(place.file, spawned.name),
             meant=near or "",
         )
 

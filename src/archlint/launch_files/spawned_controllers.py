@@ -6,15 +6,16 @@ Source: ``controller_manager`` in ros2_control: a controller is loaded by its ``
 
 from __future__ import annotations
 
+import posixpath
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.launch.parameter_sources import ParameterFileUse, ParameterSetting
+from archlint.place import Place
 
 if TYPE_CHECKING:
     from archlint.launch.started import Started
-    from archlint.place import Place
     from archlint.systems.model import System, WorkspaceIndex
 
 _MANAGER = ("controller_manager", "ros2_control_node")
@@ -45,6 +46,8 @@ class UnknownController:
     name: str
     known: tuple[str, ...]
     manager: Place
+    named_at: Place | None = None
+    """Where the configuration of MoveIt names it, if a launch file spawns what that names."""
 
 
 def unknown_controllers(system: System) -> Iterator[UnknownController]:
@@ -64,7 +67,23 @@ def unknown_controllers(system: System) -> Iterator[UnknownController]:
             for name in _names(process):
                 if name not in known:
                     place = process.places.get("arguments", process.place)
-                    yield UnknownController(place, name, tuple(sorted(known)), manager.place)
+                    named = _named_at(workspace, place, name)
+                    yield UnknownController(place, name, tuple(sorted(known)), manager.place, named)
+
+
+_OF_MOVEIT = "config/moveit_controllers.yaml"
+"""Where a package for MoveIt names the controllers that ``generate_spawn_controllers_launch()`` spawns."""
+
+
+def _named_at(workspace: WorkspaceIndex, spawned: Place, name: str) -> Place | None:
+    """Where the configuration of MoveIt has a controller that a launch file spawns and does not name itself."""
+    if name in (workspace.tree.text(spawned.file) or ""):
+        return None
+    file = posixpath.normpath(posixpath.join(posixpath.dirname(spawned.file), "..", _OF_MOVEIT))
+    for number, line in enumerate((workspace.tree.text(file) or "").splitlines(), 1):
+        if line.strip().removeprefix("-").strip("'\" ") == name:
+            return Place(file, number, 1, number, len(line) + 1)
+    return None
 
 
 def _controllers(workspace: WorkspaceIndex, manager: Started) -> set[str]:
