@@ -263,6 +263,8 @@ def test_a_parameter_that_stands_twice(findings):
     "held",
     [
         "talker:\n  ros__parameters:\n    rate: 1.0\n    rate: 1.0\n",
+        "talker:\n  ros__parameters:\n    rate: .nan\n",
+        "talker:\n  ros__parameters:\n    rate: .nan\n    rate: .NaN\n",
         "talker:\n  ros__parameters:\n    rate: 1.0\n    limits:\n      rate: 2.0\n",
         "talker:\n  ros__parameters:\n    names: [a]\n    names: [b]\n",
         "/**:\n  ros__parameters:\n    rate: 1.0\ntalker:\n  ros__parameters:\n    rate: 2.0\n",

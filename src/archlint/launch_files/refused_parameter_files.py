@@ -116,9 +116,14 @@ def _first_doubled(section: ParameterSection) -> tuple[ParameterEntry, Parameter
     last = {entry.name: entry for entry in section.entries}
     for entry in section.entries:
         other = last[entry.name]
-        if type(other.value) is type(entry.value) in _TYPES and other.value != entry.value:
+        if type(other.value) is type(entry.value) in _TYPES and not _is_same(entry.value, other.value):
             return entry, other
     return None
+
+
+def _is_same(first: object, second: object) -> bool:
+    """Whether two values are the same for a node: ``.nan``, too, which is not equal to itself."""
+    return first == second or (first != first and second != second)
 
 
 def refused_values(system: System) -> Iterator[NoValue]:
