@@ -16,6 +16,51 @@ def test_an_argument_that_every_includer_passes_is_declared_enough(findings):
     assert found.place.file.startswith("launch/")
 
 
+def test_what_the_top_declares_reaches_files_two_includes_down(findings):
+    """A file in the middle that is started alone lacks the argument; what includes it has it."""
+    middle = '<launch><include file="$(dirname)/inner.launch.xml"/></launch>'
+    files = {
+        "launch/middle.launch.xml": middle,
+        "launch/inner.launch.xml": f"<launch>{node(name='$(var name)')}</launch>",
+    }
+    top = '<arg name="name" default="a"/><include file="$(dirname)/middle.launch.xml"/>'
+    assert findings("LCH003", top, **files) == []
+    (diagnostic,) = findings("LCH003", top.replace('name="name"', 'name="other"'), **files)
+    assert diagnostic.place.file == "launch/inner.launch.xml"
+
+
+READER = """\
+from launch.substitutions import LaunchConfiguration
+
+def setting(name):
+    return LaunchConfiguration(name)
+
+def rate():
+    return LaunchConfiguration('rate')
+"""
+READS = """\
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument
+from launch_ros.actions import Node
+from robot.reader import rate, setting
+
+def generate_launch_description():
+    return LaunchDescription([
+        DeclareLaunchArgument('other', default_value='a'),
+        Node(package='robot', executable='talker', name=setting('other'), namespace=setting('space')),
+    ])
+"""
+
+
+def test_a_function_that_reads_what_it_is_given_is_no_place_of_a_finding(findings):
+    files = {"robot/__init__.py": "", "robot/reader.py": READER}
+    (diagnostic,) = findings("LCH003", **files, **{"launch/a.launch.py": READS})
+    assert (diagnostic.place.file, diagnostic.place.line) == ("launch/a.launch.py", 9)
+    assert "'space'" in diagnostic.message
+    (diagnostic,) = findings("LCH003", **files, **{"launch/a.launch.py": READS.replace("setting('space')", "rate()")})
+    assert (diagnostic.place.file, diagnostic.place.line) == ("robot/reader.py", 7)
+
+
 def test_a_configuration_behind_a_condition_may_be_set_by_then(findings):
     assert findings("LCH003", '<arg name="x"/>' + node(name="$(var y)", **{"if": "$(var x)"})) == []
 

@@ -1012,3 +1012,49 @@ def test_a_parameter_that_is_an_argument_needs_what_the_including_file_names(lin
     assert [(found.place.file.split("/")[0], missing([found])) for found in lint(files)] == [
         (package, ["turtlebot3_bringup"]) for package in files_told
     ]
+
+
+INCLUDING = """\
+from launch.actions import IncludeLaunchDescription
+from launch.substitutions import PathJoinSubstitution
+from launch_ros.substitutions import FindPackageShare
+
+def include(description, package, name):
+    path = PathJoinSubstitution([FindPackageShare(package), 'launch', f'{name}.launch.py'])
+    description.add_action(IncludeLaunchDescription(path))
+"""
+INCLUDES = """\
+from launch import LaunchDescription
+from helper.include import include
+
+def generate_launch_description():
+    description = LaunchDescription()
+    include(description, 'slam', 'part')
+    include(description, 'nav2_bringup', 'navigation_launch')
+    return description
+"""
+
+
+def test_the_package_of_an_include_is_named_by_who_calls_the_helper(lint: Lint):
+    """What includes the files of packages that it is given depends on none of them: there is no circle."""
+    files = {
+        "helper/package.xml": manifest("helper", *depends("launch_ros")),
+        "helper/setup.py": "from setuptools import setup\nsetup(name='helper', packages=['helper'])\n",
+        "helper/helper/__init__.py": "",
+        "helper/helper/include.py": INCLUDING,
+        "slam/package.xml": manifest("slam"),
+        "slam/launch/slam.launch.py": INCLUDES,
+        "slam/launch/part.launch.py": PART,
+    }
+    assert lint(files, code="PKG003") == []
+    (diagnostic,) = lint(files)
+    assert missing([diagnostic]) == ["helper", "nav2_bringup"]
+    assert (diagnostic.place.file, diagnostic.place.line) == ("slam/launch/slam.launch.py", 2)
+    assert [related.place.line for related in diagnostic.related if "nav2_bringup" in related.message] == [7]
+    # A helper that names the package itself depends on it.
+    fixed = INCLUDING.replace("description, package,", "description, package='slam',").replace("name)", "name='part')")
+    (diagnostic,) = lint({**files, "helper/helper/include.py": fixed}, code="PKG003")
+    assert "helper → slam → helper" in diagnostic.message
+
+
+PART = "from launch import LaunchDescription\n\ndef generate_launch_description():\n    return LaunchDescription()\n"

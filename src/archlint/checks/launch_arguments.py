@@ -116,6 +116,8 @@ def _undeclared_uses(system: System, launched: Launched) -> Iterator[Finding]:
             continue  # whoever includes it may pass it: that system reports it
         if alone and system.workspace is not None and use.name in _passed_to_any(system.workspace):
             continue
+        if not alone and system.is_included and _is_set_above(system.workspace, launched, use):
+            continue
         reported.add(use.name)
         if use.unseen is not None:
             continue  # an include in front of it is not there, which LCH004 reports: what it declares nobody knows
@@ -146,6 +148,16 @@ def _undeclared_uses(system: System, launched: Launched) -> Iterator[Finding]:
         )
     for uses in plain.values():
         yield _never_declared(launched, uses)
+
+
+def _is_set_above(workspace: WorkspaceIndex | None, launched: Launched, use: UndeclaredUse) -> bool:
+    """Whether a launch file that includes this one has a value for what a file further down reads."""
+    others = () if workspace is None else workspace.launched
+    above = [other for other in others if launched.file in other.sources[1:] and use.file in other.sources]
+    return not all(
+        any((left.name, left.file) == (use.name, use.file) for left in other.undeclared if not left.conditional)
+        for other in above
+    )
 
 
 @once

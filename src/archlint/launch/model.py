@@ -40,6 +40,8 @@ class Included:
     """Whether a process of its own launches the file: ``ros2 launch``."""
     source_class: str = ""
     """The class that reads the file, ``PythonLaunchDescriptionSource`` …; empty where an include finds out itself."""
+    called_at: Place | None = None
+    """Where the function is called that makes the include of what it is given."""
 
     @property
     def is_missing(self) -> bool:

@@ -13,6 +13,7 @@ from archlint.syntax import facts
 from archlint.syntax.parts import everything_in
 
 if TYPE_CHECKING:
+    from archlint.launch.model import Included
     from archlint.systems.model import WorkspaceIndex
 
 _PROGRAMS = frozenset({"rviz2", "xacro"})
@@ -22,14 +23,22 @@ _RUN_BY = frozenset({"Command", "ExecuteProcess", "FindExecutable"})
 
 def packages_of_includes(workspace: WorkspaceIndex) -> Iterator[tuple[Place, str]]:
     """The packages of the launch files that are included whatever the arguments are, each with its place: that of the
-    include, or of the path in another file, which passes it on."""
+    include, or of the path in another file, which passes it on, or that calls the function which includes."""
     for launched in workspace.launched:
         for include in launched.included:
             reference = include.reference
             known = reference.package is not None and reference.status is not FileStatus.UNKNOWN
             if known and not include.dormant and not reference.conditional and not reference.optional:
                 given = reference.given or include.place
-                yield given if given.file != include.place.file else include.place, reference.package or ""
+                here = _called_at(workspace, include) or include.place
+                yield given if given.file != include.place.file else here, reference.package or ""
+
+
+def _called_at(workspace: WorkspaceIndex, include: Included) -> Place | None:
+    """Where a function is called that includes a file of the package that it is given: its own file does not say which
+    one."""
+    package = include.reference.package or ""
+    return None if workspace.code.mentions(include.place.file, package) else include.called_at
 
 
 def packages_of_files(workspace: WorkspaceIndex) -> Iterator[tuple[Place, str]]:
@@ -39,7 +48,10 @@ def packages_of_files(workspace: WorkspaceIndex) -> Iterator[tuple[Place, str]]:
         arguments = {
             file.written: file.given or file.place for file in launched.references if file.kind is FileKind.ARGUMENT
         }
+        named_by_callers = {row.reference for row in launched.included if _called_at(workspace, row) is not None}
         for file in launched.references:
+            if file in named_by_callers:
+                continue
             known = file.package is not None and file.status is not FileStatus.UNKNOWN
             if known and file.kind is not FileKind.ARGUMENT and not file.conditional and not file.optional:
                 passed = arguments.get(file.written, file.place)

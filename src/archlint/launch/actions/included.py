@@ -46,7 +46,16 @@ def include(run: LaunchRun, entity: LaunchObject) -> None:
     for option in each_alternative(run, path):
         reference = run.reference(FileKind.LAUNCH, option, place)
         visible = None if given is not None and run.is_open(given) else _visible_texts(run, [name for name, _ in names])
-        row = Included(reference, names, place, run.file, run.is_dormant, visible, source_class=_class_of(source))
+        row = Included(
+            reference,
+            names,
+            place,
+            run.file,
+            run.is_dormant,
+            visible,
+            source_class=_class_of(source),
+            called_at=entity.called_at,
+        )
         run.result.included.append(row)
         if reference.source is None:
             run.given.note_unread_include(run.launch.configurations)

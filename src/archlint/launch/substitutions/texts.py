@@ -73,10 +73,19 @@ def configuration(run: LaunchRun, value: LaunchObject) -> Value:
     default = value.argument("default")
     if default is not None:
         return run.perform(default)
-    if value.place is not None:
+    place = _asked_at(value)
+    if place is not None:
         in_branch = bool(value.branch_arms - run.code_arms)
-        run.note_undeclared(name, value.place, run.is_conditional or in_branch)
+        run.note_undeclared(name, place, run.is_conditional or in_branch)
     return Unknown(f"the launch configuration '{name}' is not set")
+
+
+def _asked_at(value: LaunchObject) -> Place | None:
+    """Where a file asks for a configuration: with the call of a function of another file that is given the name."""
+    name, place, call = value.argument("variable_name"), value.place, value.called_at
+    if not isinstance(name, Known) or name.origin is None or place is None or call is None:
+        return place
+    return place if place.file in (call.file, name.origin.file) else call
 
 
 def text(run: LaunchRun, value: LaunchObject) -> Value:
