@@ -823,3 +823,14 @@ def test_a_node_whose_callbacks_the_program_calls_itself(found, path: str, end: 
     told = found("EXE008", {"robot/driver.py": "def main():\n    pass\n", path: said("Probe", end, run)})
     assert len(told) == count
     assert all("of its timer" not in one.message for one in told if path.startswith("robot"))
+
+
+def test_a_draft_of_an_installed_program_belongs_to_its_finding(found):
+    draft = "# The first try.\n" + SLEEPS
+    other = SLEEPS.replace("super().__init__('", "super().__init__('other_")
+    assert other != SLEEPS
+    files = {"robot/driver.py": SLEEPS, "../driver_1.py": draft, "../other.py": other}
+    installed, apart = sorted(found("EXE004", files), key=lambda told: -told.severity)
+    assert installed.place.file == "robot/robot/driver.py"
+    assert [row.place.file for row in installed.related if "draft" in row.message] == ["driver_1.py"]
+    assert (apart.place.file, apart.severity) == ("other.py", Severity.INFO)

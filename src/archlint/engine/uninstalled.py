@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from collections.abc import Set as AbstractSet
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_not_installed
-from archlint.checks.folding import with_others
+from archlint.checks.folding import all_sites, with_others
 from archlint.checks.registry import registered
-from archlint.finding import Finding, Severity
+from archlint.finding import Finding, Related, Severity
 
 if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
@@ -43,16 +43,17 @@ _OF_CALLS = ("API", "EXE", "SRV", "TMO")
 
 def once_for_a_file(findings: Iterable[Finding], files: AbstractSet[str]) -> list[Finding]:
     """The findings, those that are information for this reason with the reason in their message.  What a rule says of
-    calls and waits in one such file is one finding, and so is the same in a copy beside it; each wrong name and message
-    stays."""
+    calls and waits in one such file is one finding, and so is the same in a copy beside it; where the file is a draft of
+    an installed program, it belongs to the finding there.  Each wrong name and message stays."""
     of_files: dict[tuple[str, str, str | None, int | None], list[Finding]] = {}
     shown: list[Finding] = []
     for number, finding in enumerate(findings):
         if finding.place.file in files and finding.severity is Severity.INFO and _is_about_code(finding):
-            apart = None if finding.code.startswith(_OF_CALLS) else number
+            apart = None if _is_about_calls(finding) else number
             of_files.setdefault((finding.code, finding.place.file, finding.system, apart), []).append(finding)
         else:
             shown.append(finding)
+    drafts = _with_drafts(shown, of_files)
     of_copies: dict[tuple[object, ...], list[Finding]] = {}
     for (code, file, _, apart), row in of_files.items():
         finding = _first_of(row, "another line like it", "more lines like it")
@@ -61,7 +62,40 @@ def once_for_a_file(findings: Iterable[Finding], files: AbstractSet[str]) -> lis
         of_copies.setdefault((code, *twin, apart), []).append(finding)
     copies = (_first_of(row, "so does a copy beside it", "copies beside it do, too") for row in of_copies.values())
     reason = "; no installed program uses this file"
-    return [*shown, *(replace(finding, message=f"{finding.message}{reason}") for finding in copies)]
+    return [*drafts, *(replace(finding, message=f"{finding.message}{reason}") for finding in copies)]
+
+
+def _with_drafts(
+    shown: Sequence[Finding], of_files: dict[tuple[str, str, str | None, int | None], list[Finding]]
+) -> list[Finding]:
+    """The findings in installed programs, each with the places where drafts of it, which no package installs, show the
+    same of the same node.  These are taken out of ``of_files``."""
+    told = {_of_node(finding): finding for finding in reversed(shown) if finding.node and _is_about_calls(finding)}
+    drafts: dict[tuple[str, ...], list[Finding]] = {}
+    for key, row in list(of_files.items()):
+        if key[-1] is None and all(_of_node(finding) in told for finding in row):
+            for finding in of_files.pop(key):
+                drafts.setdefault(_of_node(finding), []).append(finding)
+    return [_with_others_of(finding, drafts, told) for finding in shown]
+
+
+def _with_others_of(
+    finding: Finding, drafts: Mapping[tuple[str, ...], Sequence[Finding]], told: Mapping[tuple[str, ...], Finding]
+) -> Finding:
+    others = drafts.get(_of_node(finding), ()) if told.get(_of_node(finding)) is finding else ()
+    if not others:
+        return finding
+    rows = (Related(other.place, "the same in a draft that no installed program uses") for other in others)
+    return replace(finding, related=(*finding.related, *rows), sites=all_sites([finding, *others]))
+
+
+def _of_node(finding: Finding) -> tuple[str, ...]:
+    """What a program and a draft of it have in common, wherever in their files it stands."""
+    return finding.code, finding.message, finding.node or ""
+
+
+def _is_about_calls(finding: Finding) -> bool:
+    return finding.code.startswith(_OF_CALLS)
 
 
 def _first_of(findings: Sequence[Finding], another: str, more: str) -> Finding:
