@@ -49,6 +49,7 @@ CLIENT = """
     if __name__ == '__main__':
         main()
 """
+LOST_ANSWERS = "[rules.TMO003]\nlost-answers = true\n"
 SUBSCRIBES = "self.create_subscription(Empty, 'in', print, 10)"
 
 
@@ -66,7 +67,8 @@ def test_a_script_that_only_asks_gets_information(judge: Judge, more: str, sever
     )
     assert wait.severity is severity
     asks = client(more, asked="" if severity is Severity.INFO else "  # here")  # it waits for what it has found
-    spins = judge("TMO003", asks.replace("import rclpy", "import other\n    import rclpy", 1))
+    asks = asks.replace("import rclpy", "import other\n    import rclpy", 1)
+    spins = judge("TMO003", asks, config=LOST_ANSWERS)
     assert [spin.severity for spin in spins] == [Severity.WARNING] * (severity is Severity.WARNING)
 
 
@@ -75,7 +77,7 @@ def test_a_program_that_a_launch_file_starts_has_nobody_who_watches_it(tmp_path:
     asks = dedent(client())
     for launch, told in (("", []), ('<node pkg="robot" exec="talker"/>', [Severity.WARNING])):
         write_robot(tmp_path, launch, **{"robot/talker.py": asks})
-        (tmp_path / "archlint.toml").write_text('select = ["TMO003"]', encoding="utf-8")
+        (tmp_path / "archlint.toml").write_text(f'select = ["TMO003"]\n{LOST_ANSWERS}', encoding="utf-8")
         report = check(Request((".",), load(tmp_path), cached=False, jobs=1))
         assert [finding.severity for finding in report.findings] == told
 
@@ -84,7 +86,7 @@ def test_the_waits_of_a_class_are_one_finding(judge: Judge):
     [wait] = judge("TMO001", client(SUBSCRIBES, first="  # here"))
     assert wait.message.endswith("; another wait in Asker.__init__() does the same")
     assert [related.place.line for related in wait.related if "here, too" in related.message] == [14]
-    [spin] = judge("TMO003", client(SUBSCRIBES, asked="  # here"))
+    [spin] = judge("TMO003", client(SUBSCRIBES, asked="  # here"), config=LOST_ANSWERS)
     assert spin.message.endswith("; another line in this file does the same")
 
 

@@ -2,9 +2,15 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+from textwrap import dedent
+
 import pytest
 
+from archlint.config.settings import load
+from archlint.engine.pipeline import Request, check
 from checks.judging import Judge
+from robot_package import write_files
 
 OTHERS = "import rclpy\nfrom rclpy.node import Node\n" + "".join(
     f"\n\nclass Idle{number}(Node):\n    def __init__(self):\n        super().__init__('idle{number}')\n"
@@ -129,6 +135,34 @@ def test_a_program_that_asks_as_the_tutorial_does(judge: Judge, more: str, looks
 def test_a_node_that_serves_itself(judge: Judge):
     judge("TMO003", asker("pass", READS, server="self.create_service(Trigger, 'map', self.serve)"), OTHERS)
     judge("TMO003", asker("pass", READS, "  # here", "self.create_service(Trigger, 'other', self.serve)"), OTHERS)
+
+
+@pytest.mark.parametrize(
+    ("folder", "told"),
+    [("robot", True), ("robot/examples", False), ("arm_tutorial/arm_tutorial", False), ("exampled", True)],
+)
+@pytest.mark.parametrize("code", ["TMO001", "TMO002", "TMO003"])
+def test_whoever_runs_an_example_looks_on(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, code: str, folder: str, told: bool
+):
+    """A callback that waits there keeps others waiting all the same."""
+    lines = {
+        "TMO001": "self.client.wait_for_service()",
+        "TMO002": "self.client.call(Trigger.Request())",
+        "TMO003": "rclpy.spin_until_future_complete(self, self.client.call_async(Trigger.Request()))",
+    }
+    asks = asker("pass", "pass").replace("rclpy.spin_until_future_complete(self, future)", lines[code])
+    if code == "TMO002":  # somebody else spins the node
+        asks = asks.replace("asker.ask()\n        rclpy.spin(asker)", "threading.Thread(target=asker.ask).start()")
+        asks = asks.replace("import rclpy\n", "import threading\n\n    import rclpy\n").replace(
+            ".start()", ".start()\n        rclpy.spin(asker)"
+        )
+    if code == "TMO001":  # what a constructor waits for
+        asks = asks.replace("10)\n\n        def serve", f"10)\n            {lines[code]}\n\n        def serve")
+    write_files(tmp_path, {f"{folder}/asker.py": dedent(asks), "idle.py": OTHERS})
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "archlint.toml").write_text(f'select = ["{code}"]')
+    assert bool(check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings) == told
 
 
 def test_functions_of_a_file_are_one_finding(judge: Judge):

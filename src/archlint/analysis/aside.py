@@ -21,6 +21,16 @@ if TYPE_CHECKING:
     from archlint.workspace.installed import Installs
 
 
+_SHOWS = frozenset({"demo", "demos", "example", "examples", "sample", "samples", "tutorial", "tutorials"})
+
+
+def is_example(file: str) -> bool:
+    """Whether a file shows how something is used, by a word in its own name or in that of a folder: ``examples/``,
+    ``turtle_tutorial/``, ``drive_demo.py``.  Whoever runs it reads it, and looks on."""
+    parts = posixpath.splitext(file)[0].lower().replace("-", "_").split("/")
+    return any(not _SHOWS.isdisjoint(part.split("_")) for part in parts)
+
+
 def is_aside(workspace: WorkspaceIndex | None, file: str) -> bool:
     """Whether a file is a trial, or put aside and no launch file of what is in use starts a node of it."""
     roles = FileRoles() if workspace is None else workspace.roles
@@ -261,6 +271,7 @@ __all__ = [
     "import_that_fails",
     "is_aside",
     "is_disused",
+    "is_example",
     "is_left_alone",
     "is_not_installed",
     "ros1_module",

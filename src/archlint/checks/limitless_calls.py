@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from archlint.analysis.aside import is_example
 from archlint.analysis.limit_sites import sites_of_call
 from archlint.analysis.order import always_comes_before
 from archlint.analysis.pinned import distros_to_judge
@@ -73,8 +74,13 @@ def call_without_timeout(system: System, options: Options) -> Iterator[Finding]:
         _limitless_call(system, program, call, distros)
         for program, call in _limitless(system, options)
         if not is_unanswerable(program, call) and (uncalled or not is_uncalled(call))
-        if seldom or not _asks_once(system, program, call)
+        if seldom or not (_asks_once(system, program, call) or _is_shown(call))
     )
+
+
+def _is_shown(call: ApiCall) -> bool:
+    """Whether a call is on the way of an example: whoever runs it looks on."""
+    return is_example(call.file) and not runs_in_executor(call.context)
 
 
 def _asks_once(system: System, program: Program, call: ApiCall) -> bool:

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from archlint.analysis.aside import is_example
 from archlint.analysis.left_over import is_dead, is_never_made
 from archlint.analysis.limit_sites import sites_of_spin, spins_for_a_result
 from archlint.analysis.order import always_comes_before
@@ -105,9 +106,13 @@ def _comes_as_a_rule(system: System, program: Program, call: ApiCall, options: O
     """Whether the server has been looked for on every way to a spin, and no code is made for an answer that does not
     come, or the node that spins is the server itself.  The tutorial has such code, too: a program that only asks, or
     that has waited for the server until it came, has nothing else to do than to wait for its answer.  In a lesson, it
-    is found only where something looks at what the wait says."""
+    is found only where something looks at what the wait says.  Whoever runs an example looks on."""
     code, clients = source_code(system), creations_of(argument(call, "future"))
-    if not clients or spun_beside(code, call, program, options.distros) is not None:
+    if spun_beside(code, call, program, options.distros) is not None:
+        return False
+    if is_example(call.file):
+        return True
+    if not clients:
         return False
     if all(map(is_served_by_its_node, clients)):
         return True

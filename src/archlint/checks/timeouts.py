@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.analysis.aside import is_not_installed
+from archlint.analysis.aside import is_example, is_not_installed
 from archlint.analysis.left_over import is_dead, is_never_made
 from archlint.analysis.limit_sites import sites_of_wait
 from archlint.analysis.reach import (
@@ -173,6 +173,8 @@ def _is_minor(system: System, program: Program, call: ApiCall) -> bool:
         or _is_start(system, call)
         or is_step_of_asking_script(system, program, call)
     ):
+        return True
+    if not runs_in_executor(call.context) and is_example(call.file):
         return True
     node = call.node or call.context.node
     if node is None or call.context.role not in (Role.MAIN, Role.INIT) or is_launched(system.workspace, node):
