@@ -6,6 +6,7 @@ import pytest
 
 from archlint.config.settings import load
 from archlint.engine.pipeline import Request, check
+from archlint.packaging import generated_files
 from robot_package import CMAKE, CMAKE_TESTS, MANIFEST, SETUP, TALKER, manifest, node, write_files, write_robot
 
 
@@ -433,6 +434,17 @@ def test_a_file_that_the_launch_file_writes_with_xacro(findings, written: str, t
 def test_a_file_that_is_made_on_each_machine(findings):
     launch = {"launch/py.launch.py": IN_PYTHON.format(action=EVERYWHERE[0])}
     assert findings("LCH004", **launch, **{".gitignore": "*.urdf\n"}) == []
+
+
+def test_what_git_ignores_is_read_once(findings, monkeypatch):
+    read: list[str] = []
+    patterns = generated_files.patterns_of
+    monkeypatch.setattr(
+        generated_files, "patterns_of", lambda folder, text: [read.append(folder), patterns(folder, text)][1]
+    )
+    launch = {f"launch/{name}.launch.py": IN_PYTHON.format(action=EVERYWHERE[0]) for name in ("first", "second")}
+    assert findings("LCH004", **launch, **{".gitignore": "*.urdf\n"}) == []
+    assert len(read) == 1
 
 
 def test_a_file_that_is_opened_in_a_try(findings):

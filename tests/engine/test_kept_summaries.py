@@ -9,6 +9,7 @@ from typing import Any
 import msgspec
 import pytest
 
+from archlint.analysis import fixed_names, left_over
 from archlint.analysis.kept import kept_for_each_file, kept_for_few_files
 from archlint.config.settings import load
 from archlint.engine.pipeline import Request, check
@@ -35,6 +36,7 @@ class Clock(Node):
 """,
     "helper.py": """\
 from rclpy.node import Node
+from std_msgs.msg import String
 
 
 class Helper(Node):
@@ -42,6 +44,7 @@ class Helper(Node):
         super().__init__('helper')
         self.log = Log()
         self.log.wirte(count)
+        self.state = self.create_publisher(String, f'{count}/state', 1)
 
 
 class Log:
@@ -132,6 +135,8 @@ def test_a_summary_of_another_form_is_made_anew():
     [
         absent_members._calls,
         absent_members._of_interfaces,
+        fixed_names._variables_in_front,
+        left_over._uses,
         logger_calls._given_to_node,
         logger_calls._refused,
         missing_imports._imports,

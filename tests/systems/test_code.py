@@ -71,10 +71,21 @@ def test_who_imports_whom(code: WorkspaceCode):
 
 
 def test_what_programs_and_launch_files_lead_to_is_in_use(code: WorkspaceCode):
-    in_use = code.in_use()
+    in_use = code.in_use
     assert {"robot/robot/talker.py", "robot/robot/helper.py", "robot/robot/deep/inner.py", "arm/arm/joint.py"} <= in_use
     assert "robot/robot/unused.py" in in_use  # the launch file imports it
     assert code.reached_from(["robot/robot/deep/inner.py"]) == {"robot/robot/deep/inner.py"}
+
+
+def test_what_is_in_use_is_worked_out_once(code: WorkspaceCode, monkeypatch):
+    """Rules ask for each use of a package, and all imports of the workspace lead to the answer."""
+    asked: list[object] = []
+    reached_from = WorkspaceCode.reached_from
+    monkeypatch.setattr(
+        WorkspaceCode, "reached_from", lambda self, starts: [asked.append(starts), reached_from(self, starts)][1]
+    )
+    assert code.in_use == code.in_use
+    assert len(asked) == 1
 
 
 def test_words_of_a_file(code: WorkspaceCode):
@@ -97,4 +108,4 @@ def test_without_files_nothing_is_known():
     nothing = WorkspaceCode()
     assert nothing.facts_at("a.py") is None
     assert nothing.asked_for() == []
-    assert nothing.in_use() == frozenset()
+    assert nothing.in_use == frozenset()

@@ -49,7 +49,7 @@ def is_disused(workspace: WorkspaceIndex | None, file: str) -> bool:
 def is_left_alone(workspace: WorkspaceIndex, file: str) -> bool:
     """Whether a file is put aside and no Python code has a word for it: nobody imports it, or misses what it says."""
     aside = workspace.roles.is_put_aside(file) or _is_retired(workspace, file)
-    return aside and not (file in _in_use(workspace) or file in _reached(workspace) or _is_mentioned(workspace, file))
+    return aside and not (file in _in_use(workspace) or file in workspace.code.in_use or _is_mentioned(workspace, file))
 
 
 def _is_retired(workspace: WorkspaceIndex, file: str) -> bool:
@@ -57,7 +57,7 @@ def _is_retired(workspace: WorkspaceIndex, file: str) -> bool:
     if successor is None or not workspace.tree.is_file(successor):
         return False
     installs = workspace.installs.get(workspace.package_of(file) or "")
-    named = file in _reached(workspace) or (installs is not None and _is_named(workspace, installs, file))
+    named = file in workspace.code.in_use or (installs is not None and _is_named(workspace, installs, file))
     return not named and not _is_mentioned(workspace, file)
 
 
@@ -99,7 +99,7 @@ def is_not_installed(workspace: WorkspaceIndex | None, file: str) -> bool:
         return False
     package = workspace.package_of(file)
     if package is None:
-        return file in _stray(workspace) and file not in _reached(workspace)
+        return file in _stray(workspace) and file not in workspace.code.in_use
     installs = None if package is None else workspace.installs.get(package)
     if installs is None or installs.open_executables or not installs.executables:
         return False
@@ -107,7 +107,7 @@ def is_not_installed(workspace: WorkspaceIndex | None, file: str) -> bool:
         return False  # another package of that name
     if posixpath.basename(file) in installs.too_deep:
         return False  # `ros2 run` finds it
-    if file in _reached(workspace) or _is_named(workspace, installs, file):
+    if file in workspace.code.in_use or _is_named(workspace, installs, file):
         return False
     if workspace.roles.is_put_aside(file) or _cannot_be_imported(installs, file):
         return True
@@ -177,7 +177,7 @@ def _reached_by_loose(workspace: WorkspaceIndex) -> frozenset[str]:
     """What the scripts import that their packages do not install."""
     asked_for = workspace.code.asked_for()
     inside = [file.relative for file, _ in asked_for if file.kind == "python" and file.package is not None]
-    scripts = [path for path in inside if _is_script(workspace, path) and path not in _reached(workspace)]
+    scripts = [path for path in inside if _is_script(workspace, path) and path not in workspace.code.in_use]
     return workspace.code.reached_from(path for path in scripts if is_not_installed(workspace, path))
 
 
@@ -259,12 +259,6 @@ def _mentions_file(text: str, stem: str) -> bool:
     """Whether ``stem.py``, or a module of that name in a package (``robot.stem``), stands anywhere in a file."""
     name = re.escape(stem)
     return stem in text and re.search(rf"(?<!\w){name}\.py(?!\w)|\w\.{name}(?![\w(])", text) is not None
-
-
-@once
-def _reached(workspace: WorkspaceIndex) -> frozenset[str]:
-    """The files that installed programs and launch files are, and all that these import."""
-    return workspace.code.in_use()
 
 
 __all__ = [

@@ -40,6 +40,10 @@ def is_never_used(workspace: WorkspaceIndex, place: Place) -> bool:
     it: nothing is published with it."""
     if not place.file.endswith(CPP_SOURCES):
         return False  # before anything is read: whoever reads a text is asked again when it changes
+    return kept(workspace, (is_never_used, place), lambda: _is_never_used(workspace, place))
+
+
+def _is_never_used(workspace: WorkspaceIndex, place: Place) -> bool:
     folder = workspace.installs.get(workspace.package_of(place.file) or "")
     text = workspace.tree.text(place.file)
     if folder is None or text is None:
@@ -51,7 +55,7 @@ def is_never_used(workspace: WorkspaceIndex, place: Place) -> bool:
     word = re.escape(stored[1])
     uses = re.compile(rf"(?<!\w){word}(?!\w)(?!\s*=[^=])")
     declarations = re.compile(rf"(?:Ptr|>|\*)\s+{word}\s*(?:;|\{{\s*(?:nullptr)?\s*\}}|=\s*nullptr)")
-    code = kept(workspace, (is_never_used, folder.folder), lambda: _code_below(workspace, folder.folder))
+    code = kept(workspace, (_code_below, folder.folder), lambda: _code_below(workspace, folder.folder))
     return not any(stored[1] in row and uses.search(declarations.sub(" ", row)) for row in code)
 
 

@@ -6,8 +6,8 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.analysis.completeness import enclosing_function
+from archlint.analysis.kept import kept, kept_for_each_file
 from archlint.analysis.source_code import code_of
-from archlint.analysis.surrounding_code import tree_of
 from archlint.finding import Place
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in
@@ -27,10 +27,17 @@ def must_be_absolute(workspace: WorkspaceIndex | None, endpoint: Endpoint) -> bo
     bodies: list[tuple[str, Sequence[facts.Stmt]]] = [(endpoint.place.file, [] if made_in is None else made_in.body)]
     bodies += [(frame.place.file, code_of(workspace).body_at(frame.place)) for frame in creation.chain]
     bodies += [(endpoint.place.file, body) for body in _kept_by(workspace, endpoint.place.file, bodies[0][1])]
-    return any(
-        _demands(body) or any(_demands(called_body) for called_body in _called(workspace, file, body))
-        for file, body in bodies
-    )
+    return any(_ends_in_demands(workspace, file, body) for file, body in bodies)
+
+
+def _ends_in_demands(workspace: WorkspaceIndex, file: str, body: Sequence[facts.Stmt]) -> bool:
+    """Whether a body, or a function that it gives something to, demands an absolute name."""
+
+    def ask() -> bool:
+        return _demands(body) or any(_demands(called_body) for called_body in _called(workspace, file, body))
+
+    # Many names are made in one body, and a body keeps its statements, whose ids are nobody else's for as long.
+    return kept(workspace, (_ends_in_demands, file, tuple(map(id, body))), ask)
 
 
 def passed_from(workspace: WorkspaceIndex | None, endpoint: Endpoint) -> Place | None:
@@ -39,14 +46,20 @@ def passed_from(workspace: WorkspaceIndex | None, endpoint: Endpoint) -> Place |
     origin, chain = endpoint.creation.name.origin, endpoint.creation.chain
     if workspace is None or origin is None or not chain:
         return None
-    tree = tree_of(workspace, origin.file)
-    if tree is None:
-        return None
-    texts = (text for text in tree.of_kind(facts.FormatString) if Place.of(origin.file, text.span) == origin)
-    first = next((text.parts[0] for text in texts if text.parts), "")
-    function = code_of(workspace).function_at(origin) if isinstance(first, facts.Field) else None
+    first = (_variables_in_front(workspace, origin.file) or {}).get(origin.span)
+    function = None if first is None else code_of(workspace).function_at(origin)
     given = [] if function is None else [param.name for param in function.params]
-    return chain[-1].place if isinstance(first, facts.Field) and first.value.variable in given else None
+    return chain[-1].place if first in given else None
+
+
+@kept_for_each_file
+def _variables_in_front(code: facts.Facts) -> dict[facts.Span, str]:
+    """The variables that format strings of a file begin with, by where these stand."""
+    return {
+        text.span: text.parts[0].value.variable
+        for text in everything_in(code.body, facts.FormatString)
+        if text.parts and isinstance(text.parts[0], facts.Field) and text.parts[0].value.variable
+    }
 
 
 def _kept_by(workspace: WorkspaceIndex, file: str, body: Sequence[facts.Stmt]) -> Iterator[Sequence[facts.Stmt]]:

@@ -4,24 +4,25 @@ from __future__ import annotations
 
 import posixpath
 from collections import Counter
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass
 from itertools import chain
 from typing import TYPE_CHECKING
 
 from archlint.analysis.cpp_nodes import is_never_used
+from archlint.analysis.kept import kept_for_each_file
 from archlint.analysis.own_names import BY_NAME
 from archlint.analysis.source_code import code_of
-from archlint.analysis.surrounding_code import tree_of
 from archlint.model import (
     EntityKind,
     Role,
 )
 from archlint.syntax import facts
-from archlint.syntax.parts import everything_in, once_for
+from archlint.syntax.parts import everything_in
 
 if TYPE_CHECKING:
     from archlint.finding import Place
     from archlint.model import ApiCall, Program
-    from archlint.syntax.tree import Tree
     from archlint.systems.model import WorkspaceIndex
     from archlint.systems.nodes import Endpoint
 
@@ -105,7 +106,7 @@ def _kept_as(workspace: WorkspaceIndex, place: Place) -> tuple[str, frozenset[st
     if name is None or uses.by_name:
         return None
     idle = {method: inside[name] for method, inside in uses.idle.items() if name in inside}
-    return (name, frozenset(idle)) if uses.count[name] == 1 + sum(idle.values()) else None
+    return (name, frozenset(idle)) if uses.count.get(name, 0) == 1 + sum(idle.values()) else None
 
 
 def kept_calls(workspace: WorkspaceIndex, file: str) -> dict[tuple[int, int], str]:
@@ -135,54 +136,64 @@ def is_named_nowhere(workspace: WorkspaceIndex, file: str, method: str) -> bool:
     return uses is not None and method in uses.idle and method not in uses.count
 
 
+@dataclass(frozen=True)
 class _Uses:
     """The attributes that a file names: how often each, and which calls are kept in one of ``self``."""
 
-    def __init__(self, tree: Tree) -> None:
-        names = [use.id for use in tree.of_kind(facts.Name)]
-        attributes = [use.attr for use in tree.of_kind(facts.Attribute)]
-        self.count: dict[str, int] = Counter(attributes)
-        self.names = set(names)
-        self.kept: dict[tuple[int, int], str] = {}
-        unwritten = sum(name in BY_NAME for name in chain(names, attributes))
-        for call in tree.of_kind(facts.Call):  # a literal that ``getattr`` is given is written out
-            if (
-                len(call.args) > 1
-                and call.func.variable == "getattr"
-                and (asked := call.args[1].value.text) is not None
-            ):
-                self.count[asked] += 1
+    count: dict[str, int]
+    names: frozenset[str]
+    kept: dict[tuple[int, int], str]
+    """The attributes of ``self`` that calls are kept in, by the line and column of the call."""
+    by_name: bool
+    """Whether code asks for attributes by names that are not written out."""
+    idle: dict[str, dict[str, int]]
+    """The methods that nothing names but each other, with the attributes that they use and how often."""
+
+
+@kept_for_each_file
+def _uses(code: facts.Facts) -> _Uses:
+    every = [*everything_in(code.body)]
+    names = [use.id for use in every if isinstance(use, facts.Name)]
+    attributes = [use.attr for use in every if isinstance(use, facts.Attribute)]
+    count = Counter(attributes)
+    kept: dict[tuple[int, int], str] = {}
+    unwritten = sum(name in BY_NAME for name in chain(names, attributes))
+    for part in every:
+        match part:
+            case facts.Call(args=[_, facts.Argument(value=facts.Literal(str(asked))), *_]) if (
+                part.func.variable == "getattr"
+            ):  # a literal that ``getattr`` is given is written out
+                count[asked] += 1
                 unwritten -= 1
-        for assignment in tree.of_kind(facts.Assign):
-            match assignment:
-                case facts.Assign(
-                    targets=[facts.Attribute(value=facts.Name(), attr=name)], value=facts.Call(span=span)
-                ):
-                    self.kept[span[0], span[1]] = name
-        self.by_name = unwritten > 0
-        self.idle: dict[str, dict[str, int]] = {}
-        """The methods that nothing names but each other, with the attributes that they use and how often."""
-        uses_of = {method.name: _attributes(method) for method in self._methods(tree) if self._may_be_idle(method)}
-        for _ in range(_HOPS):
-            named = Counter[str]()
-            for uses in self.idle.values():
-                named.update(uses)
-            self.idle |= {name: uses for name, uses in uses_of.items() if self.count.get(name, 0) == named[name]}
+            case facts.Assign(targets=[facts.Attribute(value=facts.Name(), attr=name)], value=facts.Call(span=span)):
+                kept[span[0], span[1]] = name
+    uses_of = {method.name: _attributes(method) for method in _methods(every) if _may_be_idle(method, names)}
+    return _Uses(dict(count), frozenset(names), kept, unwritten > 0, _idle(uses_of, count))
 
-    @staticmethod
-    def _methods(tree: Tree) -> list[facts.Function]:
-        """The methods of classes whose bases, if any, do not call methods of their own accord."""
-        plain = [
-            cls for cls in tree.of_kind(facts.Class) if all(base.value.last_name in _PLAIN_BASES for base in cls.bases)
-        ]
-        methods = [item for cls in plain for item in cls.body if isinstance(item, facts.Function)]
-        names = [method.name for method in methods]
-        return [method for method in methods if names.count(method.name) == 1]
 
-    def _may_be_idle(self, method: facts.Function) -> bool:
-        name = method.name
-        called = name.startswith("__") or name == "destroy_node" or bool(method.decorators)
-        return not called and name not in self.names
+def _idle(uses_of: Mapping[str, dict[str, int]], count: Mapping[str, int]) -> dict[str, dict[str, int]]:
+    """Those of some methods that nothing names but each other."""
+    idle: dict[str, dict[str, int]] = {}
+    for _ in range(_HOPS):
+        named = Counter[str]()
+        for uses in idle.values():
+            named.update(uses)
+        idle |= {name: uses for name, uses in uses_of.items() if count.get(name, 0) == named[name]}
+    return idle
+
+
+def _methods(every: Sequence[facts.Base]) -> list[facts.Function]:
+    """The methods of classes whose bases, if any, do not call methods of their own accord."""
+    classes = [part for part in every if isinstance(part, facts.Class)]
+    plain = [cls for cls in classes if all(base.value.last_name in _PLAIN_BASES for base in cls.bases)]
+    methods = [item for cls in plain for item in cls.body if isinstance(item, facts.Function)]
+    times = Counter(method.name for method in methods)
+    return [method for method in methods if times[method.name] == 1]
+
+
+def _may_be_idle(method: facts.Function, names: Collection[str]) -> bool:
+    called = method.name.startswith("__") or method.name == "destroy_node" or bool(method.decorators)
+    return not called and method.name not in names
 
 
 _HOPS = 3
@@ -195,11 +206,3 @@ _PLAIN_BASES = frozenset({"Node", "object"})
 
 def _attributes(method: facts.Function) -> dict[str, int]:
     return dict(Counter(part.attr for part in everything_in(method.body, facts.Attribute)))
-
-
-def _uses(workspace: WorkspaceIndex, file: str) -> _Uses | None:
-    tree = tree_of(workspace, file)
-    return None if tree is None else _uses_in(tree)
-
-
-_uses_in = once_for(_Uses)

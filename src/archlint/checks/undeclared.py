@@ -78,7 +78,7 @@ def _spare(workspace: WorkspaceIndex, file: str) -> int:
     aside, such as ``driver copy.py``."""
     if nothing_runs(workspace, file) or is_disused(workspace, file):
         return 2
-    return int(workspace.code.kind_of(file) == "python" and file not in workspace.code.in_use())
+    return int(workspace.code.kind_of(file) == "python" and file not in workspace.code.in_use)
 
 
 @once

@@ -7,6 +7,7 @@ import re
 from typing import TYPE_CHECKING
 
 from archlint.analysis.cpp_nodes import CPP_SOURCES
+from archlint.analysis.kept import kept
 from archlint.workspace.folders import folders_above
 from archlint.workspace.ignore import GITIGNORE, Ignores, Patterns, patterns_of
 from archlint.workspace.submodules import paths_of_submodules
@@ -76,8 +77,11 @@ def _ignores(workspace: WorkspaceIndex, path: str) -> bool:
 
 
 def _gitignore(workspace: WorkspaceIndex, folder: str, base: str) -> tuple[Patterns, ...]:
-    text = workspace.tree.text(posixpath.join(folder, GITIGNORE))
-    return () if text is None else patterns_of(base, text)
+    def read() -> tuple[Patterns, ...]:
+        text = workspace.tree.text(posixpath.join(folder, GITIGNORE))
+        return () if text is None else patterns_of(base, text)
+
+    return kept(workspace, (_gitignore, folder), read)
 
 
 def submodule_around(workspace: WorkspaceIndex, path: str) -> str | None:

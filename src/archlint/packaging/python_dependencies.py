@@ -77,7 +77,7 @@ def _is_judged(workspace: WorkspaceIndex, file: SourceFile) -> bool:
     if file.package is None or file.kind != "python" or workspace.roles.is_test(path) or is_aside(workspace, path):
         return False
     aside = {"test", "tests", "doc", "docs", "example", "examples", "tools", "scripts"}
-    if not aside.isdisjoint(path.split("/")[:-1]) and path not in workspace.code.in_use():
+    if not aside.isdisjoint(path.split("/")[:-1]) and path not in workspace.code.in_use:
         return False
     return not is_not_installed(workspace, path)
 

@@ -176,6 +176,7 @@ class WorkspaceCode:
             )
         return frozenset(starts)
 
+    @cached_property
     def in_use(self) -> frozenset[str]:
         """The files that installed programs and launch files are, and all that these import."""
         launch_files = {file.relative for file in self._files if file.kind == "launch_python"}
