@@ -9,6 +9,7 @@ from textwrap import dedent
 
 import pytest
 
+from archlint.finding import Severity
 from robot_package import node
 
 LOAD_IT = node('<param from="$(find-pkg-share robot)/config/p.yaml"/>', name="talker")
@@ -272,3 +273,48 @@ def test_a_parameter_that_stands_twice(findings):
 )
 def test_parameters_that_do_not_contradict_each_other(findings, held: str):
     assert findings("PRM009", LOAD_IT, **{"config/p.yaml": held}) == []
+
+
+UNLOADED = {
+    "talker:\n  ros_parameters:\n    rate: 1.0": (2, "'ros_parameters' is not 'ros__parameters'"),
+    "talker:\n  ros__parameters:\n  rate: 1.0": (2, "no parameter stands below 'ros__parameters'"),
+    "talker:\n  ros__parameters:\n    rate: 1.0\n    rate: 5.0": (
+        3,
+        "'rate' stands twice in this section: a node gets 5.0",
+    ),
+}
+
+
+@pytest.mark.parametrize("text", UNLOADED)
+def test_a_file_that_no_launch_file_gives_to_a_node(findings, text):
+    line, message = UNLOADED[text]
+    (told,) = findings("PRM009", node(name="talker"), **{"config/p.yaml": text})
+    assert (told.place.file, told.place.line, told.severity, told.related[1:]) == (
+        "config/p.yaml",
+        line,
+        Severity.WARNING,
+        (),
+    )
+    assert told.message.startswith(message)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        *GOOD,
+        "talker:\n  rate: 1.0",
+        "talker:\n  parameters:\n    rate: 1.0",
+        "rates:\n  rate: 1.0\n  rate: 2.0",
+        "{{ name }}:\n  ros_parameters:\n    rate: 1.0",
+    ],
+)
+def test_a_file_that_no_launch_file_gives_to_a_node_and_that_may_be_meant(findings, text):
+    assert findings("PRM009", node(name="talker"), **{"config/p.yaml": text}) == []
+
+
+def test_a_file_that_code_reads_itself(findings):
+    files = {
+        "config/p.yaml": "talker:\n  ros_parameters:\n    rate: 1.0",
+        "robot/read.py": "import yaml\nyaml.safe_load('p.yaml')",
+    }
+    assert findings("PRM009", node(name="talker"), **files) == []

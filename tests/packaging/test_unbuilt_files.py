@@ -74,7 +74,8 @@ setup(name='demo', packages=['demo'], data_files=[{files}],
 @pytest.mark.parametrize(
     ("installed", "readme", "told"),
     [
-        ("", "A robot.", 0),
+        ("", "A robot.", 1),
+        ("('share/demo/launch', ['launch/base.launch.py'])", "A robot.", 0),
         ("('share/demo/launch', ['launch/arm.launch.py'])", "A robot.", 1),
         ("", "    ros2 launch launch/arm.launch.py", 1),
     ],
@@ -88,6 +89,7 @@ def test_a_launch_file_that_nothing_installs(
         "demo/__init__.py": "",
         "demo/talker.py": "import rclpy\n\n\ndef main():\n    rclpy.init()\n",
         "launch/arm.launch.py": BROKEN_LAUNCH,
+        "launch/base.launch.py": "",
         "README.md": readme,
     }
     assert unreadable(tmp_path, "ament_python", **files) == ["launch/arm.launch.py"] * told

@@ -26,17 +26,20 @@ from archlint.launch_files.refused_parameter_files import (
     refused_values,
     set_twice,
 )
+from archlint.launch_files.unloaded_parameter_files import misplaced_in_unloaded, twice_in_unloaded
 from archlint.suggestions import listed
 
 if TYPE_CHECKING:
-    from archlint.systems.model import System
+    from archlint.systems.model import System, WorkspaceIndex
 
 
 @rule("PRM009", scope=Scope.LAUNCH_FILE)
 def parameter_file_structure(system: System, options: Options) -> Iterator[Finding]:
     """Keys of parameter files without ``ros__parameters`` above them, or with it in the wrong place."""
-    for told in _refused(system):
-        yield replace(told, group=(*told.identity, str(told.place.line)))
+    workspace = system.workspace
+    told = [*_refused(system), *(_in_unloaded(system, workspace) if workspace is not None else ())]
+    for diagnostic in told:
+        yield replace(diagnostic, group=(*diagnostic.identity, str(diagnostic.place.line)))
 
 
 @folds("PRM009", across_systems=True)
@@ -46,16 +49,32 @@ def given_by_several_launch_files(several: Sequence[Finding]) -> Finding:
     return replace(several[0], related=tuple(given))
 
 
+def _in_unloaded(system: System, workspace: WorkspaceIndex) -> Iterator[Finding]:
+    """What is wrong with the files that no launch file here gives to a node: asked once, with the open system."""
+    if system.launched is None:
+        for key in misplaced_in_unloaded(workspace):
+            yield replace(_misplaced(system, key), severity=Severity.WARNING)
+        yield from map(_twice, twice_in_unloaded(workspace))
+
+
+def _misplaced(system: System, key: MisplacedIn) -> Finding:
+    return finding(
+        "PRM009",
+        key.place,
+        f"{_said(key.wrong)}: {_effect(key)}",
+        help=_help(system, key),
+        related=_given(key.given),
+        identity=(key.file, key.wrong.kind, key.wrong.key),
+    )
+
+
+def _given(place: Place | None) -> tuple[Related, ...]:
+    return () if place is None else (Related(place, "this file is given to it here"),)
+
+
 def _refused(system: System) -> Iterator[Finding]:
     for key in misplaced_in_files(system):
-        yield finding(
-            "PRM009",
-            key.place,
-            f"{_said(key.wrong)}: {_effect(key)}",
-            help=_help(system, key),
-            related=(Related(key.given, "this file is given to it here"),),
-            identity=(key.file, key.wrong.kind, key.wrong.key),
-        )
+        yield _misplaced(system, key)
     yield from map(_mixed, mixed_lists(system))
     yield from map(_no_value, refused_values(system))
     yield from map(_twice, set_twice(system))
@@ -68,10 +87,7 @@ def _twice(row: SetTwice) -> Finding:
         row.place,
         f"'{row.name}' stands twice in this section: {whom} gets {row.last!r}, and never {row.value!r}",
         help="remove the line that is not meant",
-        related=(
-            Related(row.last_place, "this one counts"),
-            Related(row.given, "this file is given to it here"),
-        ),
+        related=(Related(row.last_place, "this one counts"), *_given(row.given)),
         identity=(row.file, "twice", row.name),
     )
     return replace(diagnostic, severity=Severity.WARNING)

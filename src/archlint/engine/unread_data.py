@@ -4,13 +4,13 @@ parameter files that are no YAML."""
 from __future__ import annotations
 
 import posixpath
-import re
 from collections.abc import Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_aside
 from archlint.checks.registry import unreadable
+from archlint.launch_files.unloaded_parameter_files import is_template
 from archlint.syntax.descriptions import malformed_description, may_be_description
 from archlint.syntax.parameter_structure import ROOT
 
@@ -18,9 +18,6 @@ if TYPE_CHECKING:
     from archlint.finding import Finding
     from archlint.systems.model import WorkspaceIndex
     from archlint.workspace.model import Workspace
-
-_TEMPLATE = re.compile(r"\{\{|\{%|<%|\$\{")
-"""What a program fills in before a node reads the file."""
 
 
 def unread_data(index: WorkspaceIndex, workspace: Workspace) -> Iterator[Finding]:
@@ -36,7 +33,7 @@ def _read_parameter_files(index: WorkspaceIndex, workspace: Workspace) -> None:
         if file.context or file.package is None or file.package in old or is_aside(index, file.relative):
             continue
         text = index.tree.text(file.relative) or ""
-        if ROOT in text and not _TEMPLATE.search(text):
+        if ROOT in text and not is_template(text):
             index.launch_files.parameters(file.relative)
 
 

@@ -24,12 +24,13 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class MisplacedIn:
-    """What is wrong with a file at a place; ``user`` is the name of a node that it is given to, ``given`` where."""
+    """What is wrong with a file at a place; ``user`` is the name of a node that it is given to, ``given`` where: None
+    for one that nothing here gives to a node."""
 
     file: str
     wrong: Misplaced
     user: str | None
-    given: Place
+    given: Place | None
 
     @property
     def place(self) -> Place:
@@ -96,19 +97,24 @@ class SetTwice:
     place: Place
     last_place: Place
     user: str | None
-    given: Place
+    given: Place | None
 
 
 def set_twice(system: System) -> Iterator[SetTwice]:
     """The first such parameter of each file that is given to a process."""
     for file, user, given, facts in _given_files(system):
-        for section in facts.sections:
-            first = _first_doubled(section)
-            if first is not None:
-                entry, last = first
-                place, last_place = Place(file, *entry.span), Place(file, *last.span)
-                yield SetTwice(file, entry.name, entry.value, last.value, place, last_place, user, given)
-                break
+        yield from set_twice_in(file, user, given, facts)
+
+
+def set_twice_in(file: str, user: str | None, given: Place | None, facts: ParameterFacts) -> Iterator[SetTwice]:
+    """The first such parameter of a file."""
+    for section in facts.sections:
+        first = _first_doubled(section)
+        if first is not None:
+            entry, last = first
+            place, last_place = Place(file, *entry.span), Place(file, *last.span)
+            yield SetTwice(file, entry.name, entry.value, last.value, place, last_place, user, given)
+            return
 
 
 def _first_doubled(section: ParameterSection) -> tuple[ParameterEntry, ParameterEntry] | None:
@@ -187,4 +193,5 @@ __all__ = [
     "mixed_lists",
     "refused_values",
     "set_twice",
+    "set_twice_in",
 ]

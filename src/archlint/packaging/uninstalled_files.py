@@ -60,14 +60,26 @@ def launch_files_left_out(workspace: WorkspaceIndex) -> Iterator[LaunchFilesLeft
 
 
 def is_left_out_launch_file(workspace: WorkspaceIndex, file: str) -> bool:
-    """Whether the package of a launch file does not install it, and no document, script or launch file names it."""
+    """Whether the package of a launch file does not install it, and no document, script or launch file names it.  One
+    in the folder ``launch`` of a package that installs none is forgotten, and not left out."""
     installs = understood(workspace).get(workspace.package_of(file) or "")
-    if installs is None or any(installs.places_of(file)) or any(map(installs.may_install, _below(installs, [file]))):
+    if (
+        installs is None
+        or _is_forgotten(workspace, installs, file)
+        or any(installs.places_of(file))
+        or any(map(installs.may_install, _below(installs, [file])))
+    ):
         return False
     name = posixpath.basename(file)
     commanded = any(name in (posixpath.basename(first), second) for first, second, _ in _commands(workspace))
     named = any(name in (workspace.tree.text(other) or "") for other in _all_launch_files(workspace) if other != file)
     return not commanded and not named
+
+
+def _is_forgotten(workspace: WorkspaceIndex, installs: Installs, file: str) -> bool:
+    folder = posixpath.normpath(posixpath.join(installs.folder, "launch"))
+    installed = (any(installs.places_of(other)) for other in workspace.tree.files_below(folder))
+    return file.startswith(f"{folder}/") and not any(installed)
 
 
 def _below(installs: Installs, files: Iterable[str]) -> Iterator[str]:

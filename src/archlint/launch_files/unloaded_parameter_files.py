@@ -1,0 +1,89 @@
+"""Parameter files that no launch file here gives to a node: a command line may, or another workspace.
+
+What is wrong with such a file is wrong for every node, as far as it says by ``ros__parameters`` what it is.
+"""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from archlint.analysis.aside import is_aside
+from archlint.launch.parameter_sources import files_among
+from archlint.launch_files.refused_parameter_files import (
+    Misplaced,
+    MisplacedIn,
+    Misplacement,
+    SetTwice,
+    set_twice_in,
+)
+from archlint.syntax.parameter_structure import ROOT
+
+if TYPE_CHECKING:
+    from archlint.syntax.parameter_files import ParameterFacts
+    from archlint.systems.model import WorkspaceIndex
+
+_TEMPLATE = re.compile(r"\{\{|\{%|<%|\$\{")
+_MISSPELT = re.compile(r"^\s+ros[_ -]*param\w*\s*:", re.MULTILINE)
+"""A key that begins as ``ros__parameters`` does: another word may be anything."""
+
+
+def is_template(text: str) -> bool:
+    """Whether a program fills something in before a node reads a file."""
+    return _TEMPLATE.search(text) is not None
+
+
+def misplaced_in_unloaded(workspace: WorkspaceIndex) -> Iterator[MisplacedIn]:
+    """The first such key of each file: a value without ``ros__parameters`` above it may be for somebody else."""
+    for file, facts in _unloaded(workspace):
+        wrong = facts.misplaced
+        if wrong is not None and wrong.kind is not Misplacement.MISSING and _is_meant(wrong):
+            yield MisplacedIn(file, wrong, None, None)
+
+
+def twice_in_unloaded(workspace: WorkspaceIndex) -> Iterator[SetTwice]:
+    """The first parameter of each file that stands twice with two values."""
+    for file, facts in _unloaded(workspace):
+        yield from set_twice_in(file, None, None, facts)
+
+
+def _is_meant(wrong: Misplaced) -> bool:
+    return wrong.kind is not Misplacement.MISSPELT or _MISSPELT.match(f" {wrong.key}:") is not None
+
+
+def _unloaded(workspace: WorkspaceIndex) -> Iterator[tuple[str, ParameterFacts]]:
+    loaded = _loaded(workspace)
+    for folder in sorted(workspace.manifests):
+        package = workspace.manifests[folder]
+        if package.ros1 or package.manifest.context:
+            continue
+        for file in workspace.tree.files_below(folder):
+            if not file.endswith((".yaml", ".yml")) or file in loaded or is_aside(workspace, file):
+                continue
+            text = workspace.tree.text(file) or ""
+            of_parameters = ROOT in text or _MISSPELT.search(text) is not None
+            if of_parameters and not is_template(text) and not _is_named_in_code(workspace, file):
+                yield file, workspace.parameters_of(file)
+
+
+def _loaded(workspace: WorkspaceIndex) -> set[str | None]:
+    """The files that launch files name for whatever use: what they make of them is their own."""
+    named = {reference.source for launched in workspace.launched for reference in launched.references}
+    given = (
+        use.reference.source
+        for launched in workspace.launched
+        for started in launched.started
+        for use in files_among(started.parameters)
+    )
+    return named.union(given)
+
+
+def _is_named_in_code(workspace: WorkspaceIndex, file: str) -> bool:
+    """Whether code of a node that reads YAML has the name of a file."""
+    name = posixpath.basename(file)
+    return any(workspace.code.mentions(path, name) for path in workspace.code.files_that_mention("yaml"))
+
+
+__all__ = ["is_template", "misplaced_in_unloaded", "twice_in_unloaded"]
