@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
@@ -181,10 +181,13 @@ def _made_of(coarse: list[str], fine: list[str]) -> bool:
     return not any(left)
 
 
-def did_you_mean(word: str, known: Iterable[str], quote: str = "'") -> str:
-    """``; did you mean 'x'?`` to put after a message, or nothing."""
+def did_you_mean(word: str, known: Iterable[str], quote: str = "'", rivals: Collection[str] = ()) -> str:
+    """``; did you mean 'x'?`` to put after a message, or nothing; nothing either where one of ``rivals`` is nearer to
+    that."""
     near = nearest(word, known)
-    return "" if near is None else meant(f"{quote}{near}{quote}")
+    if near is None or (rivals and nearest(near, {word, *rivals}) not in (None, word)):
+        return ""
+    return meant(f"{quote}{near}{quote}")
 
 
 def name_meant(name: str, known: Iterable[str]) -> str:

@@ -638,3 +638,12 @@ def test_a_value_that_the_node_reads_undeclared_is_told_at_the_read(findings, re
     talker = TALKER.replace("\ndef main", f"        self.get_parameter({read})\n\ndef main")
     [found] = findings("{'speed': 1.0, 'volume': 2.0}", talker=talker)
     assert [name for name in ("speed", "volume") if name in found.message] == told
+
+
+def test_a_name_is_no_slip_for_what_another_one_is_nearer_to(findings):
+    talker = TALKER.replace("'gain'", "'heat_management_enable'")
+    lines = ["talker:", "  ros__parameters:", "    heat_management:", "      derating_enable: true"]
+    (alone,) = findings("file", talker=talker, yaml="\n".join(lines))
+    assert alone.message.endswith("did you mean 'heat_management_enable'?")
+    both = findings("file", talker=talker, yaml="\n".join([*lines, "      enable: true"]))
+    assert [(told.place.line, "did you mean" in told.message) for told in both] == [(4, False), (5, True)]

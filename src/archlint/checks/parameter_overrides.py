@@ -203,7 +203,8 @@ def _never_used(
 ) -> Finding:
     by_program = is_one_of_several and setting.written is None and not declared
     subject = _process(node) if by_program else called(node)
-    meant = did_you_mean(setting.name, declared.keys() - {other.name for other in settings})
+    given = {other.name for other in settings}
+    meant = did_you_mean(setting.name, declared.keys() - given, rivals=given - declared.keys())
     if setting.name.rpartition(".")[2] in declared:
         meant = ""  # it is the prefix that is wrong, most often of all names beside it
     readers = _readers(system, setting) if setting.written is not None and "*" in setting.key else []
@@ -252,7 +253,8 @@ def _read_by_several(readers: Sequence[Node], setting: Setting, settings: Sequen
     declared = [declared_by(node) or {} for node in readers]
     every = {name for names in declared for name in names}
     section = setting.place.file, setting.key
-    meant = did_you_mean(setting.name, every - {other.name for other in settings})
+    given = {other.name for other in settings}
+    meant = did_you_mean(setting.name, every - given, rivals=given - every)
     places = ((node.blueprint.place, called(node)) for node in readers if node.blueprint is not None)
     return finding(
         "PRM004",
