@@ -164,3 +164,9 @@ def test_an_import_that_an_editor_has_added(judge: Judge):
     assert told.help == (
         "add <exec_depend>python3-serial</exec_depend>, and remove the import of 'matplotlib', which nothing uses"
     )
+
+
+def test_an_import_of_what_another_file_of_the_package_uses(judge: Judge):
+    plot = "import rclpy\nimport matplotlib\n\nrclpy.init()\nmatplotlib.use('Agg')\n"
+    (told,) = judge("import matplotlib", **{"robot/plot.py": plot})
+    assert told.help == "add <exec_depend>python3-matplotlib</exec_depend>"

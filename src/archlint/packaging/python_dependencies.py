@@ -5,8 +5,9 @@ from __future__ import annotations
 import posixpath
 import re
 import sys
-from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Set as AbstractSet
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_aside, is_not_installed
@@ -49,12 +50,16 @@ def modules_to_declare(
     what another rule wants a package to declare."""
     rows: dict[str, tuple[Package, list[ModuleUse]]] = {}
     declared: dict[str, _Declared | None] = {}
+    used_apart: set[tuple[str | None, str]] = set()
     for statement in imports_at_start(workspace):
         module = statement.module.partition(".")[0]
         key = None if module in sys.stdlib_module_names else python_modules.key_of(module)
         if key in _NOT_ON_FOCAL and is_on_focal(workspace):
             continue
-        if key is None or not _is_judged(workspace, statement.file):
+        if key is None:
+            continue
+        if not _is_judged(workspace, statement.file):
+            used_apart |= set() if statement.unused else {(statement.file.package, module)}
             continue
         path = statement.file.relative
         package = package_around(workspace, posixpath.dirname(path) or ".")
@@ -68,7 +73,14 @@ def modules_to_declare(
             rows.setdefault(package.relative, (package, []))[1].append(
                 ModuleUse(statement.place, module, key, statement.unused)
             )
-    return rows
+    return {folder: (package, _with_uses_apart(package, uses, used_apart)) for folder, (package, uses) in rows.items()}
+
+
+def _with_uses_apart(
+    package: Package, uses: Sequence[ModuleUse], used_apart: AbstractSet[tuple[str | None, str]]
+) -> list[ModuleUse]:
+    """The uses, none of which is idle where a file of the package that no program runs uses the module."""
+    return [replace(use, unused=use.unused and (package.name, use.module) not in used_apart) for use in uses]
 
 
 def _is_judged(workspace: WorkspaceIndex, file: SourceFile) -> bool:
