@@ -69,3 +69,65 @@ def test_a_publisher_that_nothing_uses_says_nothing(
     (tmp_path / "archlint.toml").write_text('select = ["OWN001"]')
     report = check(Request((".",), load(tmp_path), cached=False, jobs=1))
     assert len(report.findings) == told
+
+
+BOTH = """
+#pragma once
+#include "rclcpp/rclcpp.hpp"
+#include "std_msgs/msg/float64.hpp"
+class Solver : public rclcpp::Node {{
+public:
+  Solver() : Node("solver") {{
+    goal_pub_ = create_publisher<std_msgs::msg::Float64>("goal", 1);
+    timer_ = create_wall_timer(std::chrono::seconds(1), std::bind(&Solver::solve, this));
+  }}
+  void solve();
+  rclcpp::TimerBase::SharedPtr timer_;
+  rclcpp::Publisher<std_msgs::msg::Float64>::SharedPtr goal_pub_;
+}};
+class Walker : public rclcpp::Node {{
+public:
+  Walker() : Node("walker") {{
+    goal_pub_ = create_publisher<std_msgs::msg::Float64>("goal", 1);
+    timer_ = create_wall_timer(std::chrono::seconds(1), [this]() {{ {tick} }});
+  }}
+  rclcpp::Publisher<std_msgs::msg::Float64>::SharedPtr goal_pub_;
+  rclcpp::TimerBase::SharedPtr timer_;
+}};
+"""
+MAIN = """
+#include "walk.hpp"
+void Solver::solve()
+{
+  goal_pub_->publish(std_msgs::msg::Float64());
+}
+int main(int argc, char ** argv)
+{
+  rclcpp::init(argc, argv);
+  auto walker = std::make_shared<Walker>();
+  auto solver = std::make_shared<Solver>();
+  rclcpp::executors::SingleThreadedExecutor executor;
+  executor.add_node(walker);
+  executor.add_node(solver);
+  executor.spin();
+}
+"""
+
+
+@pytest.mark.parametrize(("tick", "told"), [("", 0), (PUBLISH, 1)])
+def test_another_class_has_a_publisher_of_that_name(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, tick: str, told: int
+):
+    files = {
+        "package.xml": manifest("walk", build_type="ament_cmake"),
+        "CMakeLists.txt": CMAKE.format(name="walk"),
+        "src/walk.hpp": BOTH.format(tick=tick),
+        "src/walk.cpp": MAIN,
+    }
+    for path, text in files.items():
+        file = tmp_path / path
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(text)
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "archlint.toml").write_text('select = ["OWN001"]')
+    assert len(check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings) == told

@@ -56,7 +56,29 @@ def _is_never_used(workspace: WorkspaceIndex, place: Place) -> bool:
     uses = re.compile(rf"(?<!\w){word}(?!\w)(?!\s*=[^=])")
     declarations = re.compile(rf"(?:Ptr|>|\*)\s+{word}\s*(?:;|\{{\s*(?:nullptr)?\s*\}}|=\s*nullptr)")
     code = kept(workspace, (_code_below, folder.folder), lambda: _code_below(workspace, folder.folder))
-    return not any(stored[1] in row and uses.search(declarations.sub(" ", row)) for row in code)
+    rows = [row for row in code if stored[1] in row]
+    own = _class_at(text, sum(len(line) for line in text.splitlines(keepends=True)[: place.line]))
+    declaring = {_class_at(row, match.start()) for row in rows for match in declarations.finditer(row)}
+    others = declaring - {own, ""}  # these use their own variable of that name
+    return not any(
+        _class_at(row, use.start()) not in others
+        for row in rows
+        for use in uses.finditer(declarations.sub(_blank, row))
+    )
+
+
+_CLASS = re.compile(r"^(?:class|struct)\s+(\w+)[^;\n]*$|^(?![ \t#])[^\n;]*?\b(\w+)::~?\w+[ \t]*\(", re.MULTILINE)
+"""Where a class begins, or a method of one that is defined outside of it."""
+
+
+def _class_at(text: str, offset: int) -> str:
+    """The class whose code stands at a place, empty where none is seen to."""
+    begins = list(_CLASS.finditer(text, 0, offset))
+    return begins[-1][1] or begins[-1][2] if begins else ""
+
+
+def _blank(match: re.Match[str]) -> str:
+    return " " * len(match[0])
 
 
 def _code_below(workspace: WorkspaceIndex, folder: str) -> list[str]:
