@@ -462,7 +462,7 @@ def test_a_node_that_another_file_makes(judge: Judge, other: str):
 
 
 @pytest.mark.parametrize(
-    "given", ["wheel = Motor().equip(self)", "self.wheels = [self]", "hasattr(self, 'brake')", "return self"]
+    "given", ["wheel = Motor().equip(self)", "self.wheels = [self]", "getattr(self, 'brake')", "return self"]
 )
 def test_a_node_that_gives_itself_away(judge: Judge, given: str):
     robot = ROBOT.replace(
@@ -670,3 +670,106 @@ def test_code_behind_a_flag_that_stays_false(judge: Judge, test: str, more: str,
 def test_another_file_may_switch_it_on(judge: Judge):
     source = SWITCHED.replace("{test}", "self.rotating").replace("{more}", "").replace("{here}", "  # here")
     judge("API002", source, OTHERS + "\n\ndef turn(swarm):\n    swarm.rotating = True\n")
+
+
+SUBSCRIBES = "self.create_subscription = self.create_subscription(String, topic, self.listen, 10)"
+REPLACES = "self.create_publisher = self.create_publisher(String, 'a', 10)"
+PUBLISHES = "self.pub = self.create_publisher(String, 'b', 10)"
+OVERWRITING = """
+from rclpy.node import Node
+from std_msgs.msg import String
+
+
+class Listener(Node):
+    def __init__(self):
+        super().__init__('listener')
+{lines}
+
+    def listen(self, msg):
+        self.get_logger().info(msg.data)
+"""
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        [
+            "for topic in ('a', 'b'):",
+            f"    {SUBSCRIBES}  # here",
+        ],
+        ["self.get_logger = self.get_logger()  # here"],
+        [
+            f"{REPLACES}  # here",
+            PUBLISHES,
+        ],
+    ],
+)
+def test_a_method_of_the_node_that_its_result_replaces(judge: Judge, lines: list[str]):
+    (finding,) = judge("API002", OVERWRITING.format(lines="\n".join(f"        {line}" for line in lines)))
+    assert finding.message.endswith("is no method of the node: calling it fails with a TypeError")
+    assert finding.help is not None
+    assert finding.help.startswith("give the attribute another name")
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        [REPLACES],
+        [
+            PUBLISHES,
+            REPLACES,
+        ],
+        ["self.get_logger = lambda: self.log", "self.log = print"],
+    ],
+)
+def test_a_method_of_the_node_that_nothing_calls_again(judge: Judge, lines: list[str]):
+    judge("API002", OVERWRITING.format(lines="\n".join(f"        {line}" for line in lines)))
+
+
+ASKS_PORT = "if hasattr(self, 'port'):"
+ASKING = """
+import rclpy
+from rclpy.node import Node
+
+
+class Driver(Node):
+    def __init__(self):
+        super().__init__('driver')
+        self.ser = open('/dev/ttyUSB0')
+        self.timer = self.create_timer(1.0, self.stop)
+
+    def stop(self):
+        {line}
+            self.ser.close()
+
+
+def main():
+    rclpy.init()
+    rclpy.spin(Driver())
+
+
+main()
+"""
+
+
+def test_hasattr_of_what_nothing_assigns(judge: Judge):
+    (finding,) = judge("API002", ASKING.format(line="if hasattr(self, 'Ser'):  # here"))
+    assert finding.message == ("nothing assigns 'Ser' of class Driver: hasattr() is always False; did you mean 'ser'?")
+    assert finding.severity is Severity.WARNING
+
+
+@pytest.mark.parametrize(
+    "source",
+    [
+        ASKING.format(line="if hasattr(self, 'ser'):"),
+        ASKING.format(line="if hasattr(self, 'get_logger'):"),
+        ASKING.format(line="self.serial = self.ser\n        if hasattr(self, 'serial'):"),
+        ASKING.format(line="if hasattr(self.ser, 'fileno'):"),
+        ASKING.format(line="if hasattr(self, 'port'):").replace(
+            "rclpy.spin(Driver())", "driver = Driver(); driver.port = 1"
+        ),
+        ASKING.format(line=ASKS_PORT).replace("self.ser = ", "setattr(self, 'port', 1); self.ser = "),
+    ],
+)
+def test_hasattr_of_what_may_be_there(judge: Judge, source: str):
+    judge("API002", source)

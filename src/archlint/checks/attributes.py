@@ -8,13 +8,15 @@ from typing import TYPE_CHECKING
 
 from archlint.checks.registry import finding
 from archlint.checks.uncalled import once_where_uncalled, unless_uncalled
-from archlint.finding import Finding, Related
+from archlint.finding import Finding, Related, Severity
 from archlint.launch_files.launch_properties import ActionOverwritten, overwritten_actions
+from archlint.python_code.absent_asked import AbsentAsked, absent_asked
 from archlint.python_code.absent_members import AbsentMember, absent_members
 from archlint.python_code.enum_members import absent_enum_members
 from archlint.python_code.logger_calls import AbsentOfLogger, absent_of_loggers
 from archlint.python_code.methods_looked_into import LookedInto, methods_looked_into
 from archlint.python_code.object_members import CalledProperty, object_members
+from archlint.python_code.overwritten_methods import OverwrittenMethod, overwritten_methods
 from archlint.python_code.own_objects import absent_of_objects
 from archlint.python_code.policy_members import absent_policies
 from archlint.python_code.unassigned_attributes import (
@@ -45,6 +47,9 @@ def attribute_findings(system: System) -> Iterator[Finding]:
     if system.workspace is None:
         return
     yield from map(_overwritten, overwritten_properties(system.workspace))
+    for asked in absent_asked(system.workspace):
+        yield from unless_uncalled(system, _asked_for(asked))
+    yield from map(_method_overwritten, overwritten_methods(system.workspace))
     yield from map(_action_overwritten, overwritten_actions(system.workspace))
     of_objects = {absent.place: absent for absent in absent_of_objects(system)}
     of_objects.update((absent.place, absent) for absent in absent_members(system.workspace))
@@ -79,6 +84,32 @@ def _overwritten(assignment: Overwritten) -> Finding:
         help=f"give the attribute another name, such as self.my_{assignment.name}",
         identity=(assignment.cls, assignment.name),
         group=(OF_CLASS, assignment.place.file, assignment.cls, assignment.name),
+    )
+
+
+def _asked_for(row: AbsentAsked) -> Finding:
+    diagnostic = finding(
+        "API002",
+        row.place,
+        f"nothing assigns '{row.name}' of class {row.cls}: hasattr() is always False"
+        + meant(row.near and f"'{row.near}'"),
+        help=f"write '{row.near}'" if row.near else f"assign self.{row.name} somewhere, or remove what asks for it",
+        identity=(row.cls, row.name, "asked"),
+        group=(OF_CLASS, row.place.file, row.cls, row.name),
+        meant=row.near,
+    )
+    return replace(diagnostic, severity=Severity.WARNING)
+
+
+def _method_overwritten(row: OverwrittenMethod) -> Finding:
+    return finding(
+        "API002",
+        row.place,
+        f"from here on self.{row.name} is no method of the node: calling it fails with a TypeError",
+        help=f"give the attribute another name than {row.name}",
+        related=[] if row.called == row.place else [Related(row.called, f"{row.name}() is called here")],
+        identity=(row.cls, row.name, "method"),
+        group=(OF_CLASS, row.place.file, row.cls, row.name),
     )
 
 

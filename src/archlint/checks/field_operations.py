@@ -62,7 +62,7 @@ def _cure(row: FieldOperation) -> str:
     match row.kind, row.deed:
         case "message", _:
             return "use one of its fields"
-        case "array", "compares":
+        case "array", "compares" | "adds" if row.other != "number":
             return "convert it first: list(…)"
         case "array", _:
             return "use one of its items, or the min() or max() of them"

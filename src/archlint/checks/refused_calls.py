@@ -28,6 +28,7 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.time_operators import OPERATOR, time_operator_findings
 from archlint.checks.uncalled import UNCALLED, unless_uncalled
+from archlint.checks.used_values import NOTHING, PLAIN, TEXT, misused_kind_findings, used_value_findings
 from archlint.finding import Finding
 from archlint.libraries.absent_names import instead_of
 from archlint.libraries.api_signatures import attributes_of, signatures_of
@@ -58,6 +59,7 @@ def refused_call(system: System, options: Options) -> Iterator[Finding]:
             yield _finding(call)
     yield from time_operator_findings(system)
     yield from own_call_findings(system)
+    yield from used_value_findings(system)
 
 
 @rule("API002", scope=Scope.CODE)
@@ -75,6 +77,7 @@ def unknown_attribute(system: System, options: Options) -> Iterator[Finding]:
             yield diagnostic
     yield from early_read_findings(system)
     yield from late_attribute_findings(system)
+    yield from misused_kind_findings(system)
     unported = _unported(absent)
     for diagnostic in absent_import_findings(system, {(call.place.file, call.place.line) for call in absent}):
         of_rospy = diagnostic.place.file in unported and diagnostic.identity[0].startswith("rclpy.ROS")
@@ -264,7 +267,7 @@ def _finding(call: RefusedCall) -> Finding:
 @folds("API001")
 def of_one_file(findings: Sequence[Finding]) -> Finding:
     """The first call of a file for all that are wrong in the same way."""
-    if findings[0].group[1] in (COMPARED, NOT_CALLED):
+    if findings[0].group[1] in (COMPARED, NOT_CALLED, NOTHING, PLAIN, TEXT):
         return with_others(findings, "another line in this file does", "more lines in this file do", "the same")
     if findings[0].group[1] == OPERATOR:
         return with_others(findings, "another operator in this file does", "more operators in this file do", "the same")

@@ -103,7 +103,7 @@ def _held(kind: FieldType) -> _Kind | None:
 def _goes_wrong(held: _Kind, deed: _Deed, other: _Other, by: str) -> bool:
     match deed:
         case "adds":
-            return held != "string" if other == "string" else held not in _NUMBERS
+            return held != "string" if other == "string" else other == "list" or held not in _NUMBERS
         case "calculates":
             return held not in _NUMBERS
         case "compares" | "orders":
@@ -142,10 +142,12 @@ def _deeds(part: facts.Base) -> Iterator[tuple[_Deed, _Other, str, facts.Expr, f
     match part:
         case facts.Binary(op="+", left=left, right=right, span=span):
             for field, other in ((left, right), (right, left)):
-                if _is_text(other):
+                if is_text(other):
                     yield "adds", "string", "+", field, span
                 elif _is_number(other):
                     yield "adds", "number", "+", field, span
+                elif _is_list(other):
+                    yield "adds", "list", "+", field, span
         case facts.Binary(op=op, left=left, right=right, span=span) if op in _ARITHMETIC:
             for field, other in ((left, right), (right, left)):
                 if _is_number(other):
@@ -167,15 +169,15 @@ def _deeds(part: facts.Base) -> Iterator[tuple[_Deed, _Other, str, facts.Expr, f
                 yield "calls", "", name, field, span
 
 
-def _is_text(part: facts.Base) -> bool:
+def is_text(part: facts.Base) -> bool:
     """Whether an expression is a text for certain, if it can be evaluated."""
     match part:
         case facts.Literal(value=str()) | facts.FormatString():
             return True
         case facts.Binary(op="+", left=left, right=right):
-            return _is_text(left) or _is_text(right)
+            return is_text(left) or is_text(right)
         case facts.Binary(op="%", left=left):
-            return _is_text(left)
+            return is_text(left)
         case facts.Call(func=facts.Name(id="str")):
             return True
     return False
@@ -187,6 +189,15 @@ def _is_number(part: facts.Base) -> bool:
             return not isinstance(value, bool)
         case facts.Unary(op="-" | "+", operand=operand):
             return _is_number(operand)
+    return False
+
+
+def _is_list(part: facts.Base) -> bool:
+    match part:
+        case facts.Sequence(kind="list") | facts.Comprehension(kind="list"):
+            return True
+        case facts.Call(func=facts.Name(id="list")):
+            return True
     return False
 
 
@@ -246,4 +257,4 @@ def _asked_for_their_class(function: facts.Function) -> set[str]:
     }
 
 
-__all__ = ["FieldOperation", "field_operations"]
+__all__ = ["FieldOperation", "field_operations", "is_text"]

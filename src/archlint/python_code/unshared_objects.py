@@ -18,7 +18,18 @@ if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
 
 KEEPS_OUT = frozenset({"super", "ActionClient", "ActionServer", "TransformListener", "TransformBroadcaster"}) | {
-    *("StaticTransformBroadcaster", "Subscriber", "Buffer", "Client", "Publisher", "print", "str", "repr", "id")
+    *(
+        "StaticTransformBroadcaster",
+        "Subscriber",
+        "Buffer",
+        "Client",
+        "Publisher",
+        "print",
+        "str",
+        "repr",
+        "id",
+        "hasattr",
+    )
 }
 """What is often given the object, and sets nothing of a node."""
 _RUNS = frozenset({"spin", "spin_once", "spin_until_future_complete", "add_node", "remove_node"})
@@ -32,7 +43,7 @@ def may_be_given(workspace: WorkspaceIndex, cls: ClassInFile, name: str) -> bool
     if not is_unshared(workspace, cls):
         return None
     file_facts = workspace.facts_at(cls.file)
-    return file_facts is None or name in _given_in(file_facts, cls.code.name) | asked_in(file_facts)
+    return file_facts is None or name in given_in(file_facts, cls.code.name) | asked_in(file_facts)
 
 
 def is_unshared(workspace: WorkspaceIndex, cls: ClassInFile) -> bool:
@@ -117,7 +128,7 @@ def _has(workspace: WorkspaceIndex, file: str, cls: ClassInFile) -> bool:
     return False
 
 
-def _given_in(file_facts: facts.Facts, name: str) -> frozenset[str]:
+def given_in(file_facts: facts.Facts, name: str) -> frozenset[str]:
     """The attributes that a file assigns to a class, or to an object of it that a variable holds."""
     variables = {name, *_variables(file_facts, name)}
     return frozenset(
@@ -138,4 +149,4 @@ def asked_in(file_facts: facts.Facts) -> frozenset[str]:
     )
 
 
-__all__ = ["KEEPS_OUT", "asked_in", "is_unshared", "may_be_given"]
+__all__ = ["KEEPS_OUT", "asked_in", "given_in", "is_unshared", "may_be_given"]

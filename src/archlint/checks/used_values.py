@@ -1,0 +1,103 @@
+"""What API001 and API002 say of values that code uses as what they are not: None for an object, a number for a text."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from archlint.checks.absent_imports import OF_MODULE
+from archlint.checks.registry import finding
+from archlint.checks.uncalled import unless_uncalled
+from archlint.finding import Finding, Related, Severity
+from archlint.python_code.misused_kinds import Misuse, MisusedKind, misused_kinds
+from archlint.python_code.plain_kinds import Kind
+from archlint.python_code.text_sums import TextSum, text_sums
+from archlint.python_code.used_nothing import Use, UsedNothing, uses_of_nothing
+
+if TYPE_CHECKING:
+    from archlint.systems.model import System
+
+NOTHING = "returns nothing"
+"""The group of findings about one function that returns nothing."""
+TEXT = "text"
+"""The group of findings about texts that are added to what is none."""
+PLAIN = "plain"
+"""The group of findings about a value that is taken for another one."""
+_OUTCOME = {
+    Use.FAILS: "this line raises TypeError",
+    Use.LOOKS_INTO: "this line raises AttributeError",
+    Use.TESTS: "this condition never holds",
+    Use.TESTS_NOT: "this condition always holds",
+    Use.KEEPS: "that is what this line keeps",
+}
+
+
+def used_value_findings(system: System) -> Iterator[Finding]:
+    """The findings about such code."""
+    if system.workspace is not None:
+        for row in uses_of_nothing(system.workspace):
+            yield from unless_uncalled(system, _nothing(row))
+        for sum_ in text_sums(system.workspace):
+            yield from unless_uncalled(system, _text(sum_))
+        for misused in misused_kinds(system.workspace):
+            if misused.misuse is not Misuse.LOOKS_INTO:
+                yield from unless_uncalled(system, _misused(misused, "API001"))
+
+
+def misused_kind_findings(system: System) -> Iterator[Finding]:
+    """The findings about attributes of plain values: API002."""
+    for row in () if system.workspace is None else misused_kinds(system.workspace):
+        if row.misuse is Misuse.LOOKS_INTO:
+            yield from unless_uncalled(system, _misused(row, "API002"))
+
+
+def _misused(row: MisusedKind, code: str) -> Finding:
+    is_none = row.kind is Kind.NONE
+    told = f"nothing but None is assigned to {row.what}" if is_none else f"{row.what} is {row.kind}"
+    outcome = {
+        Misuse.LOOKS_INTO: f"it has no '{row.name}', and this line fails with an AttributeError",
+        Misuse.CALLS: "calling it fails with a TypeError",
+        Misuse.TAKES_ITEM: "taking an item of it fails with a TypeError",
+    }
+    return finding(
+        code,
+        row.place,
+        f"{told}: {outcome[row.misuse]}",
+        help=f"assign {row.what} a value first" if is_none else f"use {row.what} as {row.kind}",
+        related=[Related(row.assigned, f"this is what {row.what} gets")],
+        identity=(row.what, row.misuse, row.name),
+        group=(OF_MODULE if code == "API002" else row.place.file, PLAIN, row.place.file, row.what, row.kind),
+    )
+
+
+def _nothing(row: UsedNothing) -> Finding:
+    name = row.name.rpartition(".")[2]
+    own = row.defined is not None
+    diagnostic = finding(
+        "API001",
+        row.place,
+        f"{name if own else row.name}() returns None: {_OUTCOME[row.use]}",
+        help=f"let {name}() return a value" if own else "write the call on a line of its own: it changes the list",
+        related=[] if row.defined is None else [Related(row.defined, f"{name}() is defined here, and returns nothing")],
+        identity=(NOTHING, row.name, row.use),
+        group=(row.place.file, NOTHING, row.name),
+    )
+    tests = row.use in (Use.TESTS, Use.TESTS_NOT)
+    return replace(diagnostic, severity=Severity.WARNING) if tests else diagnostic
+
+
+def _text(row: TextSum) -> Finding:
+    added = f"{row.added} is {row.kind}" if row.added else f"this adds a text and {row.kind}"
+    told = f"{added}, and '+' with a text raises TypeError" if row.added else f"{added}, which raises TypeError"
+    return finding(
+        "API001",
+        row.place,
+        told,
+        help=f"convert it: str({row.added or '…'}), or write an f-string",
+        identity=(TEXT, row.added, row.kind),
+        group=(row.place.file, TEXT),
+    )
+
+
+__all__ = ["NOTHING", "PLAIN", "TEXT", "misused_kind_findings", "used_value_findings"]

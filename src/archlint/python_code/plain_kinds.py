@@ -1,0 +1,127 @@
+"""What plain values are that code assigns to variables and attributes: numbers, lists, None."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from archlint.python_code.class_chains import targets_of
+from archlint.python_code.methods_at_work import of_self
+from archlint.string_enum import StringEnum
+from archlint.syntax import facts
+from archlint.syntax.bindings import bound_by
+from archlint.syntax.parts import Itself, everything_in
+
+Values = Mapping[str, Sequence[facts.Expr | None]]
+"""All that is assigned to each name; None for what is not one plain value."""
+
+
+class Kind(StringEnum):
+    """What a value is for certain."""
+
+    NONE = "None"
+    BOOL = "a bool"
+    NUMBER = "a number"
+    NUMERIC = "no text"
+    """A number, or an array of numpy."""
+    LIST = "a list"
+    TUPLE = "a tuple"
+    DICT = "a dict"
+
+
+_OF_PYTHON = {
+    "len": Kind.NUMBER,
+    "int": Kind.NUMBER,
+    "float": Kind.NUMBER,
+    "abs": Kind.NUMERIC,
+    "round": Kind.NUMERIC,
+} | {
+    "list": Kind.LIST,
+    "sorted": Kind.LIST,
+    "dict": Kind.DICT,
+    "tuple": Kind.TUPLE,
+}
+_OF_NUMBERS = frozenset({"-", "/", "//", "**"})
+"""What no text takes part in; ``*`` may repeat one, and ``%`` format it."""
+_DEPTH = 3
+
+
+def values_of_self(cls: facts.Class) -> dict[str, list[facts.Expr | None]]:
+    """All that the methods of a class assign to each attribute."""
+    values: dict[str, list[facts.Expr | None]] = {}
+    plain = set[Itself[facts.Base]]()
+    for part in everything_in(cls.body, facts.Assign):
+        match part:
+            case facts.Assign(targets=[target], value=value) if (name := of_self(target)) is not None:
+                plain.add(Itself(target))
+                values.setdefault(name, []).append(value)
+    for change in everything_in(cls.body, facts.Augmented):
+        name = of_self(change.target)
+        if name is not None:
+            values.setdefault(name, []).append(_changed(change))
+    for other in targets_of(cls.body):
+        name = of_self(other)
+        if name is not None and Itself[facts.Base](other) not in plain:
+            values.setdefault(name, []).append(None)
+    return values
+
+
+def values_in(function: facts.Function) -> dict[str, list[facts.Expr | None]]:
+    """All that a function assigns to each of its variables."""
+    values: dict[str, list[facts.Expr | None]] = {param.name: [None] for param in function.params}
+    for part in everything_in(function.body):
+        match part:
+            case facts.Assign(targets=[facts.Name(id=name)], value=value):
+                values.setdefault(name, []).append(value)
+            case facts.Augmented(target=facts.Name(id=name)):
+                values.setdefault(name, []).append(_changed(part))
+            case _:
+                for name in bound_by(part):
+                    values.setdefault(name, []).append(None)
+    return values
+
+
+def _changed(change: facts.Augmented) -> facts.Expr | None:
+    """What stands for the value after ``+=`` a number: what is left of that when it is a number."""
+    return change.value if change.op in ("+", "-", "*", "/", "//") else None
+
+
+def kind_of_all(values: Sequence[facts.Expr | None], variables: Values) -> Kind | None:
+    """What all of some values are; None where they differ or one is not known."""
+    kinds = {None if value is None else kind_of(value, variables) for value in values}
+    if kinds == {Kind.NUMBER, Kind.NUMERIC}:
+        return Kind.NUMERIC
+    return kinds.pop() if len(kinds) == 1 else None
+
+
+def kind_of(value: facts.Expr, variables: Values, depth: int = _DEPTH) -> Kind | None:
+    """What an expression is for certain."""
+    match value:
+        case facts.Literal(value=None):
+            return Kind.NONE
+        case facts.Literal(value=bool()):
+            return Kind.BOOL
+        case facts.Literal(value=int() | float()):
+            return Kind.NUMBER
+        case facts.Unary(op="-" | "+", operand=operand) if depth:
+            return Kind.NUMBER if kind_of(operand, variables, depth - 1) is Kind.NUMBER else Kind.NUMERIC
+        case facts.Call(func=facts.Name(id=name)) if name not in variables:
+            return _OF_PYTHON.get(name)
+        case facts.Call() if value.func.dotted in ("time.time", "time.monotonic"):
+            return Kind.NUMBER
+        case facts.Sequence(kind="list") | facts.Comprehension(kind="list"):
+            return Kind.LIST
+        case facts.Sequence(kind="tuple"):
+            return Kind.TUPLE
+        case facts.Mapping() | facts.Comprehension(kind="dict"):
+            return Kind.DICT
+        case facts.Binary(op=op, left=left, right=right) if op in _OF_NUMBERS and depth:
+            kinds = {kind_of(side, variables, depth - 1) for side in (left, right)}
+            if kinds == {Kind.NUMBER}:
+                return Kind.NUMBER
+            return Kind.NUMERIC if Kind.NUMBER in kinds else None
+        case facts.Name(id=name) if depth and name in variables:
+            return kind_of_all(variables[name], {})
+    return None
+
+
+__all__ = ["Kind", "Values", "kind_of", "kind_of_all", "values_in", "values_of_self"]

@@ -1,0 +1,193 @@
+"""API001: None and numbers that code uses as something else."""
+
+from __future__ import annotations
+
+import pytest
+
+from archlint.finding import Severity
+from checks.judging import Judge
+
+NODE = """
+import random
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import Float32
+
+
+class Pilot(Node):
+    def __init__(self):
+        super().__init__('pilot')
+        self.speed = 0.5
+        self.name = 'pilot'
+        self.latest = None
+        self.goal = [0.0, 0.0]
+        self.link = None
+        self.sub = self.create_subscription(Float32, 'height', self.fly, 10)
+
+    def fly(self, msg):
+        {lines}
+
+    def stop(self):
+        self.speed = 0.0
+
+    def rest(self):
+        if self.speed > 0.0:
+            return
+        self.speed = 0.1
+        return None
+
+    def pose(self):
+        if self.speed:
+            return 1.0, 2.0
+        return None
+
+    def todo(self):
+        pass
+
+    def must(self):
+        raise NotImplementedError
+
+    def note(self, msg):
+        self.latest = msg.data
+
+
+def main():
+    rclpy.init()
+    rclpy.spin(Pilot())
+
+
+main()
+"""
+
+
+def _node(lines: str) -> str:
+    return NODE.format(lines=lines.replace("; ", "\n        "))
+
+
+@pytest.mark.parametrize(
+    ("lines", "says"),
+    [
+        ("x, y = self.stop()  # here", "stop() returns None: this line raises TypeError"),
+        ("x = self.rest(); print(x[0])  # here", "rest() returns None: this line raises TypeError"),
+        ("print(self.stop().x)  # here", "stop() returns None: this line raises AttributeError"),
+        ("for each in self.stop():  # here;     print(each)", "stop() returns None: this line raises TypeError"),
+        ("print(self.stop() + 1.0)  # here", "stop() returns None: this line raises TypeError"),
+        ("print([each for each in self.stop()])  # here", "stop() returns None: this line raises TypeError"),
+        ("way = [1, 2]; for each in random.shuffle(way):  # here;     print(each)", "random.shuffle() returns None: "),
+        ("way = [1, 2]; way = random.shuffle(way)  # here; print(way)", "random.shuffle() returns None: "),
+        ("way = [2, 1]; self.latest = way.sort()  # here", "way.sort() returns None: that is what this line keeps"),
+    ],
+)
+def test_what_is_none(judge: Judge, lines: str, says: str):
+    (finding,) = judge("API001", _node(lines))
+    assert finding.message.startswith(says)
+    assert finding.severity is Severity.ERROR
+
+
+def test_a_condition_that_never_holds(judge: Judge):
+    (finding,) = judge("API001", _node("if self.rest():  # here;     print('rests')"))
+    assert finding.message == "rest() returns None: this condition never holds"
+    assert finding.severity is Severity.WARNING
+    assert finding.help == "let rest() return a value"
+    assert [row.message for row in finding.related] == ["rest() is defined here, and returns nothing"]
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        "self.stop()",
+        "x = self.stop(); print(x)",
+        "return self.rest()",
+        "x = self.pose(); print(x[0])",
+        "x, y = self.pose()",
+        "x = self.rest(); print(x[0] if x else 0)",
+        "x = self.rest(); if x is not None:;     print(x[0])",
+        "if self.todo():;     print('done')",
+        "if self.must():;     print('done')",
+        "try:;     x, y = self.stop(); except TypeError:;     pass",
+        "way = [1]; way.sort(); print(way)",
+        "way = sorted([2, 1]); print(way)",
+        "way = msg.data; way = way.append(1); print(way)",
+        "print([way.append(1) for way in ([], [])])",
+        "way = []; _ = way.append(1)",
+    ],
+)
+def test_what_is_a_value_or_not_used(judge: Judge, lines: str):
+    judge("API001", _node(lines))
+
+
+@pytest.mark.parametrize(
+    ("lines", "says"),
+    [
+        ("print('speed ' + self.speed)  # here", "self.speed is a number, and '+' with a text raises TypeError"),
+        ("print('at ' + len('abc'))  # here", "this adds a text and a number, which raises TypeError"),
+        ("n = 3; print('at ' + n + ' m')  # here", "n is a number, and '+' with a text raises TypeError"),
+        ("n = int(msg.data) - 1; print(f'{n}' + n)  # here", "n is a number, and '+' with a text raises TypeError"),
+        ("print('at ' + [1.0])  # here", "this adds a text and a list, which raises TypeError"),
+    ],
+)
+def test_a_text_and_what_is_none(judge: Judge, lines: str, says: str):
+    (finding,) = judge("API001", _node(lines))
+    assert finding.message == says
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        "print('speed ' + str(self.speed))",
+        "print('speed ' + self.name)",
+        "print('at ' + self.latest)",
+        "print('-' * 3 + '>')",
+        "n = 3; n = str(n); print('at ' + n)",
+        "for n in 'abc':;     print('at ' + n)",
+        "try:;     print('at ' + 3); except TypeError:;     pass",
+    ],
+)
+def test_two_texts(judge: Judge, lines: str):
+    judge("API001", _node(lines))
+
+
+@pytest.mark.parametrize(
+    ("code", "lines", "says"),
+    [
+        ("API002", "print(self.goal.x)  # here", "self.goal is a list: it has no 'x', and this line fails with an "),
+        ("API002", "p = (1.0, 2.0); print(p.x)  # here", "p is a tuple: it has no 'x', and this line fails with an "),
+        (
+            "API002",
+            "self.link.send(1)  # here",
+            "nothing but None is assigned to self.link: it has no 'send'",
+        ),
+        ("API001", "print(self.goal(1))  # here", "self.goal is a list: calling it fails with a TypeError"),
+        (
+            "API001",
+            "n = 3; print(n[0])  # here",
+            "n is a number: taking an item of it fails with a TypeError",
+        ),
+    ],
+)
+def test_a_plain_value_that_is_taken_for_another(judge: Judge, code: str, lines: str, says: str):
+    (finding,) = judge(code, _node(lines))
+    assert finding.message.startswith(says)
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        "self.goal.append(1.0); print(self.goal[0], self.speed.is_integer())",
+        "if self.link:;     self.link.send(1)",
+        "if self.link is None:;     return; self.link.send(1)",
+        "if isinstance(self.goal, Float32):;     print(self.goal.data)",
+        "print(self.latest.data)",
+        "p = None; p = msg; print(p.data)",
+        "p = []; p = msg.data; print(p.x)",
+        "try:;     print(self.goal.x); except AttributeError:;     pass",
+    ],
+)
+@pytest.mark.parametrize("code", ["API001", "API002"])
+def test_a_plain_value_as_what_it_is(judge: Judge, code: str, lines: str):
+    judge(code, _node(lines))
+
+
+def test_an_attribute_that_others_assign(judge: Judge):
+    source = _node("print('speed ' + self.speed)")
+    judge("API001", source.replace("rclpy.spin(Pilot())", "pilot = Pilot(); pilot.speed = 'fast'; rclpy.spin(pilot)"))
