@@ -43,8 +43,8 @@ _OF_CALLS = ("API", "EXE", "SRV", "TMO")
 
 def once_for_a_file(findings: Iterable[Finding], files: AbstractSet[str]) -> list[Finding]:
     """The findings, those that are information for this reason with the reason in their message.  What a rule says of
-    calls and waits in one such file is one finding, and so is the same in a copy beside it; where the file is a draft of
-    an installed program, it belongs to the finding there.  Each wrong name and message stays."""
+    calls and waits in one such file is one finding, and so is the same in a copy beside it; where the file is a draft
+    of an installed program, it belongs to the finding there.  Each wrong name and message stays."""
     of_files: dict[tuple[str, str, str | None, int | None], list[Finding]] = {}
     shown: list[Finding] = []
     for number, finding in enumerate(findings):
