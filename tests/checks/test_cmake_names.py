@@ -57,6 +57,11 @@ def names(findings):
             "add find_package(arm_msgs REQUIRED)",
         ),
         (
+            TALKER + "find_package(sparks REQUIRED)\nament_target_dependencies(talker sparks arm_msgs)\n",
+            "ament_target_dependencies() is given 'arm_msgs', which no find_package() has found: the build stops",
+            "add find_package(arm_msgs REQUIRED)",
+        ),
+        (
             TALKER + "target_link_libraries(talker ${PROJECT_NAME})\n",
             "target_link_libraries() is given 'robot', a target that there is not: the build stops",
             "add the add_executable() or add_library() that makes it",

@@ -5,6 +5,7 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Iterator, Sequence
+from collections.abc import Set as AbstractSet
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_aside
@@ -71,7 +72,8 @@ def _of_python(installs: Installs, asked: FoundPackage) -> Finding:
 def _of_build(workspace: WorkspaceIndex, installs: Installs, options: Options) -> Iterator[Finding]:
     known = packages.table().names | workspace.packages.keys()
     there = closure(installs.looked_for, lambda name: _found_with(workspace, name))
-    all_known = there <= _SYSTEM | known
+    unknown = there - _SYSTEM - known
+    all_known = not unknown
     lacking = known - there - {*options.external} if all_known else frozenset[str]()
     for named in installs.names_of_nothing:
         halves = _halves(named.name, known)
@@ -85,11 +87,20 @@ def _of_build(workspace: WorkspaceIndex, installs: Installs, options: Options) -
             yield _two_names(installs, named, halves)
         elif named.command == _TAKES_A_TARGET and (
             named.name in lacking
-            or (all_known and named.name not in known | {*options.external} and _OF_MESSAGES.fullmatch(named.name))
+            or (named.name not in known | {*options.external} and _is_found_with_none(named.name, unknown))
         ):
             yield _package(installs, named)
         elif named.name not in known and named.name in _interfaces_of(installs) and named.command == _TAKES_A_TARGET:
             yield _interface(installs, named)
+
+
+def _is_found_with_none(name: str, unknown: AbstractSet[str]) -> bool:
+    """Whether none of the packages of which nobody knows what they find, too, may find one of interfaces: they have
+    other names."""
+    if _OF_MESSAGES.fullmatch(name) is None:
+        return False
+    words = {*name.split("_")}
+    return all(words.isdisjoint(re.split(r"[\W_]+", other.lower())) for other in unknown)
 
 
 def _found_with(workspace: WorkspaceIndex, name: str) -> set[str]:
