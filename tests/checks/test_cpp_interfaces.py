@@ -80,6 +80,11 @@ def test_a_type_alone(here: Path) -> None:
     assert told.help == "this does not compile; robot_msgs::msg has JointState2, WheelSpeed"
 
 
+def test_a_type_of_a_package_of_ros(here: Path) -> None:
+    [told] = findings(here, "", 'create_publisher<std_msgs::msg::Float>("speeds", 10);')
+    assert (told.place.line, told.message) == (7, "std_msgs defines no message 'Float'")
+
+
 @pytest.mark.parametrize(
     "include",
     [
@@ -105,6 +110,8 @@ def test_includes_that_are_right_or_of_elsewhere(here: Path, include: str) -> No
         "robot_msgs::msg::WheelSpeed_<std::allocator<void>> speed;",
         "auto text = robot_msgs::msg::to_yaml(speed);",
         'create_publisher<other_msgs::msg::Wheels>("speeds", 10);',
+        'create_publisher<std_msgs::msg::Float64>("speeds", 10);',
+        "std_msgs::msg::Float64_<std::allocator<void>> speed;",
     ],
 )
 def test_types_that_are_right_or_of_elsewhere(here: Path, statement: str) -> None:

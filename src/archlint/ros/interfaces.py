@@ -201,6 +201,11 @@ class InterfaceTable:
         """Whether a package of the workspace has interfaces, all of which are known."""
         return package in self._packages and package not in self._unread
 
+    def is_known(self, package: str) -> bool:
+        """Whether all interfaces of a package are known: one of the workspace, or of ROS."""
+        of_ros = package in standard_interfaces.table().packages and package not in self._packages
+        return self.is_of_workspace(package) or (of_ros and package not in self._unread | self._without)
+
     def missing_header(self, package: str, kind: InterfaceKind, stem: str) -> str | None:
         """The interface whose header ``package/msg/stem.hpp`` would be, where a package of the workspace certainly
         generates none of that name."""

@@ -36,9 +36,9 @@ _NOWHERE = (1, 1)
 
 
 def _is_judged_in_cpp(run: Run, package: str, name: str, span: Span) -> bool:
-    """Whether a name of C++ is that of an interface of the workspace: ``Foo_Request`` and ``to_yaml`` are others."""
+    """Whether a name of C++ is that of an interface: ``Foo_Request`` and ``to_yaml`` are others."""
     assert run.interfaces is not None
-    return span[:2] != _NOWHERE and is_interface_name(name) and run.interfaces.is_of_workspace(package)
+    return span[:2] != _NOWHERE and is_interface_name(name) and run.interfaces.is_known(package)
 
 
 _HEADER = re.compile(r"(\w+)/(msg|srv|action)/([a-z][a-z0-9]*(?:_[a-z0-9]+)*)\.hpp")
