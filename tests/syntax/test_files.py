@@ -6,8 +6,10 @@ from pathlib import Path
 
 import pytest
 
+from archlint.syntax import files as syntax_files
 from archlint.syntax import workers
 from archlint.syntax.cache import NullStore, Store
+from archlint.syntax.facts import FACTS_VERSION, Facts, encode
 from archlint.syntax.files import FactsOfFiles
 from archlint.syntax.python import gate, lowering
 from archlint.workspace.model import SourceFile
@@ -128,6 +130,17 @@ def test_a_syntax_error_is_cached_and_an_error_of_ours_is_not(tmp_path, cache, m
     assert right.problems == []
     assert again.lasting
     assert facts_of(files, cache())[0].compiled == 0
+
+
+def test_an_entry_of_another_archlint_is_compiled_once(tmp_path, cache, monkeypatch):
+    files = [source_file(tmp_path / "a.py", NODE)]
+    _, expected = facts_of(files, cache())
+    store = cache()
+    digest = store.lookup(files[0].path, files[0].stamp)
+    store.put(digest, encode(Facts(FACTS_VERSION - 1)))
+    assert facts_of(files, cache())[1] == expected
+    monkeypatch.setattr(syntax_files, "compile_sources", None)
+    assert facts_of(files, cache())[1] == expected
 
 
 def test_a_damaged_entry_is_a_miss(tmp_path, cache):

@@ -227,11 +227,12 @@ class FactsOfFiles:
         return self._ahead.get(file.path)
 
     def _compiled_anew(self, file: SourceFile) -> Facts | None:
-        """The facts of a file whose entry in the cache says nothing."""
-        data = self._bytes_of(file)
-        if isinstance(data, gate.Refusal):
+        """The facts of a file whose entry is one of another archlint; the next run finds them."""
+        if isinstance(data := self._bytes_of(file), gate.Refusal):
             return None
         [result] = self._compile_all([file], [data])
+        if result.lasting and file.path in self._digests:
+            self._cache.put(self._digests[file.path], result.payload)
         return self._decoded(result.payload)
 
     def _compile_all(self, files: Sequence[SourceFile], sources: Sequence[bytes]) -> list[Compiled]:
