@@ -191,3 +191,46 @@ def test_a_plain_value_as_what_it_is(judge: Judge, code: str, lines: str):
 def test_an_attribute_that_others_assign(judge: Judge):
     source = _node("print('speed ' + self.speed)")
     judge("API001", source.replace("rclpy.spin(Pilot())", "pilot = Pilot(); pilot.speed = 'fast'; rclpy.spin(pilot)"))
+
+
+SETTING = """
+import rclpy
+from rclpy.node import Node
+from rclpy.parameter import Parameter
+
+
+class Pilot(Node):
+    def __init__(self):
+        super().__init__('pilot')
+        self.declare_parameter('rate', 10.0)
+        self.set_parameters([{parameter}])
+"""
+
+
+@pytest.mark.parametrize(
+    ("parameter", "says"),
+    [
+        ("Parameter('rate', Parameter.Type.DOUBLE, 10)", "10 is no value of the type DOUBLE"),
+        ("rclpy.parameter.Parameter('rate', rclpy.Parameter.Type.STRING, 1.5)", "1.5 is no value of the type STRING"),
+        ("Parameter('rate', type_=Parameter.Type.BOOL, value=0)", "0 is no value of the type BOOL"),
+        ("Parameter('rate', Parameter.Type.DOUBLE_ARRAY, [1, 2.0])", "[1, 2.0] is no value of the type DOUBLE_ARRAY"),
+        ("Parameter('rate', Parameter.Type.INTEGER, [1])", "[1] is no value of the type INTEGER"),
+    ],
+)
+def test_a_parameter_whose_value_has_another_type(judge: Judge, parameter: str, says: str):
+    (finding,) = judge("API001", SETTING.format(parameter=f"{parameter}]) #").replace(" #])", "  # here"))
+    assert finding.message == f"Parameter() fails with a ValueError: {says}"
+
+
+@pytest.mark.parametrize(
+    "parameter",
+    [
+        "Parameter('rate', Parameter.Type.DOUBLE, 10.0)",
+        "Parameter('rate', Parameter.Type.INTEGER, True)",
+        "Parameter('rate', Parameter.Type.STRING_ARRAY, ['a', 'b'])",
+        "Parameter('rate', Parameter.Type.DOUBLE_ARRAY, (1.0, self.rate))",
+        "Parameter('rate', value=10)",
+    ],
+)
+def test_a_parameter_whose_value_has_its_type(judge: Judge, parameter: str):
+    judge("API001", SETTING.format(parameter=parameter))

@@ -11,6 +11,7 @@ from archlint.checks.registry import finding
 from archlint.checks.uncalled import unless_uncalled
 from archlint.finding import Finding, Related, Severity
 from archlint.python_code.misused_kinds import Misuse, MisusedKind, misused_kinds
+from archlint.python_code.parameter_values import WrongParameter, wrong_parameters
 from archlint.python_code.plain_kinds import Kind
 from archlint.python_code.text_sums import TextSum, text_sums
 from archlint.python_code.used_nothing import Use, UsedNothing, uses_of_nothing
@@ -40,6 +41,8 @@ def used_value_findings(system: System) -> Iterator[Finding]:
             yield from unless_uncalled(system, _nothing(row))
         for sum_ in text_sums(system.workspace):
             yield from unless_uncalled(system, _text(sum_))
+        for parameter in wrong_parameters(system.workspace):
+            yield from unless_uncalled(system, _parameter(parameter))
         for misused in misused_kinds(system.workspace):
             if misused.misuse is not Misuse.LOOKS_INTO:
                 yield from unless_uncalled(system, _misused(misused, "API001"))
@@ -85,6 +88,17 @@ def _nothing(row: UsedNothing) -> Finding:
     )
     tests = row.use in (Use.TESTS, Use.TESTS_NOT)
     return replace(diagnostic, severity=Severity.WARNING) if tests else diagnostic
+
+
+def _parameter(row: WrongParameter) -> Finding:
+    return finding(
+        "API001",
+        row.place,
+        f"Parameter() fails with a ValueError: {row.value} is no value of the type {row.type}",
+        help=f"give a value of the type {row.type}, or the type of the value",
+        identity=("Parameter", row.type),
+        group=(row.place.file, "Parameter", row.type),
+    )
 
 
 def _text(row: TextSum) -> Finding:
