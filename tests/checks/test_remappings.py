@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from robot_package import TALKER, node
+from robot_package import SETUP, TALKER, node
 
 
 @pytest.mark.parametrize(
@@ -100,3 +100,69 @@ def test_a_remapping_to_a_name_that_the_node_has_anyway(findings, target: str):
 def test_a_node_is_renamed_by_name_alone(findings):
     (told,) = findings("LCH002", node('<remap from="/talker" to="speaker"/>'))
     assert told.help == "remove it, or rename the node with name=: a remapping is for topics, services and actions"
+
+
+MODES = """\
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import String
+
+
+class Talker(Node):
+    def __init__(self):
+        super().__init__('talker')
+        self.declare_parameter('debug', False)
+        self.declare_parameter('topic', 'words')
+        self.create_publisher(String, self.get_parameter('topic').value, 1)
+        self.create_publisher(String, 'chatter', 1)
+        if self.get_parameter('debug').value:
+            self.create_publisher(String, 'details', 1)
+
+
+def main():
+    rclpy.init()
+    rclpy.spin(Talker())
+"""
+
+
+def test_a_name_that_the_node_has_with_another_value_of_a_parameter(findings):
+    """Whoever sets ``debug`` needs the remapping; a name that is a parameter's value is another one by now."""
+    remap = '<remap from="details" to="/robot/details"/><param name="debug" value="{}"/>'
+    for value in ("false", "$(var debug)"):
+        launch = '<arg name="debug" default="false"/>' + node(remap.format(value))
+        assert findings("LCH002", launch, **{"robot/talker.py": MODES}) == []
+    renamed = node('<remap from="words" to="/robot/words"/><param name="topic" value="texts"/>')
+    (diagnostic,) = findings("LCH002", renamed, **{"robot/talker.py": MODES})
+    assert "no name '/words'" in diagnostic.message
+
+
+CHOSEN = """\
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument
+from launch.substitutions import LaunchConfiguration
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    return LaunchDescription([
+        DeclareLaunchArgument('program', default_value='talker', choices=['talker', 'speaker']),
+        Node(
+            package='robot',
+            executable=LaunchConfiguration('program'),
+            remappings=[('chatter', 'x'), ('~/volume', 'y'), ('odom', 'z')],
+        ),
+    ])
+"""
+
+
+def test_a_name_of_another_executable_that_the_same_action_may_start(findings):
+    speaker = TALKER.replace("'talker'", "'speaker'").replace("'chatter'", "'~/volume'")
+    setup = SETUP.replace(
+        "'talker = robot.talker:main'", "'talker = robot.talker:main', 'speaker = robot.speaker:main'"
+    )
+    files = {"robot/speaker.py": speaker, "setup.py": setup, "launch/a.launch.py": CHOSEN}
+    (diagnostic,) = findings("LCH002", **files)
+    assert "no name '/odom'" in diagnostic.message
+    fixed = CHOSEN.replace(", choices=['talker', 'speaker']", "")
+    (diagnostic,) = findings("LCH002", **{**files, "launch/a.launch.py": fixed})
+    assert "none of these 2 names" in diagnostic.message

@@ -116,7 +116,42 @@ def _dead(system: System, remap: Remap, nodes: list[Node], started: Started) -> 
         target = names.expand(remap.target.text or "", name, namespace)
         if remap.target.resolution == "exact" and target in names_of_node:
             return None  # it says what the node has anyway, as one that says the name again does
+    if _is_for_another_value(system, source, nodes, started):
+        return None
     return _Dead(source, expanded, frozenset(known))
+
+
+def _is_for_another_value(system: System, source: str, nodes: Sequence[Node], started: Started) -> bool:
+    """Whether the same action has a name where a parameter has another value than is set now, or where another of an
+    argument's ``choices`` is the executable."""
+    if system.workspace is None:
+        return False
+    classes = {node.blueprint.place for node in nodes if node.blueprint is not None}
+    others = _other_executables(system, started)
+    for node in _of_all_code(system.workspace):
+        is_other = node.package == started.package.text and not others.isdisjoint(node.executables)
+        if node.blueprint is None or not (node.blueprint.place in classes or is_other):
+            continue
+        plain = instantiate(node.blueprint, node.program, name=started.name, namespace=started.namespace)
+        namespace, _, name = (plain.name or "").rpartition("/")
+        full = names.expand(source, name, namespace or "/")
+        if any(end.name == full and end.creation.name.parameter is None for end in plain.endpoints):
+            return True
+    return False
+
+
+def _other_executables(system: System, started: Started) -> set[str]:
+    """What an action starts for the other choices of the argument that names its executable."""
+    own = started.executable.text
+    rows = [] if system.launched is None else system.launched.declared
+    chosen = [row for row in rows if own in row.choices and row.default is not None and row.default.text == own]
+    return {choice for row in chosen for choice in row.choices if choice != own}
+
+
+@once
+def _of_all_code(workspace: WorkspaceIndex) -> list[Node]:
+    """The nodes of the code as no launch file starts them: what a parameter decides is open there."""
+    return [node for system in workspace.systems if system.launched is None for node in system.entries]
 
 
 def _finding(remap: Remap, nodes: list[Node], dead: _Dead) -> Finding:
