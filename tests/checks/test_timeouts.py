@@ -685,7 +685,62 @@ class TestCallWithoutTimeout:
 
         assert found.help == "call_async() and continue in a done callback: future.add_done_callback(…)"
 
+    @pytest.mark.parametrize(
+        ("returned", "distro", "help_"),
+        [
+            ("return response.success", "jazzy", "call(request, timeout_sec=…)" + LONGER),
+            (
+                "return response.success",
+                "humble",
+                "another thread spins the node: call_async(), and wait with event.wait(timeout=…) for an Event "
+                "that a done callback sets" + LONGER,
+            ),
+            ("print(response)", "jazzy", "call_async() and continue in a done callback: future.add_done_callback(…)"),
+        ],
+        ids=["the answer is returned", "and in humble", "it is not"],
+    )
+    def test_what_a_helper_returns_cannot_come_later(self, judge: Judge, returned: str, distro: str, help_: str):
+        """The callback, and who waits for its result, goes on with what the helper has returned."""
+        text = ASKING.replace("return response.success", returned)
+        [finding] = judge("TMO002", text, config=f'distro = "{distro}"')
 
+        assert finding.help == help_
+        assert finding.message.endswith("; another call in the class Asking does the same")
+
+
+ASKING = """
+    import rclpy
+    from rclpy.callback_groups import ReentrantCallbackGroup
+    from rclpy.executors import MultiThreadedExecutor
+    from rclpy.node import Node
+    from std_srvs.srv import SetBool
+
+
+    class Asking(Node):
+        def __init__(self):
+            super().__init__('asking')
+            group = ReentrantCallbackGroup()
+            self.switch = self.create_client(SetBool, 'switch', callback_group=group)
+            self.create_timer(10.0, self.tick, callback_group=group)
+
+        def tick(self):
+            print(self.turn_on(), self.turn_off())
+
+        def turn_on(self):
+            response = self.switch.call(SetBool.Request(data=True))  # here
+            return response.success
+
+        def turn_off(self):
+            response = self.switch.call(SetBool.Request(data=False))
+            return response.success
+
+
+    def main():
+        rclpy.init()
+        executor = MultiThreadedExecutor()
+        executor.add_node(Asking())
+        executor.spin()
+"""
 FILTER = """
     import rclpy
     from rclpy.node import Node

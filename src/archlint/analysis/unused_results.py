@@ -6,7 +6,9 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from archlint.analysis.reach import same_expression
+from archlint.model import Role
 from archlint.syntax import facts
+from archlint.syntax.parts import everything_in
 
 if TYPE_CHECKING:
     from archlint.analysis.source_code import SourceCode
@@ -23,6 +25,16 @@ def stands_alone_at(code: SourceCode, place: Place) -> bool:
     """Whether the call at a place is a line of its own."""
     statement = code.statement_at(place)
     return isinstance(statement, facts.Expression) and same_expression(statement.value, code.call_at(place))
+
+
+def is_needed_to_return(code: SourceCode, call: ApiCall) -> bool:
+    """Whether a function that is called for what it returns, by other code or by the server of a goal or a request,
+    needs the result of a call for that: what comes later is too late."""
+    function = code.function_at(call.place)
+    is_asked = call.context.role in (Role.SERVICE, Role.EXECUTE) or bool(call.chain)
+    if function is None or function.is_async or not is_asked or is_thrown_away(code, call):
+        return False
+    return any(end.value is not None for end in everything_in(function.body, facts.Return))
 
 
 def is_thrown_away(code: SourceCode, call: ApiCall) -> bool:

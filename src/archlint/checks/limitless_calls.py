@@ -19,8 +19,8 @@ from archlint.analysis.reach import (
     waits_for_ever,
 )
 from archlint.analysis.source_code import SourceCode, source_code
-from archlint.analysis.unused_results import stands_alone
-from archlint.checks.folding import folds, of_one_function
+from archlint.analysis.unused_results import is_needed_to_return, stands_alone
+from archlint.checks.folding import class_around, folds, of_one_class
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.timeouts import is_uncalled
@@ -193,7 +193,7 @@ def _limitless_call(system: System, program: Program, call: ApiCall, distros: tu
         identity=(call.function, name_of(call.creation), function),
     )
     severity = Severity.INFO if is_uncalled(call) else diagnostic.severity
-    group = (call.file, call.function, severity.label, spinner, advice)
+    group = (call.file, class_around(call.function), severity.label, spinner, advice)
     diagnostic = replace(diagnostic, severity=severity, group=group)
     # Where nobody spins meanwhile, a limit would always expire.
     return (
@@ -204,9 +204,9 @@ def _limitless_call(system: System, program: Program, call: ApiCall, distros: tu
 
 
 @folds("TMO002")
-def _of_one_function(findings: Sequence[Finding]) -> Finding:
-    """The finding for all such calls of a function that are to be replaced in the same way."""
-    return of_one_function(findings, "call", "it calls without a timeout here, too")
+def _of_one_owner(findings: Sequence[Finding]) -> Finding:
+    """The finding for all such calls of a class that are to be replaced in the same way."""
+    return of_one_class(findings, "call", "it calls without a timeout here, too")
 
 
 _COMES = {Role.SUBSCRIPTION: "messages come", Role.EXECUTE: "goals come"}
@@ -253,7 +253,9 @@ def _help(code: SourceCode, call: ApiCall, spinner: str, distros: tuple[str, ...
         # rclpy's own function would take the node from its executor for good.
         return f"{sent} and executor.spin_until_future_complete(future, timeout_sec=…){_LONGER}"
     unread = spinner == _UNKNOWN and stands_alone(code, call)
-    if runs_in_executor(call.context) or (unread and not other_arm_only_sends(code, call)):
+    if (runs_in_executor(call.context) and not is_needed_to_return(code, call)) or (
+        unread and not other_arm_only_sends(code, call)
+    ):
         return f"{sent} and continue in a done callback: future.add_done_callback(…)"
     if not goal and "humble" not in distros:
         return f"call(request, timeout_sec=…){_LONGER}"
