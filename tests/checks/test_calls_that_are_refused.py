@@ -309,6 +309,13 @@ def test_a_node_without_a_constructor(judge: Judge, method: str, wrong: str, hel
     assert (finding.message, finding.help) == (f"Robot() fails: {wrong}", help)
 
 
+def test_feedback_is_not_asked_of_a_goal_handle(judge: Judge):
+    """Without the call, what takes the feedback would never get any."""
+    sent = "ActionClient(self, Fibonacci, 'go').send_goal_async(Fibonacci.Goal())"
+    (finding,) = judge("API002", NODE.format(call=f"{sent}.result().get_feedback_async()  # here"))
+    assert finding.help == "pass what takes the feedback to send_goal_async(goal, feedback_callback=…) instead"
+
+
 def test_the_result_of_a_future_has_no_time_limit(judge: Judge):
     call = "self.create_client(Trigger, 'a').call_async(Trigger.Request()).result(timeout=2.0)  # here"
     (finding,) = judge("API001", NODE.format(call=call))

@@ -447,6 +447,17 @@ def test_a_field_of_the_message_inside(judge: Judge):
     assert found.message == "geometry_msgs/msg/PoseStamped has no field 'position'; did you mean 'pose.position'?"
 
 
+@pytest.mark.parametrize(
+    ("read", "hint"), [("CameraInfo().do_rectify", ""), ("CameraInfo().frame_id", "; did you mean 'header.frame_id'?")]
+)
+def test_a_field_inside_of_many_is_no_hint(judge: Judge, read: str, hint: str):
+    """It may mean something else there; a header means the same in every message."""
+    lines = f"from sensor_msgs.msg import CameraInfo; print({read})  # here"
+    [diagnostic] = judge("MSG001", node(on_scan=lines))
+    assert diagnostic.message.partition("has no field")[2].partition("'; ")[0].strip(" '") == read.partition(".")[2]
+    assert diagnostic.message.endswith(f"'{hint}")
+
+
 def test_a_name_of_ros_1(judge: Judge):
     [found] = judge("MSG001", node(on_scan="print(scan.header.stamp.nsecs)  # here"))
     assert found.message == "builtin_interfaces/msg/Time has no field 'nsecs'; did you mean 'nanosec'?"

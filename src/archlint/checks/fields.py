@@ -171,9 +171,18 @@ def _meant(use: FieldUse) -> tuple[str, str]:
     renamed = _IN_ROS_1.get(use.name)
     if renamed in use.fields:
         return "", renamed
-    if use.inside is not None and use.access != "keyword":
+    if use.inside is not None and use.access != "keyword" and _is_wrapped(use, use.inside):
         return use.inside, ""
     return "", nearest(use.name, use.fields) or ""
+
+
+def _is_wrapped(use: FieldUse, inside: str) -> bool:
+    """Whether a field holds what a message is about: one of many may have a field of that name that means another
+    thing.  ``header`` means the same everywhere."""
+    return inside.split(".")[0] == "header" or len(use.fields) <= _FEW
+
+
+_FEW = 6
 
 
 def _did_you_mean(meant: Mapping[str, str], inside: str) -> str:

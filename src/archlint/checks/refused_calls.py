@@ -149,6 +149,8 @@ def _define(system: System, call: RefusedCall, name: str) -> str:
         return "keep the future apart from the goal handle, which is its result()"
     if not _is_of_node(call) and name in (attributes_of(_NODE) or ()):
         return f"it is a method of the node: write {_node_around(system, call)}.{name}(…)"
+    if call.given.rpartition(".")[2] == "ClientGoalHandle" and "feedback" in name:
+        return "pass what takes the feedback to send_goal_async(goal, feedback_callback=…) instead"
     return f"define {name}() in the class of the node, or remove the call" if _is_of_node(call) else "remove the call"
 
 
