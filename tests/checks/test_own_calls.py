@@ -181,3 +181,69 @@ Stopper()
 """
     for finding in judge("API001", _node("pass") + stopper):
         assert finding.message == "super.__init__() fails: super lacks its parentheses"
+
+
+CONSTRUCTING = """
+import rclpy
+from rclpy.node import Node
+
+
+class Wheel{bases}:
+    def {name}(self, radius):
+        self.radius = radius
+
+
+class Robot(Node):
+    def __init__(self):
+        super().__init__('robot')
+        self.wheel = Wheel(0.1)  {mark}
+
+
+def main():
+    rclpy.init()
+    rclpy.spin(Robot())
+
+
+main()
+"""
+
+
+@pytest.mark.parametrize("name", ["_init_", "__init_", "_init__", "__int__"])
+def test_a_constructor_whose_name_is_misspelt(judge: Judge, name: str):
+    (finding,) = judge("API001", CONSTRUCTING.format(name=name, bases="", mark="# here"))
+    assert finding.message == f"Wheel() fails: it takes no argument, as {name}() is no constructor"
+    assert finding.help == f"rename {name}() to __init__()"
+
+
+def test_a_class_without_a_constructor(judge: Judge):
+    (finding,) = judge("API001", CONSTRUCTING.format(name="turn", bases="", mark="# here"))
+    assert finding.message == "Wheel() fails: it takes no argument"
+
+
+@pytest.mark.parametrize("bases", ["(dict)", "(metaclass=Made)", "(Exception)"])
+def test_a_class_whose_constructor_may_be_elsewhere(judge: Judge, bases: str):
+    judge("API001", CONSTRUCTING.format(name="turn", bases=bases, mark=""))
+
+
+def test_a_node_whose_constructor_has_an_underscore_less(judge: Judge):
+    (finding,) = judge(
+        "API001",
+        """
+        import rclpy
+        from rclpy.node import Node
+
+
+        class Robot(Node):
+            def __init_(self):
+                super().__init__('robot')
+
+
+        def main():
+            rclpy.init()
+            rclpy.spin(Robot())  # here
+
+
+        main()
+        """,
+    )
+    assert finding.help == "rename __init_() to __init__()"

@@ -44,6 +44,8 @@ def own_call_findings(system: System) -> Iterator[Finding]:
 def _finding(call: RefusedOwnCall) -> Finding:
     wrong, name = call.misfit, call.name.rpartition(".")[2]
     what = what_does_not_fit(wrong.misuse, wrong.parameters, wrong.takes)
+    if call.instead:
+        what += f", as {call.instead}() is no constructor"
     return finding(
         "API001",
         call.place,
@@ -57,6 +59,8 @@ def _finding(call: RefusedOwnCall) -> Finding:
 
 def _cure(call: RefusedOwnCall) -> str:
     wrong = call.misfit
+    if call.instead:
+        return f"rename {call.instead}() to __init__()"
     if wrong.misuse is Misuse.UNKNOWN_KEYWORD:
         return cure_of_keywords(wrong.parameters, keywords_meant(wrong.parameters, call.keywords))
     itself = {"node", "parent_node", "ros_node"} if call.in_node else set[str]()

@@ -17,6 +17,7 @@ from archlint.libraries.thread_arguments import number_given
 from archlint.libraries.values import EntityValue
 from archlint.syntax import facts
 from archlint.syntax.bare_super import bare_super_calls
+from archlint.syntax.misspelt_constructor import CONSTRUCTOR, meant_as_constructor
 from archlint.syntax.parts import everything_in
 
 if TYPE_CHECKING:
@@ -152,11 +153,9 @@ def _inherits_constructor(receiver: Value | None) -> tuple[str, str]:
     cls = None if receiver is None else receiver.own_class
     if cls is None:
         return "", ""
-    names_of_methods = [method.name for base in cls.classes for method in methods_of(base)]
-    if "__init__" in names_of_methods:
+    if any(method.name == CONSTRUCTOR for base in cls.classes for method in methods_of(base)):
         return "", ""
-    meant = (name for name in names_of_methods if name.startswith("_") and name.strip("_") in ("init", "int", "inti"))
-    return cls.ir.name, next(meant, "")
+    return cls.ir.name, meant_as_constructor([base.ir for base in cls.classes])
 
 
 def _lacking(api: Api, site: CallSite, place: Place) -> model.RefusedCall | None:

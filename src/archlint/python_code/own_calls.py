@@ -30,6 +30,7 @@ from archlint.python_code.tried_code import tried_for
 from archlint.syntax import facts
 from archlint.syntax.bare_super import bare_super_calls
 from archlint.syntax.bindings import bound_by
+from archlint.syntax.misspelt_constructor import CONSTRUCTOR, meant_as_constructor
 from archlint.syntax.parts import Itself, everything_in, once_for
 from archlint.syntax.walk import statements_of
 
@@ -75,6 +76,8 @@ class RefusedOwnCall:
     """Whether it is a method whose first parameter is not called ``self``, but takes the object."""
     in_node: bool = False
     """Whether a method of a node makes the call."""
+    instead: str = ""
+    """For a class that has no constructor: the method that was to be one."""
 
 
 def refused_own_calls(workspace: WorkspaceIndex) -> Iterator[RefusedOwnCall]:
@@ -94,7 +97,11 @@ def refused_own_calls(workspace: WorkspaceIndex) -> Iterator[RefusedOwnCall]:
                 signature = tuple(_needed(own) if wrong.misuse is not Misuse.TOO_MANY else _by_position(own))
                 keywords = _left(own, call) if wrong.misuse is Misuse.UNKNOWN_KEYWORD else ()
                 in_node = _is_in_node(workspace, file.relative, call)
-                yield RefusedOwnCall(place, call.name, wrong, defined, signature, keywords, lacks_self, in_node)
+                cls = class_meant_by(workspace, file.relative, call.name) if meant.code.name == CONSTRUCTOR else None
+                instead = "" if cls is None else meant_as_constructor([cls.code])
+                yield RefusedOwnCall(
+                    place, call.name, wrong, defined, signature, keywords, lacks_self, in_node, instead
+                )
 
 
 def _misfit(params: Sequence[facts.Param], call: OwnCall) -> Misfit | None:
@@ -306,7 +313,13 @@ def _constructor(workspace: WorkspaceIndex, cls: ClassInFile) -> FunctionInFile 
             return FunctionInFile(own.file, constructor, 1) if _is_plain(own.code, constructor) else None
         if len(own.code.bases) > 1:
             return None
-    return None
+    return None if {*chain.foreign} - {"object"} else FunctionInFile(cls.file, _of_object(cls.code))
+
+
+@once_for
+def _of_object(code: facts.Class) -> facts.Function:
+    """The constructor of a class that has none: it takes no argument."""
+    return facts.Function("__init__", [], [], [], None, False, False, code.span, code.name_span)
 
 
 def _method(workspace: WorkspaceIndex, cls: ClassInFile, name: str) -> FunctionInFile | None:
