@@ -71,6 +71,7 @@ def test_what_a_launch_file_returns(findings, rest, message):
         ("remappings=('a', 'b')", "a string stands in remappings= of Node, where launch wants ('from', 'to')"),
         ("remappings=[['a', 'b']]", "a list stands in remappings= of Node, where launch wants ('from', 'to')"),
         ("arguments='--fast'", "arguments= of Node is given a string, and launch wants a list"),
+        ("arguments=['--fast', {'rate': 1.0}]", "a dict stands in arguments= of Node, where launch wants a text"),
         ("parameters=[{'rate': 1.0}, 'config/p.yaml']", None),
         ("parameters=[]", None),
         ("remappings=[('a', 'b')]", None),

@@ -305,6 +305,9 @@ def _argument_of_node(class_name: str, keyword: str, value: facts.Expr) -> Itera
             yield WrongDescription(Wrong.NO_LIST, value.span, what, of, "a list")
         case "arguments" | "ros_arguments", facts.Literal(value=str()):
             yield WrongDescription(Wrong.NO_LIST, value.span, what, of, "a list")
+        case "arguments", facts.Sequence(elements=elements):
+            dicts = (element for element in elements if isinstance(element, facts.Mapping))
+            yield from (WrongDescription(Wrong.IN_LIST, each.span, "a dict", of, "a text") for each in dicts)
 
 
 __all__ = ["ACTIONS", "misnamed_functions", "wrong_descriptions"]
