@@ -93,3 +93,21 @@ def test_a_launch_file_that_nothing_installs(
         "README.md": readme,
     }
     assert unreadable(tmp_path, "ament_python", **files) == ["launch/arm.launch.py"] * told
+
+
+MERGE = "<<<<<<< HEAD\nfind_package(nav_msgs REQUIRED)\n=======\nfind_package(std_msgs REQUIRED)\n>>>>>>> 1a2b3c4\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        (MERGE, 1),
+        ("# =======\n# a heading\n# =======\n", 0),
+        ('message("<<<<<<< here")\n', 0),
+        ("<<<<<<< HEAD\nfind_package(nav_msgs REQUIRED)\n", 0),
+    ],
+)
+def test_a_merge_that_is_left_in_a_build_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, text: str, told: int):
+    monkeypatch.chdir(tmp_path)
+    cmake = f"project(demo)\nfind_package(ament_cmake REQUIRED)\n{text}ament_package()\n"
+    assert unreadable(tmp_path, "ament_cmake", **{"CMakeLists.txt": cmake}) == ["CMakeLists.txt"] * told

@@ -1,9 +1,10 @@
-"""Files that no code reads here, but a tool of ROS does at run time, and cannot: descriptions that are no XML, and
-parameter files that are no YAML."""
+"""Files that no code reads here, but a tool of ROS does, and cannot: descriptions that are no XML, parameter files that
+are no YAML, build files in which a merge is not done."""
 
 from __future__ import annotations
 
 import posixpath
+import re
 from collections.abc import Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING
@@ -24,6 +25,24 @@ def unread_data(index: WorkspaceIndex, workspace: Workspace) -> Iterator[Finding
     """What is found of the descriptions; of the parameter files what is wrong is known to the launch files."""
     _read_parameter_files(index, workspace)
     yield from _malformed_descriptions(index, workspace)
+    yield from _unmerged(index, workspace)
+
+
+_MERGE = re.compile(r"^<<<<<<< .+\n(?:.*\n)*?=======\r?\n(?:.*\n)*?>>>>>>> ", re.MULTILINE)
+_BUILD_FILES = ("CMakeLists.txt", ".cmake", "setup.cfg")
+
+
+def _unmerged(index: WorkspaceIndex, workspace: Workspace) -> Iterator[Finding]:
+    """One LNT002 for each build file in which git has left both sides of a merge: CMake takes the marks for words."""
+    asked = {package.name for package in workspace.packages if not package.ros1 and not package.manifest.context}
+    files = {file for name in asked & index.installs.keys() for file in index.installs[name].build_files}
+    for file in sorted(files):
+        text = (index.tree.text(file) or "") if file.endswith(_BUILD_FILES) and not is_aside(index, file) else ""
+        merge = _MERGE.search(text)
+        if merge is not None:
+            line = text.count("\n", 0, merge.start()) + 1
+            finding = unreadable(file, line, 1, "the marks of a merge are left in this file: the build stops")
+            yield replace(finding, help="keep one side of the merge, or both, and remove the three marks")
 
 
 def _read_parameter_files(index: WorkspaceIndex, workspace: Workspace) -> None:
