@@ -11,6 +11,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_aside
+from archlint.analysis.kept import once
 from archlint.launch.parameter_sources import files_among
 from archlint.launch_files.refused_parameter_files import (
     Misplaced,
@@ -53,8 +54,10 @@ def _is_meant(wrong: Misplaced) -> bool:
     return wrong.kind is not Misplacement.MISSPELT or _MISSPELT.match(f" {wrong.key}:") is not None
 
 
-def _unloaded(workspace: WorkspaceIndex) -> Iterator[tuple[str, ParameterFacts]]:
+@once
+def _unloaded(workspace: WorkspaceIndex) -> list[tuple[str, ParameterFacts]]:
     loaded = _loaded(workspace)
+    files: list[tuple[str, ParameterFacts]] = []
     for folder in sorted(workspace.manifests):
         package = workspace.manifests[folder]
         if package.ros1 or package.manifest.context:
@@ -65,7 +68,8 @@ def _unloaded(workspace: WorkspaceIndex) -> Iterator[tuple[str, ParameterFacts]]
             text = workspace.tree.text(file) or ""
             of_parameters = ROOT in text or _MISSPELT.search(text) is not None
             if of_parameters and not is_template(text) and not _is_named_in_code(workspace, file):
-                yield file, workspace.parameters_of(file)
+                files.append((file, workspace.parameters_of(file)))
+    return files
 
 
 def _loaded(workspace: WorkspaceIndex) -> set[str | None]:
