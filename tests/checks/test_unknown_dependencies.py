@@ -84,6 +84,7 @@ def test_what_is_known_or_may_be(judge: Judge, tag: str):
         ("<depend>glog</depend>", "write 'libgoogle-glog-dev' instead"),
         ("<depend>sensor_msgs.msg</depend>", "write 'sensor_msgs' instead"),
         ("<exec_depend>ros-jazzy-nav2-msgs</exec_depend>", "write 'nav2_msgs' instead"),
+        ("<exec_depend>ros_jazzy_twist_mux</exec_depend>", "write 'twist_mux' instead"),
     ],
 )
 def test_what_is_known_to_be_no_package_for_ros_2(judge: Judge, tag: str, help: str):

@@ -118,7 +118,8 @@ _OF_PIP_ALONE = frozenset(
 )
 """Packages of pip for which rosdep has no key, by the name of their module."""
 _OPENCV = re.compile(r"opencv[234]?", re.IGNORECASE)
-_DEBIAN_OF_ROS = re.compile(r"ros-[a-z]+-([a-z0-9-]+)")
+_DISTROS = "foxy|galactic|humble|iron|jazzy|kilted|lyrical|rolling"
+_DEBIAN_OF_ROS = re.compile(rf"ros(?:-[a-z]+-|_(?:{_DISTROS})_)([a-z0-9_-]+)")
 _NEVER_OF_ROS = re.compile(r"python3?-.+|lib.+-dev|gir1\.2-.+")
 """How names of Debian look that nobody gives to a package of ROS."""
 
