@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -12,10 +13,11 @@ import pytest
 from archlint.analysis import fixed_names, left_over
 from archlint.analysis.kept import kept_for_each_file, kept_for_few_files
 from archlint.config.settings import load
+from archlint.engine import summaries_ahead
 from archlint.engine.pipeline import Request, check
 from archlint.packaging import missing_imports
 from archlint.python_code import absent_members, logger_calls, own_calls, time_operators, undefined_names
-from archlint.syntax import facts
+from archlint.syntax import facts, workers
 from archlint.syntax.cache import Store
 from archlint.syntax.python.lowering import lower
 from archlint.syntax.summaries import Summaries
@@ -68,8 +70,8 @@ def workspace(tmp_path, monkeypatch) -> Path:
 
 @pytest.fixture
 def findings(workspace) -> Callable[..., list[str]]:
-    def run(cached: bool = True) -> list[str]:
-        report = check(Request((".",), load(workspace), jobs=1, cached=cached))
+    def run(cached: bool = True, jobs: int = 1) -> list[str]:
+        report = check(Request((".",), load(workspace), jobs=jobs, cached=cached))
         return [f"{finding.place} {finding.code} {finding.message}" for finding in report.findings]
 
     return run
@@ -104,6 +106,29 @@ def test_what_is_kept_moves_with_the_lines(workspace, findings):
     findings()
     (workspace / "clock.py").write_text("# a line more\n" + FILES["clock.py"], "utf-8")
     assert findings() == findings(cached=False)
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="only POSIX can fork")
+@pytest.mark.parametrize("cached", [True, False])
+def test_processes_say_of_files_what_one_would_say(findings, worked_out, monkeypatch, cached):
+    """In a run of several processes, others do what the text of each file decides alone."""
+    alone = findings(cached=False)
+    monkeypatch.setattr(summaries_ahead, "_WORTH_IT", 0)
+    monkeypatch.setattr(workers, "can_fork", lambda waiting=0: True)
+    worked_out.clear()
+    assert findings(cached, jobs=2) == alone
+    assert f"{undefined_names.__name__}._unbound" not in worked_out
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="only POSIX can fork")
+def test_where_a_process_fails_the_rules_ask_themselves(findings, worked_out, monkeypatch):
+    alone = findings(cached=False)
+    monkeypatch.setattr(summaries_ahead, "_WORTH_IT", 0)
+    monkeypatch.setattr(summaries_ahead, "analyses", None)
+    monkeypatch.setattr(workers, "can_fork", lambda waiting=0: True)
+    worked_out.clear()
+    assert findings(cached=False, jobs=2) == alone
+    assert worked_out.count(f"{undefined_names.__name__}._unbound") == len(FILES)
 
 
 @pytest.mark.parametrize("payload", [b"", b"no such thing", msgspec.msgpack.encode(("another archlint", {"a": {}}))])

@@ -75,7 +75,23 @@ def kept_as(
     def of(workspace: HasFiles, file: str) -> _Result | None:
         return workspace.summaries.of(file, name, kind() | None, lambda: known(workspace, file))
 
+    analyses.of_files.append(of)
     return of
+
+
+class Analyses:
+    """All analyses whose findings are kept with the facts of a file, from the moment they are defined."""
+
+    def __init__(self) -> None:
+        self.of_files: list[Callable[[HasFiles, str], object]] = []
+
+    def say_all(self, workspace: HasFiles, file: str) -> None:
+        """Have all of them look at a file."""
+        for analysis in self.of_files:
+            analysis(workspace, file)
+
+
+analyses = Analyses()
 
 
 def kept_for_few_files(

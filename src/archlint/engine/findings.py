@@ -29,6 +29,7 @@ from archlint.engine.looked_at import followed_in_part, for_ros1, started_elsewh
 from archlint.engine.merging import folded, merged
 from archlint.engine.request import NothingToDo, Request
 from archlint.engine.stale_entries import Judgement, stale_entry
+from archlint.engine.summaries_ahead import summarise_ahead
 from archlint.engine.unread_data import unread_data
 from archlint.engine.unused_files import apart, count_of_files, unused_files
 from archlint.engine.vendored_packages import without_vendored
@@ -135,10 +136,10 @@ def _judged(
     index = systems[0].workspace or WorkspaceIndex()
     faults, launch_files = index.faults, index.launch_files
     to_report = [*known, *_imported(workspace, known, facts)]
+    summarise_ahead(request, index, known)
     judged_by_rules = for_their_languages(_rules(request, systems, inputs.memory))
     candidates = [*_problems(workspace, to_report, facts), *merged(judged_by_rules)]
-    candidates.extend(_of_interfaces(workspace, systems, inputs.tree, faults))
-    candidates.extend(unread_data(index, workspace))
+    candidates.extend([*_of_interfaces(workspace, systems, inputs.tree, faults), *unread_data(index, workspace)])
     candidates.extend(unreadable(*problem) for problem in launch_files.problems())
     by_file = _of_code(workspace, known, facts) | launch_files.suppressions()
     by_file.update(_of_manifests(workspace, inputs.tree))

@@ -6,6 +6,7 @@ import hashlib
 from typing import TYPE_CHECKING
 
 from archlint.engine.own_code import own_code
+from archlint.engine.summaries_ahead import processes_of
 from archlint.syntax.summaries import Summaries
 from archlint.workspace.model import PYTHON_KINDS
 
@@ -15,8 +16,10 @@ if TYPE_CHECKING:
 
 
 def kept_summaries(inputs: Inputs, facts: FactsOfFiles) -> Summaries:
-    """What is known so far.  Nothing where facts stay in memory from run to run: there it stays with them."""
-    if inputs.memory is not None or not inputs.store.takes_programs:
+    """What is known so far.  Nothing where facts stay in memory from run to run: there it stays with them.  Where
+    nothing is kept, several processes tell each other all the same."""
+    divided = processes_of(inputs.request) > 1
+    if inputs.memory is not None or not (inputs.store.takes_programs or divided):
         return Summaries()
     files = {file.relative: file for file in inputs.workspace.files if file.kind in PYTHON_KINDS}
 

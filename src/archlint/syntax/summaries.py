@@ -40,17 +40,27 @@ class Summaries:
     _digests: dict[str, str | None] = field(default_factory=dict, init=False)
     _known: dict[tuple[str, str], Any] = field(default_factory=dict, init=False)
     """What was asked for in this run, by the digest and by what it says."""
+    _new: list[tuple[str, str]] = field(default_factory=list, init=False)
+    """The same of what was made since somebody took it."""
 
     def of(self, file: str, name: str, kind: Any, work: Callable[[], Result]) -> Result:
         """The summary ``name`` of a file, which is of a type ``kind``; ``work`` is done where it is not known."""
-        if file not in self._digests:
-            self._digests[file] = self.digest_of(file)
-        digest = self._digests[file]
+        digest = self._digest(file)
         if digest is None:
             return work()
         if (digest, name) not in self._known:
             self._known[digest, name] = self._stored_or_made(digest, name, kind, work)
         return cast("Result", self._known[digest, name])
+
+    def _digest(self, file: str) -> str | None:
+        if file not in self._digests:
+            self._digests[file] = self.digest_of(file)
+        return self._digests[file]
+
+    def has_nothing_of(self, file: str) -> bool:
+        """Whether nothing is known of a file, and something could be kept."""
+        digest = self._digest(file)
+        return digest is not None and not self._rows.get(digest)
 
     def _stored_or_made(self, digest: str, name: str, kind: Any, work: Callable[[], Result]) -> Result:
         rows = self._rows.setdefault(digest, {})
@@ -61,8 +71,23 @@ class Summaries:
                 pass  # of another form: made anew
         result = work()
         rows[name] = msgspec.Raw(msgspec.msgpack.encode(result))
+        self._new.append((digest, name))
         self.changed = True
         return result
+
+    def take_new(self) -> bytes:
+        """What was made since the last time, for another process."""
+        rows: _Rows = {}
+        for digest, name in self._new:
+            rows.setdefault(digest, {})[name] = self._rows[digest][name]
+        self._new = []
+        return msgspec.msgpack.encode(rows)
+
+    def add(self, payload: bytes) -> None:
+        """Add what another process has made of the same files."""
+        for digest, rows in msgspec.msgpack.decode(payload, type=_Rows).items():
+            self._rows.setdefault(digest, {}).update(rows)
+            self.changed = True
 
     @cached_property
     def _rows(self) -> _Rows:
