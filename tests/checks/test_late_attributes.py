@@ -67,6 +67,14 @@ def test_a_timer_that_reads_what_the_first_message_brings(judge: Judge):
         ("def steer(self, msg):", "    low = abs(msg.data)", "    if low:", "        print(self.height)  # here"),
         ("def steer(self, msg):", "    self.log(msg)", "", "def log(self, msg):", "    print(self.height)  # here"),
         ("def steer(self, msg):", "    if self.height is None:  # here", "        return"),
+        (
+            "def steer(self, msg):",
+            "    def is_low(value):",
+            "        return value < 1.0",
+            "    low = [each for each in (msg.data,) if is_low(each)]",
+            "    if 0.5 in low:",
+            "        print(self.height)  # here",
+        ),
     ],
 )
 def test_a_second_subscription(judge: Judge, lines: tuple[str, ...]):

@@ -13,6 +13,7 @@ from archlint.python_code.first_values import first_values, holds
 from archlint.python_code.methods_at_work import MethodsAtWork, of_self
 from archlint.python_code.unassigned_attributes import has_self
 from archlint.syntax import facts
+from archlint.syntax.bindings import bound_by
 from archlint.syntax.control_flow import graph_of
 from archlint.syntax.flow_blocks import Block, without_exceptions
 from archlint.syntax.flow_graph import Graph
@@ -188,6 +189,10 @@ def _names_asked(parts: Sequence[facts.Base]) -> Iterator[str]:
             case facts.Call(func=facts.Attribute() as func, args=args) if func.dotted.split(".")[0] in _MODULES:
                 stack += [argument.value for argument in args]
                 continue
+            case facts.Comprehension(generators=generators):
+                own = {name.id for each in generators for name in everything_in([each.target], facts.Name)}
+                yield from (name for name in _names_asked(part.children()) if name not in own)
+                continue
             case facts.Attribute(value=facts.Name(id="self"), attr=name):
                 yield f"self.{name}"
                 continue
@@ -213,6 +218,11 @@ def _known_in(function: facts.Function) -> Mapping[str, set[str]]:
             targets = [part.target]
         for variable in everything_in(targets, facts.Name):
             values.setdefault(variable.id, set()).update(_names_asked(_values(part)))
+    for inner in parts_of(function.body, facts.Function):
+        own = {param.name for param in inner.params} | {
+            name for part in everything_in(inner.body) for name in bound_by(part)
+        }
+        values[inner.name] = {name for name in _names_asked(inner.body) if name not in own}
     for statement in parts_of(function.body, facts.Global):
         values.update((name, {_ANYTHING}) for name in statement.names)
     for name in values:
