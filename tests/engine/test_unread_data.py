@@ -65,6 +65,7 @@ def test_a_description_that_is_no_xml(told, path, text, line):
         ("urdf/arm.xacro", XACRO.format('<xacro:include filename="b.xacro"/>')),
         ("urdf/arm.urdf", "\n" + XACRO.format('<link name="base"/>')),
         ("worlds/hall.sdf", SDF.format("<!-- --- the floor --- -->")),
+        ("worlds/stage.world", "# for Stage\ndefine block model (size [0.5 0.5 0.5])\n\nblock (pose [0 0 0 0])\n"),
         ("worlds/hall.sdf", SDF.format("") + "\nnotes\n"),
         ("worlds/hall.sdf", SDF.format('<world name="{{ name }}">')),
         ("worlds/hall.sdf", SDF.format("@[if indoors]<world>@[end if]")),

@@ -12,10 +12,13 @@ from xml.parsers import expat
 from archlint.syntax.facts import FileProblem
 
 _XACRO = ".xacro"
-ENDINGS = (_XACRO, ".urdf", ".srdf", ".sdf", ".world")
+_WORLD = ".world"
+"""Gazebo's worlds are XML; those of the simulator Stage are called the same, and have a syntax of their own."""
+ENDINGS = (_XACRO, ".urdf", ".srdf", ".sdf", _WORLD)
 _PLUGINS = re.compile(r"[\w-]*plugins?(?:_description)?s?\.xml")
 """What the files are called that say which classes a library has for pluginlib."""
 _OF_PLUGINS = "base_class_type="
+_ELEMENT = re.compile(r"^[ \t\ufeff]*<", re.MULTILINE)
 _LARGEST = 500_000
 """Characters of what people write by hand."""
 _COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
@@ -36,6 +39,8 @@ def _is_description(name: str, text: str) -> bool:
 def malformed_description(name: str, text: str) -> FileProblem | None:
     """Where the reader of a description stops; None where it does not, or that is not known."""
     if not text.strip() or len(text) > _LARGEST or _TEMPLATE.search(text) or not _is_description(name, text):
+        return None
+    if name.endswith(_WORLD) and _ELEMENT.search(text) is None:
         return None
     strict = name.endswith(_XACRO)
     parser = expat.ParserCreate(namespace_separator=" " if strict else None)
