@@ -126,6 +126,16 @@ def test_scripts_that_lie_beside_each_other(findings):
     )
 
 
+def test_a_module_that_data_files_installs_beside_the_programs(findings):
+    files = {"robot/__init__.py": "", "robot/camera.py": "", "tools/camera.py": "", "camera.py": ""}
+    files["robot/talker.py"] = "import camera\n" + TALKER
+    assert len(findings("PKG004", **files, **{"setup.py": setup("['robot']")})) == 1
+    beside = setup("['robot']").replace("data_files=[", "data_files=[('lib/robot', ['robot/camera.py']), ")
+    assert findings("PKG004", **files, **{"setup.py": beside}) == []
+    elsewhere = beside.replace("'lib/robot'", "'share/robot'")
+    assert len(findings("PKG004", **files, **{"setup.py": elsewhere})) == 1
+
+
 def test_what_is_imported_by_what_is_imported(findings):
     files = {
         "robot/talker.py": "from robot import driver\n" + TALKER,

@@ -85,7 +85,9 @@ def _imported_from(workspace: WorkspaceIndex, start: str, seen: set[str]) -> Ite
             for imported in files_of_import(workspace, file, statement):
                 pending.append(imported)
                 package = workspace.package_of(imported)
-                if package is not None and _is_left_out(workspace, imported):
+                if package is None or not _is_left_out(workspace, imported):
+                    continue
+                if not _lies_beside_programs(workspace, package, statement):
                     yield LeftOut(imported, package, Place(file, *statement.span))
 
 
@@ -100,6 +102,14 @@ def _is_left_out(workspace: WorkspaceIndex, file: str, of_entry: bool = False) -
     scripts = (executable.script for executable in installs.executables.values())  # they find each other
     places = [place for place in installs.places_of(file) if not (of_entry and place.startswith("share/"))]
     return not installs.python.has(file) and not places and file not in scripts
+
+
+def _lies_beside_programs(workspace: WorkspaceIndex, package: str, statement: facts.Import | facts.ImportFrom) -> bool:
+    """Whether a module that is asked for by a bare name is installed as a file beside the programs, whatever folder it
+    comes from: there Python looks first."""
+    bare = "." not in statement.module and (isinstance(statement, facts.Import) or statement.level == 0)
+    sources = workspace.installs[package].source_of(f"lib/{package}/{statement.module}.py")
+    return bare and any(workspace.tree.is_file(source) for source in sources)
 
 
 def _installs_of(workspace: WorkspaceIndex, file: str) -> Installs | None:
