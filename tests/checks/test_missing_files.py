@@ -274,6 +274,16 @@ def generate_launch_description():
     assert len(findings("LCH004", **{"launch/py.launch.py": text.replace("EXCLUDED", excluded)})) == told
 
 
+@pytest.mark.parametrize(("name", "told"), [("", 0), ("talk.yaml", 1)])
+def test_an_argument_with_the_name_of_a_file_that_is_empty_until_it_is_given(findings, name: str, told: int):
+    path = "$(find-pkg-share robot)/$(var file)"
+    argument = f'<arg name="file" default="{name}"/>'
+    cmake = "project(robot)\ninstall(DIRECTORY launch DESTINATION share/robot)\n" + CMAKE_TESTS
+    files = {"CMakeLists.txt": cmake, "package.xml": CMAKE, "setup.py": ""}
+    assert len(findings("LCH004", argument + node(f'<param from="{path}"/>'), **files)) == told
+    assert len(findings("LCH004", argument + f'<include file="{path}"/>', **files)) == told
+
+
 @pytest.mark.parametrize(
     ("test", "told"),
     [

@@ -73,6 +73,8 @@ class LaunchPaths:
         installs = self._installs.get(package)
         if installs is None:
             return None, FileStatus.EXTERNAL
+        if rest == ".":  # every build makes the share folder, whatever else it installs
+            return installs.folder, FileStatus.INSTALLED
         below_prefix = posixpath.normpath(f"share/{package}/{rest}")
         if below_prefix.startswith(_TO_WORKSPACE):
             return self._in_workspace(below_prefix.removeprefix(_TO_WORKSPACE), installs)
