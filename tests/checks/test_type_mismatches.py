@@ -266,6 +266,42 @@ def test_a_class_that_each_program_gives_another_type(tmp_path: Path, monkeypatc
     assert places(both) == ["robot/filter.py"]
 
 
+LISTENERS = """\
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import Int32, String
+
+
+class Planner(Node):
+    def __init__(self):
+        super().__init__("planner")
+        self.plans = self.create_publisher(Int32, "/plan", 10)
+
+
+class Listener(Node):
+    def __init__(self, name):
+        super().__init__(f"listener_{name}")
+        prefix = "/" + name if name != "" else ""
+        self.create_subscription(String, prefix + "/plan", print, 10)
+
+
+def main():
+    rclpy.init()
+    executor = rclpy.executors.SingleThreadedExecutor()
+    for node in [Planner(), *(Listener(NAME) for number in range(int(input())))]:
+        executor.add_node(node)
+    executor.spin()
+"""
+
+
+@pytest.mark.parametrize(("name", "told"), [('f"robot{number}"', 0), ('""', 1)])
+def test_a_prefix_that_no_name_leaves_out(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str, told: int):
+    monkeypatch.chdir(tmp_path)
+    files = {"robot/talker.py": LISTENERS.replace("NAME", name), "archlint.toml": 'select = ["TOP001"]'}
+    write_robot(tmp_path, **files)
+    assert len(check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings) == told
+
+
 def test_what_each_has_a_partner_for_is_for_those_who_ask():
     talker, listener = node("/talker", publisher("x", "p/msg/One")), node("/listener", subscriber("x", "p/msg/One"))
     spheres = node("/spheres", publisher("x", "p/msg/Two"))

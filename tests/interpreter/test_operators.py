@@ -228,6 +228,18 @@ def test_names_of_one_external_thing_are_the_same():
     assert not found.is_known("which")
 
 
+def test_a_text_with_a_hole_is_no_text_that_its_known_parts_rule_out():
+    name = Holed(("robot", None), "data")
+    assert evaluate("x == ''", x=name) == Known(False)
+    assert evaluate("x != ''", x=name) == Known(True)
+    assert evaluate("'camera' == x", x=name) == Known(False)
+    assert evaluate("x in ['', 'camera']", x=name) == Known(False)
+    assert isinstance(evaluate("x == 'robot1'", x=name), Unknown)
+    assert evaluate("x == ''", x=Holed(("robot", None), "data", frozenset({"name"}))) == Known(
+        False, frozenset({"name"})
+    )
+
+
 def test_what_may_be_one_of_several_is_in_a_list_only_if_all_are():
     found = interpret(
         f"{OUTSIDE}name = 'a'\nif outside.value():\n    name = 'b'\n"

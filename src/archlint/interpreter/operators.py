@@ -14,6 +14,7 @@ from archlint.interpreter.values import (
     Constant,
     DictValue,
     External,
+    Holed,
     Instance,
     Known,
     ListValue,
@@ -165,6 +166,8 @@ def _compared(machine: Machine, op: facts.CompareOperator, left: Value, right: V
             return _compare_version(machine, op, right)
         case Known(), Known():
             return _compare_constants(op, left.value, right.value)
+        case (Holed() as holed, Known(value=str(text))) | (Known(value=str(text)), Holed() as holed) if op == "==":
+            return None if holed.may_be(text) else False
     if op in ("==", "is"):
         same = _same(left, right)
         return None if same is False and op == "==" and _may_equal(machine, left, right) else same

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Hashable, Iterable, Sequence
 from dataclasses import field, replace
 from itertools import groupby
@@ -150,6 +151,11 @@ class Holed(Value):
     @property
     def is_object(self) -> bool:
         return True
+
+    def may_be(self, text: str) -> bool:
+        """Whether a text fits the known parts, whatever stands in the holes."""
+        parts = (".*" if part is None else re.escape(part) for part in self.parts)
+        return re.fullmatch("".join(parts), text, re.DOTALL) is not None
 
     @property
     def written_at(self) -> Place | None:
