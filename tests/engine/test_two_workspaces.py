@@ -125,7 +125,7 @@ PURE = {
     "libraries/module_names.py": {"_table"},
     "ros/external_nodes.py": {"well_known"},
     "packaging/mistaken_imports.py": {"_by_shortened"},
-    "ros/packages.py": {"table"},
+    "ros/packages.py": {"released_names", "table"},
     "ros/python_modules.py": {"names"},
     "ros/rosdep.py": {"keys"},
     "ros/standard_interfaces.py": {"table"},

@@ -207,7 +207,7 @@ def test_main_is_what_a_main_guard_calls() -> None:
     source = "int main(int argc, char ** argv) { rclcpp::init(argc, argv); rclcpp::spin(std::make_shared<Talker>()); }"
     assert in_python(source) == dedent("""\
         def main(argc=<the command line>, argv=<the command line>):
-            rclcpp::init()
+            rclcpp::init(args=[] if argc == 0 else None)
             rclcpp::spin(Talker())
         if __name__ == '__main__':
             main()""")
