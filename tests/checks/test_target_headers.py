@@ -15,6 +15,11 @@ GENERATES = 'rosidl_generate_interfaces(${PROJECT_NAME} "msg/TopSpeed.msg")\n'
 NEEDS = "<depend>rclcpp</depend><depend>nav_msgs</depend>"
 OWN = "#include <robot/msg/top_speed.hpp>\n"
 ODOMETRY = '#include <rclcpp/rclcpp.hpp>\n#include "nav_msgs/msg/odometry.hpp"\n'
+ADDS = (
+    'function(add_part name)\n{0} "" "" "LINKS"{1})\nadd_executable(${{name}} src/${{name}}.cpp)\n'
+    "target_link_libraries(${{name}} ${{PART_LINKS}})\nendfunction()\n"
+)
+"""A function that is given what a target is linked with."""
 
 
 @pytest.fixture
@@ -51,6 +56,19 @@ def test_a_package_that_is_not_found_either(lacking):
         5,
         "add find_package(nav_msgs REQUIRED), and write ament_target_dependencies(tracker nav_msgs)",
     )
+
+
+def test_a_variable_of_a_package_that_is_found(lacking):
+    tracker = TRACKER + "target_link_libraries(tracker ${rclcpp_LIBRARIES} ${YAML_CPP_LIBRARIES})\n"
+    ((line, _, _),) = lacking("find_library(YAML_CPP_LIBRARIES yaml-cpp)\n" + tracker)
+    assert line == 6
+
+
+@pytest.mark.parametrize(("begin", "end"), [("PARSE_ARGV 1 PART", ""), ("PART", " ${ARGN}")])
+def test_what_a_function_is_given_under_a_keyword(lacking, begin, end):
+    adds = ADDS.format(f"cmake_parse_arguments({begin}", end)
+    ((_, message, _),) = lacking(FINDS + adds + "add_part(tracker LINKS rclcpp::rclcpp)\n")
+    assert "package nav_msgs" in message
 
 
 def test_targets_that_lack_the_same_are_one_finding(lacking):
@@ -103,6 +121,15 @@ def test_headers_of_another_package_of_the_workspace(tmp_path, monkeypatch):
         "foreach(name ${NAMES})\nadd_executable(${name} src/tracker.cpp)\nendforeach()\n",
         "find_package(ament_cmake_auto REQUIRED)\nament_auto_add_executable(tracker src/tracker.cpp)\n",
         TRACKER + "set_target_properties(tracker PROPERTIES INCLUDE_DIRECTORIES /usr/include/odometry)\n",
+        TRACKER + "target_link_libraries(tracker ${SHARED_LIBRARIES})\n",
+        TRACKER + "target_link_libraries(tracker ${TRACKING_TARGETS})\n",
+        'set(CMAKE_CXX_FLAGS "-O2 -I/opt/odometry")\n' + TRACKER,
+        "set_property(DIRECTORY APPEND PROPERTY INCLUDE_DIRECTORIES /opt/odometry)\n" + TRACKER,
+        ADDS.format("cmake_parse_arguments(PARSE_ARGV 1 PART", "")
+        + "add_part(tracker LINKS rclcpp::rclcpp ${nav_msgs_TARGETS})\n",
+        ADDS.format("cmake_parse_arguments(PART", " ${ARGN}")
+        + "add_part(tracker LINKS nav_msgs::nav_msgs__rosidl_typesupport_cpp rclcpp::rclcpp)\n",
+        ADDS.format("read_arguments(PART", "") + "add_part(tracker LINKS ${nav_msgs_TARGETS})\n",
     ],
 )
 def test_what_gives_it_or_may(lacking, text):

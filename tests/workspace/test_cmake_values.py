@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from archlint.workspace.cmake_values import changed_list, list_mode, numbers, path_component
+from archlint.workspace.cmake_values import changed_list, list_mode, numbers, parsed_arguments, path_component
 
 
 @pytest.mark.parametrize(
@@ -65,3 +65,38 @@ def test_lists(word: str, texts: list[str], expected: list[str] | None):
 
 def test_what_changes_no_list():
     assert list_mode("LENGTH") is None
+
+
+WORDS = ["FORCE", "base", "NAME", "arm", "LINKS", "a", "b", "FILES", "c"]
+
+
+@pytest.mark.parametrize(
+    ("texts", "argv"),
+    [
+        (["P", "FORCE;DRY", "NAME;TYPE", "LINKS;FILES", *WORDS], []),
+        (["PARSE_ARGV", "1", "P", "FORCE;DRY", "NAME;TYPE", "LINKS;FILES"], ["part", *WORDS]),
+    ],
+)
+def test_arguments_under_keywords(texts: list[str], argv: list[str]):
+    assert parsed_arguments(texts, argv) == {
+        "P_FORCE": ["TRUE"],
+        "P_DRY": ["FALSE"],
+        "P_NAME": ["arm"],
+        "P_TYPE": [],
+        "P_LINKS": ["a", "b"],
+        "P_FILES": ["c"],
+        "P_UNPARSED_ARGUMENTS": ["base"],
+    }
+
+
+@pytest.mark.parametrize(
+    ("texts", "argv"),
+    [
+        (["P", "${OPTIONS}", "", "LINKS", "LINKS", "a"], []),
+        (["P", "", "LINKS"], []),
+        (["PARSE_ARGV", "1", "P", "", "", "LINKS"], None),
+        (["PARSE_ARGV", "${AT}", "P", "", "", "LINKS"], ["a"]),
+    ],
+)
+def test_keywords_that_are_not_known(texts: list[str], argv: list[str] | None):
+    assert parsed_arguments(texts, argv) is None

@@ -21,6 +21,10 @@ _GIVES = frozenset(
     {"ament_target_dependencies", "target_link_libraries", "target_include_directories", "rosidl_target_interfaces"}
 )
 """Commands that give the target which is named first what follows."""
+_ASKS = frozenset({"find_package", "pkg_check_modules", "pkg_search_module", "find_library", "find_path", "find_file"})
+"""Commands that set variables of what is named first."""
+_SUFFIX = re.compile(r"_(?:LIBRARIES|LIBRARY|LIBS|INCLUDE_DIRS?|INCLUDES)$")
+_OPTIONS_OF_ALL = frozenset({"add_compile_options", "add_definitions", "set_directory_properties"})
 _TO_ALL = frozenset({"include_directories", "link_libraries"})
 _CHANGE_NO_HEADERS = frozenset(
     {"install", "add_dependencies", "export", "target_compile_features", "target_compile_definitions", "add_test"}
@@ -58,22 +62,33 @@ class _Target:
     """Whether the place is that of a command which gives it something."""
 
 
+@dataclass(frozen=True)
+class _Build:
+    """What the arguments of commands may mean in a build."""
+
+    package: str
+    support: set[str]
+    """The variables that hold the type support of the package's own interfaces."""
+    asked_for: set[str]
+    """Packages that set variables such as ``NAME_LIBRARIES``, in lower case."""
+
+
 def built_targets(steps: Sequence[Step], package: str) -> list[BuiltTarget]:
     """Each target, in the order in which they are made."""
-    support = {step.command.texts[0] for step in steps if _gets_type_support(step)}
+    build = _Build(package, {step.command.texts[0] for step in steps if _gets_type_support(step)}, _asked_for(steps))
     targets: dict[str, _Target] = {}
-    all_given, all_open = set[str](), False
+    all_given, all_open = set[str](), any(map(_gives_folders_to_all, steps))
     for step in steps:
         command = step.command
         if command.name in _MAKES and command.arguments and not command.arguments[0].open:
             _make(targets, step, package)
         elif command.name in _TO_ALL:
-            all_open |= not _add(all_given, command.arguments, support, package)
+            all_open |= not _add(all_given, command.arguments, build)
         elif command.name in _GIVES and command.arguments:
             to = targets.get(_plain(command.arguments[0].text, package))
             all_open |= command.arguments[0].open
             if to is not None:
-                to.open |= not _add(to.given, command.arguments[1:], support, package)
+                to.open |= not _add(to.given, command.arguments[1:], build)
                 to.place = to.place if to.settled else _place(command.arguments[0], step)
                 to.settled = True
         elif command.name not in _CHANGE_NO_HEADERS or _brings_headers(command.texts):
@@ -101,22 +116,38 @@ def _make(targets: dict[str, _Target], step: Step, package: str) -> None:
     targets[target.name] = target
 
 
-def _add(given: set[str], arguments: Iterable[Argument], support: set[str], package: str) -> bool:
+def _add(given: set[str], arguments: Iterable[Argument], build: _Build) -> bool:
     """Add the names in the arguments of a command; False where one of them may be any."""
     known = True
     for argument in arguments:
         text = argument.text
         if text in _KEYWORDS or _OWN_FOLDER.fullmatch(text) or text.startswith("//"):
             continue
-        if any(text == f"${{{variable}}}" for variable in support) or _is_type_support(text, package):
+        if any(text == f"${{{variable}}}" for variable in build.support) or _is_type_support(text, build.package):
             given |= {TYPE_SUPPORT, text}
-        elif (variable := _OF_PACKAGE.fullmatch(text)) is not None:
+        elif (variable := _OF_PACKAGE.fullmatch(text)) is not None and variable[1].lower() in build.asked_for:
             given.add(variable[1])
         elif "$" in text or _PREFIX_OF_ROS.search(text):
             known = False
         elif "/" not in text and not text.startswith("-"):
-            given.add(_plain(text, package))
+            given.add(_plain(text, build.package))
     return known
+
+
+def _asked_for(steps: Iterable[Step]) -> set[str]:
+    """The packages whose variables are set: ``${parts_LIBRARIES}`` of no such package may hold anything."""
+    commands = [step.command for step in steps if step.command.name in _ASKS and step.command.arguments]
+    names = {_SUFFIX.sub("", command.texts[0]).lower() for command in commands}
+    return names | {word.lower() for command in commands if command.name == "find_package" for word in command.texts}
+
+
+def _gives_folders_to_all(step: Step) -> bool:
+    """Whether a command gives all targets of a folder an option or a property that brings headers."""
+    name, texts = step.command.name, step.command.texts
+    first = texts[0] if texts else ""
+    flags = name == "set" and first.startswith("CMAKE_CXX_FLAGS")
+    of_folder = name == "set_property" and first == "DIRECTORY"
+    return (name in _OPTIONS_OF_ALL or flags or of_folder) and _brings_headers(texts)
 
 
 def _gets_type_support(step: Step) -> bool:

@@ -14,7 +14,7 @@ from dataclasses import dataclass, field
 
 from archlint.workspace.cmake import Argument, Command, parse_cmake
 from archlint.workspace.cmake_branches import Branches
-from archlint.workspace.cmake_values import changed_list, list_mode, numbers, path_component
+from archlint.workspace.cmake_values import changed_list, list_mode, numbers, parsed_arguments, path_component
 
 SOURCE = "//"
 """How a path below a folder of the source tree begins."""
@@ -249,6 +249,10 @@ class CMakeRun:
             _set_command(texts, scope, self._branches.conditional)
         elif name == "list" and len(texts) > 1 and (mode := list_mode(texts[0])) is not None:
             _set(scope, texts[1], changed_list(mode, scope.variables.get(texts[1], []), texts[2:]))
+        elif name == "cmake_parse_arguments" and (own := parsed_arguments(texts, scope.variables.get("ARGV"))):
+            for variable, value in own.items():
+                is_sure = not self._branches.conditional or scope.variables.get(variable, value) == value
+                _set(scope, variable, value if is_sure else None)
         elif name in _OUTPUT:
             result = self._result(step, texts, scope)
             if result is None:

@@ -61,6 +61,32 @@ def path_component(path: str, word: str) -> list[str] | None:
     return None
 
 
+def parsed_arguments(texts: Sequence[str], argv: Sequence[str] | None) -> dict[str, list[str]] | None:
+    """``cmake_parse_arguments(prefix options one multi args…)``: the variables that it sets.  Its other form,
+    ``PARSE_ARGV first prefix …``, reads the arguments of the function around it."""
+    form, words = list(texts), None
+    if form[:1] == ["PARSE_ARGV"]:
+        if argv is None or len(form) != 6 or not form[1].isdecimal() or len(form[1]) > _DIGITS:
+            return None
+        words, form = list(argv[int(form[1]) :]), form[2:]
+    if len(form) < 4 or any("$" in text for text in form[:4]):
+        return None
+    prefix, *keywords = form[:4]
+    options, single, several = (text.split(";") if text else [] for text in keywords)
+    values: dict[str, list[str]] = {word: ["FALSE"] for word in options} | {word: [] for word in (*single, *several)}
+    rest, to = list[str](), None
+    for word in form[4:] if words is None else words:
+        if word in values:
+            values[word] = ["TRUE"] if word in options else []
+            to = None if word in options else word
+        elif to is None:
+            rest.append(word)
+        else:
+            values[to].append(word)
+            to = to if to in several else None
+    return {f"{prefix}_{word}": value for word, value in values.items()} | {f"{prefix}_UNPARSED_ARGUMENTS": rest}
+
+
 def numbers(texts: Sequence[str], most: int) -> list[str] | None:
     """``foreach(… RANGE texts)``: the numbers from start to stop, ``most`` of them at the most."""
     if not 1 <= len(texts) <= 3 or not all(text.isdecimal() and len(text) <= _DIGITS for text in texts):
