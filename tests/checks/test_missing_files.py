@@ -274,6 +274,48 @@ def generate_launch_description():
     assert len(findings("LCH004", **{"launch/py.launch.py": text.replace("EXCLUDED", excluded)})) == told
 
 
+PASSING = """\
+import os
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument
+from launch.substitutions import LaunchConfiguration
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    folder = get_package_share_directory('robot')
+    defaults = {'table': os.path.join(folder, 'state', 'table.csv')}
+    passed = {name: LaunchConfiguration(name) for name in defaults}
+    return LaunchDescription([
+        *[DeclareLaunchArgument(name, default_value=default) for name, default in defaults.items()],
+        Node(package='robot', executable='talker', parameters=[passed])])
+"""
+READING = TALKER.replace(
+    "super().__init__('talker')", "super().__init__('talker'); self.declare_parameter('table', '')"
+)
+
+
+def test_a_path_that_a_parameter_gets_from_an_argument_is_told_where_it_is_made(findings):
+    (finding,) = findings("LCH004", **{"launch/py.launch.py": PASSING, "robot/talker.py": READING})
+    assert "'state/table.csv'" in finding.message
+    assert PASSING.splitlines()[finding.place.line - 1].startswith("    defaults =")
+
+
+@pytest.mark.parametrize(
+    ("code", "told"),
+    [
+        ("if os.path.exists(path): load(path)", 0),
+        ("if pathlib.Path(path).is_file(): load(path)", 0),
+        ("load(path)", 1),
+    ],
+)
+def test_a_file_that_the_node_may_do_without(findings, code: str, told: int):
+    reading = f"import os, pathlib\n\ndef state(path):\n    {code}\n\n{READING}"
+    assert len(findings("LCH004", **{"launch/py.launch.py": PASSING, "robot/talker.py": reading})) == told
+    model = PASSING.replace("table.csv", "arm.urdf")  # what a node cannot do without
+    assert len(findings("LCH004", **{"launch/py.launch.py": model, "robot/talker.py": reading})) == 1
+
+
 @pytest.mark.parametrize(("name", "told"), [("", 0), ("talk.yaml", 1)])
 def test_an_argument_with_the_name_of_a_file_that_is_empty_until_it_is_given(findings, name: str, told: int):
     path = "$(find-pkg-share robot)/$(var file)"

@@ -14,7 +14,7 @@ from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
 from archlint.launch.kinds import FileKind, FileStatus
 from archlint.launch_files.launch_code import writes_files
-from archlint.launch_files.missing_files import is_folder_missing, lies_in, names_beside, namesake
+from archlint.launch_files.missing_files import is_folder_missing, lies_in, may_do_without, names_beside, namesake
 from archlint.packaging.absent_packages import is_nowhere, is_placeholder, package_meant, package_with
 from archlint.packaging.generated_files import has_template, is_generated, is_ignored
 from archlint.suggestions import common_words, did_you_mean, distance, have_same_words, listed, meant
@@ -56,7 +56,7 @@ def missing_launch_file(system: System, options: Options) -> Iterator[Finding]:
     for (place, written), references in uses.items():
         [reference, *others] = sorted(references, key=_by_kind)
         other = reference.kind in _OF_NO_KIND and reference.status == FileStatus.MISSING
-        if other and not _is_read(system, reference, written or ""):
+        if other and not any(_is_read(system, use, written or "") for use in (reference, *others)):
             continue
         files = {place.file, reference.place.file, *(other.place.file for other in others)}
         if reference.status == FileStatus.MISSING and any(writes_files(system.workspace, file) for file in files):
@@ -186,6 +186,8 @@ def _is_read(system: System, reference: FileReference, written: str) -> bool:
     path = _in_package(system, reference, _below_package(written))
     installs = None if system.workspace is None else system.workspace.installs.get(reference.package or "")
     if system.workspace is None or installs is None:
+        return False
+    if not path.endswith(_READ) and may_do_without(system, reference.name):
         return False
     is_meant = path.endswith(_READ) or _did_you_mean_file(system.workspace, installs.package, path) != ""
     if reference.kind == FileKind.ARGUMENT:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from archlint.finding import Place
 from archlint.launch.kinds import FileKind, FileStatus
@@ -25,6 +25,8 @@ class FileReference:
     """Where its name is written: another place than ``place`` where an argument or a variable passes it."""
     optional: bool = False
     """Whether the launch file asks first if it is there."""
+    name: str | None = field(default=None, compare=False)
+    """The parameter or the argument that is set to it, if it is known."""
 
 
 @dataclass(frozen=True)

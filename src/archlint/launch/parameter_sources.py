@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import ClassVar
 
 from archlint.finding import Place
@@ -29,6 +29,8 @@ class ParameterSetting:
     in_file: bool = True
     """Whether launch writes it to a file under the name of the node.  A ``Parameter`` of launch_ros goes to the command
     line, where it is for all nodes of the process, as shared settings are."""
+    given: Place | None = field(default=None, compare=False)
+    """Where a text is written that an argument or a variable passes here."""
     is_open: ClassVar[bool] = False
     """Whether it stands for parameters of which not even the number is known."""
 

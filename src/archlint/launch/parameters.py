@@ -148,7 +148,8 @@ def _entries(run: LaunchRun, item: DictValue, within: Within, place: Place, room
                 yield from _entries(run, value, (*within, (text, where)), where, room)
                 room.depth -= 1
             case _:
-                yield ParameterSetting(text, python_of(run, value), where, within=within)
+                data = python_of(run, value)
+                yield ParameterSetting(text, data, where, within=within, given=_given_at(run, value, data))
     if entries.open:
         yield OpenParameters("a dict of parameters with entries that are not known", place)
 
@@ -158,7 +159,14 @@ def _written_at(key: Value) -> Place | None:
 
 
 def setting(run: LaunchRun, name: Value, value: Value, place: Place) -> ParameterSetting:
-    return ParameterSetting(known_text(name), python_of(run, value), place)
+    data = python_of(run, value)
+    return ParameterSetting(known_text(name), data, place, given=_given_at(run, value, data))
+
+
+def _given_at(run: LaunchRun, value: Value, data: ParameterData) -> Place | None:
+    """Where the text is written that a parameter is set to."""
+    text = run.perform(value) if isinstance(data, str) else None
+    return text.origin if isinstance(text, Known) else None
 
 
 def python_of(run: LaunchRun, value: Value) -> ParameterData:

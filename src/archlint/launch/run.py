@@ -253,8 +253,9 @@ class LaunchRun(Run):
     def note_joined(self, mistake: NotAPath) -> None:
         self._note(mistake, self.result.joined)
 
-    def reference(self, kind: FileKind, path: Value, place: Place) -> FileReference:
-        reference = self.resolve(kind, path, place)
+    def reference(self, kind: FileKind, path: Value, place: Place, name: str | None = None) -> FileReference:
+        """Note which file a path means; ``name`` is what passes it to a node: a parameter, or an argument."""
+        reference = replace(self.resolve(kind, path, place), name=name)
         self._note(reference, self.result.references)
         return reference
 

@@ -33,25 +33,25 @@ def is_written(parameter: str | None) -> bool:
     return parameter is None or not _WRITTEN.isdisjoint(re.split(r"[\W_]+", parameter.lower()))
 
 
-def note_paths(run: LaunchRun, values: Iterable[Value], place: Place) -> None:
+def note_paths(run: LaunchRun, values: Iterable[Value], place: Place, name: str | None = None) -> None:
     """Note the values that are paths of files, but for those of RViz, which are noted as such."""
     for value in values:
         text = known_text(value) or ""
         if _SHARED.fullmatch(text) and not text.endswith(".rviz"):
-            run.reference(FileKind.OTHER, value, place)
+            run.reference(FileKind.OTHER, value, place, name)
 
 
-def note_value(run: LaunchRun, text: str, place: Place) -> None:
+def note_value(run: LaunchRun, name: str | None, text: str, place: Place, given: Place | None = None) -> None:
     """Note the path of a file that a parameter is set to, by itself or as ``file://…`` or ``package://robot/…``."""
     in_package = _PACKAGE_URL.fullmatch(text)
     path = f"$(find-pkg-share {in_package[1]}){in_package[2]}" if in_package else text.removeprefix(_FILE_URL)
-    note_paths(run, [Known(path)], place)
+    note_paths(run, [Known(path, origin=given)], place, name)
 
 
 def note_argument(run: LaunchRun, name: str, value: Value, place: Place) -> None:
     """Note the path that a launch argument or configuration gets, if it is for a file that is read."""
     if not is_written(name) and _SHARED.fullmatch(known_text(value) or ""):
-        run.reference(FileKind.ARGUMENT, value, place)
+        run.reference(FileKind.ARGUMENT, value, place, name)
 
 
 def note_paths_in_command(run: LaunchRun, parts: Iterable[Value], place: Place) -> None:

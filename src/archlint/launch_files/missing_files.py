@@ -10,7 +10,7 @@ from archlint.launch.kinds import FileKind, FileStatus
 
 if TYPE_CHECKING:
     from archlint.launch.named_files import FileReference
-    from archlint.systems.model import WorkspaceIndex
+    from archlint.systems.model import System, WorkspaceIndex
 
 
 def is_folder_missing(workspace: WorkspaceIndex, package: str, path: str) -> bool:
@@ -42,6 +42,21 @@ def namesake(workspace: WorkspaceIndex, package: str, path: str) -> str | None:
         if posixpath.basename(file) == name and not workspace.roles.is_trial(file)
     ]
     return files[0] if len(files) == 1 else None
+
+
+_ASKS = ("exists", "is_file", "is_open", "isfile")
+"""What code calls to see whether a file is there, in Python or in C++."""
+
+
+def may_do_without(system: System, parameter: str | None) -> bool:
+    """Whether code that declares a parameter asks of some file whether it is there, as code does that goes on without
+    one: state that is saved at the end of a run, for example."""
+    workspace = system.workspace
+    if workspace is None or parameter is None:
+        return False
+    rows = (row for node in system.nodes for row in node.parameters if row.name.text == parameter)
+    files = dict.fromkeys(row.place.file for row in rows)
+    return any(workspace.code.mentions(file, word) for file in files for word in _ASKS)
 
 
 def lies_in(workspace: WorkspaceIndex, reference: FileReference) -> tuple[str, str] | None:

@@ -56,7 +56,8 @@ def packages_of_files(workspace: WorkspaceIndex) -> Iterator[tuple[Place, str]]:
             if known and file.kind is not FileKind.ARGUMENT and not file.conditional and not file.optional:
                 passed = arguments.get(file.written, file.place)
                 in_place = file.place if passed.file == file.place.file else passed
-                yield file.given or in_place, file.package or ""
+                of_parameter = file.kind is FileKind.OTHER and file.name is not None
+                yield in_place if of_parameter else file.given or in_place, file.package or ""
 
 
 def runs_of_programs(workspace: WorkspaceIndex) -> Iterator[tuple[Place, str]]:

@@ -112,7 +112,7 @@ def _note_files(run: LaunchRun, started: Started, words: Sequence[Value]) -> Non
     for parameter in started.parameters:
         match parameter:
             case ParameterSetting(name, str(text), place, shared=False) if not is_written(name):
-                note_value(run, text, place)
+                note_value(run, name, text, place, parameter.given)
             case ParameterFileUse(reference=FileReference(source=str(file)), changes=()):
                 _note_values_in_file(run, file, parameter.substitutions)
 
@@ -124,7 +124,7 @@ def _note_values_in_file(run: LaunchRun, file: str, substitutions: bool) -> None
             text = entry.value
             is_text = isinstance(text, str) and (substitutions or "$(" not in text)
             if is_text and not is_written(entry.name):
-                note_value(run, text, Place(file, *entry.span))
+                note_value(run, entry.name, text, Place(file, *entry.span))
 
 
 def _is_of_another_value(run: LaunchRun, word: Value) -> bool:
