@@ -111,3 +111,10 @@ def test_a_parameter_file_that_is_no_yaml_and_that_no_launch_file_loads(told, te
 )
 def test_a_parameter_file_that_is_yaml_or_a_template_or_no_parameter_file(told, path, text):
     assert told(path, text) == []
+
+
+@pytest.mark.parametrize(("setup", "lines"), [("setup(name='<package-name>')\n", []), ("setup(name='robot')\n", [2])])
+def test_a_manifest_in_which_a_script_fills_in_the_name(told, setup: str, lines: list[int]):
+    manifest = MANIFEST.replace("robot", "<package-name>")
+    places = told("package.xml", manifest, **{"setup.py": f"from setuptools import setup\n\n{setup}"})
+    assert places == [("robot/package.xml", line) for line in lines]

@@ -30,7 +30,7 @@ from archlint.engine.merging import folded, merged
 from archlint.engine.request import NothingToDo, Request
 from archlint.engine.stale_entries import Judgement, stale_entry
 from archlint.engine.summaries_ahead import summarise_ahead
-from archlint.engine.unread_data import unread_data
+from archlint.engine.unread_data import is_manifest_to_fill, unread_data
 from archlint.engine.unused_files import apart, count_of_files, unused_files
 from archlint.engine.vendored_packages import without_vendored
 from archlint.faults import Faults
@@ -138,7 +138,7 @@ def _judged(
     to_report = [*known, *_imported(workspace, known, facts)]
     summarise_ahead(request, index, known)
     judged_by_rules = for_their_languages(_rules(request, systems, inputs.memory))
-    candidates = [*_problems(workspace, to_report, facts), *merged(judged_by_rules)]
+    candidates = [*_problems(workspace, to_report, facts, inputs.tree), *merged(judged_by_rules)]
     candidates.extend([*_of_interfaces(workspace, systems, inputs.tree, faults), *unread_data(index, workspace)])
     candidates.extend(unreadable(*problem) for problem in launch_files.problems())
     by_file = _of_code(workspace, known, facts) | launch_files.suppressions()
@@ -294,11 +294,13 @@ def _ran(request: Request, systems: Sequence[System]) -> frozenset[str]:
     return frozenset(code for code in selection.codes if selection.runs(code, closed)) - unheld
 
 
-def _problems(workspace: Workspace, files: Sequence[SourceFile], facts: FactsOfFiles) -> Iterator[Finding]:
+def _problems(
+    workspace: Workspace, files: Sequence[SourceFile], facts: FactsOfFiles, tree: SourceTree
+) -> Iterator[Finding]:
     """What could not be read: LNT002, or LNT003 where the fault is ours."""
     old = tuple(f"{package.relative}/" for package in workspace.packages if package.catkin_code)
     for problem in workspace.problems:
-        if not problem.file.startswith(old):
+        if not problem.file.startswith(old) and not is_manifest_to_fill(problem.file, tree):
             yield unreadable(problem.file, problem.line, problem.column, problem.message, help=problem.help)
     sources = (file for file in workspace.of_kind("cpp") if facts.relevant(file) and not file.context)
     for file in (*files, *sources):

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from archlint.finding import Finding
     from archlint.systems.model import WorkspaceIndex
     from archlint.workspace.model import Workspace
+    from archlint.workspace.tree import Tree
 
 
 def unread_data(index: WorkspaceIndex, workspace: Workspace) -> Iterator[Finding]:
@@ -54,6 +55,17 @@ def _read_parameter_files(index: WorkspaceIndex, workspace: Workspace) -> None:
         text = index.tree.text(file.relative) or ""
         if ROOT in text and not is_template(text):
             index.launch_files.parameters(file.relative)
+
+
+_NAME_TO_FILL = re.compile(r"<name>\s*(<[\w-]+>)\s*</name>")
+
+
+def is_manifest_to_fill(file: str, tree: Tree) -> bool:
+    """Whether a package.xml is a template: instead of a name it has a word in angle brackets, and so has a build file
+    beside it."""
+    name = _NAME_TO_FILL.search(tree.text(file) or "") if posixpath.basename(file) == "package.xml" else None
+    beside = (posixpath.join(posixpath.dirname(file), other) for other in ("setup.py", "setup.cfg", "CMakeLists.txt"))
+    return name is not None and any(name[1] in (tree.text(path) or "") for path in beside)
 
 
 def _malformed_descriptions(index: WorkspaceIndex, workspace: Workspace) -> Iterator[Finding]:
