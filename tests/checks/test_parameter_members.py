@@ -188,3 +188,75 @@ def test_an_overload_is_chosen_by_the_type_of_its_argument(findings):
     assert findings("PRM010", **{"src/robot.cpp": OVERLOADS.format(read="as_bool()")}) == []
     (told,) = findings("PRM010", **{"src/robot.cpp": OVERLOADS.format(read="as_int()")})
     assert told.message == "'as_int()' throws an exception here: the parameter 'is_real' is a bool"
+
+
+SHARED = """
+#include <rclcpp/rclcpp.hpp>
+
+template <typename T>
+struct Setting
+{{
+  Setting(const std::string & name, rclcpp::Node & node, T fallback)
+  {{
+    node.declare_parameter(name, fallback);
+    {read}
+  }}
+
+  T value;
+}};
+
+class Robot : public rclcpp::Node
+{{
+public:
+  Robot() : Node("robot"), rate("rate", *this, 10.0), limit("limit", *this, 1.5) {{}}
+
+  Setting<double> rate;
+  Setting<double> limit;
+}};
+
+int main(int argc, char ** argv)
+{{
+  rclcpp::init(argc, argv);
+  rclcpp::spin(std::make_shared<Robot>());
+}}
+"""
+
+
+def test_code_that_several_parameters_share_is_one_finding(findings):
+    (told,) = findings("PRM010", **{"src/robot.cpp": SHARED.format(read="value = node.get_parameter(name).as_int();")})
+    assert told.message == "'as_int()' throws an exception here: the parameter 'rate' is a double"
+    assert [row.message for row in told.related] == [
+        "it is declared here",
+        "it reads 'limit', too, which is declared here",
+    ]
+
+
+@pytest.mark.parametrize(
+    "read",
+    [
+        "if constexpr (std::is_same<T, int>::value) { value = node.get_parameter(name).as_int(); }",
+        "if constexpr (std::is_same_v<T, double>) {} else { value = node.get_parameter(name).as_int(); }",
+        "if constexpr (std::is_same_v<T, double>) {} else if constexpr (IS_INT<T>) "
+        "{ value = node.get_parameter(name).as_int(); }",
+        "if constexpr (IS_DOUBLE<T>) value = 1; else value = node.get_parameter(name).as_int();",
+        "if constexpr (IS_DOUBLE<T>) { if (fallback > 0) { value = 1; } } else if (fallback > 0) "
+        "{ check(); value = node.get_parameter(name).as_int(); }",
+        "auto p = node.get_parameter(name); if (p.get_type() == rclcpp::PARAMETER_INTEGER) { value = p.as_int(); }",
+        "if (node.get_parameter(name).get_type() == rclcpp::PARAMETER_INTEGER) "
+        "{ value = node.get_parameter(name).as_int(); }",
+    ],
+)
+def test_a_branch_that_a_type_chooses(findings, read: str):
+    assert findings("PRM010", **{"src/robot.cpp": SHARED.format(read=read)}) == []
+
+
+@pytest.mark.parametrize(
+    "read",
+    [
+        "if constexpr (IS_DOUBLE<T>) { check(); } value = node.get_parameter(name).as_int();",
+        "if constexpr (IS_DOUBLE<T>) check(); value = node.get_parameter(name).as_int();",
+        "if (is_old()) {} else { value = node.get_parameter(name).as_int(); }",
+    ],
+)
+def test_code_behind_a_branch_that_a_type_chooses(findings, read: str):
+    assert len(findings("PRM010", **{"src/robot.cpp": SHARED.format(read=read)})) == 1

@@ -61,9 +61,12 @@ def wrong_accessors(system: System, read: Place, kind: ParameterType) -> Iterato
     if text is None:
         return
     begin, end = _offset(text, read.line, read.column), _offset(text, read.end_line, read.end_column)
+    if _is_chosen_by_type(text, begin):
+        return
     rows = [_METHOD.match(text, end)]
     variable = _VARIABLE.search(text, max(0, begin - _NEAR), begin)
-    if variable is not None and len(re.findall(rf"[\w>&]\s+&{{0,2}}{variable[1]}\b", text)) == 1:
+    is_asked = variable is not None and re.search(rf"\b{variable[1]}\s*\.\s*get_type\b", text) is not None
+    if variable is not None and not is_asked and len(re.findall(rf"[\w>&]\s+&{{0,2}}{variable[1]}\b", text)) == 1:
         uses = re.finditer(rf"(?<![\w.>]){variable[1]}(?=\s*\.)", text)
         rows += [_METHOD.match(text, use.end()) for use in uses]
     for row in rows:
@@ -73,6 +76,40 @@ def wrong_accessors(system: System, read: Place, kind: ParameterType) -> Iterato
             yield WrongAccessor(Place(read.file, *span), f"{row[1]}()", _BY_TYPE[kind])
 
 
+def _is_chosen_by_type(text: str, at: int) -> bool:
+    """Whether an ``if`` around a read asks for a type: of ``if constexpr (std::is_same_v<T, int>)`` only the branch for
+    the ``T`` of the object is compiled, and which that is the call does not say."""
+    return any(_OF_TYPE.search(head) is not None for head in _heads(text, at))
+
+
+def _heads(text: str, at: int) -> Iterator[str]:
+    """How the statement at an offset begins, and what stands in front of each block around it; of an ``else`` also the
+    branches before it."""
+    depth, end, wanted, is_else = 0, at, True, False
+    for index in range(at - 1, max(-1, at - _FAR), -1):
+        mark = text[index]
+        if mark not in "{};" or (mark == ";" and depth):
+            continue
+        if not depth and wanted:
+            head = text[index + 1 : end]
+            yield head
+            is_else = head.lstrip().startswith("else")
+        if mark == "}":
+            wanted = wanted and bool(depth)
+            depth += 1
+        elif mark == ";":
+            wanted, end = wanted and is_else, index
+        elif depth:
+            depth -= 1
+            if not depth:
+                wanted, is_else, end = is_else, False, index
+        else:
+            wanted, is_else, end = True, False, index
+
+
+_FAR = 10_000
+"""How many characters in front of a call may belong to the blocks around it."""
+_OF_TYPE = re.compile(r"\bif\s+constexpr\b|\b(?:if|switch)\s*\([^{;]*\b(?:get_type|get_type_name|is_same|typeid)\b")
 _NEAR = 200
 """How many characters in front of a call are looked at."""
 

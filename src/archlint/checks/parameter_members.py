@@ -5,20 +5,25 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from archlint.analysis.parameter_members import EMPTY, wrong_members
+from archlint.analysis.parameter_members import EMPTY, WrongMember, wrong_members
 from archlint.checks.folding import folds, with_places
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
 
 if TYPE_CHECKING:
+    from archlint.place import Place
     from archlint.systems.model import System
 
 
 @rule("PRM010", scope=Scope.CODE, by_program=True, in_use=True)
 def wrong_parameter_member(system: System, options: Options) -> Iterator[Finding]:
     """Members of a ParameterValue that a parameter's type does not set."""
+    by_place: dict[tuple[Place, str], list[WrongMember]] = {}
     for read in wrong_members(system):
+        by_place.setdefault((read.place, read.member), []).append(read)
+    for read, *others in by_place.values():  # code that several parameters share
+        rest = {row.name: row for row in others if row.name != read.name}.values()
         kind = read.type.replace("_", " ")
         article = "an" if kind[0] in "aeiou" else "a"
         effect = f"is always {EMPTY.get(read.member)} here" if not read.right else "throws an exception here"
@@ -28,7 +33,10 @@ def wrong_parameter_member(system: System, options: Options) -> Iterator[Finding
             read.place,
             f"'{read.member}' {effect}: the parameter '{read.name}' is {article} {kind}",
             help=f"write {read.right}" if read.right else help,
-            related=[Related(read.declared_at, "it is declared here")],
+            related=[
+                Related(read.declared_at, "it is declared here"),
+                *(Related(row.declared_at, f"it reads '{row.name}', too, which is declared here") for row in rest),
+            ],
             node=read.node.name,
             identity=(read.name, read.member),
             group=(read.place.file, read.name, read.member),
