@@ -59,8 +59,8 @@ def test_a_package_that_is_not_found_either(lacking):
 
 
 def test_a_variable_of_a_package_that_is_found(lacking):
-    tracker = TRACKER + "target_link_libraries(tracker ${rclcpp_LIBRARIES} ${YAML_CPP_LIBRARIES})\n"
-    ((line, _, _),) = lacking("find_library(YAML_CPP_LIBRARIES yaml-cpp)\n" + tracker)
+    tracker = TRACKER + "target_link_libraries(tracker ${rclcpp_LIBRARIES} ${OpenCV_LIBS} ${SCAN_LIBRARY})\n"
+    ((line, _, _),) = lacking("find_library(SCAN_LIBRARY scan)\n" + tracker)
     assert line == 6
 
 

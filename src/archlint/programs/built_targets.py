@@ -11,6 +11,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 
 from archlint.finding import Place
+from archlint.ros import packages
 from archlint.workspace.cmake import Argument
 from archlint.workspace.cmake_run import Step
 from archlint.workspace.installed import BuiltTarget
@@ -23,6 +24,11 @@ _GIVES = frozenset(
 """Commands that give the target which is named first what follows."""
 _ASKS = frozenset({"find_package", "pkg_check_modules", "pkg_search_module", "find_library", "find_path", "find_file"})
 """Commands that set variables of what is named first."""
+_OF_SYSTEM = re.compile(
+    r"asio|boost(_\w+)?|catkin|ceres|eigen3?|ffmpeg|gazebo|glog|ogre|opencv|pcl(_\w+)?|python3?|qt5?\w*|yaml_cpp",
+    re.IGNORECASE,
+)
+"""Libraries whose variables one package finds for another one."""
 _SUFFIX = re.compile(r"_(?:LIBRARIES|LIBRARY|LIBS|INCLUDE_DIRS?|INCLUDES)$")
 _OPTIONS_OF_ALL = frozenset({"add_compile_options", "add_definitions", "set_directory_properties"})
 _TO_ALL = frozenset({"include_directories", "link_libraries"})
@@ -71,6 +77,10 @@ class _Build:
     """The variables that hold the type support of the package's own interfaces."""
     asked_for: set[str]
     """Packages that set variables such as ``NAME_LIBRARIES``, in lower case."""
+
+    def is_known(self, name: str) -> bool:
+        """Whether ``NAME_LIBRARIES`` is what it says; that of no package may hold anything."""
+        return name.lower() in self.asked_for or name in packages.table().names or bool(_OF_SYSTEM.fullmatch(name))
 
 
 def built_targets(steps: Sequence[Step], package: str) -> list[BuiltTarget]:
@@ -125,7 +135,7 @@ def _add(given: set[str], arguments: Iterable[Argument], build: _Build) -> bool:
             continue
         if any(text == f"${{{variable}}}" for variable in build.support) or _is_type_support(text, build.package):
             given |= {TYPE_SUPPORT, text}
-        elif (variable := _OF_PACKAGE.fullmatch(text)) is not None and variable[1].lower() in build.asked_for:
+        elif (variable := _OF_PACKAGE.fullmatch(text)) is not None and build.is_known(variable[1]):
             given.add(variable[1])
         elif "$" in text or _PREFIX_OF_ROS.search(text):
             known = False
@@ -135,7 +145,7 @@ def _add(given: set[str], arguments: Iterable[Argument], build: _Build) -> bool:
 
 
 def _asked_for(steps: Iterable[Step]) -> set[str]:
-    """The packages whose variables are set: ``${parts_LIBRARIES}`` of no such package may hold anything."""
+    """The packages whose variables commands set."""
     commands = [step.command for step in steps if step.command.name in _ASKS and step.command.arguments]
     names = {_SUFFIX.sub("", command.texts[0]).lower() for command in commands}
     return names | {word.lower() for command in commands if command.name == "find_package" for word in command.texts}
