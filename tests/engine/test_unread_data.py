@@ -118,3 +118,21 @@ def test_a_manifest_in_which_a_script_fills_in_the_name(told, setup: str, lines:
     manifest = MANIFEST.replace("robot", "<package-name>")
     places = told("package.xml", manifest, **{"setup.py": f"from setuptools import setup\n\n{setup}"})
     assert places == [("robot/package.xml", line) for line in lines]
+
+
+def test_the_marks_of_a_merge_are_told_as_such(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.chdir(tmp_path)
+    merge = "<<<<<<< HEAD\n{0}1\n=======\n{0}2\n>>>>>>> 1a2b3c4\n"
+    files = {
+        "package.xml": MANIFEST,
+        "CMakeLists.txt": CMAKE,
+        "scripts/talker.py": "import rclpy\n" + merge.format("RATE = "),
+        "config/talker.yaml": "talker:\n  ros__parameters:\n" + merge.format("    rate: "),
+        "scripts/listener.py": "import rclpy\nRATE = = 1\n",
+    }
+    for name, content in files.items():
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).write_text(content, encoding="utf-8")
+    findings = check(Request((".",), load(tmp_path), False, 1)).findings
+    told = {row.place.file: "the marks of a merge" in row.message for row in findings if row.code == "LNT002"}
+    assert told == {"config/talker.yaml": True, "scripts/listener.py": False, "scripts/talker.py": True}

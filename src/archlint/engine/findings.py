@@ -30,7 +30,7 @@ from archlint.engine.merging import folded, merged
 from archlint.engine.request import NothingToDo, Request
 from archlint.engine.stale_entries import Judgement, stale_entry
 from archlint.engine.summaries_ahead import summarise_ahead
-from archlint.engine.unread_data import is_manifest_to_fill, unread_data
+from archlint.engine.unread_data import because_of_a_merge, is_manifest_to_fill, unread_data
 from archlint.engine.unused_files import apart, count_of_files, unused_files
 from archlint.engine.vendored_packages import without_vendored
 from archlint.faults import Faults
@@ -145,7 +145,7 @@ def _judged(
     by_file.update(_of_manifests(workspace, inputs.tree))
     candidates.extend(failure(fault) for fault in faults.by_place())
     skipped = {file.relative for file in python_files(workspace) if facts.is_ros1(file)}
-    candidates = [candidate for candidate in candidates if candidate.place.file not in skipped]
+    candidates = [because_of_a_merge(each, inputs.tree) for each in candidates if each.place.file not in skipped]
     unused = unused_files(index, candidates, request)
     old = half_ported(workspace, known, facts)
     aside = uninstalled.files_of(index, candidates)

@@ -30,6 +30,8 @@ def unread_data(index: WorkspaceIndex, workspace: Workspace) -> Iterator[Finding
 
 
 _MERGE = re.compile(r"^<<<<<<< .+\n(?:.*\n)*?=======\r?\n(?:.*\n)*?>>>>>>> ", re.MULTILINE)
+_UNMERGED = "the marks of a merge are left in this file"
+_KEEP = "keep one side of the merge, or both, and remove the three marks"
 _BUILD_FILES = ("CMakeLists.txt", ".cmake", "setup.cfg")
 
 
@@ -42,8 +44,17 @@ def _unmerged(index: WorkspaceIndex, workspace: Workspace) -> Iterator[Finding]:
         merge = _MERGE.search(text)
         if merge is not None:
             line = text.count("\n", 0, merge.start()) + 1
-            finding = unreadable(file, line, 1, "the marks of a merge are left in this file: the build stops")
-            yield replace(finding, help="keep one side of the merge, or both, and remove the three marks")
+            finding = unreadable(file, line, 1, f"{_UNMERGED}: the build stops")
+            yield replace(finding, help=_KEEP)
+
+
+def because_of_a_merge(finding: Finding, tree: Tree) -> Finding:
+    """What could not be read, with the reason if git has left both sides of a merge in the file: the words of a parser
+    do not say so."""
+    unmerged = finding.code == "LNT002" and _UNMERGED not in finding.message
+    if not unmerged or _MERGE.search(tree.text(finding.place.file) or "") is None:
+        return finding
+    return replace(finding, message=f"{finding.message}; {_UNMERGED}", help=_KEEP)
 
 
 def _read_parameter_files(index: WorkspaceIndex, workspace: Workspace) -> None:
