@@ -41,6 +41,7 @@ def judge(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Judge:
         ("<depend>launch-pytest</depend>", "launch_pytest"),
         ("<exec_depend>nav_msg</exec_depend>", "nav_msgs"),
         ("<exec_depend>rviz</exec_depend>", "rviz2"),
+        ("<exec_depend>python3-rclpy</exec_depend>", "rclpy"),
     ],
 )
 def test_what_was_meant(judge: Judge, tag: str, meant: str):
@@ -182,7 +183,7 @@ def test_a_build_type_is_no_package(judge: Judge):
     [
         ("ament_python_install_package(robot)", "write 'ament_cmake_python' instead"),
         ("find_package(ament_cmake_python REQUIRED)", "write 'ament_cmake_python' instead"),
-        ("install(DIRECTORY launch DESTINATION share/robot)", "remove the line: CMakeLists.txt installs no Python"),
+        ("install(DIRECTORY launch DESTINATION share/robot)", "write 'ament_cmake' instead, with which CMakeLists.txt"),
     ],
 )
 def test_a_build_type_as_a_dependency_of_a_package_of_cmake(judge: Judge, command: str, help: str):
@@ -190,6 +191,13 @@ def test_a_build_type_as_a_dependency_of_a_package_of_cmake(judge: Judge, comman
     cmake = {"CMakeLists.txt": f"project(robot)\nfind_package(ament_cmake REQUIRED)\n{command}\nament_package()\n"}
     (told,) = judge(line, build="ament_cmake", **cmake)
     assert (told.help or "").startswith(help)
+
+
+def test_a_build_type_of_a_package_of_cmake_that_declares_its_own(judge: Judge):
+    lines = [f"<buildtool_depend>{name}</buildtool_depend>" for name in ("ament_cmake", "ament_python")]
+    cmake = {"CMakeLists.txt": "project(robot)\nfind_package(ament_cmake REQUIRED)\nament_package()\n"}
+    (told,) = judge(*lines, build="ament_cmake", **cmake)
+    assert told.help == "remove the line: CMakeLists.txt installs no Python package"
 
 
 def test_a_build_type_beside_the_package_that_was_meant(judge: Judge):

@@ -111,6 +111,7 @@ def _is_found_by_name(workspace: WorkspaceIndex, package: Package, dependency: D
     return dependency.kind in _WHEN_BUILDING and dependency.name not in asked_for
 
 
+_BY_CMAKE = "ament_cmake"
 _INSTALLS_PYTHON = "ament_cmake_python"
 
 
@@ -119,6 +120,8 @@ def _instead_of_build_type(workspace: WorkspaceIndex, package: Package, dependen
         return "remove the line: the build type in <export> is enough"
     installs = workspace.installs.get(package.name)
     if installs is not None and installs.words.isdisjoint({_INSTALLS_PYTHON, "ament_python_install_package"}):
+        if _BY_CMAKE in installs.looked_for and all(other.name != _BY_CMAKE for other in package.dependencies):
+            return f"write '{_BY_CMAKE}' instead, with which CMakeLists.txt builds: it installs no Python package"
         return "remove the line: CMakeLists.txt installs no Python package"
     if _has_already(package, dependency, _INSTALLS_PYTHON):
         return f"remove the line: '{_INSTALLS_PYTHON}' is declared already"

@@ -22,6 +22,10 @@ def keys() -> frozenset[str]:
     return msgspec.json.decode(FILE.read_bytes(), type=frozenset[str])
 
 
+_AS_DEBIAN = re.compile(r"^python3?-")
+"""What Debian puts in front of the names of its packages of Python."""
+
+
 def meant_by(name: str, packages: Collection[str], *, is_python: bool) -> str | None:
     """The key, or the one of ``packages``, that was meant by a name that is neither; None where nothing is near.
 
@@ -29,7 +33,7 @@ def meant_by(name: str, packages: Collection[str], *, is_python: bool) -> str | 
     spellings = [*_names_of_system(name), *(_names_of_python(name) if is_python else ())]
     written = next((other for other in spellings if other in keys()), None)
     if written is None:
-        others = (name.replace("_lint_", "_", 1), name.replace("-", "_"))
+        others = (name.replace("_lint_", "_", 1), name.replace("-", "_"), _AS_DEBIAN.sub("", name).replace("-", "_"))
         written = next((other for other in others if other in packages), None)
     if written is not None or len(name) < _SHORTEST:
         return written
