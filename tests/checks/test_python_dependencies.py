@@ -170,3 +170,14 @@ def test_an_import_of_what_another_file_of_the_package_uses(judge: Judge):
     plot = "import rclpy\nimport matplotlib\n\nrclpy.init()\nmatplotlib.use('Agg')\n"
     (told,) = judge("import matplotlib", **{"robot/plot.py": plot})
     assert told.help == "add <exec_depend>python3-matplotlib</exec_depend>"
+
+
+def test_an_import_of_what_a_file_without_ros_uses(judge: Judge):
+    (told,) = judge("import matplotlib", **{"robot/plot.py": "import matplotlib\n\nmatplotlib.use('Agg')\n"})
+    assert told.help == "add <exec_depend>python3-matplotlib</exec_depend>"
+
+
+def test_a_module_that_comes_with_another_one_and_adds_to_it(judge: Judge):
+    (told,) = judge("import matplotlib\nfrom mpl_toolkits.mplot3d import Axes3D")
+    assert "imports 'matplotlib'," in told.message
+    assert told.help == "add <exec_depend>python3-matplotlib</exec_depend>"

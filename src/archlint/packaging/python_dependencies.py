@@ -29,6 +29,8 @@ _BUILT_BY = ("setup.py", "setup.cfg", "pyproject.toml", "requirements.txt", "CMa
 """Files beside a package.xml that may ask pip for a module."""
 
 
+_CHANGE_OTHERS: Mapping[str, str] = {"mpl_toolkits": "matplotlib"}
+"""Modules that come with another one, and add something to it by being imported."""
 _NOT_ON_FOCAL = frozenset({"python3-torch"})
 """Keys without a package on Ubuntu 20.04: rosdep stops at them there.  Source: ``rosdep/python.yaml`` of rosdistro."""
 
@@ -53,13 +55,15 @@ def modules_to_declare(
     used_apart: set[tuple[str | None, str]] = set()
     for statement in imports_at_start(workspace):
         module = statement.module.partition(".")[0]
+        unused = statement.unused and module not in _CHANGE_OTHERS
+        module = _CHANGE_OTHERS.get(module, module)
         key = None if module in sys.stdlib_module_names else python_modules.key_of(module)
         if key in _NOT_ON_FOCAL and is_on_focal(workspace):
             continue
         if key is None:
             continue
         if not _is_judged(workspace, statement.file):
-            used_apart |= set() if statement.unused else {(statement.file.package, module)}
+            used_apart |= set() if unused else {(statement.file.package, module)}
             continue
         path = statement.file.relative
         package = package_around(workspace, posixpath.dirname(path) or ".")
@@ -70,10 +74,17 @@ def modules_to_declare(
             declared[package.relative] = _declared(workspace, package, brought_by, more)
         known = declared[package.relative]
         if known is not None and not known.has(module, key):
-            rows.setdefault(package.relative, (package, []))[1].append(
-                ModuleUse(statement.place, module, key, statement.unused)
-            )
+            rows.setdefault(package.relative, (package, []))[1].append(ModuleUse(statement.place, module, key, unused))
+    idle = {(package.name, use.module) for package, uses in rows.values() for use in uses if use.unused}
+    used_apart |= {(package, module) for package, module in idle if _is_named_apart(workspace, package, module)}
     return {folder: (package, _with_uses_apart(package, uses, used_apart)) for folder, (package, uses) in rows.items()}
+
+
+def _is_named_apart(workspace: WorkspaceIndex, package: str, module: str) -> bool:
+    """Whether a file of a package names a module that has nothing to do with ROS, so that its imports are not read."""
+    read = {file.relative for file, _ in workspace.code.asked_for()}
+    own = set(workspace.code.files_of(package)) - read
+    return any(file in own and not workspace.roles.is_test(file) for file in workspace.code.files_that_mention(module))
 
 
 def _with_uses_apart(
