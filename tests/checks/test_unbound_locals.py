@@ -230,3 +230,11 @@ def test_an_except_for_what_nothing_defines_fails_itself(judge: Judge, above: st
             return value{mark}
         """,
     )
+
+
+@pytest.mark.parametrize("line", ["Talker = Talker()  # here", "rclpy.spin(Talker)  # here"])
+def test_a_variable_that_hides_a_class_of_the_file(judge: Judge, line: str):
+    source = NODE.replace("{body}", "        pass").replace("rclpy.spin(Talker())", f"{line}\n    Talker = 1")
+    (told,) = judge("API005", source)
+    assert told.message.startswith("'Talker' is a variable in this function and has no value yet")
+    assert told.help == "give the variable another name: it hides the class Talker of this file"

@@ -376,3 +376,24 @@ def test_a_super_that_has_a_class(judge: Judge, source: str) -> None:
 
 def test_gaps_of_an_exercise_are_there_to_be_filled_in(judge: Judge):
     judge("API005", _node("self.pub.publish(____)", "self.limit = ________(self.limit)"))
+
+
+def test_an_except_with_the_name_of_what_it_catches(judge: Judge):
+    (told,) = judge("API005", _node("try:", "    self.publish()", "except e:  # here", "    print(e)"))
+    assert told.help == "write `except Exception as e:`"
+    (of_class,) = judge("API005", _node("try:", "    self.publish()", "except Failure:  # here", "    pass"))
+    assert of_class.help == "define it, or remove the line"
+
+
+def test_what_stands_behind_the_line_at_which_loading_ends(judge: Judge):
+    source = """
+        import rclpy
+
+        first = folder + 'a'  # here
+        first.append(description)
+
+        def later():
+            print(rate)  # here
+        """
+    told = judge("API005", source)
+    assert [(row.place.line, len(row.related)) for row in told] == [(3, 1), (7, 0)]

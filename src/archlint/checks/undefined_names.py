@@ -17,7 +17,7 @@ from archlint.python_code.how_imported import import_of
 from archlint.python_code.stray_methods import StrayMethod, stray_methods
 from archlint.python_code.unbound_locals import UnboundLocal, unbound_locals
 from archlint.python_code.undefined_beside import stops_a_launch
-from archlint.python_code.undefined_names import Undefined, undefined_names
+from archlint.python_code.undefined_names import Undefined, statements_of_module, undefined_names
 from archlint.suggestions import meant, nearest
 
 if TYPE_CHECKING:
@@ -43,7 +43,10 @@ def undefined_name(system: System, options: Options) -> Iterator[Finding]:
             told = _finding(system.workspace, read)
             statement = getattr(source_code(system).statement_at(read.place), "span", None)
             if statement is not None and told.group == (read.place.file, read.name):
-                # A statement fails at the first of its names, which tells the rest.
+                # A statement fails at the first of its names, which tells the rest, and so does all of a file that
+                # Python loads no further.
+                stops = statement in statements_of_module(system.workspace, read.place.file)
+                statement = None if stops else statement
                 leader = leaders.setdefault((read.place.file, statement), read.name)
                 told = replace(told, group=(read.place.file, leader))
             yield from once_where_uncalled(system, told)
@@ -64,6 +67,8 @@ def _outside_of_classes(method: StrayMethod) -> Finding:
 
 
 def _too_early(read: UnboundLocal) -> Finding:
+    if read.hidden:
+        return _hiding(read)
     elsewhere = (read.assigned.line, read.assigned.column) < (read.place.line, read.place.column)
     reason = "gets a value only in another branch of" if elsewhere else "gets a value only later in"
     return finding(
@@ -71,6 +76,19 @@ def _too_early(read: UnboundLocal) -> Finding:
         read.place,
         f"'{read.name}' {reason} this function: this line fails with an UnboundLocalError",
         help=f"give {read.name} a value in this branch, too" if elsewhere else f"give {read.name} a value before",
+        related=[Related(read.assigned, "it makes the name a variable of this function, wherever else it has a value")],
+        identity=(read.name, "early"),
+        group=(read.place.file, read.name, "early"),
+    )
+
+
+def _hiding(read: UnboundLocal) -> Finding:
+    """A variable with the name of a class of the file, ``Driver = Driver()``: in all of the function it is meant."""
+    return finding(
+        "API005",
+        read.place,
+        f"'{read.name}' is a variable in this function and has no value yet: this line fails with an UnboundLocalError",
+        help=f"give the variable another name: it hides the {read.hidden} {read.name} of this file",
         related=[Related(read.assigned, "it makes the name a variable of this function, wherever else it has a value")],
         identity=(read.name, "early"),
         group=(read.place.file, read.name, "early"),
@@ -150,6 +168,8 @@ def _undefined(workspace: WorkspaceIndex, read: Undefined) -> Finding:
     if not near and not statement and len(read.name) >= _SHORT:
         known = (name for name in read.known if name not in _BUILT_IN and not _is_one_a_class(name, read.name))
         near = nearest(read.name, known) or ""
+    if read.caught:
+        near, statement = "", f"except Exception as {read.name}:"
     cure = f"write `{statement}`" if statement else f"write {near}" if near else "define it, or remove the line"
     hint = meant(f"'{near}'" if near else "")
     return finding(

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import builtins
 from collections.abc import Collection, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import kept_for_each_file
@@ -37,6 +37,8 @@ class UnboundLocal:
     name: str
     assigned: Place
     caught: Place | None = None
+    hidden: str = ""
+    """What of the file has the same name, if it is a class or a function: nobody can mean it in this function."""
 
 
 @dataclass(frozen=True)
@@ -45,6 +47,7 @@ class _Row:
     span: facts.Span
     assigned: facts.Span
     caught: facts.Span | None = None
+    hidden: str = ""
 
 
 def unbound_locals(workspace: WorkspaceIndex) -> Iterator[UnboundLocal]:
@@ -55,7 +58,7 @@ def unbound_locals(workspace: WorkspaceIndex) -> Iterator[UnboundLocal]:
             continue
         for row in _rows(workspace, path) or ():
             caught = None if row.caught is None else Place(path, *row.caught)
-            yield UnboundLocal(Place(path, *row.span), row.name, Place(path, *row.assigned), caught)
+            yield UnboundLocal(Place(path, *row.span), row.name, Place(path, *row.assigned), caught, row.hidden)
 
 
 @kept_for_each_file
@@ -63,7 +66,15 @@ def _rows(code: facts.Facts) -> list[_Row]:
     if not MAKES_NAMES.isdisjoint(code.names):
         return []
     known = None if stars(code) else own_names(code).union(dir(builtins))
-    return [row for function in everything_in(code.body, facts.Function) for row in _in_function(function, known)]
+    rows = [row for function in everything_in(code.body, facts.Function) for row in _in_function(function, known)]
+    hidden = _defined_in(code) if rows else {}
+    return [row if row.caught else replace(row, hidden=hidden.get(row.name, "")) for row in rows]
+
+
+def _defined_in(code: facts.Facts) -> dict[str, str]:
+    """What the classes and functions of a file are, by their names."""
+    classes = {part.name: "class" for part in code.body if isinstance(part, facts.Class)}
+    return {part.name: "function" for part in code.body if isinstance(part, facts.Function)} | classes
 
 
 def _in_function(function: facts.Function, known: frozenset[str] | None) -> Iterator[_Row]:

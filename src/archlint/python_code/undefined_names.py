@@ -57,6 +57,8 @@ class Undefined:
     without_self: str = ""
     """The method that it is read in, where that has no parameter at all and the class has one of the name."""
     called: bool = False
+    caught: bool = False
+    """Whether an ``except`` has it for a class, and gives what it catches no name: ``except e:``."""
 
 
 def undefined_names(workspace: WorkspaceIndex) -> Iterator[Undefined]:
@@ -83,7 +85,8 @@ def undefined_names(workspace: WorkspaceIndex) -> Iterator[Undefined]:
                 place, span = Place(file.relative, *read.name.span), read.name.span
                 of_self = read.of_self and span not in _first_values(file_facts)
                 called = span in _called(file_facts)
-                yield Undefined(place, read.name.id, known, of_self, read.added, read.without_self, called)
+                caught = span in _caught(file_facts)
+                yield Undefined(place, read.name.id, known, of_self, read.added, read.without_self, called, caught)
 
 
 def _is_blank(name: str) -> bool:
@@ -109,6 +112,14 @@ def _called(code: facts.Facts) -> frozenset[facts.Span]:
 
 
 @once_for
+def _caught(code: facts.Facts) -> frozenset[facts.Span]:
+    """Where the names stand, none like that of a class, that handlers ask for and that give what they catch no name."""
+    handlers = (handler for handler in everything_in(code.body, facts.Handler) if handler.name is None)
+    types = (handler.type for handler in handlers)
+    return frozenset(each.span for each in types if isinstance(each, facts.Name) and each.id.islower())
+
+
+@once_for
 def _first_values(code: facts.Facts) -> frozenset[facts.Span]:
     """Where a name stands of which an attribute of the same name gets its value, if it gets none otherwise, or the name
     is called: ``self.db = db('map.db')`` does not mean itself."""
@@ -123,6 +134,18 @@ def _first_values(code: facts.Facts) -> frozenset[facts.Span]:
     only = [reads for attr, reads in rows.items() if all(reads) and attr not in of_classes]
     spans = {span for reads in only for read in reads for span in read}
     return frozenset(spans | {span for reads in rows.values() for read in reads for span in read} & _called(code))
+
+
+def statements_of_module(workspace: WorkspaceIndex, file: str) -> frozenset[facts.Span]:
+    """The plain statements that run one after the other when a file is loaded: at the first that fails it is over."""
+    code = workspace.facts_at(file)
+    return frozenset() if code is None else _plain_statements(code)
+
+
+@once_for
+def _plain_statements(code: facts.Facts) -> frozenset[facts.Span]:
+    plain = (facts.Assign, facts.Annotated, facts.Augmented, facts.Expression)
+    return frozenset(statement.span for statement in code.body if isinstance(statement, plain))
 
 
 def names_bound_in(workspace: WorkspaceIndex, file: str) -> frozenset[str]:
