@@ -612,6 +612,27 @@ def test_a_name_of_which_another_rule_says_what_is_meant(lint: Lint):
     assert lint(launching(started("your_package"))) == []
 
 
+@pytest.mark.parametrize(
+    ("path", "told"),
+    [
+        ("talk/talk/data/plot.py", 0),  # no package of Python, so that nothing installs it
+        ("talk/talk/plot.py", 1),
+        ("talk/plot.py", 1),  # beside the code: perhaps what the package is for
+    ],
+)
+def test_a_script_that_is_run_by_hand_where_it_lies(lint: Lint, path: str, told: int):
+    entries = "entry_points={'console_scripts': ['talk = talk.main:main']}"
+    setup = "from setuptools import find_packages, setup\nsetup(name='talk', packages=find_packages(), {})\n"
+    files = {
+        "talk/package.xml": manifest("talk", *depends("rclpy")),
+        "talk/setup.py": setup.format(entries),
+        "talk/talk/__init__.py": "",
+        "talk/talk/main.py": "import rclpy\n\n\ndef main():\n    rclpy.init()\n",
+        path: node(LASER),
+    }
+    assert len(lint(files)) == told
+
+
 def test_no_fix_names_a_package_that_only_another_manifest_knows(lint: Lint):
     files = {
         "talk/package.xml": manifest("talk", *depends("rclpy")),

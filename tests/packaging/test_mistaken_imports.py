@@ -60,6 +60,17 @@ def test_interfaces_of_a_package_that_is_nowhere(said: Said) -> None:
     assert (finding.place.file, finding.place.line) == ("robot/robot/node.py", 2)
 
 
+def test_a_package_that_is_nowhere_is_told_once(said: Said) -> None:
+    """PKG001 has nothing to add to a line of which it is known what was meant."""
+    both = {"archlint.toml": 'select = ["API006", "PKG001"]\n'}
+
+    def codes(lines: str) -> list[str]:
+        return [row.code for row in said(lines, **both) if "home_interfaces" in row.message]
+
+    assert codes("from home_interfaces.msg import Door") == ["API006"]
+    assert codes("from home_interfaces.msg import Window") == ["PKG001"]
+
+
 @pytest.mark.parametrize(
     ("lines", "more"),
     [

@@ -20,6 +20,7 @@ from archlint.packaging.launch_dependencies import packages_of_files, packages_o
 from archlint.packaging.manifests import package_around
 from archlint.ros import packages
 from archlint.workspace.closure import closure
+from archlint.workspace.folders import folders_above
 from archlint.workspace.manifest import condition_holds
 
 if TYPE_CHECKING:
@@ -74,7 +75,7 @@ def _uses_by_package(workspace: WorkspaceIndex, options: Options) -> dict[str, l
             continue
         if any(known.declares(file, use) for file in (use.place.file, *use.also)):
             continue
-        if _is_itself(workspace, package, use.needed):
+        if _is_itself(workspace, package, use.needed) or _is_left_out(workspace, package, use):
             continue
         if use.how == "tests with" and known.declares_for_tests(use.place.file, use.needed):
             continue
@@ -106,6 +107,18 @@ def _is_itself(workspace: WorkspaceIndex, package: Package, needed: str) -> bool
     """Whether a name is one under which the package itself enters ament's index, beside that of its manifest."""
     installs = workspace.installs.get(package.name)
     return installs is not None and installs.folder == package.relative and installs.is_indexed_as(needed)
+
+
+def _is_left_out(workspace: WorkspaceIndex, package: Package, use: Use) -> bool:
+    """Whether an import is in a file below the installed Python code that no build installs, since its folder is no
+    package of Python, and that no program reaches: it is run by hand, where it lies."""
+    installs, file = workspace.installs.get(package.name), use.place.file
+    code = None if installs is None else installs.python
+    if installs is None or code is None or use.how != "imports" or installs.open_files or code.has(file):
+        return False
+    if file in workspace.code.in_use or any(installs.places_of(file)) or workspace.code.kind_of(file) != "python":
+        return False
+    return any(folder in code.folders for folder in folders_above(file))
 
 
 def _is_beside_cpp(workspace: WorkspaceIndex, package: Package, use: Use) -> bool:

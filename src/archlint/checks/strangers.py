@@ -10,6 +10,7 @@ from archlint.checks.dependency_uses import How, Use
 from archlint.checks.registry import finding
 from archlint.finding import Finding, Related
 from archlint.packaging.absent_packages import is_from_nowhere, is_told_as_another
+from archlint.packaging.missing_imports import missing_imports
 from archlint.ros.mistaken_dependencies import mistaken
 from archlint.suggestions import listed
 
@@ -30,8 +31,17 @@ def strangers(workspace: WorkspaceIndex, package: Package, uses: Sequence[Use]) 
     names = [
         name for name in sorted(by_name) if is_from_nowhere(workspace, name) and not is_told_as_another(workspace, name)
     ]
-    if names:
-        yield _finding(package, {name: by_name[name] for name in names})
+    told = _told_lines(workspace) if names else set()
+    rows = {name: [use for use in by_name[name] if (use.place.file, use.place.line) not in told] for name in names}
+    named = {name: left for name, left in rows.items() if left}
+    if named:
+        yield _finding(package, named)
+
+
+def _told_lines(workspace: WorkspaceIndex) -> set[tuple[str, int]]:
+    """The imports of which API006 says what the package is called that was meant."""
+    rows = (row for row in missing_imports(workspace) if row.present or row.near)
+    return {(row.place.file, row.place.line) for row in rows}
 
 
 def _finding(package: Package, by_name: dict[str, list[Use]]) -> Finding:
