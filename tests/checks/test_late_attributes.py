@@ -6,6 +6,7 @@ import pytest
 
 from archlint.finding import Severity
 from checks.judging import Judge
+from robot_package import TALKER
 
 NODE = """
 import rclpy
@@ -130,6 +131,22 @@ def test_a_method_that_nothing_calls(judge: Judge):
     assert finding.help == "assign self.limit in __init__(), or call or register set_limit()"
 
 
+def test_what_is_wrong_in_a_method_that_nothing_calls_is_one_finding(findings):
+    methods = """
+    def hear(self, message):
+        self.heard = message
+
+    def report(self):
+        print(self.width)
+        print(self.heard)
+"""
+    timer = "        self.create_timer(1.0, print); self.create_subscription(String, 'a', self.tick, 10)\n"
+    methods += "\n    def tick(self, message):\n        pass\n"
+    talker = TALKER.replace("\ndef main", f"{timer}{methods}\ndef main")
+    told = findings("API002", **{"robot/talker.py": talker})
+    assert [(row.help, len(row.related)) for row in told] == [("delete report(), which nothing calls", 1)]
+
+
 def test_all_of_a_class_are_one_finding(judge: Judge):
     source = _node(
         f"{TIMER}; {SECOND.replace('steer', 'on_width')}",
@@ -210,3 +227,35 @@ def test_a_class_that_derives_from_it(judge: Judge):
     source = _node(TIMER, "def steer(self):", "    print(self.limit)", "def set_limit(self):", "    self.limit = 1.0")
     derived = "class Second(Pilot):\n    def begin(self):\n        self.set_limit()\n\n\ndef main():"
     judge("API002", source.replace("def main():", derived).replace("spin(Pilot", "spin(Second"))
+
+
+@pytest.mark.parametrize(
+    ("loop", "told"),
+    [
+        ("while rclpy.ok(): time.sleep(0.1)", 0),
+        ("while True: time.sleep(0.1)", 0),
+        ("while True: break", 1),
+        ("while self.busy: time.sleep(0.1)", 1),
+    ],
+)
+def test_callbacks_of_a_constructor_that_never_returns(findings, loop: str, told: int):
+    talker = TALKER.replace(
+        "\ndef main",
+        f"""
+        self.busy = False
+        self.create_subscription(String, 'left', self.on_left, 10)
+        self.create_subscription(String, 'right', self.on_right, 10)
+        self.drive()
+
+    def on_left(self, message):
+        self.left = message.data
+
+    def on_right(self, message):
+        print(self.left)
+
+    def drive(self):
+        {loop}
+
+def main""",
+    ).replace("import rclpy\n", "import rclpy\nimport time\n", 1)
+    assert len(findings("API002", **{"robot/talker.py": talker})) == told

@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.checks.registry import finding
-from archlint.checks.uncalled import uncalled_in_program, unless_uncalled
+from archlint.checks.uncalled import once_where_uncalled, uncalled_in_program
 from archlint.finding import Finding, Related, Severity
 from archlint.python_code.late_attributes import Late, LateRead, late_attributes
 from archlint.python_code.methods_at_work import Called
@@ -25,7 +25,7 @@ def late_attribute_findings(system: System) -> Iterator[Finding]:
         if read.late is not Late.NEVER:
             yield _finding(read)
         elif read.is_unshared or uncalled_in_program(system, read.assigned) is not None:
-            yield from unless_uncalled(system, _finding(read))
+            yield from once_where_uncalled(system, _finding(read))
 
 
 _FIRST = {

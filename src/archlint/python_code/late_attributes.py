@@ -24,7 +24,7 @@ from archlint.python_code.class_chains import (
     targets_of,
 )
 from archlint.python_code.early_attribute_reads import gives, is_of_class
-from archlint.python_code.methods_at_work import INIT, Called, MethodsAtWork, methods_at_work, of_self
+from archlint.python_code.methods_at_work import INIT, Called, MethodsAtWork, methods_at_work, never_returns, of_self
 from archlint.python_code.sure_reads import SureRead, sure_reads
 from archlint.python_code.unassigned_attributes import (
     attributes_of_self,
@@ -205,6 +205,8 @@ def _setters(work: MethodsAtWork) -> dict[str, dict[str, facts.Span]]:
 def _readers(code: facts.Class, work: MethodsAtWork, early: set[str]) -> Iterator[tuple[str, Called | None]]:
     """The callbacks that may run once the constructor is done, those of timers first."""
     yield INIT, None
+    if never_returns(work):
+        return
     later = not _STARTS_LATER.isdisjoint(names_in(code.body) | _keywords(code))
     rows = [(name, role) for method, name, role in work.registered if method in early]
     rows = [(name, role) for name, role in rows if not (role is Called.TIMER and later)]

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from archlint.python_code.class_chains import methods_of
 from archlint.string_enum import StringEnum
 from archlint.syntax import facts
+from archlint.syntax.control_flow import loop_of
 from archlint.syntax.parts import Itself, everything_in, once_for, parts_of
 
 INIT = "__init__"
@@ -58,6 +59,23 @@ class MethodsAtWork:
     def called_for(self, name: str) -> set[Called]:
         """What a method is registered for."""
         return {called for _, registered, called in self.registered if registered == name}
+
+
+def never_returns(work: MethodsAtWork) -> bool:
+    """Whether the constructor, or a method that it calls in any case, has a loop that ends with ROS alone: until then
+    rclpy calls nothing back, unless the loop spins."""
+    constructor = work.methods[INIT]
+    calls = (statement.value for statement in constructor.body if isinstance(statement, facts.Expression))
+    called = (of_self(call.func) for call in calls if isinstance(call, facts.Call))
+    functions = [constructor, *(work.methods[name] for name in called if name is not None and name in work.methods)]
+    loops = (statement for function in functions for statement in function.body if isinstance(statement, facts.While))
+    return any(_is_endless(loop) for loop in loops)
+
+
+def _is_endless(loop: facts.While) -> bool:
+    """``while rclpy.ok()`` or ``while True``, with no other way out."""
+    runs_on = loop.test.truth is True or (isinstance(loop.test, facts.Call) and loop.test.func.last_name == "ok")
+    return runs_on and not loop_of(loop).is_left_by_jump
 
 
 def _closure(names: Collection[str], edges: Mapping[str, set[str]]) -> set[str]:
