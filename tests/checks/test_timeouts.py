@@ -1190,3 +1190,9 @@ class Gripper(Node):
 def test_who_wants_to_wait_is_not_told_to_go_on(judge: Judge, otherwise: str, distro: str, help_: str):
     [found] = judge("TMO002", BLOCK.format(otherwise=otherwise), config=f'distro = "{distro}"')
     assert help_ in found.help
+
+
+@pytest.mark.parametrize(("asks", "mark"), [("call", ""), ("call_async", "  # here")])
+def test_a_spin_behind_a_call_that_never_returns(judge: Judge, asks: str, mark: str):
+    lines = (f"future = client.{asks}({REQUEST})", f"rclpy.spin_until_future_complete(node, future){mark}")
+    judge("TMO003", script("\n        ".join(lines)), config=LOST_ANSWERS)

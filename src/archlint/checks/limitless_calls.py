@@ -136,8 +136,18 @@ def _limitless(system: System, options: Options) -> Iterator[tuple[Program, ApiC
         for program, call in calls_of(system, (_CALL, _SEND_GOAL))
         if not _is_wait_of_daemon(system, program, call)
         and call.place not in reported
-        and (call.api == _SEND_GOAL or waits_for_ever(source_code(system), call, "timeout_sec", negative=False))
+        and _is_without_limit(source_code(system), call)
     )
+
+
+def _is_without_limit(code: SourceCode, call: ApiCall) -> bool:
+    return call.api == _SEND_GOAL or waits_for_ever(code, call, "timeout_sec", negative=False)
+
+
+def never_returns(code: SourceCode, program: Program, call: ApiCall) -> bool:
+    """Whether a call waits for an answer without a limit, and nothing can answer it: EXE009."""
+    waits = call.api in (_CALL, _SEND_GOAL) and _is_without_limit(code, call)
+    return waits and is_unanswerable(program, call)
 
 
 def is_unanswerable(program: Program, call: ApiCall) -> bool:

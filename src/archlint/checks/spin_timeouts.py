@@ -14,6 +14,7 @@ from archlint.analysis.reach import argument, calls_of, creations_of, node_name,
 from archlint.analysis.source_code import SourceCode, source_code
 from archlint.analysis.unused_results import is_thrown_away
 from archlint.checks.folding import class_around, folds, of_one_class, of_one_package, package_around
+from archlint.checks.limitless_calls import never_returns
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.uncalled import uncalled_in_program
@@ -66,7 +67,7 @@ def spin_without_timeout(system: System, options: Options) -> Iterator[Finding]:
         if call.context.role != Role.METHOD or creations_of(argument(call, "future"))
         if not _is_refused(program, call) and not _may_be_meant_as_a_limit(source_code(system), call)
         if not _is_uncalled(system, call) and not _is_all_there_is_to_do(system, program, call)
-        if not _is_part_of_start(system, call)
+        if not _is_part_of_start(system, call) and not _is_never_reached(source_code(system), program, call)
         if seldom or not _comes_as_a_rule(system, program, call, options)
     )
 
@@ -74,6 +75,13 @@ def spin_without_timeout(system: System, options: Options) -> Iterator[Finding]:
 def _is_uncalled(system: System, call: ApiCall) -> bool:
     """Whether a call is in a method of a program that nothing calls."""
     return call.context.role == Role.METHOD and uncalled_in_program(system, call.place) is not None
+
+
+def _is_never_reached(code: SourceCode, program: Program, call: ApiCall) -> bool:
+    """Whether a call in front of a spin never returns, as nothing can answer it: EXE009 tells of that one."""
+    return any(
+        never_returns(code, program, other) and always_comes_before(code, other, call) for other in program.calls
+    )
 
 
 def _is_all_there_is_to_do(system: System, program: Program, call: ApiCall) -> bool:
