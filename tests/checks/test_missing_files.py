@@ -613,6 +613,28 @@ def test_a_path_of_an_argument_to_another_folder_than_the_file_is_in(findings):
     assert finding.message == "package 'robot' has no file 'config/map.yaml'; did you mean 'config/halls/map.yaml'?"
 
 
+@pytest.mark.parametrize(
+    ("installed", "near", "said"),
+    [
+        ("launch", "config/halls/map.yaml", "; 'config/halls/map.yaml' is not installed either"),
+        ("launch config", "config/halls/map.yaml", ""),
+        ("launch config/halls", "halls/map.yaml", ""),  # where it is in the share folder
+    ],
+)
+def test_a_file_that_is_meant_is_installed_or_to_be(findings, installed, near, said):
+    cmake = f"project(robot)\ninstall(DIRECTORY {installed} DESTINATION share/robot)\nament_package()\n"
+    files = {"CMakeLists.txt": cmake, "package.xml": CMAKE, "setup.py": "", "config/halls/map.yaml": ""}
+    (finding,) = findings("LCH004", arg("map", "maps/map.yaml", "default"), **files)
+    assert finding.message == f"package 'robot' has no file 'maps/map.yaml'; did you mean '{near}'?"
+    assert finding.help.removeprefix("check the path; it is relative to the package's installed share folder") == said
+
+
+@pytest.mark.parametrize("package", ["robott", "tracking_robot"])
+def test_a_launch_file_is_not_told_to_include_itself(findings, package):
+    line = include(f"$(find-pkg-share {package})/launch/it.launch.xml")
+    assert findings("LCH004", line) == []
+
+
 def test_a_path_of_an_argument_where_several_files_have_that_name(findings):
     launch, config = arg("map", "config/map.yaml", "default"), {"config/other.yaml": "", "config/halls/map.yaml": ""}
     assert findings("LCH004", launch, **config, **{"config/sheds/map.yaml": ""}) == []
@@ -821,7 +843,7 @@ def test_a_path_in_a_value_that_a_launch_file_sets(findings):
         (["andino.rviz"], ", and its folder has 'andino.rviz'"),
         (["andino.rviz", "notes.txt", "slam.rviz"], ", and its folder has 'andino.rviz', 'slam.rviz'"),
         ([f"view{number}.rviz" for number in range(4)], ""),
-        (["robots.rviz"], ""),  # the message asks whether it was meant
+        (["robots.rviz"], "; 'rviz/robots.rviz' is not installed either"),  # the message asks whether it was meant
     ],
 )
 def test_what_the_folder_of_a_missing_file_has(findings, there: list[str], said: str):

@@ -14,10 +14,18 @@ from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
 from archlint.launch.kinds import FileKind, FileStatus
 from archlint.launch_files.launch_code import writes_files
-from archlint.launch_files.missing_files import is_folder_missing, lies_in, may_do_without, names_beside, namesake
+from archlint.launch_files.missing_files import (
+    installed_paths,
+    is_folder_missing,
+    is_installed_nowhere,
+    lies_in,
+    may_do_without,
+    names_beside,
+    namesake,
+)
 from archlint.packaging.absent_packages import is_nowhere, is_placeholder, package_meant, package_with
 from archlint.packaging.generated_files import has_template, is_generated, is_ignored
-from archlint.suggestions import common_words, did_you_mean, distance, have_same_words, listed, meant
+from archlint.suggestions import common_words, distance, have_same_words, listed, meant, nearest
 
 if TYPE_CHECKING:
     from archlint.finding import Place
@@ -67,13 +75,14 @@ def missing_launch_file(system: System, options: Options) -> Iterator[Finding]:
             continue
         if reference.status == FileStatus.MISSING:
             message = f"package '{reference.package}' has no {what} '{_in_package(system, reference, shown)}'"
-            near = _did_you_mean_file(system.workspace, reference.package or "", shown)
-            message += near
+            near = _file_meant(system.workspace, reference.package or "", shown)
+            message += meant(f"'{near}'") if near else ""
             beside = (written or "").startswith("$(workspace)")
             start = "installed folder of this launch file" if beside else "package's installed share folder"
             help = f"check the path; it is relative to the {start}"
             there = [] if near else _of_one_kind(system.workspace, reference.package or "", shown)
             help += f", and its folder has {listed(there)}" if there else ""
+            help += _not_installed_either(system.workspace, reference.package or "", shown, near) if near else ""
         else:
             message = f"package '{reference.package}' does not install the {what} '{shown}'"
             aside = _package_beside(system, written or "")
@@ -98,7 +107,7 @@ def missing_launch_file(system: System, options: Options) -> Iterator[Finding]:
 def _need_not_be_here(system: System, reference: FileReference, shown: str) -> bool:
     """Whether a file that is not there is made by the build, or may be where the project is used."""
     package = reference.package or ""
-    trained = shown.endswith(_TRAINED) and not _did_you_mean_file(system.workspace, package, shown)
+    trained = shown.endswith(_TRAINED) and not _file_meant(system.workspace, package, shown)
     return trained or is_generated(system.workspace, package, shown)
 
 
@@ -161,7 +170,9 @@ def _absent_packages(system: System) -> Iterator[Finding]:
             continue
         seen.add((place, package))
         named = _below_package(reference.written or "")
-        near = package_meant(workspace, package, named) or package_with(workspace, package, named, reference.place.file)
+        near = package_meant(workspace, package, named, reference.place.file) or package_with(
+            workspace, package, named, reference.place.file
+        )
         if near is None and not is_placeholder(package):
             continue
         yield finding(
@@ -189,7 +200,7 @@ def _is_read(system: System, reference: FileReference, written: str) -> bool:
         return False
     if not path.endswith(_READ) and may_do_without(system, reference.name):
         return False
-    is_meant = path.endswith(_READ) or _did_you_mean_file(system.workspace, installs.package, path) != ""
+    is_meant = path.endswith(_READ) or _file_meant(system.workspace, installs.package, path) != ""
     if reference.kind == FileKind.ARGUMENT:
         is_meant = is_meant or is_folder_missing(system.workspace, installs.package, path)
         is_meant = is_meant and not has_template(system.workspace, installs.package, path)
@@ -248,16 +259,26 @@ def _decided_at(reference: FileReference) -> Place:
     return use if starts and ends else given
 
 
-def _did_you_mean_file(workspace: WorkspaceIndex | None, package: str, shown: str) -> str:
-    """The file beside a missing one whose name is nearest to its name, or one of its very name in another folder."""
+def _file_meant(workspace: WorkspaceIndex | None, package: str, shown: str) -> str:
+    """The file beside a missing one whose name is nearest to its name, or the path of the one file that has its very
+    name in another folder: that to which it is installed."""
     beside = [] if workspace is None else names_beside(workspace, package, shown)
     name = posixpath.basename(posixpath.normpath(shown))
     same = [other for other in beside if have_same_words(name, other)]
     if len(same) == 1:
-        return meant(f"'{same[0]}'")
-    near = did_you_mean(name, [other for other in beside if _is_like(name, other)])
+        return same[0]
+    near = nearest(name, [other for other in beside if _is_like(name, other)])
     other = None if near or workspace is None else namesake(workspace, package, shown)
-    return meant(f"'{other}'") if other is not None else near
+    if workspace is None or other is None:
+        return near or ""
+    return next(iter(installed_paths(workspace, package, other) or ()), other)
+
+
+def _not_installed_either(workspace: WorkspaceIndex | None, package: str, shown: str, near: str) -> str:
+    """What is left to do where nothing installs the file that was meant."""
+    path = near if "/" in near else posixpath.normpath(posixpath.join(posixpath.dirname(shown), near))
+    left_out = workspace is not None and is_installed_nowhere(workspace, package, path)
+    return f"; '{path}' is not installed either" if left_out else ""
 
 
 _FEW = 3

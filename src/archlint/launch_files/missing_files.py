@@ -44,6 +44,23 @@ def namesake(workspace: WorkspaceIndex, package: str, path: str) -> str | None:
     return files[0] if len(files) == 1 else None
 
 
+def installed_paths(workspace: WorkspaceIndex, package: str, path: str) -> list[str] | None:
+    """Where a file of a package, by its path below the folder, is in the share folder; None where that is not known."""
+    installs, share = workspace.installs.get(package), f"share/{package}/"
+    if installs is None:
+        return None
+    source = posixpath.join(installs.folder, path)
+    places = [place.removeprefix(share) for place in installs.places_of(source) if place.startswith(share)]
+    return places if places or not installs.open_files else None
+
+
+def is_installed_nowhere(workspace: WorkspaceIndex, package: str, path: str) -> bool:
+    """Whether a package has a file, by its path below the folder, and certainly does not install it."""
+    installs = workspace.installs.get(package)
+    is_here = installs is not None and workspace.tree.is_file(posixpath.join(installs.folder, path))
+    return is_here and installed_paths(workspace, package, path) == []
+
+
 _ASKS = ("exists", "is_file", "is_open", "isfile")
 """What code calls to see whether a file is there, in Python or in C++."""
 

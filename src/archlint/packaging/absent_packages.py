@@ -70,9 +70,8 @@ def is_told_as_another(workspace: WorkspaceIndex, package: str) -> bool:
         for reference in launched.references:
             if reference.package == package:
                 path = _BELOW.sub("", reference.written or "")
-                if package_meant(workspace, package, path) or package_with(
-                    workspace, package, path, reference.place.file
-                ):
+                file = reference.place.file
+                if package_meant(workspace, package, path, file) or package_with(workspace, package, path, file):
                     return True
     return False
 
@@ -85,14 +84,16 @@ def is_placeholder(package: str) -> bool:
     return _PLACEHOLDER.fullmatch(package) is not None
 
 
-def package_meant(workspace: WorkspaceIndex, package: str, path: str) -> str | None:
+def package_meant(workspace: WorkspaceIndex, package: str, path: str, launch_file: str) -> str | None:
     """The package of the workspace whose name differs from one that is nowhere by a slip.  It has the file at ``path``
-    below its folder, too: ``xarm_description``, which is installed, is no slip for ``arm_description``."""
+    below its folder, too: ``xarm_description``, which is installed, is no slip for ``arm_description``.  It is not the
+    ``launch_file`` itself, which would include itself."""
     near = nearest(package, workspace.packages)
     if near is None or distance(package, near, _SLIP) > _SLIP:
         return None
     there = posixpath.normpath(posixpath.join(workspace.packages[near].relative, path))
-    return near if workspace.tree.is_file(there) or workspace.tree.is_folder(there) else None
+    is_there = workspace.tree.is_file(there) or workspace.tree.is_folder(there)
+    return near if is_there and there != launch_file else None
 
 
 def package_with(workspace: WorkspaceIndex, package: str, path: str, launch_file: str) -> str | None:
@@ -104,7 +105,8 @@ def package_with(workspace: WorkspaceIndex, package: str, path: str, launch_file
     having = [
         name
         for name, manifest in workspace.packages.items()
-        if workspace.tree.is_file(posixpath.join(manifest.relative, path))
+        if (file := posixpath.normpath(posixpath.join(manifest.relative, path))) != launch_file
+        and workspace.tree.is_file(file)
     ]
     return _alone(workspace, package, having, launch_file)
 
