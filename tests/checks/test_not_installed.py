@@ -475,6 +475,23 @@ def test_files_of_one_folder_that_is_not_there_are_one_finding(findings):
     assert [related.place.line for related in finding.related] == [4]
 
 
+def test_the_first_folder_of_a_call_comes_first(findings):
+    line = INSTALL.replace("launch rviz", "launch meshes worlds")
+    files = {"CMakeLists.txt": BUILD.format(line), ".gitignore": "*.stl\n"}  # which may be all that meshes has
+    (finding,) = findings("PKG004", **OF_CMAKE, **files)
+    assert finding.message == (
+        "install() lists a folder that is not there: the build stops at 'meshes'; another file is not there, either"
+    )
+    [other] = finding.related
+    assert "'worlds'" in other.message
+
+
+def test_a_folder_that_git_ignores_beside_one_that_is_not_there(findings):
+    line = INSTALL.replace("launch rviz", "launch made worlds")
+    (finding,) = findings("PKG004", **OF_CMAKE, **{"CMakeLists.txt": BUILD.format(line), ".gitignore": "made/\n"})
+    assert finding.message.endswith("the build stops at 'worlds'")
+
+
 def test_files_of_two_folders_that_are_not_there(findings):
     other = {"CMakeLists.txt": BUILD.format(LIBRARY.format("mapper")), "src/other.cpp": ""}
     assert len(findings("PKG004", **OF_CMAKE, **other)) == 2

@@ -56,10 +56,11 @@ _HOLD_BINARIES = frozenset(
 _BINARIES = ("bag", "bt", "dae", "db3", "engine", "jpg", "mcap", "obj", "onnx", "pcd", "pgm", "ply", "png", "pt", "stl")
 
 
-def is_ignored(workspace: WorkspaceIndex, path: str) -> bool:
-    """Whether git ignores a missing file, or all that a missing folder would have: it is made on each machine then."""
+def is_ignored(workspace: WorkspaceIndex, path: str, *, by_name: bool = False) -> bool:
+    """Whether git ignores a missing file, or all that a missing folder would have: it is made on each machine then.
+    ``by_name`` asks of a folder itself alone, not of files with the endings that it may be there for."""
     inside = [f"{path}/file"]
-    if posixpath.basename(path) in _HOLD_BINARIES:
+    if posixpath.basename(path) in _HOLD_BINARIES and not by_name:
         inside += [f"{path}/file.{ending}" for ending in _BINARIES]
     return any(_ignores(workspace, file) for file in (path, *inside))
 

@@ -23,7 +23,7 @@ from archlint.workspace.installed import MARKERS
 
 if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
-    from archlint.workspace.installed import InstalledFiles, Installs
+    from archlint.workspace.installed import InstalledFiles, Installs, NeededSource
 
 
 @dataclass(frozen=True)
@@ -308,18 +308,32 @@ _BUILT = (".so", ".a", ".onnx", ".pt", ".pth", ".engine")
 
 
 def _needed_in_vain(workspace: WorkspaceIndex, installs: Installs) -> Iterator[ListedInVain]:
-    """What CMake files list and is not there; git keeps no empty folder, so that a new clone does not have one."""
-    for needed in installs.needed:
-        if installs.open_files and not needed.part:
-            continue
-        is_there = workspace.tree.is_folder if needed.folder else workspace.tree.is_file
-        inside = installs.folder == "." or needed.path.startswith(f"{installs.folder}/")
-        if not inside or needed.path.endswith(_BUILT) or is_there(needed.path):
-            continue
-        if not is_ignored(workspace, needed.path) and submodule_around(workspace, needed.path) is None:
-            [below] = _below(installs, [needed.path])
+    """What CMake files list and is not there; git keeps no empty folder, so that a new clone does not have one.  A
+    folder of which git may ignore all files counts where the command names something else that is not there."""
+    rows = [(needed, below) for needed in installs.needed if (below := _missing(workspace, installs, needed))]
+    sure = {_call_of(needed) for needed, _ in rows if not is_ignored(workspace, needed.path)}
+    for needed, below in rows:
+        if _call_of(needed) in sure:
             within = _absent_folder(workspace, installs, f"{below}/" if needed.folder else below)
             yield ListedInVain(needed.place, below, command=f"{needed.command}()", folder=needed.folder, within=within)
+
+
+def _call_of(needed: NeededSource) -> tuple[str, str, int]:
+    return needed.place.file, needed.command, needed.line
+
+
+def _missing(workspace: WorkspaceIndex, installs: Installs, needed: NeededSource) -> str | None:
+    """The path below the package of what a command needs, if it is not there."""
+    if installs.open_files and not needed.part:
+        return None
+    is_there = workspace.tree.is_folder if needed.folder else workspace.tree.is_file
+    inside = installs.folder == "." or needed.path.startswith(f"{installs.folder}/")
+    if not inside or needed.path.endswith(_BUILT) or is_there(needed.path):
+        return None
+    if is_ignored(workspace, needed.path, by_name=True) or submodule_around(workspace, needed.path) is not None:
+        return None
+    [below] = _below(installs, [needed.path])
+    return below
 
 
 def _absent_folder(workspace: WorkspaceIndex, installs: Installs, below: str) -> str:

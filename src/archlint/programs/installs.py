@@ -177,7 +177,9 @@ def _needed(step: Step) -> Iterator[NeededSource]:
     for argument, folder in rows:
         if not re.search(r"[$<>:]", argument.text) and not posixpath.isabs(without_source(argument.text)):
             place = _place(argument, step.file)
-            yield NeededSource(step.path(argument.text), step.command.name, place, folder, step.of_tests)
+            yield NeededSource(
+                step.path(argument.text), step.command.name, place, folder, step.of_tests, line=step.command.line
+            )
 
 
 def _folder_needed(step: Step) -> Iterator[NeededSource]:

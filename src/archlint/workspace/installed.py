@@ -63,6 +63,8 @@ class NeededSource:
     """Whether the build asks for it unless the tests are left out."""
     part: bool = False
     """Whether it is a CMake file that the build goes on with: without it more of the build is not known."""
+    line: int = 0
+    """Where its command begins."""
 
 
 @dataclass(frozen=True)
