@@ -83,6 +83,16 @@ def test_a_parameter_is_no_name_to_remap(findings):
     assert found.help == "'rate' is a parameter: set it with <param>"
 
 
+def test_services_are_no_advice_for_a_topic(findings):
+    services = "\n        ".join(f"self.create_service(Trigger, '{name}', print)" for name in ("pick", "place"))
+    server = TALKER.replace("self.create_publisher(String, 'chatter', 10)", services)
+    server = server.replace("std_msgs.msg import String", "std_srvs.srv import Trigger")
+    (found,) = findings("LCH002", node('<remap from="~/image" to="camera/image"/>'), **{"robot/talker.py": server})
+    assert found.help == "remove it; the node has no topics, only /pick, /place"
+    (alike,) = findings("LCH002", node('<remap from="~/pick" to="fetch"/>'), **{"robot/talker.py": server})
+    assert alike.help == "use a full name of the node: /pick, /place"
+
+
 def test_the_only_name_of_a_node_is_no_advice_where_it_is_nothing_like_it(findings):
     (found,) = findings("LCH002", node('<remap from="odometry" to="odom"/>'))
     assert found.help == "remove it; the only name of the node is /chatter"

@@ -163,7 +163,7 @@ def _finding(remap: Remap, nodes: list[Node], dead: _Dead) -> Finding:
         "LCH002",
         remap.place,
         f"{node_name} has no name '{dead.expanded}', so this remapping has no effect{hint}",
-        help=_advice(node_name, dead, hint) if parameter is None else _as_parameter(remap, parameter),
+        help=_advice(nodes, dead, hint) if parameter is None else _as_parameter(remap, parameter),
         node=node_name,
         identity=(node_name or "", dead.expanded),
         group=() if hint or parameter is not None else _source_of(nodes[0]),
@@ -196,14 +196,20 @@ def _as_parameter(remap: Remap, name: str) -> str:
     )
 
 
-def _advice(node_name: str | None, dead: _Dead, hint: str) -> str:
+_TOPICS = (EntityKind.PUBLISHER, EntityKind.SUBSCRIBER)
+
+
+def _advice(nodes: Sequence[Node], dead: _Dead, hint: str) -> str:
     """A name of the node that may be meant; the only one that it has is no advice where it is nothing like it.  Of two
     names that are nearly alike either may be the slip."""
-    if dead.expanded == node_name:
+    if dead.expanded == nodes[0].name:
         return "remove it, or rename the node with name=: a remapping is for topics, services and actions"
     own = sorted(name for name in dead.known if "/_action/" not in name)
     last = dead.source.rpartition("/")[2]
-    if len(own) > 1 or hint or any(name.endswith(f"/{last}") for name in own):
+    is_alike = hint or any(name.endswith(f"/{last}") for name in own)
+    if own and not is_alike and not any(end.kind in _TOPICS for node in nodes for end in node.endpoints):
+        return f"remove it; the node has no topics, only {listed(own)}"
+    if len(own) > 1 or is_alike:
         return f"use a full name of the node: {listed(own)}" + (", or correct that one" if hint else "")
     return f"remove it; the only name of the node is {own[0]}" if own else "remove it; the node has no names"
 
