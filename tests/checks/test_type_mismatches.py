@@ -313,6 +313,19 @@ def test_what_each_has_a_partner_for_is_for_those_who_ask():
     assert launched.severity is Severity.ERROR
 
 
+def test_a_service_of_which_each_client_has_a_server_of_its_own():
+    wave, waver = node("/wave", service("x", "p/srv/One")), node("/waver", client("x", "p/srv/One"))
+    nod, nodder = node("/nod", service("x", "p/srv/Two")), node("/nodder", client("x", "p/srv/Two"))
+
+    [mild] = found(service_type_mismatch, system(wave, waver, nod, nodder))
+    assert mild.severity is Severity.INFO
+    assert mild.message.endswith("if they run together: no launch file here starts both by default")
+    [alone] = found(service_type_mismatch, system(wave, waver, nodder))
+    assert alone.severity is Severity.ERROR
+    [launched] = found(service_type_mismatch, system(wave, waver, nod, nodder, name="launch/all.launch.py"))
+    assert launched.severity is Severity.ERROR
+
+
 def test_publishers_to_whom_nobody_listens():
     one, two = node("/one", publisher("x", "p/msg/One")), node("/two", publisher("x", "p/msg/Two"))
     listener = node("/listener", subscriber("x", "p/msg/One"))

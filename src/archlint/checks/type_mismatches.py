@@ -166,12 +166,16 @@ def _are_alternatives(system: System, connection: Connection, endpoint: Endpoint
 
 def _are_at_home(system: System, connection: Connection, pairs: list[tuple[Endpoint, Endpoint]]) -> bool:
     """Whether nothing is seen to start any two of these together, while whoever listens or asks has a partner of its
-    own type in its package: lessons of a course that all say ``topic``."""
+    own type: in its package, as lessons of a course that all say ``topic``; or anywhere, where one server answers."""
     if system.closed or any(known_to_coexist(system, endpoint.node, other.node) for endpoint, other in pairs):
         return False
     users = [end for pair in pairs for end in pair if end in connection.users]
+    anywhere = connection.kind != "topic"
     return bool(users) and all(
-        any(end.type == user.type and end.node.package == user.node.package for end in connection.providers)
+        any(
+            end.type == user.type and (anywhere or end.node.package == user.node.package)
+            for end in connection.providers
+        )
         for user in users
     )
 
