@@ -1221,3 +1221,48 @@ def test_of_several_topics_the_command_says_where(judge: Judge):
     """Nobody minds who turns a laser; two that drive are what is wrong."""
     [found] = judge("OWN001", DRIVES)
     assert found.message == "/page and /planner both publish the topics '/cmd_vel' and '/a_speed'"
+
+
+REPLACED = """
+import rclpy
+from geometry_msgs.msg import Twist
+from rclpy.node import Node
+
+
+class Planner(Node):
+    def __init__(self):
+        super().__init__('planner')
+        self.out = self.create_publisher(Twist, 'cmd_vel', 10)
+        {line}
+        self.create_timer(0.1, lambda: self.out.publish(Twist()))
+
+
+class Pilot(Node):
+    def __init__(self):
+        super().__init__('pilot')
+        self.out = self.create_publisher(Twist, 'cmd_vel', 10){mark}
+        self.create_timer(0.1, lambda: self.out.publish(Twist()))
+
+
+def main():
+    rclpy.init()
+    executor = rclpy.executors.SingleThreadedExecutor()
+    for node in (Planner(), Pilot()):
+        executor.add_node(node)
+    executor.spin()
+
+
+main()
+"""
+
+
+@pytest.mark.parametrize(
+    ("line", "mark"),
+    [
+        ("self.out = self.create_publisher(Twist, 'plan', 10)", ""),
+        ("self.out = wrapped(self.out)", "  # here"),
+        ("self.other = self.create_publisher(Twist, 'plan', 10)", "  # here"),
+    ],
+)
+def test_a_publisher_that_the_next_line_replaces(judge: Judge, line: str, mark: str):
+    judge("OWN001", REPLACED.format(line=line, mark=mark))

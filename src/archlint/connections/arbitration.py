@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
@@ -117,6 +118,20 @@ def never_speaks(owner: Endpoint) -> bool:
     so that this program never calls, and that nobody else can access."""
     calls = publishes_with(owner)
     return bool(calls) and all(call.context.role == "method" for call in calls)
+
+
+def is_replaced(system: System, owner: Endpoint) -> bool:
+    """Whether the next line puts something else where a publisher has just been put: nothing can publish with it."""
+    body = [*source_code(system).body_at(owner.place)]
+    own = source_code(system).statement_at(owner.place)
+    for statement, following in pairwise(body):
+        if statement is own:
+            names = [target.dotted for target in statement.assigned]
+            again = [part.dotted for part in parts_of(following)]
+            return (
+                len(names) == 1 and names == [each.dotted for each in following.assigned] and again.count(*names) == 1
+            )
+    return False
 
 
 def publishes_with(owner: Endpoint) -> list[ApiCall]:
