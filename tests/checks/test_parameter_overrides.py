@@ -186,6 +186,17 @@ def test_a_prefix_that_no_parameter_has_is_one_finding(findings):
     assert "from.gain, from.limits, from.speed" in found.message and "did you mean" not in found.message
 
 
+def test_names_in_a_misspelt_section_are_one_finding(findings):
+    talker = TALKER.replace("'limits', ''", "'speedlimits.left', 1.0").replace("'gain'", "'speedlimits.right'")
+    lines = "    speed_limits:\n      left: 1.0\n      right: 2.0\n"
+    (found,) = findings("file", yaml=f"talker:\n  ros__parameters:\n{lines}", talker=talker)
+    assert found.message == (
+        "/talker declares none of these 2 parameters, so their values have no effect: speed_limits.left, "
+        "speed_limits.right; did you mean 'speedlimits' for 'speed_limits'?"
+    )
+    assert [row.message for row in found.related][:1] == ["'speed_limits.right'"]
+
+
 def test_a_comment_hides_one_of_several(findings):
     lines = "    speed: 1.0  # archlint: ignore[PRM004]\n    frame: map\n"
     (found,) = findings("file", yaml=f"talker:\n  ros__parameters:\n{lines}")

@@ -3,7 +3,7 @@ other findings."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from functools import lru_cache
 from typing import TYPE_CHECKING, Final
 
@@ -11,7 +11,7 @@ from archlint.analysis.declared_parameters import declared_by
 from archlint.checks.parameter_reads import undeclared_reads
 from archlint.checks.registry import finding
 from archlint.finding import Finding
-from archlint.suggestions import distance
+from archlint.suggestions import distance, nearest
 from archlint.systems.overrides import settings_of
 
 if TYPE_CHECKING:
@@ -29,6 +29,14 @@ _SLIP = 2
 def is_misspelt(name: str) -> bool:
     """Whether a name is almost that of the parameter."""
     return name != _OF_EVERY_NODE and distance(name, _OF_EVERY_NODE, _SLIP) <= _SLIP
+
+
+def misspelt_section(name: str, declared: Iterable[str]) -> tuple[str, str] | None:
+    """The section of a dotted name, and that of a declared one which is near and has the same parameter."""
+    section, _, last = name.rpartition(".")
+    sections = (other.rpartition(".")[0] for other in declared if other.rpartition(".")[2] == last)
+    near = nearest(section, filter(None, sections)) if section else None
+    return None if near is None else (section, near)
 
 
 def is_told_otherwise(system: System, node: Node, name: str) -> bool:
@@ -67,4 +75,4 @@ def _is_declared(system: System, started: Started, name: str) -> bool:
     return any((declared := declared_by(node)) is None or name in declared for node in nodes)
 
 
-__all__ = ["is_misspelt", "is_told_otherwise", "misspelt_for_every_node"]
+__all__ = ["is_misspelt", "is_told_otherwise", "misspelt_for_every_node", "misspelt_section"]

@@ -10,7 +10,7 @@ from archlint.analysis.declared_parameters import always_declared, declared_by, 
 from archlint.analysis.kept import once
 from archlint.checks.external_parameters import has_unseen_nodes, unknown_to_externals
 from archlint.checks.folding import folds
-from archlint.checks.misspelt_parameters import is_told_otherwise, misspelt_for_every_node
+from archlint.checks.misspelt_parameters import is_told_otherwise, misspelt_for_every_node, misspelt_section
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related
@@ -18,13 +18,14 @@ from archlint.launch_files.chosen_names import executable_is_chosen, executable_
 from archlint.launch_files.files_read_in_code import is_read_in_code
 from archlint.launch_files.set_parameters import (
     called,
+    declared_in,
     files_of,
     files_of_process,
     node_meant,
     others_are_not_run,
     set_nodes,
 )
-from archlint.suggestions import did_you_mean, listed
+from archlint.suggestions import did_you_mean, listed, meant
 from archlint.systems.nodes import key_of
 from archlint.systems.overrides import Setting, applied, key_matches
 
@@ -204,23 +205,30 @@ def _never_used(
     by_program = is_one_of_several and setting.written is None and not declared
     subject = _process(node) if by_program else called(node)
     given = {other.name for other in settings}
-    meant = did_you_mean(setting.name, declared.keys() - given, rivals=given - declared.keys())
+    near = did_you_mean(setting.name, declared.keys() - given, rivals=given - declared.keys())
     if setting.name.rpartition(".")[2] in declared:
-        meant = ""  # it is the prefix that is wrong, most often of all names beside it
+        near = ""  # it is the prefix that is wrong, most often of all names beside it
+    section = misspelt_section(setting.name, declared.keys() - given) if near else None
     readers = _readers(system, setting) if setting.written is not None and "*" in setting.key else []
     if len(readers) > 1:
         return _read_by_several(readers, setting, settings)
     return finding(
         "PRM004",
         setting.place,
-        f"{subject} declares no parameter '{setting.name}', so this value has no effect{meant}",
+        f"{subject} declares no parameter '{setting.name}', so this value has no effect{near}",
         help=f"it declares {listed(_surely(declared))}" if declared else "declare it in the node, or remove it",
         related=[Related(blueprint.place, "the node is defined here")],
         node=node.name,
         identity=(subject, setting.name),
-        # A misspelt name has advice of its own.
-        group=(setting.name if meant else _NOTHING_OF_IT, *_cause(setting, blueprint)),
+        # A misspelt name has advice of its own, but for names in one misspelt section.
+        group=(_group_of(section, setting.name) if near else _NOTHING_OF_IT, *_cause(setting, blueprint)),
+        meant="" if section is None else section[1],
     )
+
+
+def _group_of(section: tuple[str, str] | None, name: str) -> str:
+    """What misspelt names have in common: their section with a dot, or the name."""
+    return name if section is None else f"{section[0]}."
 
 
 def _process(node: Node) -> str:
@@ -254,17 +262,17 @@ def _read_by_several(readers: Sequence[Node], setting: Setting, settings: Sequen
     every = {name for names in declared for name in names}
     section = setting.place.file, setting.key
     given = {other.name for other in settings}
-    meant = did_you_mean(setting.name, every - given, rivals=given - every)
+    near = did_you_mean(setting.name, every - given, rivals=given - every)
     places = ((node.blueprint.place, called(node)) for node in readers if node.blueprint is not None)
     return finding(
         "PRM004",
         setting.place,
         f"none of the {len(readers)} nodes that read this section declares a parameter '{setting.name}', so this value "
-        f"has no effect{meant}",
+        f"has no effect{near}",
         help=f"they declare {listed(sorted(every))}",
         related=[Related(place, f"{name} is defined here") for place, name in places],
         identity=("", setting.name),
-        group=() if meant else (f"none of the {len(readers)} nodes that read this section declares any of", *section),
+        group=() if near else (f"none of the {len(readers)} nodes that read this section declares any of", *section),
     )
 
 
@@ -290,6 +298,9 @@ def _one_for_a_node(several: Sequence[Finding]) -> Finding:
         more = "another node" if nodes == 2 else f"{nodes - 1} more nodes"
         subject = f"{node} declares none of" if nodes == 1 else f"{node} and {more} of its class declare none of"
     under = f" (with {first.condition})" if first.condition else ""
+    if subject.endswith("."):
+        under += meant(f"'{first.meant}' for '{subject.rstrip('.')}'")
+        subject = f"{first.identity[0]} declares none of"
     return replace(
         first,
         message=f"{subject} these {len(names)} parameters, so their values have no effect: {listed(names)}{under}",
@@ -370,7 +381,7 @@ def _every_declared(system: System, file: str, key: str) -> set[str] | None:
                 return None
             declared_names |= set(declared)
         for dormant in _dormant_with(other, file) if shared else ():
-            names = _declared_in(workspace, dormant)
+            names = declared_in(workspace, dormant)
             if names is None:
                 return None
             declared_names |= names
@@ -381,20 +392,3 @@ def _dormant_with(system: System, file: str) -> list[Started]:
     """What a launch file starts under other arguments only, and gives a parameter file."""
     started = [] if system.launched is None else system.launched.started
     return [process for process in started if process.dormant and file in files_of_process(process)]
-
-
-def _declared_in(workspace: WorkspaceIndex, started: Started) -> set[str] | None:
-    """The names that the nodes of an executable declare, without what its arguments change; None where that is not
-    known."""
-    wanted = started.package.text, started.executable.text
-    nodes = [
-        node
-        for system in workspace.systems
-        if system.launched is None
-        for node in system.nodes
-        if node.program is not None and (node.program.package, node.program.name) == wanted
-    ]
-    declared = [declared_by(node) for node in nodes]
-    if not nodes or not all(map(followed, nodes)) or None in declared:
-        return None
-    return {name for names in declared for name in names or ()}

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from archlint.analysis.declared_parameters import declared_by
+from archlint.analysis.declared_parameters import declared_by, followed
 from archlint.analysis.kept import once
 from archlint.launch.parameter_sources import ParameterFileUse
 from archlint.launch.started import Started
@@ -81,3 +81,20 @@ def rewritten_files(workspace: WorkspaceIndex) -> frozenset[str | None]:
 def files_of_process(started: Started) -> list[str]:
     uses = [parameter for parameter in started.parameters if isinstance(parameter, ParameterFileUse)]
     return [use.reference.source for use in uses if use.reference.source is not None]
+
+
+def declared_in(workspace: WorkspaceIndex, started: Started) -> set[str] | None:
+    """The names that the nodes of an executable declare, without what its arguments change; None where that is not
+    known."""
+    wanted = started.package.text, started.executable.text
+    nodes = [
+        node
+        for system in workspace.systems
+        if system.launched is None
+        for node in system.nodes
+        if node.program is not None and (node.program.package, node.program.name) == wanted
+    ]
+    declared = [declared_by(node) for node in nodes]
+    if not nodes or not all(map(followed, nodes)) or None in declared:
+        return None
+    return {name for names in declared for name in names or ()}
