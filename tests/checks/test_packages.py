@@ -183,6 +183,12 @@ def test_a_node_action_without_a_package_needs_none(findings):
         ),
         ("robot.b", "module 'robot.b' does not exist", "add the module, or remove the entry"),
         (
+            "robot.robot_arm_talker",
+            "module 'robot.robot_arm_talker' does not exist; did you mean 'robot.talker'?",
+            "write 'talker = robot.talker:main'",
+        ),
+        ("robot.robot_a", "module 'robot.robot_a' does not exist", "add the module, or remove the entry"),
+        (
             "robt.talker",
             "module 'robt.talker' does not exist; did you mean 'robot.talker'?",
             "write 'talker = robot.talker:main'",

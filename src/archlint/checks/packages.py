@@ -15,6 +15,7 @@ from archlint.finding import Finding, Related, Severity
 from archlint.packaging.entry_points import NeverAwaited, NoFunction, NoFunctionNamed, NoModule, broken_target
 from archlint.packaging.imports import imports
 from archlint.packaging.left_out_code import is_entry_left_out
+from archlint.python_code.offered_names import own_names
 from archlint.suggestions import did_you_mean, listed, meant, nearest
 
 if TYPE_CHECKING:
@@ -78,6 +79,9 @@ def _broken(workspace: WorkspaceIndex, executable: Executable) -> Iterator[Findi
                 near = target = f"{parent}:{last}"
             elif near is not None and not _may_offer(workspace, executable.package, near, function or "main"):
                 near = None
+            if near is None:
+                near = _shorter(workspace, executable, module, function or "main", known)
+                target = f"{near}:{function or 'main'}"
             hint = "" if near is None else meant(f"'{near}'")
             help = "add the module, or remove the entry" if near is None else f"write '{executable.name} = {target}'"
             group = (executable.place.file, _NO_MODULE, "") if near is None else ()
@@ -147,6 +151,19 @@ def _in_other_entries(workspace: WorkspaceIndex, executable: Executable) -> set[
     """The modules that further entries of the package start: another command for one of them is not what was meant."""
     others = workspace.installs[executable.package].executables.values()
     return {other.module for other in others if other.module is not None and other is not executable}
+
+
+def _shorter(
+    workspace: WorkspaceIndex, executable: Executable, module: str, function: str, known: Collection[str]
+) -> str | None:
+    """The only module beside the missing one with the end of its name: ``arm.driver`` for ``arm.arm_driver``, which
+    defines the function."""
+    modules, (parent, _, last) = workspace.code.modules_of(executable.package), module.rpartition(".")
+    beside = _that_start(workspace, executable, module, known) if parent else []
+    ends = [name for name in beside if name.startswith(f"{parent}.") and last.endswith(f"_{name[len(parent) + 1 :]}")]
+    code = {name: workspace.facts_at(modules[name]) for name in ends}
+    having = [name for name, read in code.items() if read is not None and function in own_names(read)]
+    return having[0] if len(having) == 1 else None
 
 
 def _near_module(module: str, known: Collection[str]) -> str | None:
