@@ -255,8 +255,19 @@ def test_two_packages_of_nearly_one_name_are_no_slip(lint: Lint):
     }
     (slip,) = lint(files)
     assert slip.message.endswith("; did you mean 'arm_interface' by 'arm_interfazes'?")
+    assert slip.help.startswith("write 'arm_interface' for 'arm_interfazes' in line ") and "add" not in slip.help
     (both,) = lint(files | {"arm_interfazes/package.xml": manifest("arm_interfazes")})
     assert "did you mean" not in both.message
+
+
+def test_a_name_with_its_words_in_another_order(lint: Lint):
+    files = {
+        "talk/package.xml": manifest("talk", *depends("rclpy", "sensor_geometry_msgs", "tf2_msgs_geometry")),
+        "talk/talk/node.py": node("import tf2_geometry_msgs", "from sensor_msgs.msg import Imu"),
+    }
+    (found,) = lint(files)
+    assert found.help.startswith("write 'tf2_geometry_msgs' for 'tf2_msgs_geometry' in line ")
+    assert found.help.endswith("; add <exec_depend>sensor_msgs</exec_depend> to talk/package.xml")
 
 
 def test_a_name_that_is_told_to_be_another_one_is_told_once(lint: Lint):
@@ -571,6 +582,14 @@ def test_a_package_that_a_launch_file_names_and_that_is_nowhere(lint: Lint):
         "and which its package.xml does not declare"
     )
     assert (found.fix, found.place.line) == (None, 8)
+
+
+@pytest.mark.parametrize("name", ["secret_driver", "secret-driver", "secretdriver"])
+def test_a_package_that_a_list_of_repositories_brings(lint: Lint, name):
+    listed = f"repositories:\n  {name}:\n    type: git\n    url: https://example.org/it.git\n"
+    (found,) = lint(launching(started("secret_driver")) | {"all.repos": listed})
+    assert found.message == "package 'talk' starts a node of 'secret_driver', which its package.xml does not declare"
+    assert found.help == "add <exec_depend>secret_driver</exec_depend> to talk/package.xml"
 
 
 def test_all_that_are_nowhere_are_one_finding_for_a_package(lint: Lint):

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.aside import is_disused
 from archlint.checks.dependency_uses import How, Use
 from archlint.checks.registry import finding
+from archlint.connections.parts_elsewhere import is_fetched
 from archlint.finding import Finding, Related
 from archlint.packaging.absent_packages import is_from_nowhere, is_told_as_another
 from archlint.packaging.missing_imports import missing_imports
@@ -29,7 +30,11 @@ def strangers(workspace: WorkspaceIndex, package: Package, uses: Sequence[Use]) 
         if use.how in _STOPS and not is_disused(workspace, use.place.file):
             by_name.setdefault(use.needed, []).append(use)
     names = [
-        name for name in sorted(by_name) if is_from_nowhere(workspace, name) and not is_told_as_another(workspace, name)
+        name
+        for name in sorted(by_name)
+        if is_from_nowhere(workspace, name)
+        and not is_told_as_another(workspace, name)
+        and not is_fetched(workspace, name)
     ]
     told = _told_lines(workspace) if names else set()
     rows = {name: [use for use in by_name[name] if (use.place.file, use.place.line) not in told] for name in names}

@@ -15,6 +15,7 @@ from archlint.checks.packages import workspace_of
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.strangers import strangers
+from archlint.connections.parts_elsewhere import is_fetched
 from archlint.edit_sites import MissingDependencies, Sites
 from archlint.finding import Finding, Place, Related
 from archlint.packaging.skipped_packages import skipped_packages
@@ -22,13 +23,13 @@ from archlint.packaging.unused_files import nothing_runs
 from archlint.ros import packages, rosdep
 from archlint.ros.mistaken_dependencies import mistaken
 from archlint.rulebook import rules
-from archlint.suggestions import distance, meant, nearest
+from archlint.suggestions import distance, have_same_words, meant, nearest
 from archlint.workspace.closure import closure
 from archlint.workspace.manifest import condition_holds
 
 if TYPE_CHECKING:
     from archlint.systems.model import System, WorkspaceIndex
-    from archlint.workspace.model import Package
+    from archlint.workspace.model import Dependency, Package
 
 
 @rule("PKG001", scope=Scope.WORKSPACE)
@@ -55,9 +56,10 @@ def undeclared_dependency(system: System, options: Options) -> Iterator[Finding]
 
 
 def _is_somewhere(workspace: WorkspaceIndex, name: str) -> bool:
-    """Whether a package is known: of this workspace, of ROS, or to another manifest here.  Of a name that is nowhere
-    nobody knows what to declare, and rosdep stops at it."""
-    return name in packages.table().names or name in workspace.packages or name in _declared_anywhere(workspace)
+    """Whether a package is known: of this workspace, of ROS, in a ``.repos`` file, or to another manifest here.  Of a
+    name that is nowhere nobody knows what to declare, and rosdep stops at it."""
+    known = name in packages.table().names or name in workspace.packages or name in _declared_anywhere(workspace)
+    return known or is_fetched(workspace, name)
 
 
 def _meant_by_others(workspace: WorkspaceIndex, package: Package) -> set[str]:
@@ -114,7 +116,7 @@ def _undeclared(workspace: WorkspaceIndex, package: Package, uses: Sequence[Use]
         "PKG001",
         uses[0].place,
         _message(workspace, package, uses[0], needed),
-        help=_help(package, by_needed),
+        help=_help(workspace, package, by_needed),
         related=[
             *(related for related in _related(by_needed) if related.place != uses[0].place),
             *_misplaced(package, needed),
@@ -153,27 +155,35 @@ def _to_run_only(package: Package) -> set[str]:
 
 def _hint(workspace: WorkspaceIndex, package: Package, use: Use) -> str:
     """The declared name that was meant, if no package is called so."""
-    there = packages.table().names | workspace.packages.keys()
-    declared = {d.name for d in package.dependencies} - there - {use.needed}
-    near = nearest(use.needed, declared)
-    is_slip = near is not None and distance(use.needed, near, 2) <= 2
-    return meant(f"'{use.needed}' by '{near}'") if is_slip else ""
+    near = _misspelt(workspace, package, use.needed)
+    return meant(f"'{use.needed}' by '{near.name}'") if near is not None else ""
 
 
-def _help(package: Package, by_needed: Mapping[str, Sequence[Use]]) -> str:
+def _misspelt(workspace: WorkspaceIndex, package: Package, needed: str) -> Dependency | None:
+    """The dependency that was to be on a package: the name of none, it is a slip or has its words in another order."""
+    there = packages.table().names | workspace.packages.keys() | rosdep.keys()
+    declared = {d.name: d for d in package.dependencies if d.name not in there and d.name != needed}
+    near = next((name for name in declared if have_same_words(needed, name)), None) or nearest(needed, declared)
+    is_slip = near is not None and (distance(needed, near, 2) <= 2 or have_same_words(needed, near))
+    return declared[near] if near is not None and is_slip else None
+
+
+def _help(workspace: WorkspaceIndex, package: Package, by_needed: Mapping[str, Sequence[Use]]) -> str:
     needed = sorted(by_needed)
     if not package.in_export.keys().isdisjoint(needed):
         return f"declare {'it' if len(needed) == 1 else 'each'} outside of <export>: entries inside it do not count"
     to_run = [name for name in needed if name in _to_run_only(package) and package.format > 1]
-    others = [name for name in needed if name not in to_run]
-    cures = []
+    wrong = {name: entry for name in needed if (entry := _misspelt(workspace, package, name)) is not None}
+    others = [name for name in needed if name not in to_run and name not in wrong]
+    manifest = package.manifest.relative
+    cures = [f"write '{name}' for '{entry.name}' in line {entry.line} of {manifest}" for name, entry in wrong.items()]
     if to_run:
         later = ": colcon may build it after this package" if len(needed) == 1 else ""
         rest = "" if len(to_run) == 1 else f", and so for {', '.join(to_run[1:_NAMED])}"
         cures.append(f"write <depend>{to_run[0]}</depend> instead of its <exec_depend>{later}{rest}")
     if others:
         tag = _tag(package, by_needed[others[0]])
-        manifest, line = package.manifest.relative, f"<{tag}>{others[0]}</{tag}>"
+        line = f"<{tag}>{others[0]}</{tag}>"
         cures.append(
             f"add {line} to {manifest}" if len(others) == 1 else f"add a line like {line} for each to {manifest}"
         )
@@ -255,6 +265,7 @@ def _sites(workspace: WorkspaceIndex, package: Package, by_needed: Mapping[str, 
     names = tuple(
         name for name in sorted(by_needed) if name in known and name not in taken and name not in package.in_export
     )
+    names = tuple(name for name in names if _misspelt(workspace, package, name) is None)
     here = any(name in workspace.packages for name in names)
     names = tuple(name for name in names if not here or name not in skipped_packages(workspace))
     if not names:

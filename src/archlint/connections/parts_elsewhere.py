@@ -51,8 +51,24 @@ def _listed(workspace: WorkspaceIndex) -> Iterator[bool]:
         yield from (_name(repository) in folders for repository in repositories)
 
 
+@once
+def _repositories(workspace: WorkspaceIndex) -> frozenset[str]:
+    every = workspace.tree.files_below(workspace.tree.top)
+    texts = [workspace.tree.text(path) or "" for path in every if path.endswith(_LISTS)]
+    return frozenset(_plain(_name(repository)) for text in texts for repository in _REPOSITORY.findall(text))
+
+
+def is_fetched(workspace: WorkspaceIndex, package: str) -> bool:
+    """Whether a ``.repos`` file lists a repository with the name of a package, but for its underscores."""
+    return _plain(package) in _repositories(workspace)
+
+
+def _plain(name: str) -> str:
+    return re.sub(r"[_-]", "", name).lower().removesuffix(".git")
+
+
 def _name(path: str) -> str:
     return posixpath.basename(path.rstrip("/"))
 
 
-__all__ = ["has_parts_elsewhere"]
+__all__ = ["has_parts_elsewhere", "is_fetched"]
