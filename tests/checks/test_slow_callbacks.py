@@ -11,6 +11,7 @@ from archlint.config.settings import load
 from archlint.engine.pipeline import Request, check
 from archlint.finding import Severity
 from checks.callbacks import ON_ONE_THREAD, ON_SEVERAL_THREADS, Run, codes, source
+from robot_package import SETUP, TALKER
 
 ALONE = "self.create_timer(5.0, self.tick)\n"
 TIMER = "self.create_subscription(Empty, 'beside', print, 10)\n" + ALONE
@@ -2009,3 +2010,25 @@ def test_a_few_attempts_for_each_of_something(run: Run, times: int, expected: li
     """The first is to work."""
     methods = LOOKS.replace("{times}", str(times))
     assert codes(run(source("self.create_service(Trigger, 'load', self.load)\n", methods))) == expected
+
+
+@pytest.mark.parametrize(
+    ("name", "seconds", "told"),
+    [
+        ("startTest", 0.1, 0),
+        ("test_start", 0.1, 0),
+        ("start", 0.1, 1),
+        ("startTest", 0.5, 1),
+        ("latest", 0.1, 1),  # a word that only ends like one
+    ],
+)
+def test_a_brief_pause_in_a_program_that_tries_something_out(findings, name: str, seconds: float, told: int):
+    ends = "self.create_timer(0.01, self.tick)\n        self.create_subscription(String, 'a', print, 10)\n"
+    tick = f"\n    def tick(self):\n        time.sleep({seconds})\n"
+    text = "import time\n" + TALKER.replace("self.create_publisher(String, 'chatter', 10)\n", ends + tick)
+    files = {
+        "setup.py": SETUP.replace("robot.talker", f"robot.{name}"),
+        f"robot/{name}.py": text,
+        "robot/talker.py": "",
+    }
+    assert len(findings("EXE003", **files)) == told

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+import posixpath
+import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from functools import partial
@@ -90,6 +92,7 @@ def slow_callback(system: System, options: Options) -> Iterator[Finding]:
         sorted(rows.values(), key=longest_first)
         for rows in functions.values()
         if not all(_is_left_alone(system, program, call, stay) for program, call, stay in rows.values())
+        if not all(_is_brief_in_a_test(code, row) for row in rows.values())
         if not all(_delays_nothing(code, row) for row in rows.values())
         or (alone and not (lesson and all(_is_occasional(code, row) for row in rows.values())))
     ]
@@ -108,6 +111,20 @@ def _is_for_others(call: ApiCall, stay: Stay) -> bool:
     has failed."""
     is_sleep_of_handler = call.context.role == Role.SERVICE and stay.kind == "sleep"
     return is_sleep_of_handler or call.context.role == Role.LIFECYCLE or call.cleaning
+
+
+_BRIEF = 0.2
+"""Seconds of sleep that say nothing in a program which somebody watches while it tries something out."""
+_OF_A_TEST = re.compile(r"(?:^|[\W_\d])[Tt]ests?(?![a-z])|[a-z]Tests?(?![a-z])")
+"""How a word of a file's name says that it is a test, in snake case or in camel case."""
+
+
+def _is_brief_in_a_test(code: SourceCode, row: LongStay) -> bool:
+    _, call, stay = row
+    brief = (
+        stay.kind == "sleep" and stay.seconds is not None and in_loops(code, call, stay, with_callers=True) <= _BRIEF
+    )
+    return brief and _OF_A_TEST.search(posixpath.basename(call.file)) is not None
 
 
 def _place_of(system: System, row: LongStay) -> str:
