@@ -454,6 +454,14 @@ def test_a_node_that_only_a_callback_spins_needs_an_executor_of_its_own(run: Run
     assert run(mended.replace("rclpy.spin_once(self.camera)", "self.eyes.spin_once()")) == []
 
 
+def test_an_executor_for_a_node_mends_all_callbacks_that_spin_it(run: Run):
+    setup = f"self.camera = Camera()\n{TIMER}\nself.create_subscription(Empty, 'go', self.on_go, 10)\n"
+    spin = "\n    rclpy.spin_once(self.camera)\n"
+    text = source(setup, f"def tick(self):{spin}\ndef on_go(self, message):{spin}")
+    [found] = run(text.replace("class Robot", CAMERA + "class Robot"))
+    assert [row.message for row in found.related].count("it spins here, too") == 1
+
+
 def test_a_node_that_a_thread_spins_as_well_needs_no_further_executor(run: Run):
     setup = "self.camera = Camera()\nthreading.Thread(target=rclpy.spin, args=(self.camera,), daemon=True).start()\n"
     text = source(setup + TIMER, "def tick(self):\n    rclpy.spin_once(self.camera)\n")

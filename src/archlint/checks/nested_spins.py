@@ -69,10 +69,18 @@ def _nested_spin(system: System, program: Program, call: ApiCall, options: Optio
         help=_instead_of_spinning(program, call, spun, client),
         client=client,
         identity=(function,),
-        group=(call.context.place.file, str(call.context.place.line), call.context.name),
+        group=_cured_together(program, call, spun),
     )
     works_somewhere = verdict.safe or blocking.Outcome.FINE in verdict.outcomes.values()
     yield replace(diagnostic, severity=Severity.WARNING) if works_somewhere else diagnostic
+
+
+def _cured_together(program: Program, call: ApiCall, spun: Blueprint | None) -> tuple[str, ...]:
+    """What one change mends: an executor for the other node does so for all callbacks of a node that spin it."""
+    callback = call.context
+    if spun is not None and callback.node is not None and is_left_to(call, spun, program):
+        return (callback.place.file, str(callback.node.place), str(spun.place))
+    return (callback.place.file, str(callback.place.line), callback.name)
 
 
 def _instead_of_spinning(program: Program, call: ApiCall, spun: Blueprint | None, client: Creation | None) -> str:
@@ -96,6 +104,7 @@ _EVENT = "wait for a threading.Event with a timeout; put the callback that sets 
 
 @folds("EXE001", across_severities=True)
 def _of_one_callback(findings: Sequence[Finding]) -> Finding:
-    """The finding for all spins of one callback: it must do without any.  The worst of them leads."""
+    """The finding for all spins of one callback, which must do without any, or of another node, which needs an executor
+    of its own.  The worst of them leads."""
     worst_first = sorted(findings, key=lambda finding: -finding.severity)
     return with_places(worst_first, "it spins here, too")
