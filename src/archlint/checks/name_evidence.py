@@ -33,6 +33,8 @@ if TYPE_CHECKING:
 Home = tuple[str, str]
 """The file and the class that a name is fixed in; the class is empty where there is none."""
 _ROOT = frozenset({""})
+_PACKAGES_OF_A_LESSON = 2
+"""One that learns has a package, and starts another."""
 _PROVIDES = frozenset({EntityKind.PUBLISHER, EntityKind.SERVICE, EntityKind.ACTION_SERVER})
 
 
@@ -105,11 +107,12 @@ def _with_other_absolute_names(
 
 
 def _stands_alone(system: System) -> bool:
-    """Whether the nodes of a workspace are in one package, and talk to no system of which there is one, such as PX4: a
-    lesson has one package of code.  Several make up a robot, and such a system has its names from elsewhere."""
+    """Whether the nodes of a workspace are in two packages at most, and talk to no system of which there is one, such
+    as PX4.  More packages make up a robot, and such a system has its names from elsewhere."""
     nodes = [node for node in system.nodes if not node.external and not node.test]
     written = (end for node in nodes for end in node.endpoints if (end.written or "").startswith("/"))
-    return len({node.package for node in nodes}) <= 1 and not any(is_foreign(system.workspace, end) for end in written)
+    few = len({node.package for node in nodes}) <= _PACKAGES_OF_A_LESSON
+    return few and not any(is_foreign(system.workspace, end) for end in written)
 
 
 def _starts_each_once(workspace: WorkspaceIndex | None) -> bool:
