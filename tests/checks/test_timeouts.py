@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from textwrap import dedent
 
 import pytest
 
@@ -1196,3 +1197,23 @@ def test_who_wants_to_wait_is_not_told_to_go_on(judge: Judge, otherwise: str, di
 def test_a_spin_behind_a_call_that_never_returns(judge: Judge, asks: str, mark: str):
     lines = (f"future = client.{asks}({REQUEST})", f"rclpy.spin_until_future_complete(node, future){mark}")
     judge("TMO003", script("\n        ".join(lines)), config=LOST_ANSWERS)
+
+
+@pytest.mark.parametrize(
+    ("at_the_end", "told"),
+    [
+        ("if goal is not None:\n            goal.cancel_goal_async()", 0),
+        ("pass", 1),
+        ("node.destroy_node()\n        rclpy.shutdown()", 1),
+        ("node.get_logger().info('stopped')", 1),
+    ],
+)
+def test_a_script_that_ctrl_c_ends_on_purpose(tmp_path: Path, monkeypatch, at_the_end: str, told: int):
+    line = (
+        "goal = None\n    try:\n        action.wait_for_server()\n        goal = action.send_goal(Fibonacci.Goal())\n"
+        f"    except KeyboardInterrupt:\n        {at_the_end}"
+    )
+    monkeypatch.chdir(tmp_path)
+    Path("script.py").write_text(dedent(SCRIPT).format(line=line))
+    Path("archlint.toml").write_text('select = ["TMO001"]\n[rules.TMO001]\nscripts = true\n')
+    assert len(check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings) == told

@@ -35,7 +35,7 @@ from archlint.checks.wait_words import (
     server_words,
 )
 from archlint.connections.lessons import is_lesson
-from archlint.execution.announced_waits import is_announced_start
+from archlint.execution.announced_waits import is_announced_start, is_ended_by_hand
 from archlint.execution.asking_scripts import is_launched, is_step_of_asking_script
 from archlint.execution.callback_roles import runs_in_executor
 from archlint.execution.called_by_hand import is_driven_by_hand
@@ -75,6 +75,7 @@ def wait_without_timeout(system: System, options: Options) -> Iterator[Finding]:
         and not _is_unused(system, program, call)
         and not is_announced_start(system, call)
         and (minor or not _is_minor(system, program, call))
+        and not (is_ended_by_hand(system, call) and _is_minor(system, program, call))
         and not is_there(system, call)
         and not _has_waited_at_start(system, program, call)
     )

@@ -16,12 +16,29 @@ if TYPE_CHECKING:
     from archlint.systems.model import System
 
 _SAYS = frozenset({"info", "warn", "warning", "error", "print"})
+_ENDS = frozenset({"shutdown", "try_shutdown", "destroy_node", "destroy", "exit", "get_logger", "set", "join"})
+"""What is called in every ``except KeyboardInterrupt`` that ends a program."""
 
 
 def is_announced_start(system: System, call: ApiCall) -> bool:
     """Whether a program starts with a wait of which the line before tells: whoever reads its log knows what is
     missing."""
     return call.context.role in (Role.INIT, Role.MAIN, Role.MODULE) and _is_announced(source_code(system), call)
+
+
+def is_ended_by_hand(system: System, call: ApiCall) -> bool:
+    """Whether the function around a wait has a way of its own for Ctrl-C, which takes back what it has asked for: that
+    is how whoever runs the program ends the wait."""
+    at = call.place.line, call.place.column
+    for tried in everything_in(source_code(system).body(call), facts.Try):
+        inside = bool(tried.handlers) and tried.span[:2] <= at < tried.handlers[0].span[:2]
+        if inside and any(_takes_back(row) for row in tried.handlers if "KeyboardInterrupt" in row.caught):
+            return True
+    return False
+
+
+def _takes_back(handler: facts.Handler) -> bool:
+    return any(called_name(call) not in _SAYS | _ENDS for call in calls_in(handler.body))
 
 
 def says_something(loop: facts.While | facts.For | None) -> bool:
@@ -61,4 +78,4 @@ def _says_so(e: facts.Expr) -> bool:
     return any("waiting" in text.lower() for text in texts)
 
 
-__all__ = ["is_announced_start", "says_something"]
+__all__ = ["is_announced_start", "is_ended_by_hand", "says_something"]
