@@ -22,6 +22,7 @@ from systems.builders import (
     client,
     node,
     partial,
+    place,
     publisher,
     service,
     subscriber,
@@ -92,6 +93,19 @@ class TestMultiplePublishers:
 
         assert owners(system(*nodes[:3], name="launch/robot.launch.py")) == [("/a", "/b", "/c")]
         assert owners(system(*nodes, name="launch/robot.launch.py")) == []
+
+    @pytest.mark.parametrize(("package", "found"), [("walking", []), ("driving", [("/base", "/legs", "/watcher")])])
+    def test_what_a_helper_of_several_packages_publishes_is_for_all(self, package: str, found: list[tuple[str, ...]]):
+        nodes = [
+            node("/base", publisher("shapes", "robot_msgs/msg/Shapes"), package="driving"),
+            node("/legs", publisher("shapes", "robot_msgs/msg/Shapes"), package=package),
+            node("/watcher", publisher("shapes", "robot_msgs/msg/Shapes"), package="watching"),
+        ]
+        for helped in nodes[:2]:
+            assert helped.blueprint is not None
+            helped.blueprint.creations[0].place = place("helpers/drawing.py", 12)
+
+        assert owners(system(*nodes, name="launch/robot.launch.py")) == found
 
     def test_of_commands_one_is_obeyed_however_many_give_them(self):
         nodes = [node(f"/{name}", publisher("cmd_vel", "geometry_msgs/msg/Twist")) for name in "abcd"]

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from archlint.systems.nodes import key_of
 
 if TYPE_CHECKING:
+    from archlint.finding import Place
     from archlint.systems.model import WorkspaceIndex
     from archlint.systems.nodes import Connection, Endpoint, Node
 
@@ -77,7 +78,17 @@ def is_bus(workspace: WorkspaceIndex | None, connection: Connection, owners: Seq
         return True
     classes = {end.node.blueprint.class_name for end in owners if end.node.blueprint is not None}
     helped = len({end.place for end in owners}) == 1 and len(classes) > 1
-    return helped or len({end.node.name for end in owners}) >= _MANY
+    return helped or _is_for_packages(owners) or len({end.node.name for end in owners}) >= _MANY
+
+
+def _is_for_packages(owners: Sequence[Endpoint]) -> bool:
+    """Whether one line creates the publishers of several packages: a helper that is there for whoever uses it, whoever
+    else publishes the topic without it."""
+    packages: dict[Place, set[str]] = {}
+    for end in owners:
+        if end.node.package is not None:
+            packages.setdefault(end.place, set()).add(end.node.package)
+    return any(len(names) > 1 for names in packages.values())
 
 
 def _is_for_instances(connection: Connection, owners: Sequence[Endpoint]) -> bool:
