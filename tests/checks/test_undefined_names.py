@@ -212,11 +212,17 @@ def test_names_that_are_defined(judge: Judge, lines: tuple[str, ...]) -> None:
         "import rospy",
         "exec('value = 1')",
         "globals()['value'] = 1",
+        "if 'other' in globals():\n    globals().update(value=1)",
+        "if 'value' not in globals():\n    print('value is not here')",
         "from .beside import *",
     ],
 )
 def test_files_in_which_anything_may_be_defined(judge: Judge, start: str) -> None:
     judge("API005", f"{start}\n{_node('print(value)')}")
+
+
+def test_a_file_that_asks_for_another_name(judge: Judge) -> None:
+    judge("API005", "if 'camera' in globals():\n    print(camera)\n" + _node("print(value)  # here"))
 
 
 def test_star_imports_that_are_known(judge: Judge) -> None:

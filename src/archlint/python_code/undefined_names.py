@@ -204,11 +204,29 @@ class _Scope:
 @kept_for_few_files
 def _unbound(code: facts.Facts) -> list[_Read]:
     """The first read of each such name in each function of a file."""
-    if not _ROS_1.isdisjoint(_modules_of(code)) or not MAKES_NAMES.isdisjoint(code.names):
+    asked = _asked_for(code)
+    if not _ROS_1.isdisjoint(_modules_of(code)) or asked is None:
         return []
     always = _ALWAYS if _CHECKS_VERSION.isdisjoint(code.names) else _ALWAYS | _OF_PYTHON_2
-    scope = _Scope(always | own_names(code))
+    scope = _Scope(always | own_names(code) | asked)
     return [*_reads(code.body, scope)]
+
+
+def _asked_for(code: facts.Facts) -> frozenset[str] | None:
+    """The names of which code asks whether there are such, ``"name" in globals()``; None where it may bind any name."""
+    makers = MAKES_NAMES.intersection(code.names)
+    if not makers:
+        return frozenset()
+    asked = [name for part in everything_in(code.body, facts.Compare) if (name := _asked_in(part)) is not None]
+    uses = [part for part in everything_in(code.body, facts.Name) if part.id in MAKES_NAMES]
+    return frozenset(asked) if makers == {"globals"} and len(asked) == len(uses) else None
+
+
+def _asked_in(part: facts.Compare) -> str | None:
+    match part:
+        case facts.Compare(facts.Literal(str(name)), ["in" | "not in"], [facts.Call(facts.Name("globals"), [])]):
+            return name
+    return None
 
 
 def _modules_of(code: facts.Facts) -> set[str]:
