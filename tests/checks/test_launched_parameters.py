@@ -63,6 +63,30 @@ def test_foxy_takes_a_value_of_any_type(findings, readme: str, declared: str, gi
     assert len(findings("PRM002", launch, **files)) == told
 
 
+def test_an_empty_list_is_a_byte_array_to_rclpy(findings):
+    def told(declared: str, given: str) -> list[Finding]:
+        talker = TALKER.replace("('rate', 1.0)", f"('names', {declared})")
+        launch_file = (
+            "from launch import LaunchDescription\nfrom launch_ros.actions import Node\n\n\n"
+            "def generate_launch_description():\n"
+            f"    given = [{{'names': {given}}}]\n"
+            "    return LaunchDescription([Node(package='robot', executable='talker', parameters=given)])\n"
+        )
+        return findings("PRM002", "", **{"robot/talker.py": talker, "launch/names.launch.py": launch_file})
+
+    (reported,) = told("[]", "['left', 'right']")
+    assert reported.message == (
+        "parameter 'names' of /talker is declared with an empty list, which rclpy takes for a byte_array, and set to "
+        "['left', 'right'], of type string_array"
+    )
+    assert reported.help == "declare it with rclpy.Parameter.Type.STRING_ARRAY instead of a value"
+
+    assert told("['']", "['left', 'right']") == []
+    assert told("rclpy.Parameter.Type.STRING_ARRAY", "['left', 'right']") == []
+    assert told("[], ParameterDescriptor(dynamic_typing=True)", "['left', 'right']") == []
+    assert told("[] if rclpy.ok() else ['left']", "['left', 'right']") == []
+
+
 def test_dynamic_typing_takes_anything(findings):
     text = TALKER.replace("1.0)", "1.0, ParameterDescriptor(dynamic_typing=True))")
     assert findings("PRM002", node('<param name="rate" value="2"/>'), **{"robot/talker.py": text}) == []

@@ -63,7 +63,7 @@ def _of_another_type(node: Node, setting: Setting, declared: ParameterDeclaratio
     return finding(
         "PRM002",
         place,
-        f"parameter '{setting.name}' of {called(node)} is declared as {declared.type} and set to "
+        f"parameter '{setting.name}' of {called(node)} is declared {_as(declared)} and set to "
         f"{_shown(setting.value)}, of type {given}{_for_want_of_quotes(setting.unquoted)}",
         help=_write(setting.value, declared) if setting.unquoted is None else _IN_A_FILE,
         related=[Related(declared.place, "it is declared here")],
@@ -125,6 +125,17 @@ def _for_want_of_quotes(text: str | None) -> str:
     return "" if text is None else f": launch passes '{text}' on without quotes"
 
 
+def _as(declared: ParameterDeclaration) -> str:
+    if _is_of_nothing(declared):
+        return "with an empty list, which rclpy takes for a byte_array,"
+    return f"as {declared.type}"
+
+
+def _is_of_nothing(declared: ParameterDeclaration) -> bool:
+    """Whether its type is that of an empty list, and not written."""
+    return declared.type == "byte_array" and not declared.without_default
+
+
 def _shown(value: object) -> str:
     text = repr(value)
     return text if len(text) <= 40 else text[:37] + "…"
@@ -133,6 +144,8 @@ def _shown(value: object) -> str:
 def _write(value: object, declared: ParameterDeclaration) -> str:
     wanted = declared.type
     library = "rclcpp" if is_cpp(declared.place.file) else "rclpy"
+    if _is_of_nothing(declared) and (given := type_of(value)) is not None:
+        return f"declare it with rclpy.Parameter.Type.{given.upper()} instead of a value"
     if wanted == "double" and isinstance(value, int):
         return f"write {float(value)}: {library} does not convert an integer to a double"
     if wanted == "double_array" and isinstance(value, list):

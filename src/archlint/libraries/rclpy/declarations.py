@@ -40,6 +40,15 @@ if TYPE_CHECKING:
     from archlint.ros.parameter_types import ParameterType
 
 
+def _of_nothing(run: Run, default: Value | None) -> ParameterType | None:
+    """What rclpy makes of an empty list: all of its items, none, are bytes (seen on jazzy).  In C++ lists have one."""
+    match default:
+        case ListValue() if run.activation.module.file.kind != "cpp":
+            items = default.items(run)
+            return None if items.open or items.values else "byte_array"
+    return None
+
+
 def declare_one(
     run: Run,
     call: ApiUse,
@@ -59,7 +68,7 @@ def declare_one(
     for option in alternatives(name):
         text = text_of_value(option, "no name is given")
         dynamic = _is_dynamic(run, descriptor)
-        kind = None if dynamic else of_type or type_name(run, default)
+        kind = None if dynamic else of_type or type_name(run, default) or _of_nothing(run, default)
         typed = is_type(default)
         has_default = default is not None and not typed and default != NONE
         from_outside = () if text.text is None or ignore_override else run.overrides.value(known, text.text)
