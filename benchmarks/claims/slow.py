@@ -102,12 +102,15 @@ def source(claim: Claim) -> str:
     beat = f"self.create_timer(0.05, self.beat, callback_group={beating})\n"
     arguments = "" if "timer" in claim.handler else ARGUMENTS.get(claim.handler, ", given")
     end = RETURNS.get(claim.handler, "return")
-    inside = f"print('says starts')\n{FORMS[claim.form]}\n"
+    # It keeps something: a callback that only sleeps and says so is there to show what waits, and left alone.
+    inside = f"print('says starts')\nself.has_run = True\n{FORMS[claim.form]}\n"
     own_end = claim.form in ("task", "pool", "thread")
     body = inside + ("" if own_end else "print('says over')\n") + end
     methods = method(f"on_event(self{arguments})", body) + method("beat(self)", "print('says beat')")
     if claim.form == "task":
-        methods += method("work(self)", "print('says starts')\ntime.sleep(0.8)\nprint('says over')")
+        methods += method(
+            "work(self)", "print('says starts')\nself.has_run = True\ntime.sleep(0.8)\nprint('says over')"
+        )
     if claim.form in ("pool", "thread"):
         methods = methods.replace("            return\n", "")
     return program(made + absent + _RUNS.get(claim.form, "") + beat + registered, methods, claim.executor, _WORLD)
