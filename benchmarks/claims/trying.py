@@ -21,6 +21,24 @@ RULES: dict[str, Judged] = {
     one.JUDGED.rule: one.JUDGED for one in (slow, made_again, signatures, unspun, groups, circles, lost, lookups)
 }
 _MANIFEST = "<package format='3'><name>{name}</name><version>0.0.0</version></package>"
+_SENDER = """\
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import String
+
+
+def main():
+    rclpy.init()
+    node = Node('sender')
+    publisher = node.create_publisher(String, 'go', 10)
+    node.create_timer(0.1, lambda: publisher.publish(String(data='given')))
+    rclpy.spin(node)
+
+
+if __name__ == '__main__':
+    main()
+"""
+"""Who sends the messages for whose callbacks the programs are: a callback that nobody calls is left alone."""
 
 
 def all_claims() -> list[Claim]:
@@ -64,9 +82,12 @@ def findings(claims: Sequence[Claim], distro: str) -> dict[Claim, list[Finding]]
             (folder / package).mkdir()
             (folder / package / "package.xml").write_text(_MANIFEST.format(name=package.lower()))
             (folder / package / "asker.py").write_text(RULES[claim.rule].source(claim))
+        (folder / "other_end").mkdir()
+        (folder / "other_end" / "package.xml").write_text(_MANIFEST.format(name="other_end"))
+        (folder / "other_end" / "sender.py").write_text(_SENDER)
         for finding in check(Request((".",), Settings(distro=distro, cache_dir="cache"), jobs=1)).findings:
-            claim = by_package[finding.place.file.partition("/")[0]]
-            if finding.code in (RULES[claim.rule].judges or (claim.rule,)):
+            claim = by_package.get(finding.place.file.partition("/")[0])
+            if claim is not None and finding.code in (RULES[claim.rule].judges or (claim.rule,)):
                 found[claim].append(finding)
     return found
 
