@@ -52,6 +52,14 @@ def classes_of(file_facts: facts.Facts) -> Sequence[facts.Class]:
     return tuple(everything_in(file_facts.body, facts.Class))
 
 
+def classes_asked_for(workspace: WorkspaceIndex) -> Iterator[ClassInFile]:
+    """The classes of the files that were asked for, but for test code."""
+    for file, file_facts in workspace.code.asked_for():
+        if not workspace.roles.is_test(file.relative):
+            for code in classes_of(file_facts):
+                yield ClassInFile(file.relative, code)
+
+
 @once_for
 def _numbers(file_facts: facts.Facts) -> dict[int, int]:
     """The position of each class among :func:`classes_of`, by its id."""
@@ -224,6 +232,7 @@ __all__ = [
     "Chain",
     "ClassInFile",
     "chain_of",
+    "classes_asked_for",
     "classes_of",
     "derived_from",
     "files_with",

@@ -17,15 +17,15 @@ from archlint.python_code.class_chains import (
     Chain,
     ClassInFile,
     chain_of,
-    classes_of,
+    classes_asked_for,
     derived_from,
     kept_for_each_class,
     methods_of,
     targets_of,
 )
-from archlint.python_code.methods_at_work import of_self
+from archlint.python_code.methods_at_work import INIT, of_self
 from archlint.python_code.unassigned_attributes import has_self, may_get, members_of, names_of_body
-from archlint.python_code.unshared_objects import KEEPS_OUT
+from archlint.python_code.unshared_objects import KEEPS_OUT, texts_given_to
 from archlint.syntax import facts
 from archlint.syntax.control_flow import graph_of
 from archlint.syntax.flow_blocks import without_exceptions
@@ -36,7 +36,6 @@ if TYPE_CHECKING:
     from archlint.syntax.flow_graph import Graph
     from archlint.systems.model import WorkspaceIndex
 
-_INIT = "__init__"
 _CATCH = frozenset({"AttributeError", "Exception", "BaseException"})
 _ASKS = frozenset({"hasattr", "getattr"})
 
@@ -70,16 +69,12 @@ class _Early:
 
 def early_attribute_reads(workspace: WorkspaceIndex) -> Iterator[EarlyRead]:
     """Every such read in the files that were asked for: the first of each attribute."""
-    for file, file_facts in workspace.code.asked_for():
-        if workspace.roles.is_test(file.relative):
-            continue
-        for code in classes_of(file_facts):
-            cls = ClassInFile(file.relative, code)
-            for row in _early(workspace, cls):
-                if _is_certain(workspace, cls, row):
-                    at = partial(Place, cls.file)
-                    called = None if row.called is None else at(*row.called)
-                    yield EarlyRead(at(*row.span), code.name, row.name, at(*row.assigned), row.method, called)
+    for cls in classes_asked_for(workspace):
+        for row in _early(workspace, cls):
+            if _is_certain(workspace, cls, row):
+                at = partial(Place, cls.file)
+                called = None if row.called is None else at(*row.called)
+                yield EarlyRead(at(*row.span), cls.code.name, row.name, at(*row.assigned), row.method, called)
 
 
 def _is_certain(workspace: WorkspaceIndex, cls: ClassInFile, row: _Early) -> bool:
@@ -115,10 +110,10 @@ def gives(code: facts.Class) -> frozenset[str]:
 def _assigns_on_the_way(cls: ClassInFile, bases: Sequence[ClassInFile], row: _Early) -> bool:
     """Whether a method that may run before a read assigns the attribute."""
     mentions = {function.name: _mentioned(function.body) for base in bases for function in methods_of(base.code)}
-    waiting = [*row.mentioned, *mentions.get(_INIT, ())]
+    waiting = [*row.mentioned, *mentions.get(INIT, ())]
     setters: set[str] = set()
     for function in methods_of(cls.code):
-        if function.name != _INIT:
+        if function.name != INIT:
             mentions[function.name] = mentions.get(function.name, frozenset()) | _mentioned(function.body)
             if any(of_self(target) == row.name for target in targets_of(function.body)):
                 setters.add(function.name)
@@ -139,16 +134,10 @@ def _assigns_on_the_way(cls: ClassInFile, bases: Sequence[ClassInFile], row: _Ea
 @kept_for_each_class
 def _early(code: facts.Class) -> list[_Early]:
     methods = {function.name: function for function in methods_of(code)}
-    init = methods.get(_INIT)
+    init = methods.get(INIT)
     if init is None or not has_self(init):
         return []
-    asked = {
-        argument.value.text
-        for call in everything_in(code.body, facts.Call)
-        if call.func.last_name in _ASKS
-        for argument in call.args
-    }
-    return [*_in_constructor(init, methods, frozenset((*names_of_body(code), *filter(None, asked))))]
+    return [*_in_constructor(init, methods, texts_given_to(_ASKS, code.body).union(names_of_body(code)))]
 
 
 def _in_constructor(
@@ -170,7 +159,7 @@ def _in_constructor(
                 yield replace(
                     row,
                     assigned=assigned[row.name][0][1],
-                    mentioned=(_mentioned_in(before) - {row.method}) | row.mentioned,
+                    mentioned=(mentioned_in(before) - {row.method}) | row.mentioned,
                     given=row.given or _is_given(before),
                 )
 
@@ -179,13 +168,17 @@ def _assigned(graph: Graph) -> dict[str, list[tuple[Block, facts.Span]]]:
     """The blocks that give each attribute of ``self`` a value; a function counts where it is defined."""
     assigned: dict[str, list[tuple[Block, facts.Span]]] = {}
     for block in graph.blocks:
-        for target in bound_at(block):
-            inside = targets_of(target.body) if isinstance(target, facts.Function) else [target]
-            for each in inside:
-                name = of_self(each)
-                if name is not None and isinstance(each, facts.Attribute):
-                    assigned.setdefault(name, []).append((block, each.span))
+        for target in assigned_at(block):
+            assigned.setdefault(target.attr, []).append((block, target.span))
     return assigned
+
+
+def assigned_at(block: Block) -> Iterator[facts.Attribute]:
+    """The attributes of ``self`` to which a block assigns something, or a function that it defines."""
+    for target in bound_at(block):
+        for each in targets_of(target.body) if isinstance(target, facts.Function) else [target]:
+            if isinstance(each, facts.Attribute) and of_self(each) is not None:
+                yield each
 
 
 def _direct(block: Block) -> Iterator[_Early]:
@@ -199,7 +192,7 @@ def _in_methods(methods: Mapping[str, facts.Function], block: Block) -> Iterator
     """What the methods read for certain that a block calls."""
     for call in () if block.fact is None else parts_of(block.fact, facts.Call):
         method = methods.get(of_self(call.func) or "")
-        if method is not None and method.name != _INIT:
+        if method is not None and method.name != INIT:
             for read in _surely_read(method):
                 yield replace(read, method=method.name, called=call.span)
 
@@ -218,7 +211,7 @@ def _surely_read(method: facts.Function) -> list[_Early]:
         if not graph.post_dominates([block], graph.entry, without_exceptions):
             continue
         before = run_before(graph, block)
-        mentioned, given = _mentioned_in(before), _is_given(before)
+        mentioned, given = mentioned_in(before), _is_given(before)
         for part in reads:
             if isinstance(part, facts.Attribute) and part.attr not in assigned:
                 rows.append(_Early(part.attr, part.span, part.span, mentioned, given))
@@ -239,7 +232,8 @@ def _mentioned(body: Sequence[facts.Base]) -> frozenset[str]:
     return frozenset(name for part in everything_in(body) if (name := of_self(part)) is not None)
 
 
-def _mentioned_in(blocks: Collection[Block]) -> frozenset[str]:
+def mentioned_in(blocks: Collection[Block]) -> frozenset[str]:
+    """The attributes of ``self`` that some blocks have, or functions that they define."""
     return frozenset().union(*(_mentioned(_evaluated(block)) for block in blocks))
 
 
@@ -266,4 +260,12 @@ def _is_given(blocks: Collection[Block]) -> bool:
     return False
 
 
-__all__ = ["EarlyRead", "caught_in", "early_attribute_reads", "gives", "is_of_class"]
+__all__ = [
+    "EarlyRead",
+    "assigned_at",
+    "caught_in",
+    "early_attribute_reads",
+    "gives",
+    "is_of_class",
+    "mentioned_in",
+]

@@ -17,7 +17,7 @@ from archlint.place import Place
 from archlint.python_code.class_chains import (
     ClassInFile,
     chain_of,
-    classes_of,
+    classes_asked_for,
     derived_from,
     kept_for_each_class,
     methods_of,
@@ -33,7 +33,7 @@ from archlint.python_code.unassigned_attributes import (
     members_of,
     names_of_body,
 )
-from archlint.python_code.unshared_objects import is_unshared
+from archlint.python_code.unshared_objects import asked_in, is_unshared
 from archlint.string_enum import StringEnum
 from archlint.syntax import facts
 from archlint.syntax.parts import Itself, everything_in, names_in
@@ -41,7 +41,6 @@ from archlint.syntax.parts import Itself, everything_in, names_in
 if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
 
-_ASKS = frozenset({"hasattr", "getattr", "setattr", "delattr"})
 _RUNS_CALLBACKS = ("spin", "spin_once", "spin_until_future_complete", "wait_for_message")
 _STARTS_LATER = frozenset({"reset", "autostart"})
 """What makes a timer begin after the constructor."""
@@ -93,26 +92,22 @@ class _Row:
 
 def late_attributes(workspace: WorkspaceIndex) -> Iterator[LateRead]:
     """Every such read in the files that were asked for: the first of each attribute."""
-    for file, file_facts in workspace.code.asked_for():
-        if workspace.roles.is_test(file.relative):
-            continue
-        for code in classes_of(file_facts):
-            cls = ClassInFile(file.relative, code)
-            for row in _late(workspace, cls):
-                if _is_certain(workspace, cls, row):
-                    at = partial(Place, cls.file)
-                    yield LateRead(
-                        at(*row.span),
-                        code.name,
-                        row.name,
-                        row.late,
-                        row.reader,
-                        row.role,
-                        row.setter,
-                        at(*row.assigned),
-                        row.is_sure,
-                        is_unshared(workspace, cls),
-                    )
+    for cls in classes_asked_for(workspace):
+        for row in _late(workspace, cls):
+            if _is_certain(workspace, cls, row):
+                at = partial(Place, cls.file)
+                yield LateRead(
+                    at(*row.span),
+                    cls.code.name,
+                    row.name,
+                    row.late,
+                    row.reader,
+                    row.role,
+                    row.setter,
+                    at(*row.assigned),
+                    row.is_sure,
+                    is_unshared(workspace, cls),
+                )
 
 
 def _is_certain(workspace: WorkspaceIndex, cls: ClassInFile, row: _Row) -> bool:
@@ -158,13 +153,7 @@ def _late(code: facts.Class) -> list[_Row]:
         return []
     setters = _setters(work)
     early = work.after([INIT])
-    asked = {
-        argument.value.text
-        for call in everything_in(code.body, facts.Call)
-        if call.func.last_name in _ASKS
-        for argument in call.args
-    }
-    others = {*names_of_body(code), *asked}
+    others = {*names_of_body(code), *asked_in(code)}
     late = {name: where for name, where in setters.items() if name not in others and early.isdisjoint(where) and where}
     rows = {row.name: row for row in _never(work, late)}
     for reader, role in _readers(code, work, early) if late else ():

@@ -136,4 +136,4 @@ def of_self(part: facts.Base) -> str | None:
     return None
 
 
-__all__ = ["INIT", "Called", "MethodsAtWork", "methods_at_work", "of_self"]
+__all__ = ["INIT", "Called", "MethodsAtWork", "methods_at_work", "never_returns", "of_self"]

@@ -15,7 +15,7 @@ from archlint.place import Place
 from archlint.python_code.class_chains import (
     ClassInFile,
     chain_of,
-    classes_of,
+    classes_asked_for,
     derived_from,
     kept_for_each_class,
     methods_of,
@@ -43,14 +43,10 @@ class LookedInto:
 def methods_looked_into(workspace: WorkspaceIndex) -> Iterator[LookedInto]:
     """Every such use in a class that is certainly a node and has no method of its own under that name, but for test
     code."""
-    for file, file_facts in workspace.code.asked_for():
-        if workspace.roles.is_test(file.relative):
-            continue
-        for code in classes_of(file_facts):
-            cls = ClassInFile(file.relative, code)
-            rows = _looked_into(workspace, cls)
-            if rows and _is_node(workspace, cls):
-                yield from (row for row in _of_node(cls, rows) if not _has_its_own(workspace, cls, row.method))
+    for cls in classes_asked_for(workspace):
+        rows = _looked_into(workspace, cls)
+        if rows and _is_node(workspace, cls):
+            yield from (row for row in _of_node(cls, rows) if not _has_its_own(workspace, cls, row.method))
 
 
 @kept_for_each_class

@@ -6,9 +6,8 @@ import builtins
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from archlint.python_code.block_bindings import bound_at, is_plain, read_at, run_before
-from archlint.python_code.class_chains import targets_of
-from archlint.python_code.early_attribute_reads import caught_in
+from archlint.python_code.block_bindings import is_plain, read_at, run_before
+from archlint.python_code.early_attribute_reads import assigned_at, caught_in, mentioned_in
 from archlint.python_code.first_values import first_values, holds
 from archlint.python_code.methods_at_work import MethodsAtWork, of_self
 from archlint.python_code.unassigned_attributes import has_self
@@ -75,7 +74,9 @@ def _at(
     is_sure: bool,
     asks: frozenset[str],
 ) -> Iterator[SureRead]:
-    assigned = {name for each in before for name in _assigned_at(each) if each is not block or not is_plain(block)}
+    assigned = {
+        target.attr for each in before for target in assigned_at(each) if each is not block or not is_plain(block)
+    }
     run = _run_in(work, method, before)
     for part in _of_self_at(block):
         if part.attr in names and part.attr not in assigned:
@@ -92,7 +93,7 @@ def _nested(
     asks: frozenset[str],
     depth: int,
 ) -> Iterator[SureRead]:
-    assigned = {name for each in before for name in _assigned_at(each)}
+    assigned = {target.attr for each in before for target in assigned_at(each)}
     for each in called:
         run = _run_in(work, method, before) - {each}
         for row in sure_reads(work, each, names, depth - 1):
@@ -102,8 +103,7 @@ def _nested(
 
 def _run_in(work: MethodsAtWork, method: str, blocks: Sequence[Block]) -> frozenset[str]:
     """The methods that some blocks of one may have run: not those that it only registers."""
-    mentioned = (name for each in blocks for name in _mentioned_at(each))
-    return frozenset(work.leads_to.get(method, ())).intersection(mentioned)
+    return mentioned_in(blocks).intersection(work.leads_to.get(method, ()))
 
 
 def _of_self_at(block: Block) -> Iterator[facts.Attribute]:
@@ -119,23 +119,6 @@ def _called_at(work: MethodsAtWork, method: str, block: Block, depth: int) -> li
     called = {Itself[facts.Base](call.func) for call in parts_of(block.fact, facts.Call)}
     names = [part.attr for part in _of_self_at(block) if Itself[facts.Base](part) in called]
     return [name for name in names if name in work.methods and name != method]
-
-
-def _assigned_at(block: Block) -> Iterator[str]:
-    for target in bound_at(block):
-        for each in targets_of(target.body) if isinstance(target, facts.Function) else [target]:
-            name = of_self(each)
-            if name is not None:
-                yield name
-
-
-def _mentioned_at(block: Block) -> Iterator[str]:
-    parts = [*bound_at(block)] + ([] if block.fact is None else [block.fact])
-    inside = [child for part in parts for child in (part.children() if part.is_scope else [part])]
-    for each in everything_in(inside):
-        name = of_self(each)
-        if name is not None:
-            yield name
 
 
 def _waits(block: Block) -> bool:

@@ -17,7 +17,7 @@ from archlint.python_code.class_chains import (
     Chain,
     ClassInFile,
     chain_of,
-    classes_of,
+    classes_asked_for,
     derived_from,
     files_with,
     kept_for_each_class,
@@ -87,7 +87,7 @@ class Unassigned:
 
 def overwritten_properties(workspace: WorkspaceIndex) -> Iterator[Overwritten]:
     """Every such assignment in a class that is certainly a node of rclpy."""
-    for cls in _classes(workspace):
+    for cls in classes_asked_for(workspace):
         properties = _set_on_self(workspace, cls)
         if not properties:
             continue
@@ -104,7 +104,7 @@ def overwritten_properties(workspace: WorkspaceIndex) -> Iterator[Overwritten]:
 def unassigned_attributes(workspace: WorkspaceIndex) -> Iterator[Unassigned]:
     """Every read of an attribute that no class of the object gives it, where an almost equal one is there or the
     workspace makes objects of that very class."""
-    for cls in _classes(workspace):
+    for cls in classes_asked_for(workspace):
         chain = chain_of(workspace, cls)
         members = members_of(workspace, chain)
         if members is None:
@@ -141,14 +141,6 @@ def _set_on_self(code: facts.Class) -> list[tuple[str, facts.Span]]:
         parts = (part for part in of_self if part.attr in READ_ONLY and Itself[facts.Base](part) in written)
         rows += [(part.attr, part.span) for part in parts]
     return rows
-
-
-def _classes(workspace: WorkspaceIndex) -> Iterator[ClassInFile]:
-    """The classes of the files that were asked for, but for test code."""
-    for file, file_facts in workspace.code.asked_for():
-        if not workspace.roles.is_test(file.relative):
-            for code in classes_of(file_facts):
-                yield ClassInFile(file.relative, code)
 
 
 # ------------------------------------------------------------------------------------------------ what a class has

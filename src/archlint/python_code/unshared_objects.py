@@ -6,7 +6,7 @@ attribute.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Sequence, Set
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import kept
@@ -139,14 +139,19 @@ def given_in(file_facts: facts.Facts, name: str) -> frozenset[str]:
 
 
 @once_for
-def asked_in(file_facts: facts.Facts) -> frozenset[str]:
-    """The names that a file asks an object for as a text, or gives it so."""
+def asked_in(code: facts.Facts | facts.Class) -> frozenset[str]:
+    """The names that a file or a class asks an object for as a text, or gives it so."""
+    return texts_given_to(_BY_TEXT, code.body)
+
+
+def texts_given_to(functions: Set[str], body: Sequence[facts.Base]) -> frozenset[str]:
+    """The texts among the arguments of calls of some functions; an empty one stands for all that is no text."""
     return frozenset(
         argument.value.text or ""
-        for call in everything_in(file_facts.body, facts.Call)
-        if call.func.last_name in _BY_TEXT
+        for call in everything_in(body, facts.Call)
+        if call.func.last_name in functions
         for argument in call.args
     )
 
 
-__all__ = ["KEEPS_OUT", "asked_in", "given_in", "is_unshared", "may_be_given"]
+__all__ = ["KEEPS_OUT", "asked_in", "given_in", "is_unshared", "may_be_given", "texts_given_to"]
