@@ -6,13 +6,14 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Union
 
-from archlint.analysis.kept import kept_for_each_file
+from archlint.analysis.kept import kept_for_each_file, once
 from archlint.place import Place
 from archlint.python_code.class_chains import classes_of, methods_of
 from archlint.python_code.methods_at_work import of_self
 from archlint.python_code.plain_kinds import Kind, Values, kind_of_all, values_in, values_of_self
 from archlint.python_code.text_sums import is_its_own
 from archlint.python_code.tried_code import tried_for
+from archlint.python_code.used_nothing import tests_in
 from archlint.string_enum import StringEnum
 from archlint.syntax import facts
 from archlint.syntax.parts import Itself, everything_in, parts_of
@@ -66,8 +67,13 @@ class _Row:
     cls: int | None = None
 
 
-def misused_kinds(workspace: WorkspaceIndex) -> Iterator[MisusedKind]:
+@once
+def misused_kinds(workspace: WorkspaceIndex) -> list[MisusedKind]:
     """Every such use in the files that were asked for, but for test code."""
+    return [*_misused(workspace)]
+
+
+def _misused(workspace: WorkspaceIndex) -> Iterator[MisusedKind]:
     for path in workspace.python_files():
         for row in _rows(workspace, path) or ():
             if row.cls is None or is_its_own(workspace, path, row.cls, row.what.removeprefix("self.")):
@@ -120,7 +126,7 @@ def _first(values: Values, name: str) -> facts.Span:
 
 def _uses(
     function: facts.Function,
-) -> Iterator[tuple[facts.Attribute | facts.Call | facts.Subscript, facts.Expr, Misuse, str]]:
+) -> Iterator[tuple[_Use, facts.Expr, Misuse, str]]:
     for part in parts_of(function.body):
         match part:
             case facts.Attribute(value=facts.Name() | facts.Attribute() as of, attr=name):
@@ -155,15 +161,9 @@ def _asked_in(body: Sequence[facts.Base]) -> _Asked:
     kinds: list[facts.Base] = []
     truths: list[facts.Base] = []
     for part in everything_in(body):
-        match part:
-            case facts.If(test=test) | facts.While(test=test) | facts.Assert(test=test) | facts.Conditional(test=test):
-                truths.append(test)
-            case facts.Boolean(values=values):
-                truths += values
-            case facts.Call(func=func, args=args) if func.last_name in _ASKS:
-                kinds += [argument.value for argument in args]
-            case facts.Comprehension(generators=generators):
-                truths += [test for generator in generators for test in generator.conditions]
+        truths += tests_in(part)
+        if isinstance(part, facts.Call) and part.func.last_name in _ASKS:
+            kinds += [argument.value for argument in part.args]
     return _Asked(_names_in(kinds), _names_in(truths))
 
 

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.kept import kept_for_each_file
 from archlint.place import Place
 from archlint.python_code.own_calls import function_meant, own_calls_of
+from archlint.python_code.plain_kinds import Kind, kind_of
 from archlint.python_code.tried_code import tried_for
 from archlint.string_enum import StringEnum
 from archlint.syntax import facts
@@ -38,7 +39,6 @@ _TAKE_A_VALUE = frozenset(
 )
 _SHUFFLES = frozenset({"random.shuffle", "np.random.shuffle", "numpy.random.shuffle"})
 _OF_LISTS = frozenset({"append", "clear", "extend", "insert", "remove", "reverse", "sort"})
-_MAKES_LISTS = frozenset({"list", "sorted"})
 
 
 @dataclass(frozen=True)
@@ -120,10 +120,7 @@ def _kept_in(body: Sequence[facts.Stmt]) -> dict[str, facts.Call]:
     """The variables of a function that get the result of one call and nothing else, and are not asked for None."""
     bound = [name for part in everything_in(body) for name in bound_by(part)]
     asked = {
-        name.id
-        for part in everything_in(body)
-        for test in _tests_in(part)
-        for name in everything_in([test], facts.Name)
+        name.id for part in everything_in(body) for test in tests_in(part) for name in everything_in([test], facts.Name)
     }
     shared = {name for statement in everything_in(body, facts.Global) for name in statement.names}
     kept: dict[str, facts.Call] = {}
@@ -135,7 +132,8 @@ def _kept_in(body: Sequence[facts.Stmt]) -> dict[str, facts.Call]:
     return kept
 
 
-def _tests_in(part: facts.Base) -> Sequence[facts.Expr]:
+def tests_in(part: facts.Base) -> Sequence[facts.Expr]:
+    """The expressions for whose truth a piece of code asks."""
     match part:
         case facts.If(test=test) | facts.While(test=test) | facts.Assert(test=test) | facts.Conditional(test=test):
             return [test]
@@ -214,18 +212,9 @@ def _lists_in(body: Sequence[facts.Stmt]) -> frozenset[str]:
     lists: list[str] = []
     for statement in parts_of(body, facts.Assign):
         match statement:
-            case facts.Assign(targets=[facts.Name(id=name)], value=value) if _is_list(value):
+            case facts.Assign(targets=[facts.Name(id=name)], value=value) if kind_of(value, {}) is Kind.LIST:
                 lists.append(name)
     return frozenset(name for name in lists if lists.count(name) == bound.count(name))
 
 
-def _is_list(value: facts.Expr) -> bool:
-    match value:
-        case facts.Sequence(kind="list") | facts.Comprehension(kind="list"):
-            return True
-        case facts.Call(func=facts.Name(id=name)):
-            return name in _MAKES_LISTS
-    return False
-
-
-__all__ = ["Use", "UsedNothing", "uses_of_nothing"]
+__all__ = ["Use", "UsedNothing", "tests_in", "uses_of_nothing"]
