@@ -10,6 +10,7 @@ import pytest
 from lsprotocol import types as lsp
 
 from archlint.cli import main
+from archlint.monitor import Monitor
 from archlint.server.actions import FIX_ALL
 from archlint.server.documents import Documents
 from archlint.server.editor import Client, Editor, Published
@@ -164,3 +165,21 @@ def test_a_document_that_is_a_folder_is_none(tmp_path: Path) -> None:
     assert documents.put("file:///", "import rclpy\n", 1) is None
     assert not documents.buffers
     assert documents.put((tmp_path / "node.py").as_uri(), "import rclpy\n", 1) == str(tmp_path / "node.py")
+
+
+def test_a_change_on_the_disk_in_the_midst_of_an_analysis_is_seen_by_the_next(tmp_path: Path) -> None:
+    robot = Robot(tmp_path)
+    documents = Documents()
+    documents.put(robot.listener.as_uri(), OTHER_TYPE, 1)
+    session = Session(str(robot.folder), [str(robot.folder)])
+
+    class Configuring(Monitor):
+        def judged(self) -> None:
+            robot.configure('ignore = ["TOP001"]\n')
+            session.look_again()
+
+    [*_, before] = session.analyse(documents.buffers, Configuring())
+    [*_, after] = session.analyse(documents.buffers, Monitor())
+
+    assert [finding.code for finding in before.findings] == ["TOP001"]
+    assert [finding.code for finding in after.findings] == []

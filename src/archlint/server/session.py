@@ -31,16 +31,20 @@ class Session:
         self._paths = tuple(paths)
         self._live = LiveWorkspace(root)
         self._buffers: Buffers = {}
-        self._is_stale = True
+        self._changes = 1
+        """How often something has been said to have changed on the disk: this may come in the midst of an analysis."""
+        self._changes_seen = 0
+        """How many of these the last analysis that came to its end knew of when it began."""
 
     def look_again(self) -> None:
         """Files may have come or gone, or changed on the disk."""
-        self._is_stale = True
+        self._changes += 1
 
     def analyse(self, buffers: Buffers, monitor: Monitor) -> Iterator[Snapshot]:
         """What is found now: a first answer where there can be one soon, and the whole one.  ``monitor`` may raise what
         is no ``Exception`` to end the analysis."""
-        if self._is_stale or self._decides(buffers):
+        changes = self._changes
+        if changes != self._changes_seen or self._decides(buffers):
             self.configuration = self.configuration.again(self.root, buffers)
             self._live.look_again()
         asked = Asked(self._paths, self.configuration.settings, self.configuration.baseline)
@@ -49,7 +53,7 @@ class Session:
             self.snapshot = first
             yield first
         whole = self._live.analyse(asked, buffers, monitor)
-        self._buffers, self._is_stale, self.snapshot = buffers, False, whole
+        self._buffers, self._changes_seen, self.snapshot = buffers, changes, whole
         yield whole
 
     def close(self) -> None:
