@@ -31,8 +31,8 @@ def on(message):
 def run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     monkeypatch.chdir(tmp_path)
 
-    def go(more: str, **files: str) -> Report:
-        plain = {"package.xml": MANIFEST.format(name="robot", more=more), "tools/plain.py": "ROBOTS = 2\n"}
+    def go(more: str, package: str = "", **files: str) -> Report:
+        plain = {f"{package}package.xml": MANIFEST.format(name="robot", more=more), "tools/plain.py": "ROBOTS = 2\n"}
         for name, text in {**plain, **files}.items():
             path = tmp_path / name
             path.parent.mkdir(parents=True, exist_ok=True)
@@ -59,6 +59,15 @@ def test_an_installed_script_for_ros_1_gets_no_findings(run):
     files = {"CMakeLists.txt": install, "scripts/one.py": f"import rospy\n{sends}"}
     assert said(run(needs, **files)) == ([], ["scripts/one.py is for ROS 1 and skipped"])
     assert said(run(needs, **files | {"scripts/one.py": f"import rclpy\n{sends}"})) == (["MSG003", "MSG001"], [])
+
+
+def test_a_package_for_ros_2_is_checked_beside_one_of_its_name_for_ros_1(run):
+    manifest = MANIFEST.format(name="robot", more=AMENT.replace("cmake", "python"))
+    node = "import rclpy\nfrom std_msgs.msg import Bool\nprint(Bool(date=True))\n"
+    new = {"new/package.xml": manifest, "new/robot/__init__.py": "", "new/robot/one.py": node}
+    old = {"old/CMakeLists.txt": "find_package(catkin REQUIRED)\n", "old/scripts/one.py": OLD_NODE}
+    report = run(CATKIN, package="old/", **old, **new)
+    assert "MSG001" in said(report)[0]
 
 
 def test_one_sentence_for_all_of_it(run):

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from archlint.counted import counted
 from archlint.engine.request import NothingToDo, Request
 from archlint.syntax.summaries import Summaries
+from archlint.workspace.around import is_below
 from archlint.workspace.discovery import find
 from archlint.workspace.model import CODE_KINDS, COMPILED_KINDS, LAUNCH_TEXT_KINDS, PYTHON_KINDS, SourceKind
 from archlint.workspace.parts import parts
@@ -110,6 +111,17 @@ def python_files(workspace: Workspace) -> list[SourceFile]:
 def compiled_files(workspace: Workspace) -> list[SourceFile]:
     """The files that are lowered to facts: of Python and of C++."""
     return [file for file in workspace.files if file.kind in COMPILED_KINDS]
+
+
+def catkin_files(workspace: Workspace) -> list[SourceFile]:
+    """Those of them that packages build which catkin builds.  A package for ROS 2 beside these may have the same name,
+    in a folder of its own."""
+    folders: dict[str, list[str]] = {}
+    for package in workspace.packages:
+        if package.catkin_code:
+            folders.setdefault(package.name, []).append(package.root)
+    compiled = compiled_files(workspace) if folders else []
+    return [file for file in compiled if any(is_below(file.path, root) for root in folders.get(file.package or "", ()))]
 
 
 def is_subset(request: Request, workspace: Workspace) -> bool:

@@ -12,7 +12,7 @@ from archlint import __version__
 from archlint.config.filters import Filters
 from archlint.config.seen_from import seen_from
 from archlint.engine.findings import judged_in_parts
-from archlint.engine.inputs import Inputs, compiled_files, is_input, is_of_package, refuse_nothing
+from archlint.engine.inputs import Inputs, catkin_files, compiled_files, is_input, is_of_package, refuse_nothing
 from archlint.engine.memory import Memory
 from archlint.engine.request import NothingToDo, Request
 from archlint.live.buffers import Shifts
@@ -220,7 +220,7 @@ class LiveWorkspace:
         findings: Sequence[Finding] = ()
         try:
             _refuse_no_input(workspace)
-            facts.prepare(compiled_files(workspace), _catkin(workspace))
+            facts.prepare(compiled_files(workspace), catkin_files(workspace))
             refuse_nothing(request, workspace, facts)
             judged = judged_in_parts(inputs, facts, loaded=systems)
         except NothingToDo as error:
@@ -276,10 +276,6 @@ def _text(data: bytes | None) -> str:
 def _refuse_no_input(workspace: Workspace) -> None:
     if not workspace.problems and not any(is_input(file) or is_of_package(file) for file in workspace.files):
         raise NothingToDo("nothing to check: no package.xml, no Python or C++ file and no launch file")
-
-
-def _catkin(workspace: Workspace) -> set[str]:
-    return {package.name for package in workspace.packages if package.catkin_code}
 
 
 def _reader(readable: Readable) -> Callable[[SourceFile], bytes]:

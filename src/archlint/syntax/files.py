@@ -80,12 +80,12 @@ class FactsOfFiles:
         self.lasting = True
         """False where a file failed for a passing reason: nothing may be concluded for the next run."""
 
-    def prepare(self, files: Sequence[SourceFile], ros1: Collection[str] = ()) -> None:
-        """Make sure that each file is known: cached, screened out, or compiled now.  The files of the packages
-        ``ros1`` are for ROS 1, whatever they import."""
-        old = [file for file in files if file.package in ros1]
-        self._payloads.update((file.path, _ROS1) for file in old)
-        self._prepare(file for file in files if file.package not in ros1)
+    def prepare(self, files: Sequence[SourceFile], ros1: Collection[SourceFile] = ()) -> None:
+        """Make sure that each file is known: cached, screened out, or compiled now.  The files ``ros1`` are for ROS 1,
+        whatever they import."""
+        old = {file.path for file in ros1}
+        self._payloads.update((path, _ROS1) for path in old)
+        self._prepare(file for file in files if file.path not in old)
         self._screened = {file.path: self._payloads[file.path] for file in files if not self.relevant(file)}
         self._widen(files)
         self._look_ahead(files)
