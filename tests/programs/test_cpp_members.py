@@ -276,3 +276,25 @@ int main(int argc, char ** argv) {
 @pytest.mark.parametrize("value", ["nullptr", ""])
 def test_a_pointer_in_braces_makes_no_node(value: str) -> None:
     assert [node["name"] for node in graph({"src/robot.cpp": HELPER % value})["nodes"]] == ["/robot"]
+
+
+FILTERS = """
+#include "rclcpp/rclcpp.hpp"
+#include "filters/filter_chain.hpp"
+class Robot : public rclcpp::Node {
+public:
+  Robot() : Node("robot"), chain_("double") {
+    chain_.configure("", get_node_logging_interface(), get_node_parameters_interface());
+  }
+  filters::FilterChain<double> chain_;
+};
+int main(int argc, char ** argv) {
+  rclcpp::init(argc, argv);
+  rclcpp::spin(std::make_shared<Robot>());
+}
+"""
+
+
+def test_a_member_of_a_class_of_elsewhere_is_no_text_that_it_is_made_of() -> None:
+    [node] = graph({"src/robot.cpp": FILTERS})["nodes"]
+    assert not node["complete"]  # configure() declares what the parameters name

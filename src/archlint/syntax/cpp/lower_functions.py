@@ -270,7 +270,7 @@ class FunctionLowering(StatementLowering):
         nodes = [] if arguments is None else [child for child in arguments.named_children if child.type != "comment"]
         kind = self._type_of_member(name)
         is_given_itself = len(nodes) == 1 and self.source.text(nodes[0]) in ("this", "*this")
-        if (is_given_itself or len(nodes) > 1) and kind is not None:
+        if kind is not None and (is_given_itself or len(nodes) > 1 or (nodes and self._is_of_no_library(kind))):
             return self.construct(kind, arguments, span)
         if len(nodes) == 1 and nodes[0].type == "number_literal" and self._is_profile(name):
             return facts.Call(self.names.library("rclcpp.QoS", span), given(self.lower_all(nodes)), span)
@@ -278,6 +278,12 @@ class FunctionLowering(StatementLowering):
             return self.lower(nodes[0])
         which = (facts.Name("self", span), facts.Literal(self.source.text(name), span))
         return facts.Call(self.names.library(MEMBER, span), given([*which, *self.lower_all(nodes)]), span)
+
+    def _is_of_no_library(self, kind: Node) -> bool:
+        """Whether a type with a namespace is none of those that are known: no text, no number and no duration, which
+        are what they are made of."""
+        parts = self.names.written(self.names.parts(kind))
+        return len(parts) > 1 and not self.names.path(parts) and not parts[0].name.startswith("std")
 
     def _is_profile(self, name: Node) -> bool:
         """Whether a member is an ``rclcpp::QoS``: its class says so or, where that is elsewhere, its constructor calls
