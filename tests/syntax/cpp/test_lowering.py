@@ -91,6 +91,14 @@ def test_what_creates_an_endpoint_has_the_arguments_of_rclpy(written: str, expec
     [
         ('auto t = declare_parameter<std::string>("t", "x");', "t = self.declare_parameter('t', 'x').value"),
         ('declare_parameter<double>("rate", 10);', "self.declare_parameter('rate', 10.0).value"),
+        ('declare_parameter<double>("rate", {10});', "self.declare_parameter('rate', 10.0).value"),
+        ('declare_parameter<std::string>("t", {"x"});', "self.declare_parameter('t', 'x').value"),
+        (
+            'auto t = get_parameter_or<std::string>("t", {"x"});',
+            "t = self.get_parameter_or('t', rclcpp::Parameter(name='t', value='x')).value",
+        ),
+        ('declare_parameter<std::string>("t", {});', "self.declare_parameter('t', <a value>).value"),
+        ('declare_parameter<std::vector<std::string>>("t", {"x"});', "self.declare_parameter('t', ['x']).value"),
         ('declare_parameter<std::vector<double>>("t", {0, 1});', "self.declare_parameter('t', [0.0, 1.0]).value"),
         ('declare_parameter<std::vector< float >>("t", {0});', "self.declare_parameter('t', [0.0]).value"),
         ('declare_parameter<std::vector<int64_t>>("t", {0});', "self.declare_parameter('t', [0]).value"),

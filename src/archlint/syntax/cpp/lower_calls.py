@@ -162,6 +162,8 @@ class CallLowering(MethodLowering):
         if name == "declare_parameters" and len(values) == 2:
             rows = self._pairs_of(values[1], span)
             return facts.Call(facts.Attribute(value, name, span), given([values[0], rows]), span)
+        if name in ("get_parameter_or", "param") and len(values) in (2, 3) and part.arguments:
+            values = [*values[:-1], *self._default(part, values[-1:], span)]
         if name == "get_parameter_or" and len(values) == 2:
             other = facts.Call(self.names.library("rclcpp.Parameter", span), calls.parameter(values), span)
             read = facts.Call(facts.Attribute(value, name, span), given([values[0], other]), span)
@@ -207,6 +209,9 @@ class CallLowering(MethodLowering):
                 return [facts.Sequence("list", [], span)]  # std::vector<std::string>()
             case facts.Sequence(kind=display, elements=elements) if of_type in _OF_DOUBLES:
                 return [facts.Sequence(display, [_as_double(element, span) for element in elements], span)]
+            case facts.Sequence(elements=elements) if of_type and not of_type.startswith(("vector<", "array<")):
+                # Braces around what one value is made of.
+                return self._default(part, elements, span) if len(elements) == 1 else [facts.Opaque("a value", span)]
         return [values[0]]
 
     def _function_call(self, parts: list[Part], function: Node, arguments: Node, span: Span) -> Expr:
