@@ -128,6 +128,16 @@ def test_a_file_that_git_does_not_know_yet_is_new(say):
     assert say("--new-only", "HEAD").findings == ["robot/third.py TMO001"]
 
 
+def test_a_tracked_file_that_a_pattern_names_counts_as_it_was(say):
+    Path(".gitignore").write_text("robot/\n", "utf-8")
+    git("add", "--force", ".")
+    git("commit", "-qm", "a pattern too many")
+    assert say("--new-only", "HEAD").findings == []
+    change_type()
+    [new] = say("--new-only", "HEAD").findings
+    assert new.endswith("TOP001")
+
+
 def test_what_others_have_done_meanwhile_is_not_new_here(say):
     git("checkout", "-qb", "feature")
     change_type()

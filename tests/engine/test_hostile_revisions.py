@@ -47,12 +47,13 @@ def paths(folder: Path, revision: str) -> list[str]:
 
 
 def write(folder: Path, revision: str) -> list[str]:
-    """The files that are written for a revision."""
+    """The files that are written for a revision, git's own left out."""
     base = folder.parent / "base"
     old = OldTree(str(base))
     old.write(Repository(str(folder)), revision)
     top = Path(old.place(str(folder)))
-    return sorted(str(path.relative_to(top)) for path in top.rglob("*") if path.is_file())
+    written = [path.relative_to(top) for path in top.rglob("*") if path.is_file()]
+    return sorted(str(path) for path in written if path.parts[0] != ".git")
 
 
 def test_what_lies_too_deep_is_left_out_and_the_rest_is_there(folder: Path):

@@ -219,3 +219,25 @@ def test_a_launch_file_that_cannot_be_followed_is_told(capsys: pytest.CaptureFix
     )
     words = told(capsys)
     assert "pkg/launch/a.launch.py:1: what this launch file starts is not known, so it is not checked" in words
+
+
+# ------------------------------------------------------------------------------------------ packages that git ignores
+
+
+def test_packages_that_git_ignores_are_told_where_nothing_else_of_src_is_read(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    write(".gitignore", "src/*\n")
+    write("src/talk/package.xml", PACKAGE.format("talk", "ament_python"))
+    write("src/talk/talk/node.py", NODE)
+    words = (
+        "1 package in src is not read, since a .gitignore says so (such as src/talk): "
+        "`archlint check src/talk` reads it all the same"
+    )
+    assert "all of it is left out, such as src/talk/package.xml: git ignores it" in told(capsys, status=2)
+    write("start.launch.py", LAUNCH)
+    assert words in told(capsys)
+    assert "is not read" not in told(capsys, "src/talk")
+    write(".gitignore", "src/talk\n")
+    write("src/drive/package.xml", PACKAGE.format("drive", "ament_python"))
+    assert "is not read" not in told(capsys)

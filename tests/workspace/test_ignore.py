@@ -159,3 +159,67 @@ def test_a_pattern_that_is_longer_than_any_path_is_left_out(tmp_path):
     endless = "/**" * 5_000 + "x"
     plant(tmp_path, {".gitignore": f"{endless}\n{chr(0) * 100_000}\nleft.py\n", "left.py": "", "kept.py": ""})
     assert found(tmp_path) == ["kept.py"]
+
+
+def git(folder: Path, *arguments: str) -> None:
+    assert GIT is not None
+    author = ["-c", "user.name=a", "-c", "user.email=a@b.org", "-c", "protocol.file.allow=always"]
+    subprocess.run([GIT, *author, "-C", str(folder), *arguments], check=True, capture_output=True)
+
+
+@pytest.mark.skipif(GIT is None, reason="needs git")
+@pytest.mark.parametrize("version", ["2", "3", "4"])
+def test_what_git_tracks_is_never_ignored(tmp_path, version):
+    plant(
+        tmp_path,
+        {
+            ".gitignore": "src/*\n*_local.py\nbuild/\n",
+            "src/robot/robot/node.py": "",
+            "src/robot/robot/a_rather_long_name_of_a_module.py": "",
+            "src/robot/setup_local.py": "",
+            "src/arm/arm/node.py": "",
+            "build/robot/left.py": "",
+        },
+    )
+    git(tmp_path, "init", "-q")
+    git(tmp_path, "add", "--force", ".")
+    git(tmp_path, "update-index", "--index-version", version)
+    plant(tmp_path, {"src/robot/robot/new.py": "", "src/base/node.py": "", "other_local.py": "", "top.py": ""})
+    git(tmp_path, "rm", "--cached", "-q", "src/arm/arm/node.py")
+    assert found(tmp_path) == [
+        "src/robot/robot/a_rather_long_name_of_a_module.py",
+        "src/robot/robot/node.py",
+        "src/robot/setup_local.py",
+        "top.py",
+    ]
+
+
+@pytest.mark.skipif(GIT is None, reason="needs git")
+def test_a_submodule_and_a_linked_worktree_have_an_index_of_their_own(tmp_path):
+    plant(tmp_path / "arm", {".gitignore": "node.py\n", "node.py": "", "arm.py": ""})
+    git(tmp_path / "arm", "init", "-q")
+    git(tmp_path / "arm", "add", "--force", ".")
+    git(tmp_path / "arm", "commit", "-q", "-m", "arm")
+    plant(tmp_path / "robot", {".gitignore": "src/\n", "src/base.py": ""})
+    git(tmp_path / "robot", "init", "-q")
+    git(tmp_path / "robot", "submodule", "add", "--force", "-q", str(tmp_path / "arm"), "src/arm")
+    git(tmp_path / "robot", "commit", "-q", "-m", "robot")
+    plant(tmp_path / "robot", {"src/arm/other/node.py": ""})
+    assert found(tmp_path / "robot") == ["src/arm/arm.py", "src/arm/node.py"]
+    git(tmp_path / "arm", "worktree", "add", "-q", str(tmp_path / "beside"))
+    assert found(tmp_path / "beside") == ["arm.py", "node.py"]
+
+
+@pytest.mark.parametrize("index", [b"", b"DIRC", b"DIRC\0\0\0\x02\0\0\xff\xff" + bytes(90), b"\xff" * 300])
+def test_an_index_that_cannot_be_read_tracks_nothing(tmp_path, index):
+    plant(tmp_path, {".git/": "", ".gitignore": "node.py\n", "node.py": "", "base.py": ""})
+    (tmp_path / ".git" / "index").write_bytes(index)
+    assert found(tmp_path) == ["base.py"]
+
+
+def test_an_index_is_looked_at_only_where_something_is_ignored(tmp_path):
+    plant(tmp_path, {".git/": "", ".gitignore": "node.py\nbuild/\n", "base.py": "", "build/x.py": ""})
+    index = str(tmp_path / ".git" / "index")
+    assert index not in look(tmp_path).looked_at
+    plant(tmp_path, {"pkg/node.py": ""})
+    assert index in look(tmp_path).looked_at

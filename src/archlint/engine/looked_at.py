@@ -31,6 +31,26 @@ def without_node(summary: Summary) -> Iterator[str]:
     yield f"no node was found in {counted(summary.files, 'file')}"
 
 
+def ignored_sources(workspace: Workspace) -> Iterator[str]:
+    """A sentence where git ignores packages in a ``src`` of which nothing else is read."""
+    read = [file.relative for file in workspace.files]
+    ignored = [path for path in workspace.ignored_packages if not any(_is_beside(path, file) for file in read)]
+    if ignored:
+        count = counted(len(ignored), "package")
+        verb = "is" if len(ignored) == 1 else "are"
+        yield (
+            f"{count} in src {verb} not read, since a .gitignore says so (such as {ignored[0]}): "
+            f"`archlint check {ignored[0]}` reads it all the same"
+        )
+
+
+def _is_beside(package: str, file: str) -> bool:
+    """Whether a file lies in the same ``src`` as a package; both by shown paths."""
+    parts = package.split("/")
+    outer = parts[: len(parts) - parts[::-1].index("src")] if "src" in parts else parts
+    return file.split("/")[: len(outer)] == outer
+
+
 def around(paths: Sequence[str], workspace: Workspace) -> Iterator[str]:
     """A sentence where archlint was started inside a workspace, of which the rest is read and not reported on."""
     here = os.path.abspath(os.curdir)

@@ -23,6 +23,7 @@ from archlint.engine.git import GitError, Repository, TreeEntry
 from archlint.workspace.around import ROOT_MARKS, has, is_below
 from archlint.workspace.kinds import kind_of
 from archlint.workspace.pruning import COLCON_FOLDERS
+from archlint.workspace.tracked import index_of
 from archlint.workspace.tree import TEXT_LIMIT
 
 if TYPE_CHECKING:
@@ -70,7 +71,7 @@ class OldTree:
         self.written.append(repository.root)
         entries = repository.tree(commit)
         plain = [entry for entry in entries if not entry.is_link and not entry.is_submodule]
-        os.makedirs(self.place(os.path.join(repository.root, ".git")), exist_ok=True)
+        self._write_index(repository, entries)
         missing = repository.missing(commit)
         read = [entry for entry in plain if _is_text(entry) and entry.object not in missing]
         for entry, data in zip(read, repository.contents([entry.object for entry in read], _MOST), strict=True):
@@ -94,6 +95,13 @@ class OldTree:
             if entry.is_submodule:
                 rows += self._submodule(os.path.join(repository.root, entry.path), entry.object)
         return rows
+
+    def _write_index(self, repository: Repository, entries: list[TreeEntry]) -> None:
+        """What a commit has is tracked, whatever its ``.gitignore`` says."""
+        folder = self.place(os.path.join(repository.root, ".git"))
+        os.makedirs(folder, exist_ok=True)
+        with contextlib.suppress(FileExistsError), open(os.path.join(folder, "index"), "xb") as stream:
+            stream.write(index_of([os.fsencode(entry.path) for entry in entries]))
 
     def _add(self, repository: Repository, entry: TreeEntry, data: bytes) -> None:
         """A file that is not there yet."""

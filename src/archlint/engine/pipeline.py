@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from archlint import __version__
 from archlint.engine.drawn import Drawn
 from archlint.engine.inputs import Inputs, find_files, is_subset, parts_of, refuse_nothing, tree_of
-from archlint.engine.looked_at import around, idle_patterns, without_node, without_plugins
+from archlint.engine.looked_at import around, idle_patterns, ignored_sources, without_node, without_plugins
 from archlint.engine.request import NothingToDo, Request
 from archlint.engine.result_cache import Result, RunCache
 from archlint.engine.sources import Sources
@@ -103,6 +103,7 @@ def _mended(judged: Judged, inputs: Inputs, kept: RunCache[Judged]) -> Judged:
 
 def _not_looked_at(request: Request, workspace: Workspace, summary: Summary) -> Iterator[str]:
     yield from without_node(summary)
+    yield from ignored_sources(workspace)
     yield from without_plugins(request.settings)
     if request.settings.file is not None and not is_subset(request, workspace):
         yield from idle_patterns(request.settings, workspace)

@@ -66,7 +66,11 @@ def find(
     root = _root(asked_folders + complete_folders)
     workspace = place(root, walk.files.values(), walk.problems.values(), complete_folders, read)
     return replace(
-        workspace, idle_exclusions=tuple(excluder.idle), looked_at=tuple(walk.looked_at), inside=tuple(walk.inside)
+        workspace,
+        idle_exclusions=tuple(excluder.idle),
+        looked_at=tuple(walk.looked_at),
+        inside=tuple(walk.inside),
+        ignored_packages=tuple(sorted(walk.ignored_packages)),
     )
 
 

@@ -1,4 +1,4 @@
-"""What git ignores: ``.gitignore`` files, each for its folder, and ``.git/info/exclude``.
+"""What git ignores: ``.gitignore`` files, each for its folder, and ``.git/info/exclude``; nothing that git tracks.
 
 The ``info/exclude`` of a linked worktree lies in another repository, outside of what is checked, and is not read.
 pathspec does the matching, and is imported only where there is a pattern.
@@ -10,9 +10,11 @@ import os
 import re
 import warnings
 from collections.abc import Callable, Set
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
+from archlint.workspace.pruning import COLCON_FOLDERS
 from archlint.workspace.starred import StarredPattern, has_many_stars
+from archlint.workspace.tracked import Tracked
 
 GITIGNORE = ".gitignore"
 _MAX_CHARACTERS = 1_000_000
@@ -101,6 +103,10 @@ class Ignores:
     """The patterns that hold in a folder, those of the outermost folder first."""
 
     patterns: tuple[Patterns, ...] = ()
+    tracked: Tracked | None = None
+    """What the repository around the folder tracks; None outside of one."""
+    everything: bool = False
+    """Whether the folder itself is ignored, so that in it only tracked files count."""
 
     def entering(self, folder: str, names: Set[str]) -> Ignores:
         """The patterns inside ``folder``, which has entries called ``names``.
@@ -109,20 +115,36 @@ class Ignores:
         """
         if ".git" not in names and GITIGNORE not in names:
             return self
-        patterns = self.patterns
+        ignores = self
         if ".git" in names:
-            patterns = _read(folder, os.path.join(folder, ".git", "info", "exclude"))
+            ignores = Ignores(_read(folder, os.path.join(folder, ".git", "info", "exclude")), Tracked(folder))
         if GITIGNORE in names:
-            patterns += _read(folder, os.path.join(folder, GITIGNORE))
-        return Ignores(patterns)
+            ignores = replace(ignores, patterns=ignores.patterns + _read(folder, os.path.join(folder, GITIGNORE)))
+        return ignores
 
     def ignored(self, path: str, is_folder: bool = False) -> bool:
-        """Whether a path is ignored; the folders around it are known not to be.  The nearest file decides."""
+        """Whether a path is ignored; the folders around it are known not to be, or to have tracked files."""
+        return (self.everything or self.matched(path, is_folder)) and not self._is_tracked(path, is_folder)
+
+    def inside(self, folder: str) -> Ignores | None:
+        """What holds in a folder below; None if it is ignored, and nothing in it is tracked."""
+        if not self.everything and not self.matched(folder, is_folder=True):
+            return self
+        return replace(self, everything=True) if self._is_tracked(folder, is_folder=True) else None
+
+    def matched(self, path: str, is_folder: bool = False) -> bool:
+        """Whether the patterns ignore a path, tracked or not.  The nearest file decides."""
         for patterns in reversed(self.patterns):
             verdict = patterns.verdict(path, is_folder)
             if verdict is not None:
                 return verdict
         return False
+
+    def _is_tracked(self, path: str, is_folder: bool) -> bool:
+        """Whether git tracks a file, or something in a folder.  Of what builds leave behind it is not asked."""
+        if self.tracked is None or (is_folder and os.path.basename(path) in COLCON_FOLDERS):
+            return False
+        return self.tracked.has(path, is_folder)
 
 
 def ignores_above(folder: str) -> Ignores:
@@ -140,7 +162,7 @@ def ignores_above(folder: str) -> Ignores:
     for above, below in zip(chain[:0:-1], chain[-2::-1], strict=True):
         names = {name for name in (".git", GITIGNORE) if os.path.lexists(os.path.join(above, name))}
         ignores = ignores.entering(above, names)
-        if ignores.ignored(below, is_folder=True):
+        if ignores.matched(below, is_folder=True):
             return Ignores()
     return ignores
 
@@ -152,23 +174,30 @@ def pattern_files(folder: str, names: Set[str]) -> list[str]:
     return [*of_git, os.path.join(folder, GITIGNORE)] if GITIGNORE in names else of_git
 
 
-def clones_in(folder: str, depth: int, looked_at: list[str]) -> list[str]:
-    """The repositories in an ignored folder, itself among them, as paths; at most ``depth`` folders down.
+def clones_in(folder: str, depth: int, looked_at: list[str]) -> tuple[list[str], list[str]]:
+    """The repositories in an ignored folder, itself among them, as paths; at most ``depth`` folders down.  And the
+    packages there that are in none of these.
 
     Repositories of workspaces list what to clone and ignore ``src/``; what is cloned there is to be checked.
     The folders that decide it are added to ``looked_at``.
     """
     looked_at.append(folder)
     if _is_repository(folder):
-        return [folder]
+        return [folder], []
+    packages = [folder] if os.path.isfile(os.path.join(folder, "package.xml")) else []
     if not depth:
-        return []
+        return [], packages
     try:
         with os.scandir(folder) as entries:
             inner = sorted(entry.path for entry in entries if entry.is_dir(follow_symlinks=False))
     except OSError:
-        return []
-    return [clone for path in inner for clone in clones_in(path, depth - 1, looked_at)]
+        return [], packages
+    clones = []
+    for path in inner:
+        more, unread = clones_in(path, depth - 1, looked_at)
+        clones += more
+        packages += unread
+    return clones, packages
 
 
 def _is_repository(folder: str) -> bool:

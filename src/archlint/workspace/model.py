@@ -170,3 +170,5 @@ class Workspace:
 
     looked_at: tuple[str, ...] = field(default=(), compare=False, repr=False)
     """What beside the files decides what is found: folders, links, pattern files of git, what was passed over."""
+    ignored_packages: tuple[str, ...] = field(default=(), compare=False)
+    """The folders, by shown paths, of packages in ``src`` that git ignores and that are therefore not read."""

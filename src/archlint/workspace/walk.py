@@ -14,6 +14,7 @@ from archlint.workspace.kinds import has_python_shebang, kind_of, may_be_script
 from archlint.workspace.model import PYTHON_KINDS, Link, Problem, SourceFile, SourceKind
 from archlint.workspace.pruning import is_pruned_by_content, is_pruned_by_name
 from archlint.workspace.submodules import submodule_of
+from archlint.workspace.tracked import Tracked
 
 CLONES_DEPTH = 2
 """How many folders below an ignored ``src`` clones are looked for: ``src/<organisation>/<repository>``."""
@@ -61,11 +62,14 @@ class Walk:
         """What beside the files decides what is found, see :attr:`Workspace.looked_at`."""
         self.inside: list[str] = []
         """The real paths of what was asked for, and of the repository: see :attr:`Workspace.inside`."""
+        self.ignored_packages: list[str] = []
+        """Packages in ``src`` that git ignores, as shown."""
         self._packages: dict[str, bool] = {}
         """Of folders elsewhere whether they lie in a package."""
         self._working_directory = working_directory
         self._excluded = excluded
         self._visited: set[str] = set()
+        self._tracked: set[Tracked] = set()
         self._links: list[tuple[os.DirEntry[str], _Folder, bool]] = []
         """Symbolic links, with the folder that each lies in and whether that is a Python package."""
 
@@ -96,6 +100,7 @@ class Walk:
             links = sorted(self._links, key=lambda link: link[0].path)
             self._links = []
             self._walk([folder for link in links for folder in self._follow(*link, top.real)])
+        self.looked_at += sorted(tracked.index for tracked in self._tracked if tracked.is_read)
 
     def shown(self, path: str) -> str:
         """An absolute path as seen from the working directory, with ``/``."""
@@ -127,6 +132,8 @@ class Walk:
             return
         self.looked_at += pattern_files(folder.path, names)
         ignores = folder.ignores.entering(folder.path, names)
+        if ignores.tracked is not None:
+            self._tracked.add(ignores.tracked)
         here = _Folder(folder.path, folder.shown, folder.real, ignores, folder.context)
         folder_name, in_package = folder.name, "__init__.py" in names
         for name, entry in entries.items():
@@ -135,10 +142,15 @@ class Walk:
             elif not entry.is_dir(follow_symlinks=False):
                 self._entry(entry, here, kind_of(name, folder_name, in_package))
             elif not is_pruned_by_name(name) and not self._is_excluded(here.shown_below(name)):
-                if not ignores.ignored(entry.path, is_folder=True):
-                    yield here.inner(entry.path, ignores, names)
+                inside = ignores.inside(entry.path)
+                if inside is not None:
+                    yield here.inner(entry.path, inside, names)
                     continue
-                for clone in clones_in(entry.path, _clones_depth(name, folder_name), self.looked_at):
+                depth = _clones_depth(name, folder_name)
+                clones, packages = clones_in(entry.path, depth, self.looked_at)
+                if depth:
+                    self.ignored_packages += [here.inner(package, ignores, names).shown for package in packages]
+                for clone in clones:
                     yield here.inner(clone, ignores, names)
 
     def _entry(self, entry: os.DirEntry[str], folder: _Folder, kind: SourceKind | None) -> None:
