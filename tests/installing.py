@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from archlint.programs.entry import EntryPoint
 from archlint.programs.entry_points import entry_points, read_installs
-from archlint.programs.linker import EntryPoint
 from archlint.syntax.compile import compile_python
 from archlint.syntax.workspace_files import WorkspaceFiles
 from archlint.workspace.discovery import find

@@ -45,7 +45,8 @@ from archlint.model import (
     transforms,
 )
 from archlint.model.encoding import NotEncodable, NotPrograms, decode, encode
-from archlint.programs.linker import EntryPoint, Linker
+from archlint.programs.entry import EntryPoint
+from archlint.programs.linker import Linker
 from archlint.reasons import NotPassed
 from archlint.ros import interfaces, parameter_types, qos
 

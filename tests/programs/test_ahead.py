@@ -206,6 +206,48 @@ def test_what_launch_files_share_is_followed_once(one_robot, command):
     assert together == alone
 
 
+HELPED = """\
+import rclpy
+import registry
+from rclpy.node import Node
+from std_msgs.msg import String
+
+
+class Names:
+    def __init__(self, node: Node):
+        self.node = node
+
+    def topic(self):
+        return self.node.declare_parameter('topic', '{name}').value
+
+
+class Talker(Node):
+    def __init__(self):
+        super().__init__('{name}')
+        self.publisher = self.create_publisher(String, Names(self).topic(), 10)
+
+
+def main():
+    rclpy.init()
+    talker = Talker()
+    Names(registry.node()).topic()
+    rclpy.spin(talker)
+"""
+
+
+def test_a_program_is_launched_as_it_is_once_all_have_run(workspace):
+    """What the helper declares on a node that is not known, too, is no other node that a launch file gives a topic."""
+    for name in ("arm", "base", "camera", "door"):
+        text = HELPED.format(name=name) + "# " + "x" * 60_000 + "\n"
+        (workspace / name / name / "node.py").write_text(text, "utf-8")
+    alone, told = run_telling(workspace, "graph", "--jobs", "1", "--no-cache")
+    assert told.count("run: an executable") == 8  # alone, and with its topic
+    together, told = run_telling(workspace, "graph", "--jobs", "2", "--no-cache")
+    assert "run: an executable" not in told
+    assert told.count("process: an executable") == 8
+    assert together == alone
+
+
 def test_shares_are_neighbours_of_about_the_same_length():
     assert shares("abcde", 2) == [range(2), range(2, 5)]
     assert shares("ab", 4) == [range(1), range(1, 2)]

@@ -17,7 +17,7 @@ from types import FrameType
 import pytest
 
 from archlint.syntax.python.deep_stack import DEEP_LIMIT, call_with_deep_stack, recursion_limit
-from archlint.syntax.workers import Crashed, TimedOut, can_fork, run_in_workers
+from archlint.syntax.workers import Crashed, TimedOut, Work, can_fork, run_in_workers
 
 pytestmark = pytest.mark.skipif(not hasattr(os, "fork"), reason="needs fork")
 
@@ -53,6 +53,48 @@ def test_nothing_to_do_takes_no_process():
 def test_the_work_is_done_elsewhere():
     (pid,) = run_in_workers(work, [b"pid"], 1, 30)
     assert int(pid) != os.getpid()
+
+
+@pytest.mark.parametrize("count", [1, 2])
+def test_the_rest_is_done_while_nobody_waits(count, tmp_path):
+    def leaves_a_file(source: bytes) -> bytes:
+        (tmp_path / source.decode()).touch()
+        return source * 30_000  # more than a pipe holds unless it is asked to
+
+    rest = [b"b", b"c", b"d", b"e"]
+    left = Work(leaves_a_file, [b"a", *rest], count, 30)
+    try:
+        assert left.answers_to(1) == [b"a" * 30_000]
+        left.hand_out()
+        until = time.monotonic() + 20
+        while len(list(tmp_path.iterdir())) < 5 and time.monotonic() < until:
+            time.sleep(0.01)
+        assert sorted(path.name for path in tmp_path.iterdir()) == ["a", "b", "c", "d", "e"]
+        assert left.answers_to(5)[1:] == [source * 30_000 for source in rest]
+    finally:
+        left.close()
+
+
+@pytest.mark.parametrize("killer", [b"die", b"hang"])
+def test_what_was_given_to_a_process_that_ends_is_done_by_another(killer):
+    left = Work(work, [b"first", killer, b"c", b"d"], 1, 0.5)  # the longest first
+    try:
+        assert left.answers_to(1) == [b"firstfirst"]
+        left.hand_out()
+        answers = left.answers_to(4)
+    finally:
+        left.close()
+    assert isinstance(answers[1], Crashed if killer == b"die" else TimedOut)
+    assert answers[2:] == [b"cc", b"dd"]
+
+
+def test_work_that_nobody_waits_for_ends_with_it():
+    left = Work(work, [b"pid", b"hang", b"hang"], 1, 30)
+    (pid,) = left.answers_to(1)
+    left.hand_out()
+    left.close()
+    with pytest.raises(ProcessLookupError):
+        os.kill(int(pid), 0)
 
 
 def test_a_large_answer_arrives_whole():

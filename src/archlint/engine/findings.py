@@ -29,7 +29,7 @@ from archlint.engine.looked_at import followed_in_part, for_ros1, started_elsewh
 from archlint.engine.merging import folded, merged
 from archlint.engine.request import NothingToDo, Request
 from archlint.engine.stale_entries import Judgement, stale_entry
-from archlint.engine.summaries_ahead import summarise_ahead
+from archlint.engine.summaries_ahead import SummariesAhead
 from archlint.engine.unread_data import because_of_a_merge, is_manifest_to_fill, unread_data
 from archlint.engine.unused_files import apart, count_of_files, unused_files
 from archlint.engine.vendored_packages import without_vendored
@@ -132,11 +132,10 @@ def _judged(
     judged all of it are added to ``ran``."""
     request, workspace = inputs.request, inputs.workspace
     known = known_files(request, workspace, facts)
-    systems = systems_of(inputs, facts)
+    systems = _loaded(inputs, facts, known)
     index = systems[0].workspace or WorkspaceIndex()
     faults, launch_files = index.faults, index.launch_files
     to_report = [*known, *_imported(workspace, known, facts)]
-    summarise_ahead(request, index, known)
     judged_by_rules = for_their_languages(_rules(request, systems, inputs.memory))
     candidates = [*_problems(workspace, to_report, facts, inputs.tree), *merged(judged_by_rules)]
     candidates.extend([*_of_interfaces(workspace, systems, inputs.tree, faults), *unread_data(index, workspace)])
@@ -180,6 +179,17 @@ def _judged(
     said = [*refused, *notices, *_idle(request.settings, systems)]
     judged = Judged(findings, summary, said, remarks=[*comparison_words(systems[0].compared)])
     return replace(judged, launched=launched_files(systems, findings)), shown, systems
+
+
+def _loaded(inputs: Inputs, facts: FactsOfFiles, known: Sequence[SourceFile]) -> list[System]:
+    """The systems, and what rules ask of single files, as far as processes say that ahead."""
+    ahead = SummariesAhead(inputs.request, known)
+    try:
+        systems = systems_of(inputs, facts, ahead.begin)
+        ahead.finish(systems[0].workspace or WorkspaceIndex())
+    finally:
+        ahead.close()
+    return systems
 
 
 def _of_systems(request: Request, workspace: Workspace, systems: Sequence[System]) -> Iterator[str]:

@@ -28,48 +28,55 @@ from archlint.syntax.workspace_files import WorkspaceFiles
 from archlint.systems.code import WorkspaceCode
 from archlint.systems.instances import assemble
 from archlint.systems.known_externals import ExternalSources
-from archlint.systems.launches import launch_systems
+from archlint.systems.launches import follow_started_ahead, launch_systems, run_launches
 from archlint.systems.model import System, WorkspaceIndex
 from archlint.systems.shown import only
 
 if TYPE_CHECKING:
     from archlint.launch.files import LaunchFiles
     from archlint.observed.model import Observed
+    from archlint.programs.ahead import Beside
+    from archlint.programs.entry import EntryPoint
     from archlint.programs.kept import KeptPrograms
-    from archlint.programs.linker import EntryPoint
     from archlint.syntax.files import FactsOfFiles
     from archlint.workspace.installed import Installs
     from archlint.workspace.model import Workspace
 
 
-def systems_of(inputs: Inputs, facts: FactsOfFiles) -> list[System]:
-    """Link and load."""
+def systems_of(
+    inputs: Inputs, facts: FactsOfFiles, beside: Callable[[WorkspaceIndex], Beside | None] = lambda index: None
+) -> list[System]:
+    """Link and load.  What ``beside`` gives is begun where processes follow programs."""
     request, workspace, tree = inputs.request, inputs.workspace, inputs.tree
     faults = Faults()
     files = WorkspaceFiles(workspace.files, facts.facts_of, facts.relevant, tree, inputs.importable)
     installs = _installs(inputs, files, faults)
     linker, cache = _linker(inputs, facts, files, installs, faults)
     entries = _entries(installs, workspace, facts)
-    followed = linker.run_all(entries)
-    programs = forget_names(followed, linker.started.values(), installs, linker.own)
-    [opened] = assemble(programs, workspace, request.settings, inputs.nodes)
-    if inputs.memory is not None:
-        inputs.memory.note_programs(opened.programs, linker.follower.files_read_by)
     old, distro = frozenset(package.name for package in workspace.packages if package.ros1), request.settings.distro
     launches = Launches(files, installs, faults, old, distro)
     if cache.lasts:
         keep_launches(launches, tree, lambda index, now: cache.open_launches(index, now, installs, sorted(old), distro))
     if request.launch is not None and not launches.files.can_be_launched(request.launch):
         raise NothingToDo(_no_launch_file(request, launches.files))
+    launched = run_launches(launches, request.launch, dict(request.launch_arguments))
+    follow_started_ahead(linker, entries, launches, launched, request.launch, request.settings.launch)
+    index = _index(inputs, files, installs, linker, launches)
+    linker.ahead.beside = beside(index)
+    followed = linker.run_all(entries)
+    programs = forget_names(followed, linker.started.values(), installs, linker.own)
+    [opened] = assemble(programs, workspace, request.settings, inputs.nodes)
+    if inputs.memory is not None:
+        inputs.memory.note_programs(opened.programs, linker.follower.files_read_by)
     systems = launch_systems(
         opened,
         linker,
         entries,
         launches,
-        _index(inputs, files, installs, linker, launches),
+        launched,
+        index,
         closed=request.settings.closed_world,
         chosen=request.launch,
-        arguments=dict(request.launch_arguments),
         configured=request.settings.launch,
         distro=distro,
         externals=ExternalSources(by_program(request.settings.external_nodes)),

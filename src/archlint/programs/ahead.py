@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import struct
 from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import TYPE_CHECKING, TypeVar
 
@@ -30,34 +31,85 @@ _SIZE = struct.Struct("=Q")
 _Item = TypeVar("_Item")
 
 
+@dataclass
+class Beside:
+    """Work that needs no program: processes do it that have none to follow, also while the run goes on.
+
+    ``parts`` are done in any process, in any order, and their answers are there for :meth:`answers`.
+    """
+
+    parts: Sequence[Callable[[], bytes]]
+    _work: workers.Work | None = field(default=None, init=False)
+    _first: int = field(default=0, init=False)
+    """How many parts of the work are none of these."""
+
+    @property
+    def is_begun(self) -> bool:
+        """Whether processes do it."""
+        return self._work is not None
+
+    def begin(self, work: workers.Work, first: int) -> None:
+        """The processes of some work, whose first parts are others, go on with these."""
+        self._work, self._first = work, first
+        work.hand_out()
+
+    def answers(self) -> list[workers.Answer]:
+        """What the processes have to say, once they are done."""
+        assert self._work is not None
+        try:
+            return self._work.answers_to(self._first + len(self.parts))[self._first :]
+        finally:
+            self.close()
+
+    def close(self) -> None:
+        """Nobody wants to know any more."""
+        if self._work is not None:
+            self._work.close()
+
+
 def follow_ahead(
-    parts: Sequence[Callable[[], object]], kept: KeptPrograms, jobs: int, monitor: Monitor | None = None
+    parts: Sequence[Callable[[], object]],
+    kept: KeptPrograms,
+    jobs: int,
+    monitor: Monitor | None = None,
+    beside: Beside | None = None,
 ) -> None:
     """Do the parts of some work in up to ``jobs`` processes, the first ones first, and take what programs they have
-    followed.  A part whose process fails is left to the run."""
+    followed.  A part whose process fails is left to the run.  Then the processes go on with what is ``beside``."""
     if jobs < 2 or len(parts) < 2 or not workers.can_fork(waiting=1):
         return
 
     monitor = monitor or Monitor()
     kept.forget_new()  # nobody here asks for what this process has followed
+    others = [] if beside is None else beside.parts
 
-    def job(number: bytes) -> bytes:
+    def job(name: bytes) -> bytes:
+        number = int(name)
+        if number >= len(parts):
+            return others[number - len(parts)]()
         kept.is_worker = True
         monitor.begin_part()
-        parts[int(number)]()
+        parts[number]()
         report = monitor.end_part()
         return _SIZE.pack(len(report)) + report + kept.take_new()
 
-    numbers = [b"%06d" % number for number in range(len(parts))]
+    def on_done(number: int, seconds: float) -> None:
+        if number < len(parts):
+            monitor.part_done()
+
+    numbers = [b"%06d" % number for number in range(len(parts) + len(others))]
     monitor.dividing(len(parts))
+    work = workers.Work(job, numbers, min(jobs, len(parts)), DEADLINE, on_done)
     try:
-        answers = workers.run_in_workers(
-            job, numbers, min(jobs, len(parts)), DEADLINE, lambda number, seconds: monitor.part_done()
-        )
+        answers = work.answers_to(len(parts))
     except OSError:  # no process to be had
         return
     finally:
         monitor.divided()
+        if beside is None or len(work.answers) < len(parts):
+            work.close()
+    if beside is not None:
+        beside.begin(work, len(parts))
     for answer in answers:
         if isinstance(answer, bytes):
             end = _SIZE.size + _SIZE.unpack_from(answer)[0]
@@ -92,4 +144,4 @@ def by_weight(groups: Iterable[list[_Item]], weight: Callable[[_Item], int]) -> 
     return sorted(groups, key=lambda group: -sum(map(weight, group)))
 
 
-__all__ = ["SHARES", "WORTH_IT", "by_weight", "follow_ahead", "independent_groups", "shares"]
+__all__ = ["SHARES", "WORTH_IT", "Beside", "by_weight", "follow_ahead", "independent_groups", "shares"]

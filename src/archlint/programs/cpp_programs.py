@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from archlint.programs.linker import EntryPoint
+from archlint.programs.entry import EntryPoint
 from archlint.syntax import facts
 from archlint.syntax.walk import main_guard
 

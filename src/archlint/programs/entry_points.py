@@ -22,8 +22,8 @@ from archlint.interpreter.modules import Module, ModuleIndex
 from archlint.interpreter.values import DictValue, Known, OneOf, Value
 from archlint.launch.library import LaunchLibrary
 from archlint.libraries.setuptools.setup_run import SetupRun
+from archlint.programs.entry import EntryPoint
 from archlint.programs.installs import console_script, read_cmake
-from archlint.programs.linker import EntryPoint
 from archlint.programs.python_code import python_code
 from archlint.syntax.entry_point_tables import (
     ScriptEntry,

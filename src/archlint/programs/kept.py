@@ -98,6 +98,10 @@ class KeptResults(ABC, Generic[Result]):
 
     # ------------------------------------------------------------------------------------------- what is known
 
+    def knows(self, key: ProgramKey) -> bool:
+        """Whether something is known of a program that may be the same again."""
+        return any(self._valid(table, key.text) is not None for table in self._tables)
+
     def get(self, key: ProgramKey, late: bool) -> Result | None:
         """What became of a program, if it would be the same again."""
         name = key.text
@@ -293,6 +297,9 @@ class NothingKept:
     """No cache: each program is followed."""
 
     keeps: ClassVar[bool] = False
+
+    def knows(self, key: ProgramKey) -> bool:
+        return False
 
     def get(self, key: ProgramKey, late: bool) -> Followed | None:
         return None

@@ -7,9 +7,8 @@ the arguments of its callers where there are any.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Sequence
-from dataclasses import dataclass
-from functools import partial
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
+from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 from archlint import model
@@ -26,16 +25,18 @@ from archlint.libraries.python import command_line
 from archlint.libraries.rclpy import escapes
 from archlint.libraries.run import Run
 from archlint.monitor import Monitor
-from archlint.programs.ahead import SHARES, WORTH_IT, follow_ahead, independent_groups, shares
+from archlint.programs.ahead import SHARES, WORTH_IT, independent_groups
 from archlint.programs.any_time import let_attributes_change
 from archlint.programs.budget import Budget, cut_short
 from archlint.programs.earlier_imports import EarlierImports
+from archlint.programs.entry import Entry, EntryPoint
 from archlint.programs.followed import Followed
 from archlint.programs.followed_program import FollowedProgram
 from archlint.programs.follower import Follower
 from archlint.programs.helpers import changed_by_settling, helpers_in, note_unfollowed, prune_uncalled, settle_helpers
 from archlint.programs.kept import KeptPrograms, NothingKept
 from archlint.programs.keys import EntryKey, ScriptKey
+from archlint.programs.parts import Ahead, Follows, size_of
 from archlint.programs.roots import run_callbacks, run_pending
 from archlint.programs.sweep import Sweep
 from archlint.programs.top_level import called_alone, place_of
@@ -47,21 +48,6 @@ if TYPE_CHECKING:
     from archlint.ros.interfaces import InterfaceTable
     from archlint.syntax.workspace_files import WorkspaceFiles
     from archlint.workspace.model import SourceFile
-
-
-@dataclass(frozen=True)
-class EntryPoint:
-    """An executable of a package: ``module:function``, or a script (``function`` is None)."""
-
-    executable: str
-    package: str | None
-    module: str
-    function: str | None
-    file: SourceFile | None = None
-
-
-Entry = tuple[EntryPoint, Module]
-"""An entry point, and the module that it starts."""
 
 
 class Linker:
@@ -90,7 +76,6 @@ class Linker:
             self._by_module.setdefault(file.module, []).append(file)
         self.relevant = files.relevant
         self.interfaces = interfaces
-        self.jobs = jobs
         self._elsewhere = elsewhere
         """Follows groups of programs on other machines, each given as the paths of its modules."""
         self.monitor = monitor or Monitor()
@@ -98,6 +83,8 @@ class Linker:
         self.faults = faults or Faults()
         self.follower = Follower(self.index, self.kept, self.faults, self.monitor)
         self.progress = self.follower.progress
+        follows = Follows(self._run_in_order, self._run_started, self._import, self._program_of, self._settled_ahead)
+        self.ahead = Ahead(self.index, self.kept, follows, jobs, self.monitor)
         self.started: dict[tuple[str | None, str], model.Program] = {}
         """The program of each entry point, by package and executable."""
         self._entries: dict[EntryKey, model.Program] = {}
@@ -111,19 +98,35 @@ class Linker:
     def run_all(self, entry_points: list[EntryPoint]) -> list[model.Program]:
         entries, modules = self._starts(entry_points)
         self.monitor.following(len(entries) + len(modules))
-        if _size(modules) > WORTH_IT:
+        if size_of(modules) > WORTH_IT:
             every = {module.file.path: module for module in (*modules, *(module for _, module in entries))}
             self._follow_groups(lambda: independent_groups(every.values(), self.index), entries, modules)
         self._run_in_order(entries, modules)
         self.own(changed_by_settling(self.progress.programs, self.progress.holders, self._names_in_file))
         programs = self.progress.programs
-        prune_uncalled(programs)
-        settle_helpers(programs, self.progress.holders)
-        note_unfollowed(programs, self._names_in_file)
+        self._settle(programs)
         self.helpers = helpers_in(programs)
         self._settled = True
         self.progress.budget = Budget()  # for what launch files run again
         return [program for program in programs if _says_something(program)]
+
+    def _settle(self, programs: list[model.Program]) -> None:
+        """No other programs have to say anything of these."""
+        prune_uncalled(programs)
+        settle_helpers(programs, self.progress.holders)
+        note_unfollowed(programs, self._names_in_file)
+
+    @contextmanager
+    def _settled_ahead(self, entries: Iterable[EntryPoint]) -> Iterator[None]:
+        """Inside, it is as if all programs had run, and not only these executables: what runs again has statements of
+        its own."""
+        self._settle([self._program_of(entry) for entry in entries])
+        before, self.progress.budget = self.progress.budget, Budget()
+        self._settled = True
+        try:
+            yield
+        finally:
+            self._settled, self.progress.budget = False, before
 
     def follow_part(self, entry_points: list[EntryPoint], paths: Collection[str]) -> bytes:
         """The programs of some modules, by their paths, as they are kept: another process has the rest.  There is
@@ -132,7 +135,7 @@ class Linker:
         self.kept.is_worker = True
         entries, modules = self._starts(entry_points)
         every = {module.file.path: module for module in (*modules, *(module for _, module in entries))}
-        self._part([every[path] for path in paths if path in every], entries, modules)()
+        self.ahead.part([every[path] for path in paths if path in every], entries, modules)()
         return self.kept.take_new()
 
     def _starts(self, entry_points: list[EntryPoint]) -> tuple[list[Entry], list[Module]]:
@@ -147,50 +150,15 @@ class Linker:
     ) -> None:
         """Follow groups of programs ahead, on other machines or in processes."""
         if self._elsewhere is None:
-            self.ahead(lambda: self._parts(groups(), entries, modules))
+            self.ahead.follow_all(groups, entries, modules)
         elif isinstance(self.kept, KeptPrograms) and not self.kept.is_mostly_known():
             self._elsewhere([[module.file.path for module in group] for group in groups()], self.kept)
-
-    def ahead(self, parts: Callable[[], Sequence[Callable[[], object]]]) -> None:
-        """Do parts of the work that follow programs in processes of their own, where that is worth it."""
-        if self.jobs < 2 or not isinstance(self.kept, KeptPrograms) or self.kept.is_worker:
-            return
-        if not self.kept.is_mostly_known():
-            follow_ahead(parts(), self.kept, self.jobs, self.monitor)
-
-    def _parts(
-        self, groups: Sequence[Sequence[Module]], entries: Sequence[Entry], modules: Sequence[Module]
-    ) -> list[Callable[[], None]]:
-        """Each group in one part; of one that is more than the share of a process, what is started in several."""
-        sizes = [_size(group) for group in groups]
-        parts: list[Callable[[], None]] = []
-        for group, size in zip(groups, sizes, strict=True):
-            paths = {module.file.path for module in group}
-            own = [(entry, module) for entry, module in entries if module.file.path in paths]
-            if size * self.jobs > sum(sizes) and len(own) > 1:
-                parts += [partial(self._run_share, own, share) for share in shares(own, SHARES * self.jobs)]
-            else:
-                parts.append(self._part(group, entries, modules))
-        return parts
-
-    def _run_share(self, entries: Sequence[Entry], share: range) -> None:
-        """Run some executables as if those before them had run: the modules that these import are there."""
-        with self.index.aside():
-            for _, module in entries[: share.start]:
-                self._import(module)
-        for number in share:
-            self.run_entry(*entries[number])
-
-    def _part(self, group: Sequence[Module], entries: Sequence[Entry], modules: Sequence[Module]) -> Callable[[], None]:
-        paths = {module.file.path for module in group}
-        own = [(entry, module) for entry, module in entries if module.file.path in paths]
-        return partial(self._run_in_order, own, [module for module in modules if module.file.path in paths])
 
     def _run_in_order(self, entries: Sequence[Entry], modules: Sequence[Module]) -> None:
         started: dict[str, set[str]] = {}
         for entry, module in entries:
             started.setdefault(module.file.path, set()).add(entry.function or "")
-            self.started[entry.package, entry.executable] = self.run_entry(entry, module)
+            self._run_started(entry, module)
         for test in (False, True):
             chosen = [m for m in modules if self.index.roles.is_test(m.path) is test]
             for module in chosen:
@@ -199,9 +167,17 @@ class Linker:
                 if main_guard(module.facts) or not self._is_imported(module):
                     self.run_script(module)
             sweep = Sweep(self.progress, self.follower.follow, self.new_run, self._value, self.monitor)
-            if _size(chosen) > WORTH_IT:
-                sweep.ahead = lambda parts: self.ahead(lambda: parts(SHARES * self.jobs))
+            sweep.is_known = self.kept.knows
+            if size_of(chosen) > WORTH_IT:
+                sweep.ahead = lambda parts: self.ahead.follow(lambda: parts(SHARES * self.ahead.jobs))
             sweep.run(chosen)
+
+    def _run_started(self, entry: EntryPoint, module: Module) -> model.Program:
+        program = self.started[entry.package, entry.executable] = self.run_entry(entry, module)
+        return program
+
+    def _program_of(self, entry: EntryPoint) -> model.Program:
+        return self.started[entry.package, entry.executable]
 
     def own(self, programs: Sequence[model.Program]) -> list[model.Program]:
         """Programs that may be changed: copies of those that other runs have, too."""
@@ -359,11 +335,6 @@ class Linker:
             _run_block(run, module, guard)
             _make_escaped_class(run)
         return root.result()
-
-
-def _size(modules: Iterable[Module]) -> int:
-    """How many bytes of source modules have."""
-    return sum(module.file.size for module in modules)
 
 
 def _says_something(program: model.Program) -> bool:

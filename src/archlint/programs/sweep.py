@@ -47,7 +47,8 @@ class Sweep:
     """Runs what no program has run so far.
 
     ``follow`` gives what becomes of a program, ``new_run`` begins the run of one, ``value_of`` gives what a module's
-    variable holds, and ``ahead`` has parts of the work done in other processes.
+    variable holds, and ``ahead`` has parts of the work done in other processes, of which
+    ``is_known`` says what they need not do.
     """
 
     progress: Progress
@@ -55,7 +56,8 @@ class Sweep:
     new_run: Callable[[str, Module, model.Role], Run]
     value_of: Callable[[Module, str], Value | None]
     monitor: Monitor = field(default_factory=Monitor)
-    ahead: Callable[[Parts], None] = _by_itself
+    ahead: Callable[[Parts], object] = _by_itself
+    is_known: Callable[[ProgramKey], bool] = lambda key: False
 
     def run(self, modules: Sequence[Module]) -> None:
         defined = [(module, self._definitions(module)) for module in modules]
@@ -109,7 +111,7 @@ class Sweep:
         """Run each that neither a program nor one of those before it has run; several at a time in other processes,
         where some may then run in vain."""
         left = [row for row in rows if not self._has_run(row[1])]
-        if len(left) > _FEW:
+        if sum(not self.is_known(_key(*row)) for row in left) > _FEW:
             self.ahead(lambda count: [partial(self._run_share, left, share) for share in shares(left, count)])
         self._run_share(left, range(len(left)))
 
@@ -128,7 +130,7 @@ class Sweep:
             return self._run_class(module, value) if definition.is_class else self._run_function(module, value)
 
         self.monitor.following(1)
-        self.follow(DefinitionKey(module.path, definition.variable), act)
+        self.follow(_key(module, definition), act)
 
     def _run_class(self, module: Module, cls: Value | None) -> Followed:
         assert isinstance(cls, ClassValue)
@@ -158,6 +160,10 @@ class Sweep:
         for name in _fields_of(run, cls):
             run.store.set(instance.key, name, Unknown(f"who sets '{name}' is not known"))
         return BoundMethod(function, instance)
+
+
+def _key(module: Module, definition: Definition) -> DefinitionKey:
+    return DefinitionKey(module.path, definition.variable)
 
 
 def _fields_of(run: Run, cls: ClassValue) -> Iterator[str]:

@@ -6,6 +6,7 @@ One source is under way in each worker at a time, so when a worker dies it is kn
 
 from __future__ import annotations
 
+import contextlib
 import gc
 import os
 import selectors
@@ -16,7 +17,7 @@ import time
 import warnings
 from collections import deque
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import NoReturn
 
 from archlint.syntax.memory import own_bytes
@@ -79,13 +80,11 @@ def run_in_workers(
     in.  ``most_bytes`` is how much address space a process may take beside what it begins with.  Raises ``OSError``
     where the system has no process to give.
     """
-    pool = _Pool(job, sources, count, deadline, on_done, most_bytes)
+    work = Work(job, sources, count, deadline, on_done, most_bytes)
     try:
-        while pool.step():
-            pass
+        return work.answers_to(len(sources))
     finally:
-        pool.close()
-    return [pool.answers[number] for number in range(len(sources))]
+        work.close()
 
 
 @dataclass
@@ -93,12 +92,23 @@ class _Worker:
     pid: int
     requests: int
     answers: int
-    number: int = _STOP
+    numbers: deque[int] = field(default_factory=deque)
+    """The sources that it was given, the one that is under way first."""
     since: float = 0.0
+    """When that was begun, or could have been."""
 
     def give(self, number: int) -> None:
         """Send the number of a source.  That the worker is gone shows when its answer is awaited."""
-        self.number, self.since = number, time.monotonic()
+        if not self.numbers:
+            self.since = time.monotonic()
+        self.numbers.append(number)
+        self._send(number)
+
+    def stop(self) -> None:
+        """Nothing is left for it."""
+        self._send(_STOP)
+
+    def _send(self, number: int) -> None:
         try:
             os.write(self.requests, _NUMBER.pack(number))
         except BrokenPipeError:
@@ -114,15 +124,18 @@ class _Worker:
         return None if payload is None else (payload, seconds)
 
 
-class _Pool:
+class Work:
+    """Some sources that up to ``count`` forked processes work on, see :func:`run_in_workers`.  Who has asked for the
+    answers to the first ones may do something else while the processes go on with the rest."""
+
     def __init__(
         self,
         job: Job,
         sources: Sequence[bytes],
         count: int,
         deadline: float,
-        on_done: OnDone,
-        most_bytes: int | None,
+        on_done: OnDone = ignore_done,
+        most_bytes: int | None = None,
     ) -> None:
         self._most_bytes = most_bytes
         self.answers: dict[int, Answer] = {}
@@ -137,18 +150,31 @@ class _Pool:
         self._workers: dict[int, _Worker] = {}
         self._selector = selectors.DefaultSelector()
 
-    def step(self) -> bool:
-        """Start what can be started, then wait for an answer.  False when all are in."""
+    def answers_to(self, first: int) -> list[Answer]:
+        """The answers to the first so many sources, once they are in; ``OSError`` as for :func:`run_in_workers`."""
+        left = {number for number in range(first) if number not in self.answers}
+        while left:
+            self._step()
+            left.difference_update(self.answers)
+        return [self.answers[number] for number in range(first)]
+
+    def hand_out(self) -> None:
+        """Give the processes all that is left: nobody waits for their answers in the meantime."""
+        for worker in self._workers.values():
+            _widen(worker.answers)
+        while self._waiting and self._workers:
+            worker = min(self._workers.values(), key=lambda worker: len(worker.numbers))
+            worker.give(self._waiting.popleft())
+
+    def _step(self) -> None:
+        """Start what can be started, then wait for an answer."""
         while self._waiting and len(self._workers) < self._count:
             self._start()
-        if not self._workers:
-            return False
         for worker in self._ready():
             self._collect(worker)
         for worker in self._late():
-            self._record(worker.number, TimedOut(), 0.0)
+            self._lose(worker, TimedOut(), 0.0)
             self._end(worker, kill=True)
-        return True
 
     def close(self) -> None:
         for worker in list(self._workers.values()):
@@ -192,24 +218,30 @@ class _Pool:
         return pid
 
     def _collect(self, worker: _Worker) -> None:
-        number, answer = worker.number, worker.take()
+        answer = worker.take()
         if answer is not None:
-            self._record(number, *answer)
+            self._record(worker.numbers.popleft(), *answer)
+            worker.since = time.monotonic()
             if self._waiting:
                 worker.give(self._waiting.popleft())
-            else:
-                worker.give(_STOP)
+            elif not worker.numbers:
+                worker.stop()
                 self._end(worker, kill=False)
             return
         # It may have been the machine's doing (no memory left): once more, in a fresh process.
-        status = self._end(worker, kill=False)
+        status, number = self._end(worker, kill=False), worker.numbers[0]
         if os.WIFSIGNALED(status) and os.WTERMSIG(status) == signal.SIGPROF:
-            self._record(number, TimedOut(), self._deadline)
+            self._lose(worker, TimedOut(), self._deadline)
         elif number in self._crashed_once:
-            self._record(number, Crashed(), 0.0)
+            self._lose(worker, Crashed(), 0.0)
         else:
             self._crashed_once.add(number)
-            self._waiting.append(number)
+            self._waiting.extend(worker.numbers)
+
+    def _lose(self, worker: _Worker, answer: Answer, seconds: float) -> None:
+        """Record what has become of the source that a worker was at; others have the rest of what it was given."""
+        self._record(worker.numbers.popleft(), answer, seconds)
+        self._waiting.extend(worker.numbers)
 
     def _ready(self) -> list[_Worker]:
         oldest = min(worker.since for worker in self._workers.values())
@@ -229,6 +261,20 @@ class _Pool:
         if kill:
             os.kill(worker.pid, signal.SIGKILL)
         return os.waitpid(worker.pid, 0)[1]
+
+
+_WIDE = 1 << 20
+"""How many bytes of answers nobody has to have read before a process goes on."""
+
+
+def _widen(answers: int) -> None:
+    """Let a pipe hold more than usual, where the system can."""
+    import fcntl  # only POSIX has it
+
+    resize = getattr(fcntl, "F_SETPIPE_SZ", None)
+    if resize is not None:
+        with contextlib.suppress(OSError):
+            fcntl.fcntl(answers, resize, _WIDE)
 
 
 _PR_SET_PDEATHSIG = 1

@@ -17,7 +17,7 @@ from archlint.systems.command_line import Word, words_of
 from archlint.systems.instances import instantiate
 from archlint.systems.known_externals import NO_EXTERNAL_NODES, ExternalSources, blueprint_of
 from archlint.systems.model import System
-from archlint.systems.nodes import Node, key_of
+from archlint.systems.nodes import Node
 from archlint.systems.overrides import applied, overrides_of
 from archlint.systems.parameter_overrides import (
     declared_names,
@@ -31,7 +31,8 @@ from archlint.systems.understood import doubt
 if TYPE_CHECKING:
     from archlint.interpreter.modules import Module
     from archlint.launch.launches import Launches
-    from archlint.programs.linker import EntryPoint, Linker
+    from archlint.programs.entry import EntryPoint
+    from archlint.programs.linker import Linker
     from archlint.ros.external_nodes import ExternalNode
     from archlint.syntax.parameter_files import ParameterFacts
     from archlint.systems.resolution import FinalName
@@ -132,7 +133,7 @@ class LaunchSystems:
             changes = with_what_came_up(changes, new, started, program, self.parameters_of, rules) if new else None
         return program
 
-    def by_executable(self, launches_: Iterable[Launched]) -> list[list[Started]]:
+    def by_executable(self, launches_: Iterable[Launched]) -> dict[tuple[str, str], list[Started]]:
         """What launch files start, all processes of one executable together; those with most to run first."""
         rows: dict[tuple[str, str], list[Started]] = {}
         for started in (started for launched in launches_ for started in _processes(launched)):
@@ -144,12 +145,20 @@ class LaunchSystems:
             program = self.linker.started.get(key)
             return len(rows[key]) * (1 if program is None else 1 + len(program.callbacks))
 
-        return [rows[key] for key in sorted(rows, key=lambda key: -weight(key))]
+        return {key: rows[key] for key in sorted(rows, key=lambda key: -weight(key))}
 
     def follow(self, group: Iterable[Started]) -> None:
         """Follow the programs of some processes, and leave it to others what systems these make."""
         for started in group:
             self._followed(started)
+
+    def follow_after(self, program: Program, module: Module, group: Iterable[Started]) -> None:
+        """The same of processes of one executable, of which it is known what it is by itself; of no other module."""
+        for started in group:
+            entry = self.entries[started.package.text, started.executable.text or ""]
+            if self._module(entry, posixpath.dirname(started.file)) is module:
+                self._programs[entry.package, entry.executable, module.path] = program
+                self._followed(started)
 
     def _external_nodes(self, started: Started, program: Program | None, launch_file: str) -> list[Node]:
         """The nodes of what is not here, as far as they are known from elsewhere."""
@@ -377,20 +386,3 @@ def _order(node: Node) -> tuple[object, ...]:
     place = node.launch_place
     where = (place.file, place.line, place.column) if place else ("", 0, 0)
     return (node.name is None, node.name or "", *where, node.blueprint.class_name if node.blueprint else "")
-
-
-def started_pairs(
-    launches: Iterable[Launched], blueprints: Mapping[tuple[str, str], Sequence[Blueprint]]
-) -> set[frozenset[object]]:
-    """Pairs of node classes that one launch file starts: it, not the open system, judges them together."""
-    pairs: set[frozenset[object]] = set()
-    for launched in launches:
-        keys: dict[object, None] = {}
-        for started in launched.started:
-            package, executable = started.package.text, started.executable.text
-            for blueprint in blueprints.get((package or "", executable or ""), ()):
-                keys.setdefault(key_of(blueprint))
-        every = list(keys)
-        if len(every) <= 200:
-            pairs.update(frozenset((key, other)) for n, key in enumerate(every) for other in every[n:])
-    return pairs

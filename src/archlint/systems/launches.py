@@ -14,13 +14,16 @@ from archlint.launch.model import Launched
 from archlint.launch.named_files import FileReference
 from archlint.model import Blueprint, Program
 from archlint.systems.known_externals import NO_EXTERNAL_NODES, ExternalSources
-from archlint.systems.launched import LaunchSystems, started_pairs
+from archlint.systems.launched import LaunchSystems
 from archlint.systems.model import System, WorkspaceIndex
+from archlint.systems.nodes import key_of
 from archlint.systems.variants import other_choices, undecided_arguments
 
 if TYPE_CHECKING:
     from archlint.globs import Glob
-    from archlint.programs.linker import EntryPoint, Linker
+    from archlint.interpreter.modules import Module
+    from archlint.programs.entry import EntryPoint
+    from archlint.programs.linker import Linker
 
 
 def launch_systems(
@@ -28,30 +31,31 @@ def launch_systems(
     linker: Linker,
     entries: Sequence[EntryPoint],
     launches: Launches,
+    launched: Sequence[Launched],
     workspace: WorkspaceIndex,
     *,
     closed: bool,
     chosen: str | None = None,
-    arguments: Mapping[str, str] | None = None,
     configured: Sequence[Glob] = (),
     distro: str | None = None,
     externals: ExternalSources = NO_EXTERNAL_NODES,
     memory: KeptSystems | None = None,
 ) -> list[System]:
     """The open system and one for each launch file (of those that are configured); only the chosen one, where
-    one is named.  ``memory`` may have some from an earlier run, and is told of those that are made.
+    one is named.  ``launched`` is what :func:`run_launches` gives.  ``memory`` may have some systems from an earlier
+    run, and is told of those that are made.
 
     All of them share one index: ``workspace`` with what is known of launch files and systems.
     """
-    launched = _launched(launches, chosen, arguments)
     maker = LaunchSystems(linker, entries, launches, opened.package_dependencies, distro, externals)
     making = _Making(maker, launches, launched, _parts(launched), closed, chosen, configured, memory)
-    linker.ahead(making.programs_in_parts)
-    linker.ahead(making.alternatives_in_parts)
+    if not linker.ahead.has_started:
+        linker.ahead.follow(making.programs_in_parts)
+    linker.ahead.follow(making.alternatives_in_parts)
     systems = making.systems_of(launched)
     others = [other.launched for system in systems for _, other in system.alternatives if other.launched is not None]
     runs = [*launched, *others]
-    pairs = frozenset(started_pairs(runs, _by_executable(opened.programs)))
+    pairs = frozenset(_started_pairs(runs, _by_executable(opened.programs)))
     beside = [] if chosen is not None else [replace(opened, launched_pairs=pairs)]
     index = replace(
         workspace,
@@ -86,7 +90,7 @@ class _Making:
     def programs_in_parts(self) -> list[Callable[[], object]]:
         """Following what the launch files start, an executable a part: launches of one share what they can."""
         chosen = [launch for launch in self.launched if self._is_system(launch)]
-        return [partial(self.maker.follow, group) for group in self.maker.by_executable(chosen)]
+        return [partial(self.maker.follow, group) for group in self.maker.by_executable(chosen).values()]
 
     def alternatives_in_parts(self) -> list[Callable[[], object]]:
         """Making the systems of launch files that may start something else with other arguments, a few a part."""
@@ -135,11 +139,39 @@ class _Making:
 
     def _is_named(self, launch: Launched) -> bool:
         """Whether somebody has said that a launch file is a system."""
-        return self.chosen is not None or any(glob.matches(launch.file) for glob in self.configured)
+        return self.chosen is not None or _matches(launch, self.configured)
 
     def _is_system(self, launch: Launched) -> bool:
-        is_meant = not self.configured or self._is_named(launch)
-        return is_meant and launch.is_launch_file and not launch.ros1
+        return _is_system(launch, self.chosen, self.configured)
+
+
+def _matches(launch: Launched, configured: Sequence[Glob]) -> bool:
+    return any(glob.matches(launch.file) for glob in configured)
+
+
+def _is_system(launch: Launched, chosen: str | None, configured: Sequence[Glob]) -> bool:
+    is_meant = not configured or chosen is not None or _matches(launch, configured)
+    return is_meant and launch.is_launch_file and not launch.ros1
+
+
+def follow_started_ahead(
+    linker: Linker,
+    entries: Sequence[EntryPoint],
+    launches: Launches,
+    launched: Sequence[Launched],
+    chosen: str | None = None,
+    configured: Sequence[Glob] = (),
+) -> None:
+    """Have the processes that follow the programs follow what launch files start of these, too."""
+    maker = LaunchSystems(linker, entries, launches, {})
+    groups = maker.by_executable(launch for launch in launched if _is_system(launch, chosen, configured))
+
+    def follow(entry: EntryPoint, module: Module, program: Program) -> None:
+        group = groups.get((entry.package or "", entry.executable))
+        if group is not None:
+            maker.follow_after(program, module, group)
+
+    linker.ahead.started = follow
 
 
 def _choices(launch: Launched) -> bool:
@@ -203,7 +235,9 @@ def _given_arguments(systems: Sequence[System]) -> list[str]:
     return sorted({source for source in sources if source is not None})
 
 
-def _launched(launches: Launches, chosen: str | None, arguments: Mapping[str, str] | None) -> list[Launched]:
+def run_launches(
+    launches: Launches, chosen: str | None = None, arguments: Mapping[str, str] | None = None
+) -> list[Launched]:
     """The launch files of the workspace with their defaults, or the chosen one with its arguments."""
     if chosen is not None:
         launches.knows_command_line = True
@@ -230,3 +264,20 @@ def _by_executable(programs: Sequence[Program]) -> dict[tuple[str, str], list[Bl
         if program.executable:
             blueprints.setdefault((program.package or "", program.name), []).extend(program.nodes)
     return blueprints
+
+
+def _started_pairs(
+    launches: Iterable[Launched], blueprints: Mapping[tuple[str, str], Sequence[Blueprint]]
+) -> set[frozenset[object]]:
+    """Pairs of node classes that one launch file starts: it, not the open system, judges them together."""
+    pairs: set[frozenset[object]] = set()
+    for launched in launches:
+        keys: dict[object, None] = {}
+        for started in launched.started:
+            package, executable = started.package.text, started.executable.text
+            for blueprint in blueprints.get((package or "", executable or ""), ()):
+                keys.setdefault(key_of(blueprint))
+        every = list(keys)
+        if len(every) <= 200:
+            pairs.update(frozenset((key, other)) for n, key in enumerate(every) for other in every[n:])
+    return pairs

@@ -1,0 +1,28 @@
+"""What starts a program: an executable of a package."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, TypeAlias
+
+if TYPE_CHECKING:
+    from archlint.interpreter.modules import Module
+    from archlint.workspace.model import SourceFile
+
+
+@dataclass(frozen=True)
+class EntryPoint:
+    """An executable of a package: ``module:function``, or a script (``function`` is None)."""
+
+    executable: str
+    package: str | None
+    module: str
+    function: str | None
+    file: SourceFile | None = None
+
+
+Entry: TypeAlias = "tuple[EntryPoint, Module]"
+"""An entry point, and the module that it starts."""
+
+
+__all__ = ["Entry", "EntryPoint"]
