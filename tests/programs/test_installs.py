@@ -67,3 +67,9 @@ def test_a_command_that_is_given_nothing_may_make_the_executables():
     assert installs("find_package(acme_auto_package)\nacme_auto_package()").open_executables
     assert not installs("add_executable(talker talker.cpp)\ninstall(TARGETS talker)\nacme_package()").open_executables
     assert not installs("enable_testing()\nament_package()").open_executables
+
+
+def test_a_list_in_quotes_is_several_interfaces():
+    built = installs('set(files "msg/A.msg" "msg/B.msg")\nrosidl_generate_interfaces(${PROJECT_NAME} "${files}")\n')
+    assert built.generated == {"robot", "msg/A.msg", "msg/B.msg"}
+    assert [needed.path for needed in built.needed] == ["robot/msg/A.msg", "robot/msg/B.msg"]

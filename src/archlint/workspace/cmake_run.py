@@ -326,8 +326,13 @@ def _end(commands: Sequence[Command], at: int) -> int:
 # ------------------------------------------------------------------------------------------------ variables
 
 
+_HAND_ON = frozenset({"rosidl_generate_interfaces", "ament_target_dependencies", "ament_export_dependencies"})
+
+
 def _expanded(command: Command, scope: _Scope) -> list[Argument]:
-    """The arguments with known variables replaced; a list that is not quoted becomes several."""
+    """The arguments with known variables replaced; a list that is not quoted becomes several.  A function that hands on
+    ``${ARGN}`` makes several of a quoted one, too."""
+    whole = command.name not in _HAND_ON
     arguments: list[Argument] = []
     for argument in command.arguments:
         text = argument.text
@@ -335,7 +340,7 @@ def _expanded(command: Command, scope: _Scope) -> list[Argument]:
             if "${" not in text or len(text) > _CHARACTERS:
                 break
             text = _VARIABLE.sub(lambda match: _value(match, scope), text)
-        parts = [text] if argument.quoted else [part for part in text.split(";") if part]
+        parts = [text] if argument.quoted and whole else [part for part in text.split(";") if part]
         arguments.extend(Argument(part, argument.line, argument.column, argument.quoted) for part in parts)
     return arguments[:10_000]
 
