@@ -225,6 +225,13 @@ def test_a_loop_until_a_done_callback_has_the_response(judge: Judge):
     assert finding.help == "return instead, and go on in Robot.on_answer"
 
 
+def test_the_loops_of_a_class_that_wait_for_one_attribute_are_one_finding(judge: Judge):
+    waits = "while self.data is None:  {}\n            time.sleep(0.1)"
+    lines = waits.format("# here"), waits.format("").replace("data is None", "data is not None")
+    [told] = judge("EXE009", robot(*lines))
+    assert told.message.endswith("; another loop waits for self.data like that")
+
+
 def test_an_execute_callback_cannot_go_on_in_another(judge: Judge):
     goals = (
         robot("pass")

@@ -35,6 +35,16 @@ def test_a_text_that_launch_passes_on_without_quotes(findings, given: str, told:
     assert [one.help for one in reported] == ["set it in a parameter file, where quotes keep it a string"] * len(told)
 
 
+def test_values_of_a_launch_file_that_are_wrong_in_the_same_way_are_one_finding(findings):
+    rate = '<param name="rate" value="{}"/>'
+    [told] = findings("PRM002", node(rate.format(2), name="left") + node(rate.format(3), name="right"))
+    assert told.message.startswith("parameter 'rate' of /left is declared as double and set to 2, of type integer; ")
+    assert told.message.endswith("another value is of type integer instead of double, too")
+    assert [row.message for row in told.related if "/right" in row.message] == [
+        "parameter 'rate' of /right is declared as double and set to 3, of type integer"
+    ]
+
+
 def test_what_several_nodes_of_one_class_are_given_is_one_finding(findings):
     speed, frame = '<param name="speed" value="1.0"/>', '<param name="frame" value="map"/>'
     (same,) = findings("PRM004", node(speed, name="left") + node(speed, name="right"))

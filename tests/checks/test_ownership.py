@@ -10,6 +10,7 @@ from archlint.checks.ownership import multiple_publishers
 from archlint.checks.registry import Options
 from archlint.checks.servers import multiple_servers
 from archlint.config.settings import load
+from archlint.engine.merging import folded
 from archlint.engine.pipeline import Request, check
 from archlint.finding import Severity
 from archlint.ros.well_known import OF_MANY_PUBLISHERS
@@ -281,6 +282,15 @@ class TestMultipleServers:
             "/left_arm and /right_arm both serve the service '/home'",
             "/left_arm and /right_arm both serve the action '/grasp'",
         ]
+
+    def test_what_the_same_nodes_serve_is_one_finding(self):
+        left = node("/left_arm", service("home"), action_server("grasp"))
+        right = node("/right_arm", service("home"), action_server("grasp"))
+        judged = system(left, right, node("/hand", action_server("close")), name="launch/robot.launch.py")
+
+        [told] = folded(multiple_servers(judged, NOTHING_SAID))
+
+        assert told.message.endswith(": every request reaches all of them; another name is served by all of them, too")
 
     def test_private_names(self):
         assert servers(system(node("/left_arm", service("~/home")), node("/right_arm", service("~/home")))) == []

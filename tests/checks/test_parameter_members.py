@@ -58,13 +58,17 @@ def test_a_member_that_may_be_right(judge: Judge, declare: str, read: str):
     judge("PRM010", NODE.format(declare=declare, read=f"self.it = {read}"))
 
 
-def test_a_parameter_that_is_read_twice_is_one_finding(judge: Judge):
+def test_parameters_of_a_file_that_are_read_in_the_same_way_are_one_finding(judge: Judge):
     declare = "self.declare_parameter('it', 1000)\n        self.declare_parameter('other', 1000)"
     reads = f"self.it = {VALUE}.double_value  # here\n        self.again = {VALUE}.double_value"
-    other = "self.other = self.get_parameter('other').get_parameter_value().double_value  # here"
-    first, second = judge("PRM010", NODE.format(declare=declare, read=f"{reads}\n        {other}"))
-    assert [row.message for row in first.related] == ["it is declared here", "it is read here, too"]
-    assert [row.message for row in second.related] == ["it is declared here"]
+    other = "self.other = self.get_parameter('other').get_parameter_value().double_value"
+    (told,) = judge("PRM010", NODE.format(declare=declare, read=f"{reads}\n        {other}"))
+    assert told.message.endswith("; another line reads it where their parameters do not set it, too")
+    assert [row.message for row in told.related] == [
+        "it is declared here",
+        "it is read here, too",
+        "'double_value' is always 0.0 here: the parameter 'other' is an integer",
+    ]
 
 
 CPP = """

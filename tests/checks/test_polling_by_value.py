@@ -93,6 +93,13 @@ def test_where_a_request_is_made_does_not_matter(robot: Robot, setup: str, tick:
     assert words == "the service 'query_sensor' the same request 10 times a second: use a topic for this data"
 
 
+def test_what_one_callback_asks_for_is_one_finding(findings: Callable[..., list[Finding]]):
+    asks = "    self.sensor.call_async(GetSensorData.Request(sensor_id='{}')).add_done_callback(self.show)\n"
+    [told] = findings(TICK, f"def tick(self):\n{asks.format('a')}{asks.format('b')}{SHOW}")
+    assert told.message.endswith("; another request is sent like that")
+    assert told.related[-1].place.line == told.place.line + 1
+
+
 def test_a_helper_makes_it_or_sends_it(robot: Robot):
     methods = """
     def tick(self):

@@ -25,7 +25,8 @@ def finding_for_owners(code: str, owners: list[Endpoint], message: str, does: st
         node=last.node.name,
         identity=(last.kind, last.name or "", *_names(owners)),
     )
-    return replace(diagnostic, group=_cause(last)) if code == "OWN001" else diagnostic
+    group = _cause(last) if code == "OWN001" else tuple(_names(owners))
+    return replace(diagnostic, group=group)
 
 
 def _cause(last: Endpoint) -> tuple[str, ...]:

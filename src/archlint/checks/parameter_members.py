@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.analysis.parameter_members import EMPTY, WrongMember, wrong_members
-from archlint.checks.folding import folds, with_places
+from archlint.checks.folding import folds, with_others, with_places
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
@@ -39,14 +39,19 @@ def wrong_parameter_member(system: System, options: Options) -> Iterator[Finding
             ],
             node=read.node.name,
             identity=(read.name, read.member),
-            group=(read.place.file, read.name, read.member),
+            group=(read.place.file, read.member, read.type, read.name),
         )
 
 
-@folds("PRM010")
-def _of_one_parameter(findings: Sequence[Finding]) -> Finding:
-    """One finding for all lines of a file that read the same member of a parameter."""
-    return with_places(findings, "it is read here, too")
+@folds("PRM010", common=3)
+def _of_one_member(findings: Sequence[Finding]) -> Finding:
+    """One finding for all lines of a file that read a member of parameters of another type."""
+    name = findings[0].group[-1]
+    same = [finding for finding in findings if finding.group[-1] == name]
+    others = [finding for finding in findings if finding.group[-1] != name]
+    first = with_places(same, "it is read here, too")
+    rest = "it where their parameters do not set it, too"
+    return with_others([first, *others], "another line reads", "more lines read", rest) if others else first
 
 
 __all__ = ["wrong_parameter_member"]

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.declarations import is_of_variable, may_be_dynamic
 from archlint.analysis.pinned import is_from_before_galactic
-from archlint.checks.folding import folds
+from archlint.checks.folding import all_sites, folds
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related, Severity
@@ -69,7 +69,7 @@ def _of_another_type(node: Node, setting: Setting, declared: ParameterDeclaratio
         related=[Related(declared.place, "it is declared here")],
         node=node.name,
         identity=(node.name or "", setting.name),
-        group=(place.file, str(declared.type), given) if _is_in_a_file(setting) else (),
+        group=(place.file, str(declared.type), given),
     )
 
 
@@ -105,7 +105,7 @@ def _not_filled_in(node: Node, setting: Setting, template: str) -> Finding:
 
 @folds("PRM002", across_systems=True)
 def _of_one_cause(several: Sequence[Finding]) -> Finding:
-    """One finding for the values of a parameter file that are wrong in the same way."""
+    """One finding for the values of a parameter file or launch file that are wrong in the same way."""
     first = several[0]
     others = {other.place: other for other in several if other.place != first.place}.values()
     related = (*first.related, *(Related(other.place, other.message) for other in others))
@@ -115,7 +115,7 @@ def _of_one_cause(several: Sequence[Finding]) -> Finding:
     another = "another value is" if len(others) == 1 else f"{len(others)} more values are"
     placeholders = "one" if len(others) == 1 else "placeholders"
     rest = f"{another} {f'of type {given} instead of {wanted}' if wanted else placeholders}, too"
-    return replace(first, message=f"{first.message}; {rest}", related=related)
+    return replace(first, message=f"{first.message}; {rest}", related=related, sites=all_sites(several))
 
 
 _IN_A_FILE = "set it in a parameter file, where quotes keep it a string"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.analysis.reach import (
@@ -14,6 +14,7 @@ from archlint.analysis.reach import (
     related_creation,
 )
 from archlint.analysis.source_code import source_code
+from archlint.checks.folding import folds, with_others
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.connections.request_uses import (
@@ -98,4 +99,11 @@ def _polled(system: System, program: Program, call: ApiCall, said: _Said) -> Fin
         + related,
         node=node_name(system, call.node),
         identity=(callback.name, call.creation.name.text or ""),
+        group=(call.place.file, callback.name, help),
     )
+
+
+@folds("SRV004")
+def _of_one_callback(findings: Sequence[Finding]) -> Finding:
+    """One finding for the requests of a callback that are wrong in the same way."""
+    return with_others(findings, "another request is", "more requests are", "sent like that")

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
+from archlint.checks.folding import folds, with_others
 from archlint.checks.owner_findings import all_of, finding_for_owners
 from archlint.checks.registry import Options, rule
 from archlint.checks.scope import Scope
@@ -29,3 +30,9 @@ def multiple_servers(system: System, options: Options) -> Iterator[Finding]:
                 "serves it here",
                 "give each server its own name, such as a private one ('~/…')",
             )
+
+
+@folds("OWN002")
+def _of_the_same_nodes(findings: Sequence[Finding]) -> Finding:
+    """One finding for all that the same nodes serve."""
+    return with_others(findings, "another name is", "more names are", "served by all of them, too")

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.analysis.reach import node_name, one_for_each_place
+from archlint.checks.folding import folds, with_others
 from archlint.checks.joins import endless_joins
 from archlint.checks.limitless_calls import unanswerable_calls, unanswerable_loops
 from archlint.checks.rate_sleeps import endless_sleeps
@@ -46,7 +47,14 @@ def _endless(system: System, loop: AttributeLoop) -> Finding:
         related=[Related(setter.place, f"{setter.name} changes {loop.attribute}")],
         node=node_name(system, loop.node),
         identity=("" if waiting is None else waiting.name, loop.attribute.partition(".")[2]),
+        group=(loop.place.file, loop.attribute, setter.name.rpartition(".")[0]),
     )
+
+
+@folds("EXE009")
+def _of_one_attribute(findings: Sequence[Finding]) -> Finding:
+    """One finding for the loops of a class that wait for the same attribute."""
+    return with_others(findings, "another loop waits", "more loops wait", f"for {findings[0].group[1]} like that")
 
 
 def _empty(system: System, wait: QueueWait) -> Finding:
