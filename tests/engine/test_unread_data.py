@@ -50,6 +50,8 @@ def told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
         ("config/arm.srdf", XACRO.format('<link name="a"/-->'), 3),
         ("worlds/hall.sdf", SDF.format('<world name="a"></wrold>'), 3),
         ("worlds/hall.world", "# a world\n" + SDF.format(""), 1),
+        ("worlds/hall.sdf", SDF.format("<?ignore>\n  <collision name='a'>\n<?>"), 6),
+        ("urdf/arm.xacro", XACRO.format("<?ignore>"), 3),
         ("plugins.xml", PLUGINS.format("<description>An arm.</description>"), 4),
         ("controllers.xml", PLUGINS.format("<description>An arm.</description>"), 4),
         ("robot_plugin.xml", PLUGINS.format("<description>An arm.</class>"), 3),
@@ -67,6 +69,8 @@ def test_a_description_that_is_no_xml(told, path, text, line):
         ("worlds/hall.sdf", SDF.format("<!-- --- the floor --- -->")),
         ("worlds/stage.world", "# for Stage\ndefine block model (size [0.5 0.5 0.5])\n\nblock (pose [0 0 0 0])\n"),
         ("worlds/hall.sdf", SDF.format("") + "\nnotes\n"),
+        ("worlds/hall.sdf", SDF.format("<?ignore>\n  <collision name='a'/>\n<?>")),
+        ("worlds/hall.world", SDF.format("<uri>https://example.org/?a=1&b=2</uri>")),
         ("worlds/hall.sdf", SDF.format('<world name="{{ name }}">')),
         ("worlds/hall.sdf", SDF.format("@[if indoors]<world>@[end if]")),
         ("urdf/arm.xacro", '<!DOCTYPE robot [<!ENTITY a "b">]>\n' + XACRO.format("&a;")),
@@ -79,6 +83,12 @@ def test_a_description_that_is_no_xml(told, path, text, line):
 )
 def test_a_description_that_its_reader_takes_or_that_is_not_in_use(told, path, text):
     assert told(path, text) == []
+
+
+def test_one_flaw_that_several_files_of_a_package_have_is_one_finding(told):
+    broken = SDF.format("<model></modle>")
+    files = {"models/b/model.sdf": broken, "models/c/model.sdf": SDF.format("<model")}
+    assert told("models/a/model.sdf", broken, **files) == [("robot/models/a/model.sdf", 3), ("robot/models/c/model.sdf", 4)]
 
 
 def test_a_package_that_was_not_asked_for(told):

@@ -156,3 +156,43 @@ def test_what_is_put_aside_is_no_partner_of_what_runs(capsys: pytest.CaptureFixt
 def test_why_nothing_runs_a_file_is_told(capsys: pytest.CaptureFixture[str]) -> None:
     write("robot/setup.py", SETUP.replace("robot.driver:main", "robot.drivers:main"))
     assert [row["code"] for row in checked(capsys)[0]["diagnostics"]] == ["PKG002"]
+
+
+DRAFT = "import rclpy\nfrom std_msgs\n"
+
+
+@pytest.mark.parametrize(
+    ("draft", "beside"),
+    [
+        ("notes/pick and place version 1.py", "notes/pick and place version 2.py"),
+        ("notes/Pick_V1.py", "notes/Pick_V3.py"),
+        ("pick-v09.py", "pick-v10.py"),
+    ],
+)
+def test_an_earlier_version_that_no_longer_parses_is_not_shown(
+    capsys: pytest.CaptureFixture[str], draft: str, beside: str
+) -> None:
+    write(draft, DRAFT)
+    write(beside, DRIVER)
+    assert draft not in files_of(checked(capsys)[0])
+    assert draft in files_of(checked(capsys, draft)[0])
+
+
+@pytest.mark.parametrize(
+    ("draft", "beside", "text"),
+    [
+        ("notes/pick_v2.py", "notes/pick_v1.py", DRIVER),
+        ("notes/pick_v1.py", "notes/place_v2.py", DRIVER),
+        ("notes/pick_v1.py", "notes/later/pick_v2.py", DRIVER),
+        ("notes/pick_v1.py", "notes/pick_v2.py", DRIVER + "\n\nimport pick_v1\n"),
+        ("notes/pick_v1.py", "README.md", "Start it: `python3 notes/pick_v1.py`\n"),
+        ("notes/arm1.py", "notes/arm2.py", DRIVER),
+    ],
+    ids=["the last one", "another thing", "elsewhere", "imported", "told to run", "two arms"],
+)
+def test_a_version_that_is_in_use_is_shown(
+    capsys: pytest.CaptureFixture[str], draft: str, beside: str, text: str
+) -> None:
+    write(draft, DRAFT)
+    write(beside, text)
+    assert draft in files_of(checked(capsys)[0])

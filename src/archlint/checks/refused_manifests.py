@@ -63,10 +63,13 @@ def _of_one_manifest(findings: Sequence[Finding]) -> Finding:
 
 @folds("LNT002")
 def _of_one_mistake(findings: Sequence[Finding]) -> Finding:
-    """One finding for the manifests that cannot be read for the same reason: one was copied for the others."""
-    return with_others(
-        findings, "another package.xml is", "more package.xml files are", "unreadable for the same reason"
+    """One finding for the manifests, or the descriptions of a package, that cannot be read for the same reason: one was
+    copied for the others."""
+    is_manifest = findings[0].place.file.endswith("package.xml")
+    another, more = ("another package.xml is", "more package.xml files are") if is_manifest else (
+        "another file of the package is", "more files of the package are"
     )
+    return with_others(findings, another, more, "unreadable for the same reason")
 
 
 __all__ = ["refused_manifest"]

@@ -91,4 +91,5 @@ def _malformed_descriptions(index: WorkspaceIndex, workspace: Workspace) -> Iter
         problem = malformed_description(name, index.tree.text(file) or "")
         if problem is not None:
             finding = unreadable(file, problem.line, problem.column, problem.message)
-            yield replace(finding, help="correct it: whatever reads this file stops there")
+            group = ("description", index.package_of(file) or "", problem.message)
+            yield replace(finding, help="correct it: whatever reads this file stops there", group=group)

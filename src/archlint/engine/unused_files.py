@@ -10,7 +10,7 @@ from archlint.analysis.aside import is_disused
 from archlint.checks.registry import registered
 from archlint.checks.scope import Scope
 from archlint.packaging.unbuilt_files import runs_nowhere
-from archlint.packaging.unused_files import nothing_runs
+from archlint.packaging.unused_files import is_earlier_version, nothing_runs
 
 if TYPE_CHECKING:
     from archlint.engine.request import Request
@@ -27,8 +27,14 @@ def unused_files(index: WorkspaceIndex, findings: Iterable[Finding], request: Re
     told = [finding for finding in findings if _is_of_what_runs(finding)]
     files = {file for finding in told for file in (finding.place.file, *_others_of(finding))}
     unread = {finding.place.file for finding in told if finding.code == "LNT002"}
-    unused = (file for file in files if nothing_runs(index, file) or (file in unread and runs_nowhere(index, file)))
+    unused = (file for file in files if nothing_runs(index, file) or (file in unread and _is_left(index, file)))
     return frozenset(file for file in unused if os.path.abspath(file) not in named)
+
+
+def _is_left(index: WorkspaceIndex, file: str) -> bool:
+    """Whether a file that cannot be read is nothing anybody waits for: no build takes it, or a later version has
+    followed."""
+    return runs_nowhere(index, file) or is_earlier_version(index, file)
 
 
 def apart(index: WorkspaceIndex, findings: Iterable[Finding], files: Set[str]) -> tuple[list[Finding], list[Finding]]:

@@ -7,6 +7,8 @@ Where any of these says more than can be read, a file counts as run.
 
 from __future__ import annotations
 
+import posixpath
+import re
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_disused, is_left_alone, is_not_installed
@@ -31,6 +33,28 @@ def nothing_runs(workspace: WorkspaceIndex, file: str) -> bool:
     if kind == "interface":
         return _is_put_aside(workspace, file)
     return kind == "python" and (_is_put_aside(workspace, file) or _is_spare_program(workspace, file))
+
+
+_VERSION = re.compile(r"(?P<name>.*[\W_])(?P<word>v|ver|version)(?P<gap>[\W_]?)(?P<number>\d+)\.py", re.IGNORECASE)
+
+
+def is_earlier_version(workspace: WorkspaceIndex, file: str) -> bool:
+    """Whether a script outside of the packages is called a version of something, a later one lies beside it
+    (``pick v1.py``, ``pick v2.py``), and no code or document has a word for the earlier one."""
+    folder, name = posixpath.split(file)
+    version = _VERSION.fullmatch(name)
+    if version is None or workspace.package_of(file) is not None or file in workspace.code.in_use:
+        return False
+    beside = (posixpath.split(path) for path in workspace.tree.files_below(folder or "."))
+    if not any(_follows(version, _VERSION.fullmatch(other)) for place, other in beside if place == folder):
+        return False
+    mentions = workspace.code.files_that_mention(name.removesuffix(".py"))
+    return all(path == file for path in mentions) and not is_told_to_run(workspace, file)
+
+
+def _follows(version: re.Match[str], other: re.Match[str] | None) -> bool:
+    same = other is not None and other["name"].lower() == version["name"].lower()
+    return other is not None and same and int(other["number"]) > int(version["number"])
 
 
 def _is_put_aside(workspace: WorkspaceIndex, file: str) -> bool:
@@ -66,4 +90,4 @@ def _tested(workspace: WorkspaceIndex) -> frozenset[str]:
     return workspace.code.reached_from(path for path in python if workspace.roles.is_test(path))
 
 
-__all__ = ["nothing_runs"]
+__all__ = ["is_earlier_version", "nothing_runs"]

@@ -1,7 +1,8 @@
 """Descriptions of robots, worlds and plugins, which ROS and Gazebo read at run time: whether they are XML.
 
-xacro reads its files with Python's expat and wants all of XML.  tinyxml2, which reads the others, passes over more:
-what is inside of a comment, blanks in front of the declaration, and what stands behind the document.
+xacro reads its files with Python's expat and wants all of XML.  TinyXML, which reads the others, passes over more:
+what is inside of a comment, blanks in front of the declaration, an ``&`` that begins no entity, and what stands behind the
+document; in models and worlds, tags such as ``<?ignore>`` and ``<?>``, too.
 """
 
 from __future__ import annotations
@@ -22,6 +23,9 @@ _ELEMENT = re.compile(r"^[ \t\ufeff]*<", re.MULTILINE)
 _LARGEST = 500_000
 """Characters of what people write by hand."""
 _COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
+_UNKNOWN_TAG = re.compile(r"<\?(?!xml\s)[^>]*>")
+"""What TinyXML has no meaning for, and skips up to the bracket; how XML wants such tags, it does not ask."""
+_NO_ENTITY = re.compile(r"&(?!(?:lt|gt|amp|quot|apos|#\d+|#x[\da-fA-F]+);)")
 _TEMPLATE = re.compile(r"\{\{|\{%|<%|@\(|@\[|<!DOCTYPE")
 """What a program fills in before anybody reads the file; what a document type declares is not followed here."""
 _BEHIND = "junk after document element"
@@ -44,7 +48,7 @@ def malformed_description(name: str, text: str) -> FileProblem | None:
         return None
     strict = name.endswith(_XACRO)
     parser = expat.ParserCreate(namespace_separator=" " if strict else None)
-    read = text if strict else _COMMENT.sub(_blank, text)
+    read = text if strict else _as_tinyxml(name, text)
     before = len(read) - len(read.lstrip())
     first = 0 if strict else read.count("\n", 0, before)
     try:
@@ -59,6 +63,12 @@ def malformed_description(name: str, text: str) -> FileProblem | None:
     return None
 
 
-def _blank(comment: re.Match[str]) -> str:
-    """As many lines as a comment has."""
-    return "\n" * comment[0].count("\n")
+def _as_tinyxml(name: str, text: str) -> str:
+    """A text without what TinyXML passes over, with the same lines."""
+    read = _COMMENT.sub(_blank, text)
+    return _NO_ENTITY.sub(" ", _UNKNOWN_TAG.sub(_blank, read) if name.endswith(ENDINGS) else read)
+
+
+def _blank(passed_over: re.Match[str]) -> str:
+    """As many lines as what is passed over has."""
+    return "\n" * passed_over[0].count("\n")
