@@ -182,12 +182,20 @@ def _made_of(coarse: list[str], fine: list[str]) -> bool:
 
 
 def did_you_mean(word: str, known: Iterable[str], quote: str = "'", rivals: Collection[str] = ()) -> str:
-    """``; did you mean 'x'?`` to put after a message, or nothing; nothing either where one of ``rivals`` is nearer to
-    that."""
+    """``; did you mean 'x'?`` to put after a message, or nothing, as :func:`probable` says."""
+    near = probable(word, known, rivals)
+    return "" if near is None else meant(f"{quote}{near}{quote}")
+
+
+def probable(word: str, known: Iterable[str], rivals: Collection[str] = ()) -> str | None:
+    """The nearest known word; None also where one of ``rivals`` is nearer to that."""
     near = nearest(word, known)
-    if near is None or (rivals and nearest(near, {word, *rivals}) not in (None, word)):
-        return ""
-    return meant(f"{quote}{near}{quote}")
+    return None if near is None or (rivals and nearest(near, {word, *rivals}) not in (None, word)) else near
+
+
+def hint(near: str | None) -> str:
+    """``; did you mean 'x'?`` for a name that is near; nothing where none is."""
+    return meant(f"'{near}'") if near else ""
 
 
 def name_meant(name: str, known: Iterable[str]) -> str:

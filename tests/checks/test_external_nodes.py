@@ -144,6 +144,14 @@ def test_what_such_a_node_does_not_declare_is_one_finding_for_all_that_start_it(
     assert message.startswith("/base declares none of these 2 parameters")
 
 
+def test_what_is_misspelt_of_such_a_node_is_one_finding(told):
+    slips = (
+        '<node pkg="acme" exec="base"><param name="wheel_bas" value="1"/><param name="wheel_bases" value="2"/></node>'
+    )
+    ((_, _, message),) = told(("PRM004",), more=slips)
+    assert message.endswith("wheel_bas (did you mean 'wheel_base'?), wheel_bases ('wheel_base'?)")
+
+
 @pytest.mark.parametrize(("distros", "named"), [((), True), (("humble", "jazzy"), True), (("jazzy",), False)])
 def test_a_parameter_that_only_some_distributions_have_is_no_advice(told, distros: tuple[str, ...], named: bool):
     newer = ExternalParameter("wheel_bases", "double", 0.3, distros=distros)

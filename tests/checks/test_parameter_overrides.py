@@ -163,12 +163,33 @@ def test_what_several_launch_files_set_on_one_node_is_one_finding(findings):
     assert [one.place.file for one in apart] == ["launch/it.launch.py"]  # no launch file gives the node that one
 
 
-def test_a_misspelt_name_has_a_finding_of_its_own(findings):
+def test_a_misspelt_name_is_told_apart_from_others(findings):
     found = findings("{'speed': 1.0,", "'gian': 2.0,", "'device': '/dev/ttyS0'}")
     assert [(one.place.line, "did you mean 'gain'?" in one.message) for one in found] == [
         (FIRST, False),
         (FIRST + 1, True),
     ]
+
+
+def test_all_misspelt_names_of_a_node_are_one_finding(findings):
+    (found,) = findings("file", yaml="talker:\n  ros__parameters:\n    gian: 1.0\n    limit: a\n")
+    assert (found.place.file, found.place.line) == ("config/p.yaml", 3)
+    assert found.message == (
+        "/talker declares none of these 2 parameters, so their values have no effect: gian (did you mean 'gain'?), "
+        "limit ('limits'?)"
+    )
+    assert [(row.place.line, row.message) for row in found.related][:1] == [(4, "'limit'; did you mean 'limits'?")]
+
+
+def test_a_text_meant_as_a_comment_that_is_joined_with_the_next_key(findings):
+    lines = ["{", "'limits': 'a',", "'''", "'gain': 1.0,", "'''", "'gain': 2.0,", "}"]
+    (found,) = findings(*lines)
+    assert found.message.startswith("/talker gets no 'gain' here: Python joins the text in quotes with the key")
+    assert (found.place.line, found.help) == (
+        FIRST + 2,
+        "write the text as a comment, with # in front of each of its lines",
+    )
+    assert findings("{", "'limits': 'a',", "# 'gain': 1.0,", "'gain': 2.0,", "}") == []
 
 
 def test_a_misspelt_name_in_copies_of_a_launch_file_is_one_finding(findings):

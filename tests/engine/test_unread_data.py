@@ -88,7 +88,10 @@ def test_a_description_that_its_reader_takes_or_that_is_not_in_use(told, path, t
 def test_one_flaw_that_several_files_of_a_package_have_is_one_finding(told):
     broken = SDF.format("<model></modle>")
     files = {"models/b/model.sdf": broken, "models/c/model.sdf": SDF.format("<model")}
-    assert told("models/a/model.sdf", broken, **files) == [("robot/models/a/model.sdf", 3), ("robot/models/c/model.sdf", 4)]
+    assert told("models/a/model.sdf", broken, **files) == [
+        ("robot/models/a/model.sdf", 3),
+        ("robot/models/c/model.sdf", 4),
+    ]
 
 
 def test_a_package_that_was_not_asked_for(told):

@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.declared_parameters import always_declared
 from archlint.checks.launched_names import is_given_by_launch
-from archlint.checks.misspelt_parameters import is_misspelt
+from archlint.checks.misspelt_parameters import MISSPELT, is_misspelt
 from archlint.checks.registry import finding
 from archlint.finding import Finding
 from archlint.model import ExecutorKind
-from archlint.suggestions import did_you_mean, listed
+from archlint.suggestions import hint, listed, nearest
 
 if TYPE_CHECKING:
     from archlint.place import Place
@@ -70,15 +70,16 @@ def _places(node: Node) -> set[Place]:
 def _finding(node: Node, name: str, place: Place, free: set[str]) -> Finding:
     read = sorted(dict.fromkeys(node.known.versions.values())) if node.known is not None else []
     of = f" (as read in {', '.join(read)})" if read else ""
-    meant = did_you_mean(name, free)
+    near = nearest(name, free)
     return finding(
         "PRM004",
         place,
-        f"{node.name} declares no parameter '{name}'{of}, so this value has no effect{meant}",
+        f"{node.name} declares no parameter '{name}'{of}, so this value has no effect{hint(near)}",
         help=f"it declares {listed(sorted(free))}" if free else "remove it",
         node=node.name,
         identity=(node.name or "", name),
-        group=(name if meant else f"{node.name} declares none of", node.package or "", node.executable or ""),
+        group=(MISSPELT if near else f"{node.name} declares none of", node.package or "", node.executable or ""),
+        meant=near or "",
     )
 
 

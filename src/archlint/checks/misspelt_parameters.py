@@ -21,6 +21,8 @@ if TYPE_CHECKING:
 
 _OF_EVERY_NODE: Final = "use_sim_time"
 """The one parameter that every node has, of C++ or of Python, and that is set from outside."""
+MISSPELT: Final = "misspelt"
+"""The group of what a node does not declare and that is almost the name of something it declares."""
 _SLIP = 2
 """By how many letters a name may differ from it, without being another one."""
 
@@ -75,4 +77,4 @@ def _is_declared(system: System, started: Started, name: str) -> bool:
     return any((declared := declared_by(node)) is None or name in declared for node in nodes)
 
 
-__all__ = ["is_misspelt", "is_told_otherwise", "misspelt_for_every_node", "misspelt_section"]
+__all__ = ["MISSPELT", "is_misspelt", "is_told_otherwise", "misspelt_for_every_node", "misspelt_section"]

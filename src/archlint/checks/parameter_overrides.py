@@ -10,9 +10,10 @@ from archlint.analysis.declared_parameters import always_declared, declared_by, 
 from archlint.analysis.kept import once
 from archlint.checks.external_parameters import has_unseen_nodes, unknown_to_externals
 from archlint.checks.folding import folds
-from archlint.checks.misspelt_parameters import is_told_otherwise, misspelt_for_every_node, misspelt_section
+from archlint.checks.misspelt_parameters import MISSPELT, is_told_otherwise, misspelt_for_every_node, misspelt_section
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
+from archlint.checks.settings_by_mistake import declared_dict, joined, joined_key, split_dict
 from archlint.finding import Finding, Place, Related
 from archlint.launch_files.chosen_names import executable_is_chosen, executable_is_picked, has_another_choice
 from archlint.launch_files.files_read_in_code import is_read_in_code
@@ -25,7 +26,7 @@ from archlint.launch_files.set_parameters import (
     others_are_not_run,
     set_nodes,
 )
-from archlint.suggestions import did_you_mean, listed, meant
+from archlint.suggestions import did_you_mean, hint, listed, meant, probable
 from archlint.systems.nodes import key_of
 from archlint.systems.overrides import Setting, applied, key_matches
 
@@ -84,14 +85,14 @@ def unknown_parameter_override(system: System, options: Options) -> Iterator[Fin
             if line in said:
                 continue  # a line that starts several nodes of one class is wrong once
             said.add(line)
-            declared_dict = _declared_dict(setting, declared)
-            if declared_dict is None:
+            whole = declared_dict(setting, declared)
+            if whole is None:
                 yield _never_used(system, node, node.blueprint, bool(siblings), setting, declared, settings)
             else:
-                name, place = declared_dict
+                name, place = whole
                 split_dicts.setdefault((node.name, setting.place.file, name, place), (node, []))[1].append(setting)
     for (_, _, name, place), (node, parts) in split_dicts.items():
-        yield _split_dict(node, name, place or parts[0].place, parts)
+        yield split_dict(node, name, place or parts[0].place, parts)
 
 
 def _by_default(system: System, node: Node, name: str) -> bool:
@@ -202,12 +203,16 @@ def _never_used(
     declared: Mapping[str, Sequence[ParameterDeclaration]],
     settings: Sequence[Setting],
 ) -> Finding:
+    defined = Related(blueprint.place, "the node is defined here")
+    key = joined_key(setting.name, declared)
+    if key is not None and setting.written is None:
+        return joined(node, setting, key, [defined])
     by_program = is_one_of_several and setting.written is None and not declared
     subject = _process(node) if by_program else called(node)
     given = {other.name for other in settings}
-    near = did_you_mean(setting.name, declared.keys() - given, rivals=given - declared.keys())
+    near = probable(setting.name, declared.keys() - given, rivals=given - declared.keys())
     if setting.name.rpartition(".")[2] in declared:
-        near = ""  # it is the prefix that is wrong, most often of all names beside it
+        near = None  # it is the prefix that is wrong, most often of all names beside it
     section = misspelt_section(setting.name, declared.keys() - given) if near else None
     readers = _readers(system, setting) if setting.written is not None and "*" in setting.key else []
     if len(readers) > 1:
@@ -215,20 +220,15 @@ def _never_used(
     return finding(
         "PRM004",
         setting.place,
-        f"{subject} declares no parameter '{setting.name}', so this value has no effect{near}",
+        f"{subject} declares no parameter '{setting.name}', so this value has no effect{hint(near)}",
         help=f"it declares {listed(_surely(declared))}" if declared else "declare it in the node, or remove it",
-        related=[Related(blueprint.place, "the node is defined here")],
+        related=[defined],
         node=node.name,
         identity=(subject, setting.name),
-        # A misspelt name has advice of its own, but for names in one misspelt section.
-        group=(_group_of(section, setting.name) if near else _NOTHING_OF_IT, *_cause(setting, blueprint)),
-        meant="" if section is None else section[1],
+        # What names that are misspelt, and those in a misspelt section, have in common is advice of its own.
+        group=(f"{section[0]}." if section else MISSPELT if near else _NOTHING_OF_IT, *_cause(setting, blueprint)),
+        meant=section[1] if section else near or "",
     )
-
-
-def _group_of(section: tuple[str, str] | None, name: str) -> str:
-    """What misspelt names have in common: their section with a dot, or the name."""
-    return name if section is None else f"{section[0]}."
 
 
 def _process(node: Node) -> str:
@@ -293,7 +293,8 @@ def _one_for_a_node(several: Sequence[Finding]) -> Finding:
         return replace(first, related=(*rows, *first.related))
     nodes = len({diagnostic.identity[0] for diagnostic in several})
     subject = first.group[0]
-    if subject == _NOTHING_OF_IT:
+    hints = {other.identity[1]: other.meant for other in several if subject == MISSPELT}
+    if subject in (_NOTHING_OF_IT, MISSPELT):
         node = first.identity[0] or first.group[-1]
         more = "another node" if nodes == 2 else f"{nodes - 1} more nodes"
         subject = f"{node} declares none of" if nodes == 1 else f"{node} and {more} of its class declare none of"
@@ -301,9 +302,10 @@ def _one_for_a_node(several: Sequence[Finding]) -> Finding:
     if subject.endswith("."):
         under += meant(f"'{first.meant}' for '{subject.rstrip('.')}'")
         subject = f"{first.identity[0]} declares none of"
+    said = listed([_with_hint(name, hints.get(name), name == names[0]) for name in names])
     return replace(
         first,
-        message=f"{subject} these {len(names)} parameters, so their values have no effect: {listed(names)}{under}",
+        message=f"{subject} these {len(names)} parameters, so their values have no effect: {said}{under}",
         related=(*rows, *first.related),
         identity=(first.identity[0], *names),
     )
@@ -314,52 +316,18 @@ _NOTHING_OF_IT = "none of"
 
 
 def _set_here(other: Finding, names: int) -> str:
-    return "it is set here, too" if names == 1 else f"'{other.identity[1]}'"
+    slip = other.group[0] == MISSPELT
+    return "it is set here, too" if names == 1 else f"'{other.identity[1]}'{hint(other.meant) if slip else ''}"
+
+
+def _with_hint(name: str, near: str | None, first: bool) -> str:
+    if near is None:
+        return name
+    return f"{name} (did you mean '{near}'?)" if first else f"{name} ('{near}'?)"
 
 
 SHOWN = 20
 """How many more places one finding shows."""
-
-
-def _declared_dict(
-    setting: Setting, declared: Mapping[str, Sequence[ParameterDeclaration]]
-) -> tuple[str, Place | None] | None:
-    """The parameter that a node declares and that is given a dict, of which launch or a parameter file makes this
-    setting; with the place where a launch file gives it."""
-    parts = setting.name.split(".")
-    prefixes = (".".join(parts[:count]) for count in range(1, len(parts)))
-    name = next((prefix for prefix in prefixes if prefix in declared), None)
-    if name is None or (not setting.within and setting.written is None):
-        return None
-    if setting.written is None:
-        return next(((key, place) for key, place in setting.within if key == name), None)
-    return name, None
-
-
-def _split_dict(node: Node, name: str, place: Place, parts: Sequence[Setting]) -> Finding:
-    rows = [row for row in node.parameters if row.name.text == name]
-    text = bool(rows) and rows[0].type == "string"
-    in_launch = parts[0].written is None
-    more = f" and {len(parts) - 1} more" if len(parts) > 1 else ""
-    advice = (
-        f"declare each of them in the node ('{parts[0].name}'), and read them with get_parameters_by_prefix('{name}')"
-    )
-    if rows and rows[0].type:
-        advice = f"give it one value of type {rows[0].type}"
-    if text:
-        # Without its type, launch_ros reads a text as YAML and comes to a dict again.
-        wrapped = "ParameterValue(json.dumps(…), value_type=str)"
-        advice = f"pass it as a string: {wrapped}" if in_launch else "pass it as a string: put it in quotes"
-    return finding(
-        "PRM004",
-        place,
-        f"'{name}' is set to a dict, which {'launch' if in_launch else 'ROS'} splits: it sets "
-        f"'{parts[0].name}'{more}, which {called(node)} does not declare, and '{name}' keeps its default",
-        help=advice,
-        related=[Related(row.place, f"'{name}' is declared here") for row in rows[:1]],
-        node=node.name,
-        identity=(node.name or "", name),
-    )
 
 
 def _every_declared(system: System, file: str, key: str) -> set[str] | None:

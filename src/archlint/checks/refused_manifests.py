@@ -66,8 +66,10 @@ def _of_one_mistake(findings: Sequence[Finding]) -> Finding:
     """One finding for the manifests, or the descriptions of a package, that cannot be read for the same reason: one was
     copied for the others."""
     is_manifest = findings[0].place.file.endswith("package.xml")
-    another, more = ("another package.xml is", "more package.xml files are") if is_manifest else (
-        "another file of the package is", "more files of the package are"
+    another, more = (
+        ("another package.xml is", "more package.xml files are")
+        if is_manifest
+        else ("another file of the package is", "more files of the package are")
     )
     return with_others(findings, another, more, "unreadable for the same reason")
 

@@ -1,8 +1,8 @@
 """Descriptions of robots, worlds and plugins, which ROS and Gazebo read at run time: whether they are XML.
 
 xacro reads its files with Python's expat and wants all of XML.  TinyXML, which reads the others, passes over more:
-what is inside of a comment, blanks in front of the declaration, an ``&`` that begins no entity, and what stands behind the
-document; in models and worlds, tags such as ``<?ignore>`` and ``<?>``, too.
+what is inside of a comment, blanks in front of the declaration, an ``&`` that begins no entity, and what stands behind
+the document; in models and worlds, tags such as ``<?ignore>`` and ``<?>``, too.
 """
 
 from __future__ import annotations
