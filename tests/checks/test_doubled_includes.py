@@ -83,3 +83,46 @@ def test_a_whole_stack_that_is_included_twice_is_that_include(found):
 def test_a_stack_that_leaves_out_what_is_included_beside_it(found):
     off = "_include('stack.launch.py', condition=IfCondition('false'))"
     assert found(LEFT, RIGHT, off) == []
+
+
+def _robot(*nodes: str) -> dict[str, str]:
+    """A launch file that starts nodes for one robot, and two that include it for two robots each."""
+    ways = [
+        f'<include file="$(find-pkg-share robot)/launch/robot.launch.xml"><arg name="robot" value="{name}"/></include>'
+        for name in ("a", "b")
+    ]
+    both = f"<launch>\n{ways[0]}\n{ways[1]}\n</launch>"
+    lines = "\n".join(('<arg name="robot"/>', *nodes))
+    return {
+        "launch/robot.launch.xml": f"<launch>\n{lines}\n</launch>",
+        "launch/hall.launch.xml": both,
+        "launch/yard.launch.xml": both.replace("</launch>", node(name="camera") + "\n</launch>"),
+    }
+
+
+ITS_OWN = node(name="driver", namespace="$(var robot)")
+
+
+def test_a_node_that_does_not_get_the_namespace_of_each_include_is_told_once_where_it_is(findings):
+    (found,) = findings("NME004", **_robot(ITS_OWN, node(name="marker")))
+    assert (found.place.file, found.place.line) == ("launch/robot.launch.xml", 4)
+    assert found.message == (
+        "robot.launch.xml is included twice, each time with another namespace for its nodes, but '/marker' gets none: "
+        "it is started twice under one name"
+    )
+    assert found.help == "give it namespace=, too, or start it once, outside of robot.launch.xml"
+    assert [(row.place.line, row.message) for row in found.related] == [
+        (3, "this one gets the namespace"),
+        (2, "it is first included here"),
+        (3, "it is included again here"),
+    ]
+    (several,) = findings("NME004", **_robot(node(name="map"), ITS_OWN, node(name="marker")))
+    assert "2 get none, such as '/map': they are started twice" in several.message
+    assert (several.place.line, several.related[0].place.line) == (3, 5)
+
+
+def test_a_file_that_is_included_twice_and_gives_no_node_a_namespace_is_told_at_each_include(findings):
+    told = findings("NME004", **_robot(node(name="marker")))
+    assert {row.place.file for row in told} <= {"launch/hall.launch.xml", "launch/yard.launch.xml"}
+    assert {row.help for row in told} == {"include it once, or in a different namespace each time"}
+    assert findings("NME004", **_robot(ITS_OWN)) == []

@@ -383,7 +383,13 @@ def test_a_context_that_the_command_line_does_not_reach(findings, init: str, sec
 
 @pytest.mark.parametrize(
     ("package", "executable", "told"),
-    [("gazebo_ros", "spawn_entity.py", 0), ("ros_gz_sim", "create", 0), ("rviz2", "rviz2", 1), ("robot", "create", 1)],
+    [
+        ("gazebo_ros", "spawn_entity.py", 0),
+        ("ros_gz_sim", "create", 0),
+        ("nav2_util", "lifecycle_bringup", 0),
+        ("rviz2", "rviz2", 1),
+        ("robot", "create", 1),
+    ],
 )
 def test_tools_that_end_by_themselves_share_no_name_for_long(findings, package: str, executable: str, told: int):
     tools = [node(pkg=package, exec=executable, name="it", args=f"-x {number}") for number in (1, 2)]

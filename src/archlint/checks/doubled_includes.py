@@ -5,6 +5,7 @@ from __future__ import annotations
 import posixpath
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
+from itertools import combinations
 from typing import TYPE_CHECKING, NamedTuple
 
 from archlint.checks.registry import finding
@@ -41,9 +42,9 @@ def included_twice(started: Started | None, other: Started | None) -> Again | No
     return Again(file, tuple(before), tuple(after))
 
 
-def of_includes(included: Mapping[Again, Sequence[Twins]]) -> Iterator[Finding]:
+def of_includes(included: Mapping[Again, Sequence[Twins]], nodes: Sequence[Node]) -> Iterator[Finding]:
     """One finding for each file that is included twice; one for all that come again with one include further out, at
-    that include."""
+    that include.  ``nodes`` are all of the system."""
     left = dict(included)
     for leads_from in (_second, _first):
         outer = {again: _outermost(leads_from(again)) for again in left}
@@ -52,7 +53,8 @@ def of_includes(included: Mapping[Again, Sequence[Twins]]) -> Iterator[Finding]:
             several = {again: left.pop(again) for again in list(left) if outer[again] == place}
             yield _of_a_stack(place, [leads_from(again) for again in several], several)
     for again, twins in left.items():
-        yield _of_an_include(again, twins)
+        apart = _namespaces_of_each(again, twins, nodes)
+        yield _of_an_include(again, twins) if apart is None else _without_namespace(again, twins, apart)
 
 
 def _first(again: Again) -> tuple[Place, ...]:
@@ -100,6 +102,52 @@ def _of_an_include(again: Again, several: Sequence[Twins]) -> Finding:
         f"this system includes {file} twice, which starts {_twice(names)}",
         help="include it once, or in a different namespace each time",
         related=[Related(again.first[-1], "it is first included here"), *started_at],
+        node=names[0],
+        identity=(file, *names),
+    )
+
+
+def _namespaces_of_each(again: Again, twins: Sequence[Twins], nodes: Sequence[Node]) -> tuple[Node, Node] | None:
+    """Two nodes that one action starts, for each of two includes in another namespace: whoever includes the file keeps
+    them apart."""
+    by_place: dict[Place, list[Node]] = {}
+    for node in (node for node in nodes if node.started is not None and node.started.namespace is not None):
+        assert node.started is not None
+        by_place.setdefault(node.started.place, []).append(node)
+    near = {twin.started.file for pair in twins for twin in pair if twin.started is not None}
+    ordered = sorted(by_place, key=lambda place: place.file not in near)
+    pairs = (pair for place in ordered for pair in combinations(by_place[place], 2))
+    return next((pair for pair in pairs if _are_apart(again, *(node.started for node in pair))), None)
+
+
+def _are_apart(again: Again, first: Started | None, second: Started | None) -> bool:
+    if first is None or second is None or first.namespace is None or second.namespace is None:
+        return False
+    known = first.namespace.resolution == second.namespace.resolution == "exact"
+    return known and first.namespace.text != second.namespace.text and included_twice(first, second) == again
+
+
+def _without_namespace(again: Again, several: Sequence[Twins], apart: tuple[Node, Node]) -> Finding:
+    """What is told where the file gives other nodes the namespace of the include: the same for all that include it."""
+    places = sorted(node.launch_place for node, _ in several if node.launch_place is not None)
+    names = sorted(node.name or "" for node, _ in several)
+    file = posixpath.basename(again.file)
+    what = f"'{names[0]}' gets none: it is"
+    if len(names) > 1:
+        what = f"{len(names)} get none, such as '{names[0]}': they are"
+    beside = [node.launch_place for node in apart[:1] if node.launch_place is not None]
+    return finding(
+        "NME004",
+        places[0],
+        f"{file} is included twice, each time with another namespace for its nodes, but {what} started twice under one "
+        "name",
+        help=f"give it namespace=, too, or start it once, outside of {file}",
+        related=[
+            *(Related(place, "this one, too") for place in places[1:]),
+            *(Related(place, "this one gets the namespace") for place in beside),
+            Related(again.first[-1], "it is first included here"),
+            Related(again.second[-1], "it is included again here"),
+        ],
         node=names[0],
         identity=(file, *names),
     )

@@ -44,7 +44,7 @@ def duplicate_node_name(system: System, options: Options) -> Iterator[Finding]:
             of_actions.setdefault((id(node.started), id(other.started)), []).append(twins)
     for several in of_actions.values():
         yield from _of_two_actions(system, several)
-    yield from of_includes(included)
+    yield from of_includes(included, system.nodes)
 
 
 def _twins(system: System) -> Iterator[Twins]:
@@ -80,8 +80,10 @@ _TOOLS = frozenset(
         ("controller_manager", "unspawner.py"),
         ("gazebo_ros", "spawn_entity.py"),
         ("nav2_map_server", "map_saver_cli"),
+        ("nav2_util", "lifecycle_bringup"),
         ("ros_gz_sim", "create"),
         ("ros_gz_sim", "remove"),
+        ("ros_gz_sim", "set_entity_pose"),
         ("ros_ign_gazebo", "create"),
     }
 )
