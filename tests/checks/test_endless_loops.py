@@ -225,6 +225,31 @@ def test_a_loop_until_a_done_callback_has_the_response(judge: Judge):
     assert finding.help == "return instead, and go on in Robot.on_answer"
 
 
+BUSY = """while self.busy:{mark}
+            pass
+        self.busy = True
+        try:
+            self.out.publish(String())
+        except Exception:
+            self.get_logger().info('later')
+        {after}
+        self.busy = False"""
+
+
+@pytest.mark.parametrize(
+    ("after", "mark"),
+    [
+        ("self.goal = 2.0", ""),
+        ("if self.goal:\n            return", "  # here"),
+        ("self.busy = self.goal > 1.0", "  # here"),
+    ],
+    ids=["always cleared", "left before that", "another value"],
+)
+def test_a_flag_that_each_callback_clears_behind_its_work_is_never_found_set(judge: Judge, after: str, mark: str):
+    flags = robot(BUSY.format(after=after, mark=mark)).replace("self.data = None\n", "self.busy = False\n", 1)
+    judge("EXE009", flags.replace("        self.data = message", "        self.busy = True\n        self.busy = False"))
+
+
 def test_the_loops_of_a_class_that_wait_for_one_attribute_are_one_finding(judge: Judge):
     waits = "while self.data is None:  {}\n            time.sleep(0.1)"
     lines = waits.format("# here"), waits.format("").replace("data is None", "data is not None")

@@ -41,14 +41,19 @@ def _endless(system: System, loop: AttributeLoop) -> Finding:
     return finding(
         "EXE009",
         loop.place,
-        f"once {who} is in this loop, it never ends: only {setter.name} changes {loop.attribute}, and it cannot run "
-        f"meanwhile, since {loop.why}",
+        f"once {who} is in this loop, it never ends: {_who_changes(loop)} run meanwhile, since {loop.why}",
         help=_instead(loop),
         related=[Related(setter.place, f"{setter.name} changes {loop.attribute}")],
         node=node_name(system, loop.node),
         identity=("" if waiting is None else waiting.name, loop.attribute.partition(".")[2]),
         group=(loop.place.file, loop.attribute, setter.name.rpartition(".")[0]),
     )
+
+
+def _who_changes(loop: AttributeLoop) -> str:
+    if not loop.others:
+        return f"only {loop.setter.name} changes {loop.attribute}, and it cannot"
+    return f"only callbacks such as {loop.setter.name} change {loop.attribute}, and none of them can"
 
 
 @folds("EXE009")

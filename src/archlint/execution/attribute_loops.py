@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.kept import once
 from archlint.analysis.source_code import source_code
 from archlint.execution.attribute_changes import changing_callbacks
+from archlint.execution.busy_flags import waits_for_busy_flag
 from archlint.execution.loop_tests import awaited_attributes
 from archlint.execution.waiting_functions import EndlessWait, Waiting, classes_of, waiting_functions, why_kept_out
 from archlint.finding import Place
@@ -25,6 +26,8 @@ class AttributeLoop(EndlessWait):
     """A loop that nothing ends once it is entered; its place is that of its test."""
 
     loop: Place
+    others: int
+    """How many other callbacks change the attribute; none of them can run meanwhile, either."""
 
 
 @once
@@ -44,7 +47,8 @@ def _loops_of(system: System, program: Program, waiting: Waiting) -> Iterator[At
     if code is None:
         return
     for loop in statements_of(waiting.function.body, facts.While):
-        attributes = awaited_attributes(loop, waiting.variable, code)
+        awaited = awaited_attributes(loop, waiting.variable, code)
+        attributes = [each for each in awaited if not waits_for_busy_flag(loop, each, code)]
         setters = _setters(system, program, waiting, attributes)
         reasons = [why_kept_out(system, waiting, setter, program) for _, setter in setters]
         if reasons and all(reasons):
@@ -56,6 +60,7 @@ def _loops_of(system: System, program: Program, waiting: Waiting) -> Iterator[At
                 node=waiting.node,
                 attribute=f"{waiting.variable}.{attribute}",
                 setter=setter,
+                others=len({callback.place for _, callback in setters}) - 1,
                 why=reasons[0] or "",
             )
 
