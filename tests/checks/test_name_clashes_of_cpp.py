@@ -49,3 +49,50 @@ def test_a_program_that_keeps_the_command_line_to_itself(findings, init: str, re
         "setup.py": "",
     }
     assert bool(findings("NME004", node(name="it"), **files)) is renamed
+
+
+BLOCK = """\
+#include "rclcpp/rclcpp.hpp"
+
+class Mapper : public rclcpp::Node
+{
+public:
+  Mapper() : Node("mapper") {}
+};
+
+int main(int argc, char ** argv)
+{
+  rclcpp::init(argc, argv);
+  int stack_size = 4096;
+  rclcpp::Node::SharedPtr kept;
+  {
+    %s
+  }
+  auto node = std::make_shared<Mapper>();
+  rclcpp::spin(node);
+  return 0;
+}
+"""
+READS = 'reader->declare_parameter("stack_size", 1); reader->get_parameter("stack_size", stack_size);'
+
+
+@pytest.mark.parametrize(
+    ("block", "clash"),
+    [
+        (f'auto reader = std::make_shared<rclcpp::Node>("mapper"); {READS}', False),
+        (f'rclcpp::Node::SharedPtr reader = rclcpp::Node::make_shared("mapper"); {READS}', False),
+        (f'auto reader = std::make_shared<rclcpp::Node>("mapper"); {READS} kept = reader;', True),
+        (f'auto reader = new rclcpp::Node("mapper"); {READS}', True),
+        (f'kept = std::make_shared<rclcpp::Node>("mapper"); {READS.replace("reader", "kept")}', True),
+    ],
+)
+def test_a_node_is_gone_at_the_end_of_the_block_that_holds_it(findings, block: str, clash: bool):
+    """A shared pointer of an inner block frees its node at the brace, before the next one is made."""
+    files = {
+        "src/talker.cpp": BLOCK % block,
+        "CMakeLists.txt": CMAKE,
+        "package.xml": manifest(build_type="ament_cmake"),
+        "setup.py": "",
+    }
+    assert bool(findings("NME004", node(name="it"), **files)) is clash
+    assert bool(findings("NME004", node(), **files)) is clash

@@ -174,6 +174,9 @@ class Library:
     def rebound(self, value: Instance, before: object) -> None:
         """A variable gets an object; ``before`` is what it held."""
 
+    def unbound(self, activation: Activation, name: str) -> None:
+        """A variable of a running function is deleted, or the block of C++ that declares it ends."""
+
     def module_variable(self, module: Module, name: str, value: Value) -> None:
         """A variable of a module is set."""
 

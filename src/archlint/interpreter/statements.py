@@ -225,6 +225,8 @@ def _delete(machine: Machine, s: facts.Delete) -> Status:
     for target in s.targets:
         if isinstance(target, facts.Subscript):
             delete_item(machine, machine.evaluate(target.value), machine.evaluate(target.index))
+        elif isinstance(target, facts.Name):
+            machine.library.unbound(machine.activation, target.id)
     return None
 
 

@@ -29,6 +29,7 @@ from archlint.libraries.rclpy import (
     nodes,
     policies,
     refusals,
+    short_lived,
 )
 from archlint.libraries.values import FutureValue, MessageValue
 from archlint.model import Role
@@ -160,6 +161,9 @@ class RosLibrary(Library):
     def rebound(self, value: Instance, before: object) -> None:
         nodes.note_replaced(self.run, value, before)
 
+    def unbound(self, activation: Activation, name: str) -> None:
+        short_lived.free(self.run, activation, name)
+
     def module_variable(self, module: Module, name: str, value: Value) -> None:
         escapes.named(self.run, module, name, value)
 
@@ -167,8 +171,8 @@ class RosLibrary(Library):
         escapes.share(self.run, module)
 
     def function_left(self, activation: Activation) -> None:
-        for node in self.run.nodes.short_lived.pop(activation, ()):
-            node.until = len(self.run.nodes.by_key)
+        for node, _ in self.run.nodes.short_lived.pop(activation, ()):
+            node.until = len(self.run.nodes.by_key) if node.until is None else node.until
 
     def coroutines_started(self, function: Value, expression: facts.Call) -> None:
         tasks.note_started(self.run, expression, function)

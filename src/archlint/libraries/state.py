@@ -101,8 +101,8 @@ class Nodes:
     """Where nodes are made before that, and of which class."""
     without_arguments: set[int] = field(default_factory=set)
     """The contexts, by the keys of their objects, that ``rclpy.init(args=[])`` keeps the command line from."""
-    short_lived: dict[Activation, list[model.Blueprint]] = field(default_factory=dict)
-    """Those that nothing but the variables of a running function hold."""
+    short_lived: dict[Activation, list[tuple[model.Blueprint, str]]] = field(default_factory=dict)
+    """Those that nothing but the variables of a running function hold, each with the variable."""
     revisited: set[int] | None = None
     """Where callbacks run that have run before: the nodes that they made then and have met again, by id."""
 

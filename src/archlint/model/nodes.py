@@ -262,7 +262,7 @@ class Blueprint:
     number: int = 0
     """How many nodes the program had made before this one."""
     until: int | None = None
-    """How many it had made when this one was freed, as the function that held it returned; None where it may stay."""
+    """How many it had made when this one was freed, as the function or block around it ended; None if it may stay."""
     made_by: Callback | None = None
     """What ran as it was made: ``main``, or a callback."""
     destroyed_at: int | None = None

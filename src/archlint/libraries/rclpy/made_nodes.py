@@ -39,7 +39,7 @@ def create_node(run: Run, call: ApiUse) -> Value:
         _set_names(run, known, call)
         holder = short_lived.holder(run.activations, call.expression)
         if holder is not None:
-            run.nodes.short_lived.setdefault(holder, []).append(known)
+            run.nodes.short_lived.setdefault(holder[0], []).append((known, holder[1]))
     else:
         known.ended_arms &= run.ended_arms()
         if known.until is not None and known.until < len(run.nodes.by_key):

@@ -1,4 +1,4 @@
-"""Nodes that are gone when the function that makes them returns: only a variable of it holds them.
+"""Nodes that are gone when the function or block that makes them ends: only a variable of it holds them.
 
 Source: rclpy keeps weak references to a plain node (parameter service, time source, context), so it is freed with the
 last variable.  A callback may refer to the node and keep it: rules ask for that themselves.
@@ -15,10 +15,11 @@ from archlint.syntax.parts import everything_in, names_in
 
 if TYPE_CHECKING:
     from archlint.interpreter.activation import Activation
+    from archlint.libraries.run import Run
 
 
-def holder(activations: Sequence[Activation], creating_call: facts.Call | None) -> Activation | None:
-    """The running function that alone holds the node which ``creating_call`` gives, in a variable with which it does
+def holder(activations: Sequence[Activation], creating_call: facts.Call | None) -> tuple[Activation, str] | None:
+    """The running function that alone holds the node which ``creating_call`` gives, and the variable with which it does
     no more than call its methods, spin it, and hand it to functions that do no more either: the last of
     ``activations``, or the one that it returns the node to.  None where something may hold the node for longer."""
     call = creating_call
@@ -33,11 +34,18 @@ def holder(activations: Sequence[Activation], creating_call: facts.Call | None) 
                 return None
             unharmed = _mentions(ir, name) - _harmless(ir, name, _functions_of(activation))
             if unharmed == 0:
-                return activation
+                return activation, name
             if unharmed != _returned(ir, name):
                 return None
         call = _call_of(activations, activation, ir)
     return None
+
+
+def free(run: Run, activation: Activation, name: str) -> None:
+    """Note that the nodes are gone which a variable that ends alone has held, if no branch leaves them alive."""
+    for node, variable in run.nodes.short_lived.get(activation, ()):
+        if variable == name and node.branch_arms.issuperset(run.branch_arms):
+            node.until = len(run.nodes.by_key)
 
 
 def _assigned(ir: facts.Function, statement: facts.Stmt | None, call: facts.Call) -> str | None:
@@ -78,12 +86,12 @@ def _mentions(ir: facts.Function, name: str) -> int:
 
 
 def _harmless(ir: facts.Function, name: str, functions: Mapping[str, facts.Function]) -> int:
-    """How often a variable is set, its methods are called, rclpy spins it, or a function is given it that does no more
-    than this with it."""
+    """How often a variable is set or deleted, its methods are called, rclpy spins it, or a function is given it that
+    does no more than this with it."""
     count = 0
     for item in everything_in(ir.body):
         match item:
-            case facts.Assign(targets):
+            case facts.Assign(targets) | facts.Delete(targets):
                 count += sum(target.variable == name for target in targets)
             case facts.Call(facts.Attribute(owner)) if owner.variable == name:
                 count += 1

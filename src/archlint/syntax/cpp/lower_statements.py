@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from archlint.syntax import facts
 from archlint.syntax.cpp.declared import declared
+from archlint.syntax.cpp.ends_of_blocks import end_of_block
 from archlint.syntax.cpp.known_names import PARTS, SETTLED
 from archlint.syntax.cpp.lower_expressions import is_target
 from archlint.syntax.cpp.lower_texts import TextLowering
@@ -39,7 +40,7 @@ class StatementLowering(TextLowering):
         self._changed: set[str] = set()
         """The texts that are changed in place, in the loop around."""
         self._statements: dict[str, StatementKind] = {
-            "compound_statement": self._inner_statements,
+            "compound_statement": self._inner_block,
             "ERROR": self._inner_statements,
             "expression_statement": self._expression,
             "declaration": self.declaration,
@@ -100,6 +101,9 @@ class StatementLowering(TextLowering):
     def _inner_statements(self, node: Node, body: list[Stmt]) -> None:
         """What stands in braces, behind ``else`` or behind ``[[likely]]``."""
         body.extend(self.block(node.named_children))
+
+    def _inner_block(self, node: Node, body: list[Stmt]) -> None:
+        body.extend((*self.block(node.named_children), *end_of_block(node, self.names, self.source)))
 
     def _labelled(self, node: Node, body: list[Stmt]) -> None:
         body.extend(self.block(node.named_children[1:]))
