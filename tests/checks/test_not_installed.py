@@ -412,6 +412,37 @@ def test_a_package_with_a_marker_of_its_own_or_perhaps_one(findings, markers: st
     assert findings("PKG004", **{"setup.py": setup, "resource/robot": "", "resource/old_robot": ""}) == []
 
 
+@pytest.mark.parametrize(
+    ("listed", "vain"),
+    [
+        ("glob('config/' + name + '.yaml')", False),
+        ("glob('config/robot.yaml')", False),
+        ("glob('config')", True),
+        ("['config/' + name + '.yaml']", True),
+    ],
+)
+def test_glob_of_a_name_that_is_not_there_lists_nothing(findings, listed: str, vain: bool):
+    """``glob()`` gives an empty list, so that the build goes on; a folder that is there stays in the list."""
+    setup = listing("package.xml").replace("['package.xml']", listed).replace("setup(", "name = 'robot'\nsetup(", 1)
+    files = {"resource/robot": "", "config/other.yaml": ""}
+    assert bool(findings("PKG004", **{"setup.py": f"from glob import glob\n{setup}", **files})) is vain
+
+
+def test_a_launch_file_that_launch_rejects_is_not_missed(findings):
+    """Installed, it would start nothing: LCH005 says what is wrong with it."""
+    code = """from launch import LaunchDescription
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    return LaunchDescription([Node(package='robot', %s='talker')])
+"""
+    files = {"setup.py": NO_DATA, "README.md": "ros2 launch robot all.launch.py\n"}
+    (finding,) = findings("PKG004", **files, **{"launch/all.launch.py": code % "executable"})
+    assert "these 2 launch files: all.launch.py, it.launch.xml" in finding.message
+    (finding,) = findings("PKG004", **files, **{"launch/all.launch.py": code % "node_executable"})
+    assert finding.message.startswith("package 'robot' does not install the launch file 'it.launch.xml'")
+
+
 def test_several_files_of_one_list(findings):
     (finding,) = findings("PKG004", **{"setup.py": listing("package.xml", "a.yaml", "b.yaml"), "resource/robot": ""})
     assert finding.message.endswith("another file is not there, either")

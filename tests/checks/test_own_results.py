@@ -138,3 +138,25 @@ def test_a_method_that_is_compared_with_true_or_false(judge: Judge, test: str):
 def test_what_may_be_true_or_false(judge: Judge, line: str):
     """A property, an attribute that is set, and one that takes the place of the method."""
     judge("API001", _node(line))
+
+
+@pytest.mark.parametrize(
+    ("lines", "advice"),
+    [
+        (
+            "if not self.pose():\n            return\n        print(self.pose == False)  # here",
+            "keep what the call of pose() above returns and compare that, or remove the check: another call may act",
+        ),
+        (
+            "print(self.switch == False)  # here\n        self.pose()",
+            "call it with the arguments that are meant, self.switch(…), or remove the check",
+        ),
+    ],
+)
+def test_a_method_that_must_not_be_called_there(judge: Judge, lines: str, advice: str):
+    """It was called already, or its defaults do something that nobody has asked for."""
+    source = _node(lines).replace(
+        "    def pose(self)", "    def switch(self, on=False):\n        return on\n\n    def pose(self)"
+    )
+    (finding,) = judge("API001", source)
+    assert finding.help == advice

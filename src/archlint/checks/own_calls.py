@@ -11,7 +11,7 @@ from archlint.checks.registry import finding
 from archlint.checks.uncalled import unless_uncalled
 from archlint.finding import Finding, Related, Severity
 from archlint.model import Misuse
-from archlint.python_code.compared_methods import compared_methods
+from archlint.python_code.compared_methods import ComparedMethod, compared_methods
 from archlint.python_code.own_calls import RefusedOwnCall, calls_of_bare_super, refused_own_calls
 from archlint.python_code.own_results import WrongLength, wrong_lengths
 from archlint.python_code.uncalled_names import uncalled_names
@@ -35,8 +35,8 @@ def own_call_findings(system: System) -> Iterator[Finding]:
             yield from unless_uncalled(system, _wrong_length(row))
         for name, place in uncalled_names(system.workspace):
             yield from unless_uncalled(system, _not_called(name, place))
-        for name, place in compared_methods(system.workspace):
-            yield from unless_uncalled(system, _compared(name, place))
+        for test in compared_methods(system.workspace):
+            yield from unless_uncalled(system, _compared(test))
         for place in calls_of_bare_super(system.workspace):
             yield from unless_uncalled(system, _of_bare_super(place))
 
@@ -69,12 +69,19 @@ def _cure(call: RefusedOwnCall) -> str:
     return f"{'write' if itself.issuperset(call.signature) else 'give what it takes:'} {call.name}({takes})"
 
 
-def _compared(name: str, place: Place) -> Finding:
+def _compared(test: ComparedMethod) -> Finding:
+    name, place, help = test.name, test.place, f"write self.{test.name}()"
+    if test.is_called_before:
+        help = (
+            f"keep what the call of {name}() above returns and compare that, or remove the check: another call may act"
+        )
+    elif test.takes_arguments:
+        help = f"call it with the arguments that are meant, self.{name}(…), or remove the check"
     return finding(
         "API001",
         place,
         f"this line does not call {name}(): the method itself is neither True nor False",
-        help=f"write self.{name}()",
+        help=help,
         identity=(COMPARED, name),
         group=(place.file, COMPARED, name),
     )

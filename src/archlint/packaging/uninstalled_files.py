@@ -119,10 +119,17 @@ def mended_at(workspace: WorkspaceIndex, installs: Installs) -> Place | None:
 
 
 def _launch_files(workspace: WorkspaceIndex, installs: Installs) -> list[str]:
-    """The launch files in the folder ``launch`` of a package, that is in use."""
+    """The launch files in the folder ``launch`` of a package, that is in use, and that launch loads."""
     folder = posixpath.normpath(posixpath.join(installs.folder, "launch"))
     files = (file for file in _all_launch_files(workspace) if file.startswith(f"{folder}/"))
-    return [file for file in files if not is_aside(workspace, file) and not _is_of_ros1(workspace, file)]
+    in_use = (file for file in files if not is_aside(workspace, file) and not _is_of_ros1(workspace, file))
+    return [file for file in in_use if file not in _rejected(workspace)]
+
+
+@once
+def _rejected(workspace: WorkspaceIndex) -> frozenset[str]:
+    """The launch files that give an action what it does not take (LCH005): installed they would start nothing."""
+    return frozenset(wrong.place.file for launched in workspace.launched for wrong in launched.unknown_attributes)
 
 
 @once

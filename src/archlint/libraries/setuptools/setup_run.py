@@ -75,12 +75,24 @@ def glob_pattern(run: Run, site: CallSite) -> Value:
         return unknown
     pattern = _with_single_stars(given.text, recursive=bool(recursive.value))
     folder, _, name = pattern.rpartition("/")
+    if not has_magic(pattern) and run.tree is not None and _is_absent(run.tree, run.folder, pattern):
+        return containers.new_list(run, [])  # of a name that is not there, glob() says nothing and the build goes on
     if not has_magic(folder) and name != "**":
         return containers.new_list(run, [replace(given, value=pattern)])
     if run.tree is None or pattern.startswith(("/", "../")):
         return unknown
     files = _matching(run.tree, run.folder, pattern)
     return containers.new_list(run, [replace(given, value=path) for path in files])
+
+
+def _is_absent(tree: Listing, folder: str, path: str) -> bool:
+    """Whether there is certainly no file or folder of a name below the folder of the setup.py."""
+    parts = posixpath.normpath(path).split("/")
+    if parts[0] in ("", ".."):
+        return False
+    return not any(
+        posixpath.relpath(file, folder).split("/")[: len(parts)] == parts for file in tree.files_below(folder)
+    )
 
 
 def _with_single_stars(pattern: str, *, recursive: bool) -> str:
