@@ -116,6 +116,22 @@ def test_a_class_that_only_an_except_names(judge: Judge):
     )
 
 
+@pytest.mark.parametrize(
+    ("base", "call", "help"),
+    [
+        ("Node", "rclpy.get_logger().info('slow')", "write self.get_logger()"),
+        ("rclpy.node.Node", "now = rclpy.get_clock().now()", "write self.get_clock()"),
+        ("Node", "rclpy.get_logger('it').info('')", "import rclpy.logging and write rclpy.logging.get_logger"),
+        ("object", "rclpy.get_logger().info('slow')", "import rclpy.logging and write rclpy.logging.get_logger"),
+    ],
+)
+def test_a_method_of_the_node_that_is_called_as_a_function(judge: Judge, base: str, call: str, help: str):
+    """What rclpy.logging has of the name wants the name of a logger."""
+    line = f"class Robot({base}):\n    def warn(self):\n        {call}  # here\n\n\nRobot('it').warn()"
+    [finding] = judge("API002", FILE.format(line=line))
+    assert finding.help == help
+
+
 def test_an_import_in_a_function(judge: Judge):
     [finding] = judge("API002", FILE.format(line="def later():\n    from rclpy import teleport  # here"))
     assert finding.help == "the import fails when that function runs"

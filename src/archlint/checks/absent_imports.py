@@ -9,6 +9,7 @@ from archlint.analysis.own_names import is_defined_somewhere
 from archlint.checks.registry import finding
 from archlint.finding import Finding
 from archlint.libraries.absent_names import instead_of
+from archlint.libraries.api_signatures import attributes_of
 from archlint.libraries.module_names import modules_with, near_module, near_name
 from archlint.python_code.absent_imports import Absent, absent_imports
 from archlint.suggestions import meant
@@ -38,6 +39,9 @@ def _is_told_or_given(system: System, file: str, absent: Absent) -> bool:
 
 def _no_name(file: str, absent: Absent) -> Finding:
     module, name = absent.module, absent.name
+    own = absent.in_node and module == "rclpy" and name in (attributes_of("rclpy.node.Node") or ())
+    if own:
+        return _of_node(file, absent)
     moved = modules_with(name, module)[:1]
     near = "" if moved else near_name(module, name)
     instead = instead_of(f"{module}.{name}")
@@ -50,6 +54,18 @@ def _no_name(file: str, absent: Absent) -> Finding:
         identity=(f"{module}.{name}",),
         group=(OF_MODULE, file, f"{module}.{name}"),
         meant=moved[0] if moved else near,
+    )
+
+
+def _of_node(file: str, absent: Absent) -> Finding:
+    """About a method of nodes that is called as a function of rclpy: others of its name want an argument."""
+    return finding(
+        "API002",
+        absent.place(file),
+        f"rclpy has no '{absent.name}': it is a method of the node",
+        help=f"write self.{absent.name}()",
+        identity=(f"rclpy.{absent.name}",),
+        group=(OF_MODULE, file, f"rclpy.{absent.name}", "self"),
     )
 
 

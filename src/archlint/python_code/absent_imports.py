@@ -33,6 +33,9 @@ class Absent:
     span: facts.Span
     in_except: bool = False
     """Whether an ``except`` names it, which is looked at only once something has been raised."""
+    in_node: bool = False
+    """Whether it is called without an argument in a method of a class whose base is called a node: ``self`` has what
+    nodes have."""
 
     @property
     def is_module(self) -> bool:
@@ -80,6 +83,7 @@ class _Code:
         caught = [h.type for t in everything_in(file_facts.body, facts.Try) for h in t.handlers if h.type is not None]
         self._caught = {Itself(part) for part in everything_in(caught)}
         self._never_run = {Itself(part) for hint in _unread_hints(file_facts) for part in everything_in([hint])}
+        self._asked_of_nodes = {Itself(call.func) for call in _bare_calls_in_nodes(file_facts)}
         self._bound: dict[str, set[str]] = {}
 
     def note_names(self) -> None:
@@ -101,7 +105,8 @@ class _Code:
             left_out = Itself(part) in self._forgiven or Itself(part) in self._never_run
             if module and lacks(module, part.attr) and not left_out:
                 in_function, in_except = (Itself(part) in parts for parts in (self._in_functions, self._caught))
-                yield Absent(module, part.attr, False, in_function, part.span, in_except)
+                in_node = Itself(part) in self._asked_of_nodes
+                yield Absent(module, part.attr, False, in_function, part.span, in_except, in_node)
 
     def _module(self, path: str) -> str:
         """The module that a dotted name means; empty where it is none, or perhaps something else."""
@@ -129,6 +134,16 @@ class _Code:
 
     def _bind(self, name: str, module: str) -> None:
         self._bound.setdefault(name, set()).add(module)
+
+
+def _bare_calls_in_nodes(file_facts: facts.Facts) -> Iterator[facts.Call]:
+    """The calls without an argument in methods of classes with a base that is called a node."""
+    for cls in everything_in(file_facts.body, facts.Class):
+        if any(base.value.last_name.endswith("Node") for base in cls.bases):
+            methods = (part for part in cls.body if isinstance(part, facts.Function) and part.params)
+            for method in methods:
+                if method.params[0].name == "self":
+                    yield from (call for call in everything_in(method.body, facts.Call) if not call.args)
 
 
 def _asked_for(statement: _Import) -> Iterator[tuple[str, str]]:

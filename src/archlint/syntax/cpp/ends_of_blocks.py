@@ -16,9 +16,9 @@ if TYPE_CHECKING:
 
 
 def end_of_block(block: Node, names: Names, source: SourceText) -> list[Stmt]:
-    """``del`` of the variables that a block declares and makes a node for; what ``new`` makes stays."""
+    """``del`` of the variables that a block in braces declares and makes a node for; what ``new`` makes stays."""
     ending: list[str] = []
-    for node in block.named_children:
+    for node in block.named_children if block.type == "compound_statement" else ():
         if node.type == "declaration" and b"Node" in (node.text or b""):
             ending += [each.name for each in declared(node, names, source) if _ends(each)]
     if not ending:

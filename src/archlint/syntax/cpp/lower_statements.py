@@ -40,7 +40,7 @@ class StatementLowering(TextLowering):
         self._changed: set[str] = set()
         """The texts that are changed in place, in the loop around."""
         self._statements: dict[str, StatementKind] = {
-            "compound_statement": self._inner_block,
+            "compound_statement": self._inner_statements,
             "ERROR": self._inner_statements,
             "expression_statement": self._expression,
             "declaration": self.declaration,
@@ -100,9 +100,6 @@ class StatementLowering(TextLowering):
 
     def _inner_statements(self, node: Node, body: list[Stmt]) -> None:
         """What stands in braces, behind ``else`` or behind ``[[likely]]``."""
-        body.extend(self.block(node.named_children))
-
-    def _inner_block(self, node: Node, body: list[Stmt]) -> None:
         body.extend((*self.block(node.named_children), *end_of_block(node, self.names, self.source)))
 
     def _labelled(self, node: Node, body: list[Stmt]) -> None:
