@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from archlint import suggestions
 from archlint.suggestions import did_you_mean, distance, limited_suggestions, nearest
@@ -14,6 +16,20 @@ from archlint.suggestions import did_you_mean, distance, limited_suggestions, ne
 )
 def test_distance(one, other, edits):
     assert distance(one, other, 5) == edits
+
+
+@given(st.text("abcÄß1_", max_size=8), st.text("abcÄß1_", max_size=8), st.integers(0, 3))
+def test_words_that_are_near_have_nearly_the_same_letters(one, other, limit):
+    if distance(one.lower(), other.lower(), limit) <= limit:
+        letters = suggestions._letters(one), suggestions._letters(other)
+        assert suggestions._may_be_near(*letters, limit)
+
+
+def test_words_of_other_letters_are_not_compared(monkeypatch):
+    compared = []
+    monkeypatch.setattr(suggestions, "distance", lambda *words: (compared.append(words[1]), distance(*words))[1])
+    assert nearest("camera", ["gripper", "kinect", "camara"]) == "camara"
+    assert set(compared) == {"camara"}
 
 
 def test_the_nearest_word_is_near():

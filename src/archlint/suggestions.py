@@ -96,19 +96,36 @@ def nearest(word: str, known: Iterable[str]) -> str | None:
     if len(word) > 256 or (comparisons is not None and comparisons.left <= 0):
         return None
     limit = max(1, len(word) // 3)
-    candidates = sorted({candidate for candidate in known if abs(len(candidate) - len(word)) <= limit})
+    candidates = {candidate for candidate in known if abs(len(candidate) - len(word)) <= limit}
     if comparisons is not None:
         comparisons.left -= sum(1 + len(word) * len(candidate) // _PAIR for candidate in candidates)
         if comparisons.left < 0:
             return None
+    letters = _letters(word)
     best: tuple[int, str] | None = None
-    for candidate in candidates:
+    for candidate in sorted(other for other in candidates if _may_be_near(letters, _letters(other), limit)):
         edits = distance(word.lower(), candidate.lower(), limit)
         if edits > limit or edits >= len(word) or candidate == word or _are_two_names(word, candidate):
             continue
         if best is None or edits < best[0]:
             best = (edits, candidate)
     return None if best is None else best[1]
+
+
+@lru_cache(maxsize=50_000)
+def _letters(word: str) -> int:
+    """The letters that occur in a word, in whichever case, as bits; several letters may share one."""
+    bits = 0
+    for letter in word.lower():
+        bits |= 1 << (ord(letter) & 63)
+    return bits
+
+
+def _may_be_near(first: int, second: int, limit: int) -> bool:
+    """Whether two words with these letters may be within so many edits: one edit adds or takes one letter at most."""
+    if first == second:
+        return True
+    return (first & ~second).bit_count() <= limit and (second & ~first).bit_count() <= limit
 
 
 def _are_two_names(first: str, second: str) -> bool:

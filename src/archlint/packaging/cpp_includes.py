@@ -11,7 +11,7 @@ from collections.abc import Container, Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_disused
-from archlint.analysis.kept import once
+from archlint.analysis.kept import kept, once
 from archlint.place import Place
 from archlint.ros import packages, rosdep
 from archlint.workspace.kinds import CPP_SUFFIXES
@@ -46,12 +46,16 @@ def packages_of_headers(workspace: WorkspaceIndex) -> Iterator[tuple[Place, str]
             continue
         for path in _built(workspace, installs):
             seen = {name}
-            for header, line in includes_of(workspace.tree.text(path) or ""):
+            for header, line in _includes(workspace, path):
                 needed, _, inside = header.partition("/")
                 known = has_header(workspace, needed, header) if needed in workspace.packages else needed in of_ros
                 if inside and known and needed not in seen and not has_header(workspace, name, header):
                     seen.add(needed)
                     yield Place(path, line, 1, line, 1), needed
+
+
+def _includes(workspace: WorkspaceIndex, path: str) -> Sequence[tuple[str, int]]:
+    return kept(workspace, (includes_of, path), lambda: includes_of(workspace.tree.text(path) or ""))
 
 
 def _built(workspace: WorkspaceIndex, installs: Installs) -> list[str]:
@@ -64,7 +68,7 @@ def _built(workspace: WorkspaceIndex, installs: Installs) -> list[str]:
         by_name.setdefault(posixpath.basename(path), []).append(path)
     reached = dict.fromkeys(todo)
     while todo:
-        for header, _ in includes_of(workspace.tree.text(todo.pop()) or ""):
+        for header, _ in _includes(workspace, todo.pop()):
             fitting = [
                 path for path in by_name.get(posixpath.basename(header), ()) if f"/{path}".endswith(f"/{header}")
             ]

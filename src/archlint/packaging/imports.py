@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from archlint.analysis.kept import once
 from archlint.finding import Place
 from archlint.syntax import facts
 
@@ -25,9 +26,14 @@ class ModuleImport:
     unused: bool = False
 
 
-def imports_at_start(workspace: WorkspaceIndex) -> Iterator[ModuleImport]:
+@once
+def imports_at_start(workspace: WorkspaceIndex) -> Sequence[ModuleImport]:
     """The imports of each file that always run, relative ones left out: not inside functions, nor where a failure is
     caught."""
+    return list(_imports_at_start(workspace))
+
+
+def _imports_at_start(workspace: WorkspaceIndex) -> Iterator[ModuleImport]:
     for file, file_facts in workspace.code.asked_for():
         used = {*file_facts.names, "*"}
         passes_on = file.relative.endswith("__init__.py")  # what it imports, others take from there

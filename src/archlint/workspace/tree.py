@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 
 TEXT_LIMIT = 8_000_000
 """Bytes; a launch or parameter file that is larger is not read."""
+_REMEMBERED = 32_000_000
+"""Bytes of files that are remembered, so that who asks again need not read them again."""
 ENTRIES = 20_000
 """How many files one folder listing may name."""
 
@@ -88,6 +90,42 @@ class _NoFiles:
 NO_FILES: Tree = _NoFiles()
 
 
+_Stamp = tuple[int, int, int, int]
+"""Where a file lies on the disk, when it was changed, and its size."""
+
+
+def _stamp(path: str) -> _Stamp | None:
+    try:
+        status = os.stat(path)
+    except (OSError, ValueError):
+        return None
+    return status.st_dev, status.st_ino, status.st_mtime_ns, status.st_size
+
+
+class _Remembered:
+    """What was read of files that are as they were then."""
+
+    def __init__(self) -> None:
+        self._rows: dict[str, tuple[_Stamp, bytes]] = {}
+        self._size = 0
+
+    def get(self, path: str, stamp: _Stamp | None) -> bytes | None:
+        known = self._rows.get(path)
+        return known[1] if known is not None and known[0] == stamp else None
+
+    def keep(self, path: str, stamp: _Stamp | None, data: bytes) -> bool:
+        """Remember a file that had this stamp before it was read; True where all others are forgotten for it."""
+        if stamp is None:
+            return False
+        self._size += len(data)
+        is_full = self._size > _REMEMBERED
+        if is_full:
+            self._rows.clear()
+            self._size = len(data)
+        self._rows[path] = stamp, data
+        return is_full
+
+
 _OF_CACHES = "CACHEDIR.TAG"
 """The file by which programs know the folder of a cache.  Source: https://bford.info/cachedir/"""
 
@@ -102,6 +140,9 @@ class SourceTree:
         self._real_folders: dict[str, str] = {}
         """The paths of folders without symbolic links: each is asked for all folders around it."""
         self._listed: dict[str, list[str]] = {}
+        self._read = _Remembered()
+        self._decoded: dict[str, tuple[bytes, str]] = {}
+        """The text of what was read last, by path."""
         self.asked: dict[Question, str | None] = {}
         """Every answer that was given, by question and path, for whoever keeps what follows from them."""
         self.words = Words(lambda path: self._text(path, "words"))
@@ -168,7 +209,11 @@ class SourceTree:
     def _text(self, path: str, question: str) -> str | None:
         try:
             data = self._content(path, question)
-            return None if data is None else decoded(data)
+            if data is None:
+                return None
+            if path not in self._decoded or self._decoded[path][0] is not data:
+                self._decoded[path] = data, decoded(data)
+            return self._decoded[path][1]
         except (OSError, UnicodeDecodeError):
             return None
 
@@ -193,12 +238,19 @@ class SourceTree:
         except OSError as error:
             self._note((question, path), f"error {error.errno}")
             raise
-        self._note((question, path), None if data is None else hashlib.sha256(data).hexdigest())
+        is_new = data is not None and (question, path) not in self.asked  # the first answer holds
+        self._note((question, path), hashlib.sha256(data or b"").hexdigest() if is_new else None)
         return data
 
     def _content_now(self, path: str) -> bytes | None:
-        real = self._real(path)
-        return None if real is None or not real.is_file() else read_regular(real, TEXT_LIMIT)
+        stamp = _stamp(os.path.join(self.base, path))
+        data = self._read.get(path, stamp)
+        if data is None:
+            real = self._real(path)
+            data = None if real is None or not real.is_file() else read_regular(real, TEXT_LIMIT)
+            if data is not None and self._read.keep(path, stamp, data):
+                self._decoded.clear()
+        return data
 
     def given(self, path: str) -> bytes | None:
         """The bytes of a file of a tree that is not on the disk; None for one that is."""
