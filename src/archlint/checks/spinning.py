@@ -54,8 +54,8 @@ def _idle(system: System, program: Program, node: Blueprint) -> Idle | None:
     """Why nothing serves what a node offers, without what the program does by hand; a script that no package installs
     may do so with one callback to measure or to try it."""
     idle = idle_of(system, program, node)
-    if idle is None:
-        return None
+    if idle is None or idle.asked:
+        return idle
     left = left_to_executor(source_code(system), node, idle.served)
     by_hand = len(left) < len(idle.served)
     if not left or (by_hand and is_not_installed(system.workspace, (node.made_at or node.place).file)):
@@ -68,6 +68,8 @@ _SHOWN = 5
 
 
 def _never_spun(system: System, node: Blueprint, idle: Idle) -> Finding:
+    if idle.asked:
+        return _never_answered(system, node, idle)
     served = list(
         {creation.place: creation for creation in sorted(idle.served, key=lambda creation: creation.place)}.values()
     )
@@ -101,4 +103,19 @@ def _never_spun(system: System, node: Blueprint, idle: Idle) -> Finding:
         related=related,
         node=node_name(system, node),
         identity=(node.class_name,),
+    )
+
+
+def _never_answered(system: System, node: Blueprint, idle: Idle) -> Finding:
+    """The finding about a node that only sends requests, and that takes the responses in done callbacks."""
+    first, *others = idle.asked
+    whose = "done callbacks of its requests never run" if others else "done callback of its request never runs"
+    return finding(
+        "EXE008",
+        node.made_at or node.place,
+        f"nothing spins this node, so the {whose}",
+        help="rclpy.spin(node), or add it to the executor that spins",
+        related=[Related(place, "the done callback is registered here") for place in (first, *others)[:_SHOWN]],
+        node=node_name(system, node),
+        identity=(node.class_name, "answers"),
     )

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.source_code import source_code
 from archlint.execution.spins import spin_before
+from archlint.execution.waits import asked_clients
 from archlint.finding import Place
 from archlint.libraries import tables
 from archlint.model import (
@@ -42,11 +43,13 @@ def started_nodes(system: System) -> Iterator[tuple[Program, Blueprint]]:
 @dataclass(frozen=True)
 class Idle:
     """Why a node that needs spinning (for what it has ``served``) is not spun: nothing does it, or (``spin``) only its
-    constructor, for a moment, or (``behind``) only a call that stands behind one which never returns."""
+    constructor, for a moment, or (``behind``) only a call that stands behind one which never returns.  One that offers
+    nothing may need it for the answers to its requests: ``asked`` is where it registers done callbacks for them."""
 
     served: Sequence[Creation]
     spin: Place | None = None
     behind: Place | None = None
+    asked: Sequence[Place] = ()
 
 
 def _all_is_seen(program: Program, node: Blueprint) -> bool:
@@ -61,7 +64,8 @@ def idle_of(system: System, program: Program, node: Blueprint) -> Idle | None:
     """Why nothing serves what a node certainly offers; None where something may."""
     served = [c for c in node.creations if c.api in _OWN_API and _is_certain(c)]
     if node.executor == ExecutorKind.NONE:
-        return Idle(served) if served else None
+        asked = () if served else _done_callbacks(system, program, node)
+        return Idle(served, asked=asked) if served or asked else None
     spells = [spell for use in program.executors if use.spun for spell in use.spells.get(node, ())]
     if not spells or any(node in use.nodes and node not in use.spells for use in program.executors):
         return None
@@ -75,6 +79,16 @@ def idle_of(system: System, program: Program, node: Blueprint) -> Idle | None:
         last = max(spell.creations for spell in spells)
         served = [c for c in served if c in node.creations[last:]]
     return Idle(served, spin=spells[0].place) if served else None
+
+
+def _done_callbacks(system: System, program: Program, node: Blueprint) -> list[Place]:
+    """Where a program registers done callbacks for requests that it sends with clients of a node alone."""
+    asked = asked_clients(system).items()
+    return sorted(
+        place
+        for (run, place), clients in asked
+        if run is program and clients and all(client.node is node for client in clients)
+    )
 
 
 def _is_certain(creation: Creation) -> bool:
