@@ -184,7 +184,7 @@ ASKS = """
 import time
 
 import rclpy
-from rclpy.callback_groups import ReentrantCallbackGroup
+from rclpy.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
 from rclpy.executors import MultiThreadedExecutor
 from rclpy.node import Node
 from rclpy.task import Future
@@ -217,6 +217,9 @@ if __name__ == '__main__':
     main()
 """
 SENT = "self.client.call_async(Trigger.Request())"
+OF_OWN_GROUP = SENT.replace(
+    "self.client", "self.create_client(Trigger, 'near', callback_group=MutuallyExclusiveCallbackGroup())"
+)
 
 
 def test_a_loop_until_a_done_callback_has_the_response(judge: Judge):
@@ -257,6 +260,11 @@ def test_the_loops_of_a_class_that_wait_for_one_attribute_are_one_finding(judge:
     assert told.message.endswith("; another loop waits for self.data like that")
 
 
+def test_several_threads_do_not_help_while_the_group_of_the_client_is_held(judge: Judge):
+    [finding] = judge("EXE009", ASKS.format(future=SENT, group="", spin=THREADS, mark="  # here"))
+    assert "is in the mutually exclusive callback group of this callback" in finding.message
+
+
 def test_an_execute_callback_cannot_go_on_in_another(judge: Judge):
     goals = (
         robot("pass")
@@ -284,6 +292,7 @@ def test_an_execute_callback_cannot_go_on_in_another(judge: Judge):
     ("future", "group", "spin"),
     [
         (SENT, ", callback_group=ReentrantCallbackGroup()", THREADS),
+        (OF_OWN_GROUP, "", THREADS),
         ("Future()", "", ONE_THREAD),  # whoever has it may be in another thread
         ("rclpy.create_node('other').create_client(Trigger, 'far').call_async(Trigger.Request())", "", ONE_THREAD),
     ],

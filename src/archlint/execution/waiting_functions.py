@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
 from archlint.analysis.source_code import source_code
-from archlint.execution.blocking import ONE
+from archlint.execution.blocking import ONE, SAME
 from archlint.execution.callback_roles import runs_in_executor
-from archlint.execution.deadlock import threads_of
+from archlint.execution.deadlock import group_relation, threads_of
 from archlint.execution.event_waits import ONLY_THREAD, kept_out
 from archlint.execution.spins import is_spun_in_sight
 from archlint.execution.waits import asked_clients
@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from archlint.model import Blueprint, Callback, Frame, Program
     from archlint.systems.model import System
 
+_CLIENT_KEPT_OUT = "the client whose response it takes is in the mutually exclusive callback group of this callback"
 _NOBODY_SPINS = "nothing spins the node while this thread waits"
 
 
@@ -198,9 +199,14 @@ def why_kept_out(system: System, waiting: Waiting, setter: Callback, program: Pr
     """Why what changes the attribute cannot run while the loop goes on; None where it may."""
     if waiting.callback is not None and setter.role == Role.DONE:
         clients = () if setter.registered is None else asked_clients(system).get((program, setter.registered), ())
-        own = setter.creation is not None or (bool(clients) and all(c.node is waiting.node for c in clients))
-        alone = setter.node is waiting.node and own and threads_of(waiting.node, program) == ONE
-        return ONLY_THREAD if alone else None
+        own = bool(clients) and all(client.node is waiting.node for client in clients)
+        if setter.node is not waiting.node or not (setter.creation is not None or own):
+            return None
+        if threads_of(waiting.node, program) == ONE:
+            return ONLY_THREAD
+        groups = [client.group for client in clients]
+        kept = own and all(group_relation(waiting.callback.group, group) == SAME for group in groups)
+        return _CLIENT_KEPT_OUT if kept else None
     if waiting.callback is not None:
         return kept_out(waiting.callback, setter, program)
     # Code that sets parameters calls what it is asked for, itself.
