@@ -31,6 +31,7 @@ from archlint.checks.wait_words import (
 from archlint.connections.lessons import is_lesson
 from archlint.connections.own_servers import is_served_by_its_node
 from archlint.execution.asking_scripts import has_only_clients, is_step_of_asking_script
+from archlint.execution.deaf_loops import DeafLoop, deaf_loops
 from archlint.execution.expected_failures import expects_no_answer
 from archlint.execution.own_futures import spins_for_a_message, spins_for_own_future, spins_for_own_task
 from archlint.execution.present_servers import until_it_comes, was_waited_for
@@ -46,6 +47,7 @@ if TYPE_CHECKING:
     from archlint.systems.model import System
 _OF_A_SCRIPT = "script"
 _BESIDE = "beside"
+_DEAF = "deaf"
 _LOOKS_FOR_SERVER = (WAIT_FOR_SERVICE, WAIT_FOR_SERVER, *READY)
 _SPIN = "rclpy.spin_until_future_complete"
 _EXECUTOR_SPIN = "rclpy.executors.Executor.spin_until_future_complete"
@@ -70,6 +72,7 @@ def spin_without_timeout(system: System, options: Options) -> Iterator[Finding]:
         if not _is_part_of_start(system, call) and not _is_never_reached(source_code(system), program, call)
         if seldom or not _comes_as_a_rule(system, program, call, options)
     )
+    yield from one_for_each_place(_deaf(system, loop) for loop in deaf_loops(system))
 
 
 def _is_uncalled(system: System, call: ApiCall) -> bool:
@@ -193,6 +196,23 @@ def _second_spin(system: System, call: ApiCall, beside: SpunBeside) -> Finding:
     return replace(diagnostic, group=(call.file, class_around(call.function), _BESIDE))
 
 
+def _deaf(system: System, loop: DeafLoop) -> Finding:
+    """A loop that asks for something between spins which never end."""
+    call = loop.call
+    spin = "rclpy.spin()" if call.api == "rclpy.spin" else "spin()"
+    once = "rclpy.spin_once(…, timeout_sec=0.1)" if call.api == "rclpy.spin" else "spin_once(timeout_sec=0.1)"
+    diagnostic = finding(
+        "TMO003",
+        call.place,
+        f"{spin} returns only when ROS is shut down: the loop does not ask for {loop.asked} again",
+        help=f"write {once}, after which the loop asks again",
+        related=[Related(loop.loop, f"the loop asks for {loop.asked} here")],
+        node=node_name(system, call.context.node),
+        identity=(call.function, loop.asked, "loop"),
+    )
+    return replace(diagnostic, group=(call.file, class_around(call.function), _DEAF))
+
+
 def _help(system: System, call: ApiCall) -> str:
     """What to write; how long a motion takes, its caller knows best."""
     if is_at_its_default(call):
@@ -208,6 +228,6 @@ def _help(system: System, call: ApiCall) -> str:
 def _of_one_owner(findings: Sequence[Finding]) -> Finding:
     """The finding for all such spins of a package: its nodes ask in one way, and an action's goal is sent, and then its
     result awaited.  Those beside another spin are one for a class."""
-    if findings[0].group[-1] == _BESIDE:
+    if findings[0].group[-1] in (_BESIDE, _DEAF):
         return of_one_class(findings, "line", "it spins here, too")
     return of_one_package(findings, "line", "it spins without a timeout here, too")
