@@ -58,7 +58,7 @@ class MissingImport:
 
 def missing_imports(workspace: WorkspaceIndex) -> Iterator[MissingImport]:
     """Every such import in the files that were asked for, but for test code."""
-    for file, _ in workspace.code.asked_for():
+    for file, _ in workspace.code.judged():
         if file.kind != "python" or file.package is None or workspace.roles.is_test(file.relative):
             continue
         for module, names, span in _imports(workspace, file.relative) or ():

@@ -50,7 +50,7 @@ class Absent:
 def absent_imports(workspace: WorkspaceIndex) -> Iterator[tuple[str, Absent]]:
     """Each such name in the files that were asked for, with its file; not in test code, nor where the workspace has
     modules of that name itself."""
-    for file, _ in workspace.code.asked_for():
+    for file, _ in workspace.code.judged():
         if workspace.roles.is_test(file.relative):
             continue
         for absent in _absent(workspace, file.relative) or ():

@@ -54,7 +54,7 @@ def classes_of(file_facts: facts.Facts) -> Sequence[facts.Class]:
 
 def classes_asked_for(workspace: WorkspaceIndex) -> Iterator[ClassInFile]:
     """The classes of the files that were asked for, but for test code."""
-    for file, file_facts in workspace.code.asked_for():
+    for file, file_facts in workspace.code.judged():
         if not workspace.roles.is_test(file.relative):
             for code in classes_of(file_facts):
                 yield ClassInFile(file.relative, code)
@@ -197,7 +197,7 @@ def _bound_by(statement: facts.Base) -> set[str]:
 
 def files_with(workspace: WorkspaceIndex, name: str) -> list[str]:
     """The Python files in which a name stands, but for launch files of packages."""
-    beside = (file.relative for file, _ in workspace.code.asked_for() if file.package is None)
+    beside = (file.relative for file, _ in workspace.code.judged() if file.package is None)
     loose = [path for path in beside if workspace.code.mentions(path, name)]
     return [*dict.fromkeys((*workspace.code.files_that_mention(name), *loose))]
 

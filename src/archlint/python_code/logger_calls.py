@@ -38,7 +38,7 @@ def refused_logger_calls(workspace: WorkspaceIndex) -> Iterator[RefusedCall]:
     """Every such call in the files that use rclpy; none where the workspace has loggers of its own."""
     if any(_has_own_loggers(workspace, path) is not False for path in files_with(workspace, "get_logger")):
         return
-    for file, _ in workspace.code.asked_for():
+    for file, _ in workspace.code.judged():
         if not workspace.roles.is_test(file.relative) and workspace.code.mentions(file.relative, "get_logger"):
             for span in _given_to_node(workspace, file.relative) or ():
                 place = Place(file.relative, *span)

@@ -82,7 +82,7 @@ class RefusedOwnCall:
 
 def refused_own_calls(workspace: WorkspaceIndex) -> Iterator[RefusedOwnCall]:
     """Every such call in the files that were asked for, but for test code."""
-    for file, _ in workspace.code.asked_for():
+    for file, _ in workspace.code.judged():
         if file.kind not in ("python", "launch_python") or workspace.roles.is_test(file.relative):
             continue
         for call in own_calls_of(workspace, file.relative) or ():

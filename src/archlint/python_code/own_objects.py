@@ -28,7 +28,8 @@ def absent_of_objects(system: System) -> Iterator[AbsentMember]:
         cls = _class_at(workspace, reads[place, name].cls) if place.file in asked_for else None
         called = place.span in (_called(workspace, place.file) or ())
         absent = None if cls is None else absent_of(workspace, cls, name, place, called)
-        if absent is not None:
+        is_helper = place.file in workspace.code.helpers  # what is passed to one may be of several classes
+        if absent is not None and (absent.near or not is_helper):
             yield absent
 
 

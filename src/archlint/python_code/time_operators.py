@@ -32,7 +32,7 @@ class RefusedOperator:
 
 def refused_operators(workspace: WorkspaceIndex) -> Iterator[RefusedOperator]:
     """Those of the files that use rclpy, outside of test code."""
-    for file, _ in workspace.code.asked_for():
+    for file, _ in workspace.code.judged():
         if not workspace.roles.is_test(file.relative) and workspace.code.mentions(file.relative, "rclpy"):
             for op, left, right, span in _refused(workspace, file.relative) or ():
                 yield RefusedOperator(op, left, right, Place(file.relative, *span))

@@ -317,7 +317,7 @@ def _is_made(workspace: WorkspaceIndex, cls: ClassInFile) -> bool:
 
     def calls() -> set[str]:
         names: set[str] = set()
-        for _, file_facts in workspace.code.asked_for():
+        for _, file_facts in workspace.code.judged():
             names.update(_called_in(file_facts))
         return names
 

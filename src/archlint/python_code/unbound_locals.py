@@ -52,7 +52,7 @@ class _Row:
 
 def unbound_locals(workspace: WorkspaceIndex) -> Iterator[UnboundLocal]:
     """Every such read in the files that were asked for: the first of each variable."""
-    for file, _ in workspace.code.asked_for():
+    for file, _ in workspace.code.judged():
         path = file.relative
         if file.kind not in ("python", "launch_python") or workspace.roles.is_test(path):
             continue

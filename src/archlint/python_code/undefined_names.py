@@ -64,7 +64,7 @@ class Undefined:
 def undefined_names(workspace: WorkspaceIndex) -> Iterator[Undefined]:
     """Every such read in the files that were asked for: the first of each name in each function."""
     told = _told_of_launch_files(workspace)
-    for file, file_facts in workspace.code.asked_for():
+    for file, file_facts in workspace.code.judged():
         if file.kind not in _KINDS or file.relative.endswith(_SPHINX) or workspace.roles.is_test(file.relative):
             continue
         unbound = _unbound(workspace, file.relative)

@@ -49,6 +49,24 @@ class WorkspaceCode:
         rows = [(file, self._facts_of(file)) for file in self._files if self._matters(file)]
         return [(file, read) for file, read in rows if read is not None]
 
+    def judged(self) -> Sequence[tuple[SourceFile, Facts]]:
+        """The same files, and the helpers that they import."""
+        return self._judged
+
+    @cached_property
+    def _judged(self) -> list[tuple[SourceFile, Facts]]:
+        asked_for = {file.relative for file, _ in self._asked_for}
+        rows = [(file, self._facts_of(file)) for file in self._files if file.relative in asked_for | self.helpers]
+        return [(file, read) for file, read in rows if read is not None]
+
+    @cached_property
+    def helpers(self) -> frozenset[str]:
+        """The files of Python that those asked for import, be it through others, and that name nothing of ROS: what
+        fails in them fails in the node that runs them all the same."""
+        asked_for = [file.relative for file, _ in self._asked_for]
+        others = {file.relative for file in self._files if file.kind == "python" and not file.context}
+        return frozenset(others & self.reached_from(asked_for)).difference(asked_for)
+
     def _matters(self, file: SourceFile) -> bool:
         return not file.context and (file.kind == "launch_python" or (file.kind == "python" and self._relevant(file)))
 

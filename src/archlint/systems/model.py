@@ -240,9 +240,9 @@ class WorkspaceIndex:
         return self.code.facts_at(file)
 
     def python_files(self, mentioning: str = "") -> Iterator[str]:
-        """The Python files that were asked for and that can matter, but for launch files and test code; with a word,
-        those in which it occurs."""
-        for file, _ in self.code.asked_for():
+        """The Python files that were asked for and that can matter, and those that they import, but for launch files
+        and test code; with a word, those in which it occurs."""
+        for file, _ in self.code.judged():
             path = file.relative
             is_code = file.kind == "python" and not self.roles.is_test(path)
             if is_code and (not mentioning or self.code.mentions(path, mentioning)):
