@@ -13,6 +13,7 @@ from archlint.launch_files.launch_properties import ActionOverwritten, overwritt
 from archlint.python_code.absent_asked import AbsentAsked, absent_asked
 from archlint.python_code.absent_members import AbsentMember, absent_members
 from archlint.python_code.enum_members import absent_enum_members
+from archlint.python_code.indexed_methods import IndexedMethod, indexed_methods
 from archlint.python_code.logger_calls import AbsentOfLogger, absent_of_loggers
 from archlint.python_code.methods_looked_into import LookedInto, methods_looked_into
 from archlint.python_code.object_members import CalledProperty, object_members
@@ -66,6 +67,8 @@ def attribute_findings(system: System) -> Iterator[Finding]:
         yield from unless_uncalled(system, diagnostic)
     for looked in methods_looked_into(system.workspace):
         yield from unless_uncalled(system, _looked_into(looked))
+    for indexed in indexed_methods(system.workspace):
+        yield from unless_uncalled(system, _indexed(indexed))
     told = {(callback.place.file, callback.missing) for callback in system.callbacks if callback.missing}
     told |= {
         (call.place.file, name) for run in system.programs for call in run.refused_calls for name in call.parameters
@@ -191,6 +194,18 @@ def _looked_into(row: LookedInto) -> Finding:
         help=f"write self.{call}.{row.name}",
         identity=(row.method, row.name),
         group=(OF_OBJECT, row.place.file, row.method),
+    )
+
+
+def _indexed(row: IndexedMethod) -> Finding:
+    return finding(
+        "API002",
+        row.place,
+        f"'{row.method}' is a method that is not called, and has no items: this line fails with a TypeError",
+        help=f"write self.{row.method}(…)",
+        related=[] if row.defined is None else [Related(row.defined, f"{row.method}() is defined here")],
+        identity=(row.method, "item"),
+        group=(OF_OBJECT, row.place.file, row.method, "item"),
     )
 
 

@@ -10,6 +10,7 @@ from archlint.checks.absent_imports import OF_MODULE
 from archlint.checks.registry import finding
 from archlint.checks.uncalled import unless_uncalled
 from archlint.finding import Finding, Related, Severity
+from archlint.python_code.array_truths import ArrayTruth, array_truths
 from archlint.python_code.misused_kinds import Misuse, MisusedKind, misused_kinds
 from archlint.python_code.parameter_values import WrongParameter, wrong_parameters
 from archlint.python_code.plain_kinds import Kind
@@ -25,6 +26,7 @@ TEXT = "text"
 """The group of findings about texts that are added to what is none."""
 PLAIN = "plain"
 """The group of findings about a value that is taken for another one."""
+TRUTH = "truth"
 _OUTCOME = {
     Use.FAILS: "this line raises TypeError",
     Use.LOOKS_INTO: "this line raises AttributeError",
@@ -43,6 +45,8 @@ def used_value_findings(system: System) -> Iterator[Finding]:
             yield from unless_uncalled(system, _text(sum_))
         for parameter in wrong_parameters(system.workspace):
             yield from unless_uncalled(system, _parameter(parameter))
+        for truth in array_truths(system.workspace):
+            yield from unless_uncalled(system, _truth(truth))
         for misused in misused_kinds(system.workspace):
             if misused.misuse is not Misuse.LOOKS_INTO:
                 yield from unless_uncalled(system, _misused(misused, "API001"))
@@ -98,6 +102,25 @@ def _parameter(row: WrongParameter) -> Finding:
         help=f"give a value of the type {row.type}, or the type of the value",
         identity=("Parameter", row.type),
         group=(row.place.file, "Parameter", row.type),
+    )
+
+
+def _truth(row: ArrayTruth) -> Finding:
+    asked = (
+        "comparing it with None compares each element"
+        if row.compared
+        else "of many elements, it is neither true nor false"
+    )
+    there = f"{row.what} is {'' if row.negated else 'not '}None"
+    cure = f"write {there}" if row.or_none or row.compared else f"ask what you mean: {row.what}.any(), .all() or .size"
+    return finding(
+        "API001",
+        row.place,
+        f"{row.what} is an array of numpy: {asked}, and this line fails with a ValueError",
+        help=cure,
+        related=[Related(row.assigned, f"this is what {row.what} gets")],
+        identity=(TRUTH, row.what),
+        group=(row.place.file, PLAIN, row.what, TRUTH),
     )
 
 

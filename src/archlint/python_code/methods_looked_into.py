@@ -45,8 +45,8 @@ def methods_looked_into(workspace: WorkspaceIndex) -> Iterator[LookedInto]:
     code."""
     for cls in classes_asked_for(workspace):
         rows = _looked_into(workspace, cls)
-        if rows and _is_node(workspace, cls):
-            yield from (row for row in _of_node(cls, rows) if not _has_its_own(workspace, cls, row.method))
+        if rows and is_node_class(workspace, cls):
+            yield from (row for row in _of_node(cls, rows) if not has_its_own(workspace, cls, row.method))
 
 
 @kept_for_each_class
@@ -72,12 +72,13 @@ def _of_node(cls: ClassInFile, rows: list[tuple[str, str, facts.Span]]) -> Itera
             yield LookedInto(Place(cls.file, *span), method, name, needs)
 
 
-def _is_node(workspace: WorkspaceIndex, cls: ClassInFile) -> bool:
+def is_node_class(workspace: WorkspaceIndex, cls: ClassInFile) -> bool:
+    """Whether a class is certainly one of nodes, of which all bases are known."""
     chain = chain_of(workspace, cls)
     return members_of(workspace, chain) is not None and not NODE_CLASSES.isdisjoint(chain.foreign)
 
 
-def _has_its_own(workspace: WorkspaceIndex, cls: ClassInFile, method: str) -> bool:
+def has_its_own(workspace: WorkspaceIndex, cls: ClassInFile, method: str) -> bool:
     """Whether a class of the object, or one derived from it, gives the name another meaning."""
     chains = [chain_of(workspace, cls), *(chain_of(workspace, derived) for derived in derived_from(workspace, cls))]
     return any(method in _given_by(each.code) for chain in chains for each in chain.own)
@@ -91,4 +92,4 @@ def _given_by(code: facts.Class) -> frozenset[str]:
     )
 
 
-__all__ = ["LookedInto", "methods_looked_into"]
+__all__ = ["LookedInto", "has_its_own", "is_node_class", "methods_looked_into"]

@@ -10,6 +10,7 @@ from archlint.analysis.kept import kept_for_each_file, once
 from archlint.place import Place
 from archlint.python_code.class_chains import classes_of, methods_of
 from archlint.python_code.methods_at_work import of_self
+from archlint.python_code.numpy_arrays import ATTRIBUTES
 from archlint.python_code.plain_kinds import Kind, Values, kind_of_all, values_in, values_of_self
 from archlint.python_code.text_sums import is_its_own
 from archlint.python_code.tried_code import tried_for
@@ -30,6 +31,7 @@ _TYPES: dict[Kind, tuple[type, ...]] = {
     Kind.DICT: (dict,),
 }
 _HAVE = {kind: frozenset(name for type_ in types for name in dir(type_)) for kind, types in _TYPES.items()}
+_HAVE[Kind.ARRAY] = ATTRIBUTES
 _ASKS = frozenset({"callable", "getattr", "hasattr", "isinstance", "type"})
 
 
@@ -87,7 +89,9 @@ def _rows(code: facts.Facts) -> list[_Row]:
     rows: list[_Row] = []
     for number, cls in enumerate(classes_of(code)):
         of_class = values_of_self(cls)
-        attributes = {name: kind for name, values in of_class.items() if (kind := kind_of_all(values, {})) in _HAVE}
+        attributes = {
+            name: kind for name, values in of_class.items() if (kind := kind_of_all(values, {}, or_none=True)) in _HAVE
+        }
         asked = _asked_in([cls])
         for function in methods_of(cls) if attributes else ():
             for part, of, misuse, name in _uses(function):
@@ -140,7 +144,7 @@ def _uses(
 def _goes_wrong(kind: Kind, misuse: Misuse, name: str) -> bool:
     match misuse:
         case Misuse.LOOKS_INTO:
-            return name not in _HAVE[kind]
+            return name not in _HAVE[kind] and not (kind is Kind.ARRAY and name.startswith("__"))
         case Misuse.CALLS:
             return True
     return kind in (Kind.NONE, Kind.NUMBER, Kind.BOOL)

@@ -245,7 +245,7 @@ def function_meant(workspace: WorkspaceIndex, file: str, call: OwnCall) -> Funct
         return _function(workspace, file, call.name)
     code = workspace.facts_at(file)
     cls = None if code is None else ClassInFile(file, classes_of(code)[call.cls])
-    return None if cls is None else _method(workspace, cls, call.name.rpartition(".")[2])
+    return None if cls is None else method_meant(workspace, cls, call.name.rpartition(".")[2])
 
 
 def _function(workspace: WorkspaceIndex, file: str, name: str) -> FunctionInFile | None:
@@ -322,7 +322,7 @@ def _of_object(code: facts.Class) -> facts.Function:
     return facts.Function("__init__", [], [], [], None, False, False, code.span, code.name_span)
 
 
-def _method(workspace: WorkspaceIndex, cls: ClassInFile, name: str) -> FunctionInFile | None:
+def method_meant(workspace: WorkspaceIndex, cls: ClassInFile, name: str) -> FunctionInFile | None:
     """The method that ``self.name`` means in the methods of a class."""
     chain = chain_of(workspace, cls)
     own = next((each for each in chain.own if name in _methods(each.code)), None)
@@ -372,6 +372,7 @@ __all__ = [
     "calls_of_bare_super",
     "class_meant_by",
     "function_meant",
+    "method_meant",
     "own_calls_of",
     "refused_own_calls",
 ]

@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 
 from archlint.python_code.class_chains import targets_of
 from archlint.python_code.methods_at_work import of_self
+from archlint.python_code.numpy_arrays import is_array
 from archlint.string_enum import StringEnum
 from archlint.syntax import facts
 from archlint.syntax.bindings import bound_by
@@ -26,6 +27,7 @@ class Kind(StringEnum):
     LIST = "a list"
     TUPLE = "a tuple"
     DICT = "a dict"
+    ARRAY = "an array of numpy"
 
 
 _OF_PYTHON = {
@@ -85,9 +87,12 @@ def _changed(change: facts.Augmented) -> facts.Expr | None:
     return change.value if change.op in ("+", "-", "*", "/", "//") else None
 
 
-def kind_of_all(values: Sequence[facts.Expr | None], variables: Values) -> Kind | None:
-    """What all of some values are; None where they differ or one is not known."""
+def kind_of_all(values: Sequence[facts.Expr | None], variables: Values, or_none: bool = False) -> Kind | None:
+    """What all of some values are; None where they differ or one is not known.  ``or_none`` leaves out those that are
+    None beside others."""
     kinds = {None if value is None else kind_of(value, variables) for value in values}
+    if or_none and len(kinds) == 2:
+        kinds.discard(Kind.NONE)
     if kinds == {Kind.NUMBER, Kind.NUMERIC}:
         return Kind.NUMERIC
     return kinds.pop() if len(kinds) == 1 else None
@@ -104,6 +109,8 @@ def kind_of(value: facts.Expr, variables: Values, depth: int = _DEPTH) -> Kind |
             return Kind.NUMBER
         case facts.Unary(op="-" | "+", operand=operand) if depth:
             return Kind.NUMBER if kind_of(operand, variables, depth - 1) is Kind.NUMBER else Kind.NUMERIC
+        case facts.Call() if is_array(value):
+            return Kind.ARRAY
         case facts.Call(func=facts.Name(id=name)) if name not in variables:
             return _OF_PYTHON.get(name)
         case facts.Call() if value.func.dotted in ("time.time", "time.monotonic"):

@@ -1,0 +1,139 @@
+"""Arrays of numpy for whose truth code asks, as it asks for None: ``if not self.image:``, ``if self.image == None:``.
+
+Source: ``ndarray.__bool__`` of numpy raises a ValueError for more than one element; ``==`` compares each element.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Mapping, Set
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from archlint.analysis.kept import kept_for_each_file
+from archlint.place import Place
+from archlint.python_code.class_chains import classes_of, methods_of
+from archlint.python_code.methods_at_work import of_self
+from archlint.python_code.numpy_arrays import is_array
+from archlint.python_code.plain_kinds import Kind, Values, kind_of, values_in, values_of_self
+from archlint.python_code.text_sums import is_its_own
+from archlint.python_code.tried_code import tried_for
+from archlint.python_code.used_nothing import tests_in
+from archlint.syntax import facts
+from archlint.syntax.parts import Itself, everything_in, parts_of
+
+if TYPE_CHECKING:
+    from archlint.systems.model import WorkspaceIndex
+
+_EMPTY = (Kind.NONE, Kind.LIST, Kind.BOOL, Kind.NUMBER)
+"""What stands in an attribute before the first array comes."""
+_ASKS = frozenset({"isinstance", "type"})
+
+
+@dataclass(frozen=True)
+class ArrayTruth:
+    """A test that fails as soon as ``what`` is the array that it gets at ``assigned``."""
+
+    place: Place
+    what: str
+    compared: bool
+    """Whether it is compared with None."""
+    negated: bool
+    """Whether the test holds where there is no array yet."""
+    or_none: bool
+    """Whether it is None until there is one."""
+    assigned: Place
+
+
+@dataclass(frozen=True)
+class _Row:
+    span: facts.Span
+    what: str
+    compared: bool
+    negated: bool
+    or_none: bool
+    assigned: facts.Span
+    cls: int | None = None
+
+
+def array_truths(workspace: WorkspaceIndex) -> Iterator[ArrayTruth]:
+    """Every such test in the files that were asked for, but for test code."""
+    for path in workspace.python_files():
+        for row in _rows(workspace, path) or ():
+            if row.cls is None or is_its_own(workspace, path, row.cls, row.what.removeprefix("self.")):
+                place, assigned = Place(path, *row.span), Place(path, *row.assigned)
+                yield ArrayTruth(place, row.what, row.compared, row.negated, row.or_none, assigned)
+
+
+@kept_for_each_file
+def _rows(code: facts.Facts) -> list[_Row]:
+    expecting = tried_for(code.body, {"ValueError", "Exception", ""})
+    rows: list[_Row] = []
+    for number, cls in enumerate(classes_of(code)):
+        arrays = _arrays(values_of_self(cls), _EMPTY)
+        asked = _asked_in(cls) if arrays else frozenset()
+        held = {f"self.{name}": array for name, array in arrays.items() if f"self.{name}" not in asked}
+        for function in methods_of(cls) if held else ():
+            rows += _asking(function, held, expecting, number)
+    for function in everything_in(code.body, facts.Function):
+        arrays = _arrays(values_in(function), ())
+        asked = _asked_in(function) if arrays else frozenset()
+        held = {name: array for name, array in arrays.items() if name not in asked}
+        rows += _asking(function, held, expecting, None)
+    return rows
+
+
+@dataclass(frozen=True)
+class _Array:
+    """Where an array is made, and whether what holds it may be None."""
+
+    span: facts.Span
+    or_none: bool
+
+
+def _arrays(values: Values, empty: Collection[Kind]) -> dict[str, _Array]:
+    """What holds an array of many elements, and beside that only what is ``empty``."""
+    arrays: dict[str, _Array] = {}
+    for name, given in values.items():
+        made = [value for value in given if isinstance(value, facts.Call) and is_array(value)]
+        others = [value for value in given if not is_array(value)]
+        kinds = [None if value is None else kind_of(value, {}) for value in others]
+        if made and all(kind in empty for kind in kinds):
+            arrays[name] = _Array(made[0].span, Kind.NONE in kinds)
+    return arrays
+
+
+def _asked_in(part: facts.Class | facts.Function) -> frozenset[str]:
+    """What code asks for its class."""
+    calls = (call for call in everything_in(part.body, facts.Call) if call.func.last_name in _ASKS)
+    return frozenset(argument.value.dotted for call in calls for argument in call.args)
+
+
+def _asking(
+    function: facts.Function, arrays: Mapping[str, _Array], expecting: Set[Itself[facts.Base]], number: int | None
+) -> Iterator[_Row]:
+    told = {*expecting}
+    for part in parts_of(function.body) if arrays else ():
+        for test in tests_in(part):
+            for tested, compared, negated in _tested(test):
+                held = tested.left if isinstance(tested, facts.Compare) else tested
+                name = f"self.{own}" if (own := of_self(held)) is not None else held.variable
+                if name in arrays and Itself[facts.Base](tested) not in told:
+                    told.add(Itself(tested))
+                    array = arrays[name]
+                    yield _Row(tested.span, name, compared, negated, array.or_none, array.span, number)
+
+
+def _tested(
+    test: facts.Expr, negated: bool = False
+) -> Iterator[tuple[facts.Name | facts.Attribute | facts.Compare, bool, bool]]:
+    """The names of whose values a test asks for the truth, and the comparisons of one with None."""
+    match test:
+        case facts.Unary(op="not", operand=operand):
+            yield from _tested(operand, not negated)
+        case facts.Name() | facts.Attribute():
+            yield test, False, negated
+        case facts.Compare(ops=["==" | "!=" as op], comparators=[facts.Literal(value=None)]):
+            yield test, True, negated is not (op == "==")
+
+
+__all__ = ["ArrayTruth", "array_truths"]
