@@ -94,11 +94,11 @@ def _arrays(values: Values, empty: Collection[Kind]) -> dict[str, _Array]:
     """What holds an array of many elements, and beside that only what is ``empty``."""
     arrays: dict[str, _Array] = {}
     for name, given in values.items():
-        made = [value for value in given if isinstance(value, facts.Call) and is_array(value)]
+        makers = [value for value in given if isinstance(value, facts.Call) and is_array(value)]
         others = [value for value in given if not is_array(value)]
         kinds = [None if value is None else kind_of(value, {}) for value in others]
-        if made and all(kind in empty for kind in kinds):
-            arrays[name] = _Array(made[0].span, Kind.NONE in kinds)
+        if makers and all(kind in empty for kind in kinds):
+            arrays[name] = _Array(makers[0].span, Kind.NONE in kinds)
     return arrays
 
 
