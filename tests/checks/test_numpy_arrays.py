@@ -128,6 +128,7 @@ def test_another_class_may_put_something_else_there(judge: Judge):
     other = """
     class Other:
         def __init__(self, viewer):
+            self.viewer = viewer
             viewer.picture = Image()
     """
     source = viewer("print(self.picture.header)").replace("spin(Viewer())", "spin(Other(Viewer()).viewer)")
