@@ -120,6 +120,35 @@ def test_a_kept_result_is_that_of_what_was_asked(capsys: pytest.CaptureFixture[s
     assert files_of(checked(capsys, cached=True)[0]) == []
 
 
+BY_HAND = PROBE.replace("main()\n\n\n", "").replace("\n\nmain()\n", "\n\nif __name__ == '__main__':\n    main()\n")
+
+
+@pytest.mark.parametrize(
+    ("path", "shown"),
+    [
+        ("robot/tools/probe.py", True),
+        ("robot/robot/probe.py", True),
+        ("robot/old/probe.py", False),
+        ("robot/tools/probe_backup.py", False),
+    ],
+    ids=["beside the modules", "among the modules", "put aside by its folder", "put aside by its name"],
+)
+def test_what_fails_in_a_script_that_is_run_by_hand_is_shown(
+    capsys: pytest.CaptureFixture[str], path: str, shown: bool
+) -> None:
+    Path("robot/tools/probe.py").unlink()
+    write(path, BY_HAND)
+    document, _ = checked(capsys)
+    assert files_of(document) == [path] * shown
+    assert [row["severity"] for row in document["diagnostics"]] == ["info"] * shown
+
+
+def test_what_could_be_better_there_is_not(capsys: pytest.CaptureFixture[str]) -> None:
+    write("robot/tools/probe.py", BY_HAND.replace("get_logger().info(missing)", "get_parameter('rate')"))
+    assert files_of(checked(capsys, "--all-files")[0]) == ["robot/tools/probe.py"]
+    assert files_of(checked(capsys)[0]) == []
+
+
 def test_several_are_counted_with_their_files(capsys: pytest.CaptureFixture[str]) -> None:
     write("robot/tools/other.py", PROBE.replace("missing", "absent") + "lost\n")
     document, said = checked(capsys)

@@ -43,6 +43,7 @@ def main():
 if __name__ == '__main__':
     main()
 """
+LOADED = FAILS.replace("if __name__ == '__main__':\n    main()\n", "main()\n")
 LAUNCH = """
 from launch import LaunchDescription
 from launch_ros.actions import Node
@@ -93,7 +94,7 @@ def told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Told:
     "files",
     [
         pytest.param({"robot/robot/probe.py": FAILS}, id="its entry point is commented out"),
-        pytest.param({"robot/tools/probe.py": FAILS}, id="a tool that nothing installs"),
+        pytest.param({"robot/tools/measure.py": LOADED}, id="a tool that nothing installs"),
         pytest.param({"robot/robot/old/probe.py": FAILS, "robot/robot/old/__init__.py": ""}, id="put aside"),
         pytest.param({"robot/robot/2024_back_up/driver.py": FAILS}, id="an old copy of what runs"),
     ],
@@ -117,6 +118,7 @@ def test_a_script_that_nothing_runs(told: Told, files: dict[str, str]):
         ),
         pytest.param({"robot/robot/probe.py": FAILS, "robot/setup.py": "import setuptools\n"}, id="nothing installed"),
         pytest.param({"tools/probe.py": FAILS}, id="beside the packages"),
+        pytest.param({"robot/tools/measure.py": FAILS}, id="run by hand"),
     ],
 )
 def test_a_script_that_something_runs(told: Told, files: dict[str, str]):

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import posixpath
 import re
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
@@ -193,13 +194,18 @@ def _is_script(workspace: WorkspaceIndex, file: str) -> bool:
     imports it then."""
     file_facts = workspace.facts_at(file)
     body = [] if file_facts is None else file_facts.body
-    tests = [statement.test for statement in body if isinstance(statement, facts.If)]
-    if any(isinstance(test, facts.Compare) and test.left.variable == "__name__" for test in tests):
+    if asks_whether_it_is_the_program(body):
         return True
     return any(
         isinstance(statement, (facts.Expression, facts.Assign)) and _is_for_a_program(statement.value)
         for statement in body
     )
+
+
+def asks_whether_it_is_the_program(body: Sequence[facts.Stmt]) -> bool:
+    """Whether a file has ``if __name__ == '__main__':``."""
+    tests = (statement.test for statement in body if isinstance(statement, facts.If))
+    return any(isinstance(test, facts.Compare) and test.left.variable == "__name__" for test in tests)
 
 
 def _starts_in_main(workspace: WorkspaceIndex, file: str) -> bool:

@@ -11,7 +11,12 @@ import posixpath
 import re
 from typing import TYPE_CHECKING
 
-from archlint.analysis.aside import is_disused, is_left_alone, is_not_installed
+from archlint.analysis.aside import (
+    asks_whether_it_is_the_program,
+    is_disused,
+    is_left_alone,
+    is_not_installed,
+)
 from archlint.analysis.kept import once
 from archlint.packaging.unbuilt_files import runs_nowhere
 from archlint.packaging.uninstalled_files import is_meant_to_start, is_told_to_run
@@ -57,6 +62,28 @@ def _follows(version: re.Match[str], other: re.Match[str] | None) -> bool:
     return other is not None and same and int(other["number"]) > int(version["number"])
 
 
+def is_run_by_hand(workspace: WorkspaceIndex, file: str) -> bool:
+    """Whether a script that a package leaves out while it installs other programs is in use nevertheless: it asks
+    whether it is the program, so that who has the source starts it by its path, and nobody has put it aside, or taken
+    it out of the build by a comment."""
+    if workspace.code.kind_of(file) != "python" or not _is_spare_program(workspace, file):
+        return False
+    file_facts = workspace.facts_at(file)
+    aside = workspace.roles.is_put_aside(file) or is_disused(workspace, file) or _is_taken_out(workspace, file)
+    return file_facts is not None and not aside and asks_whether_it_is_the_program(file_facts.body)
+
+
+def _is_taken_out(workspace: WorkspaceIndex, file: str) -> bool:
+    """Whether the files that build the package of a script, which is not installed, have a word for it all the same."""
+    installs, stem = workspace.installs.get(workspace.package_of(file) or ""), posixpath.basename(file)
+    word = re.compile(rf"(?<!\w){re.escape(stem.removesuffix('.py'))}(?!\w)")
+    paths = [] if installs is None else [posixpath.join(installs.folder, name) for name in _BUILD_FILES]
+    return any(word.search(workspace.tree.text(posixpath.normpath(path)) or "") for path in paths)
+
+
+_BUILD_FILES = ("setup.py", "setup.cfg", "CMakeLists.txt")
+
+
 def _is_put_aside(workspace: WorkspaceIndex, file: str) -> bool:
     """Whether a file is put aside and no code names it, such as ``driver copy.py``."""
     if _is_launch_file(workspace, file):
@@ -90,4 +117,4 @@ def _tested(workspace: WorkspaceIndex) -> frozenset[str]:
     return workspace.code.reached_from(path for path in python if workspace.roles.is_test(path))
 
 
-__all__ = ["is_earlier_version", "nothing_runs"]
+__all__ = ["is_earlier_version", "is_run_by_hand", "nothing_runs"]
