@@ -349,3 +349,53 @@ def test_a_program_that_is_there_to_ask_once(judge: Judge, looks: str, more: str
     judge("TMO002", marked)
     judge("TMO002", marked if told else text.replace("{here}", ""), OTHERS)
     judge("TMO002", marked, OTHERS, config="[rules.call-without-timeout]\nlost-answers = true")
+
+
+HELPER = """
+    import rclpy
+    from rclpy.node import Node
+    from std_srvs.srv import Trigger
+
+
+    class Asking:
+        def __init__(self, node, name):
+            self.node = node
+            self.client = node.create_client(Trigger, name)
+            {looks}
+
+        def ask(self):
+            future = self.client.call_async(Trigger.Request())
+            rclpy.spin_until_future_complete(self.node, future){here}
+            return future.result()
+
+        def send(self):
+            self.client.call_async(Trigger.Request())
+
+
+    class Winch(Node):
+        def __init__(self):
+            super().__init__('winch')
+            self.brake = Asking(self, 'brake')
+            self.motor = Asking(self, 'motor')
+            self.brake.ask()
+            self.create_timer(1.0, self.wind)
+
+        def wind(self):
+            self.motor.send()
+
+
+    def main():
+        rclpy.init()
+        rclpy.spin(Winch())
+
+
+    if __name__ == '__main__':
+        main()
+"""
+
+
+@pytest.mark.parametrize(("looks", "here"), [(LOOKS.replace("self.get", "node.get"), ""), ("pass", "  # here")])
+def test_a_helper_whose_constructor_waits_for_the_server(judge: Judge, looks: str, here: str):
+    """Its method is judged by the call that is seen, not by the other objects of the helper's class."""
+    text = HELPER.replace("{looks}", looks).replace("{here}", here)
+    judge("TMO003", text, OTHERS, config="[rules.spin-without-timeout]\nlost-answers = true")

@@ -66,13 +66,22 @@ def spin_without_timeout(system: System, options: Options) -> Iterator[Finding]:
         if not is_dead(system.workspace, program, call) and not is_never_made(system.workspace, call)
         if not spins_for_own_future(call) or spins_for_a_message(system, call)
         if not spins_for_own_task(system, program, call)
-        if call.context.role != Role.METHOD or creations_of(argument(call, "future"))
+        if call.context.role != Role.METHOD or _may_be_called(program, call)
         if not _is_refused(program, call) and not _may_be_meant_as_a_limit(source_code(system), call)
         if not _is_uncalled(system, call) and not _is_all_there_is_to_do(system, program, call)
         if not _is_part_of_start(system, call) and not _is_never_reached(source_code(system), program, call)
         if seldom or not _comes_as_a_rule(system, program, call, options)
     )
     yield from one_for_each_place(_deaf(system, loop) for loop in deaf_loops(system))
+
+
+def _may_be_called(program: Program, call: ApiCall) -> bool:
+    """Whether a method that the program is not seen to call spins for the answer of a client that is known, and the
+    program calls it on no other object of its class: if it does, that call says what the method is for."""
+    if not creations_of(argument(call, "future")):
+        return False
+    others = (other for other in program.calls if other.place == call.place and other.api == call.api)
+    return all(other.context.role == Role.METHOD for other in others)
 
 
 def _is_uncalled(system: System, call: ApiCall) -> bool:
