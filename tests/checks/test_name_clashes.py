@@ -131,6 +131,20 @@ def test_a_name_that_another_action_has_is_no_way_out(findings):
     assert found.help == ("remove name=, and create no '/helper' in this executable: this system starts one by itself")
 
 
+def test_names_that_the_code_gives_twice_are_no_way_out(findings):
+    """Without ``name=``, the nodes of one executable would clash with each other, or with those of another one."""
+    several = "remove name=, and give each node a name of its own in the code: several are called '/helper'"
+    helper = "\n    rclpy.spin(rclpy.create_node('helper'))"
+    thrice = TALKER.replace("Talker())", f"Talker()){helper * 2}")
+    (found,) = findings("NME004", node(name="it"), **{"robot/talker.py": thrice})
+    assert found.help == several
+    two = TALKER.replace("Talker())", f"Talker()){helper}")
+    setup = SETUP.replace("'talker = robot.talker:main'", "'talker = robot.talker:main', 'other = robot.other:main'")
+    files = {"setup.py": setup, "robot/talker.py": two, "robot/other.py": two.replace("talker", "other")}
+    both = findings("NME004", node(name="it") + node(name="that", exec="other"), **files)
+    assert [found.help for found in both] == [several] * 2
+
+
 @pytest.mark.parametrize(("folder", "told"), [("launch", 1), ("launch/_old", 0)])
 def test_a_launch_file_that_is_put_aside_is_started_by_nobody(findings, folder: str, told: int):
     twice = f"<launch>{node(name='it') * 2}</launch>"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import posixpath
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import combinations, groupby, takewhile
@@ -290,6 +291,10 @@ def _unrenamed(system: System, node: Node) -> str:
     taken = next((own for own in _names_of_its_own(system, node) if own in others), None)
     if taken is not None:
         return f"remove name=, and create no '{taken}' in this executable: this system starts one by itself"
+    doubled = _doubled_names(system, node)
+    if doubled:
+        listed = ", ".join(f"'{name}'" for name in doubled)
+        return f"remove name=, and give each node a name of its own in the code: several are called {listed}"
     sections = [] if started is None or workspace is None else settings_of(started, workspace.parameters_of)
     lost = next(
         (row for row in sections if row.written and "*" not in row.key and key_matches(row.key, node.name)), None
@@ -305,6 +310,16 @@ def _names_of_its_own(system: System, node: Node) -> list[str]:
     namespace = (node.name or "").rpartition("/")[0]
     twins = [twin for twin in system.nodes if twin.started is node.started]
     return sorted(f"{namespace}/{own}" for own in map(_own_name, twins) if own is not None)
+
+
+def _doubled_names(system: System, node: Node) -> list[str]:
+    """The full names that several nodes would have if no ``name=`` renamed the nodes of a process, nor of another that
+    creates some of the same name: whoever removes it from one action removes it from all."""
+    own = Counter(_names_of_its_own(system, node))
+    renamed = {id(twin.started): twin for twin in system.nodes if twin.started is not None and twin.started.name}
+    others = [twin for twin in renamed.values() if twin.started is not node.started]
+    elsewhere = {name for twin in others for name in _names_of_its_own(system, twin)}
+    return [name for name, number in own.items() if number > 1 or name in elsewhere]
 
 
 def _own_name(node: Node) -> str | None:
