@@ -286,6 +286,12 @@ def test_a_name_of_ros_1_stands_for_that_of_ros_2(lint: Lint):
     files = built("find_package(rclcpp REQUIRED)", *depends("roscpp", tag="depend"))
     assert lint(files) == []
     assert [row.meant for row in lint(files, code="PKG008")] == ["rclcpp"]
+    shown = {
+        "package.xml": manifest("talk", *depends("rclpy", "rviz")),
+        "launch/it.launch.xml": '<launch><node pkg="rviz2" exec="rviz2"/><node pkg="joy" exec="joy_node"/></launch>',
+    }
+    assert missing(lint(shown)) == ["joy"]
+    assert [row.meant for row in lint(shown, code="PKG008")] == ["rviz2"]
 
 
 # -------------------------------------------------------------------------------------------------- one finding

@@ -15,13 +15,13 @@ from archlint.checks.packages import workspace_of
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.strangers import strangers
+from archlint.checks.unknown_dependencies import names_meant
 from archlint.connections.parts_elsewhere import is_fetched
 from archlint.edit_sites import MissingDependencies, Sites
 from archlint.finding import Finding, Place, Related
 from archlint.packaging.skipped_packages import skipped_packages
 from archlint.packaging.unused_files import nothing_runs
 from archlint.ros import packages, rosdep
-from archlint.ros.mistaken_dependencies import mistaken
 from archlint.rulebook import rules
 from archlint.suggestions import distance, have_same_words, meant, nearest
 from archlint.workspace.closure import closure
@@ -44,7 +44,7 @@ def undeclared_dependency(system: System, options: Options) -> Iterator[Finding]
         used.setdefault(workspace.manifests[folder].name, set()).update(use.needed for use in uses)
     for folder, uses in sorted(by_package.items()):
         yield from strangers(workspace, workspace.manifests[folder], uses)
-        renamed = _meant_by_others(workspace, workspace.manifests[folder])
+        renamed = names_meant(workspace, workspace.manifests[folder], options)  # PKG008 tells to write these
         uses = [use for use in uses if _is_somewhere(workspace, use.needed) and use.needed not in renamed]
         uses.sort(key=lambda use: _spare(workspace, use.place.file))
         hidden = [use for use in uses if _is_hidden(workspace, use)]
@@ -60,19 +60,6 @@ def _is_somewhere(workspace: WorkspaceIndex, name: str) -> bool:
     name that is nowhere nobody knows what to declare, and rosdep stops at it."""
     known = name in packages.table().names or name in workspace.packages or name in _declared_anywhere(workspace)
     return known or is_fetched(workspace, name)
-
-
-def _meant_by_others(workspace: WorkspaceIndex, package: Package) -> set[str]:
-    """The packages that a manifest means by names which rosdep does not know: PKG008 tells to write these instead."""
-    there = packages.table().names | workspace.packages.keys()
-    known = there | rosdep.keys()
-    renamed: set[str] = set()
-    for d in package.dependencies:
-        if d.name not in known and d.kind not in FOR_OTHERS and condition_holds(d.condition):
-            wrong = mistaken(d.name, there, is_python=False)
-            near = rosdep.meant_by(d.name, there, is_python=False)
-            renamed.add(near or ("" if wrong is None else wrong.instead))
-    return renamed
 
 
 def _spare(workspace: WorkspaceIndex, file: str) -> int:

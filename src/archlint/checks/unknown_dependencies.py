@@ -8,6 +8,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_aside
+from archlint.checks.dependency_uses import FOR_OTHERS
 from archlint.checks.folding import folds, with_others
 from archlint.checks.packages import workspace_of
 from archlint.checks.registry import Options, finding, rule
@@ -45,19 +46,29 @@ def _mistake(diagnostic: Finding) -> tuple[str, str]:
 
 
 def _of_manifests(workspace: WorkspaceIndex, options: Options) -> Iterator[Finding]:
+    for folder in sorted(workspace.manifests):
+        yield from _of_manifest(workspace, workspace.manifests[folder], options)
+
+
+def _of_manifest(workspace: WorkspaceIndex, package: Package, options: Options) -> Iterator[Finding]:
+    if package.ros1 or package.build_type == "catkin" or is_aside(workspace, package.manifest.relative):
+        return
     there = packages.table().names | workspace.packages.keys()
     known = there.union(rosdep.keys(), options.external)
-    for folder in sorted(workspace.manifests):
-        package = workspace.manifests[folder]
-        if package.ros1 or package.build_type == "catkin" or is_aside(workspace, package.manifest.relative):
-            continue
-        first = {d.name: d for d in reversed(package.dependencies) if condition_holds(d.condition)}
-        for dependency in sorted(first.values(), key=lambda d: d.line):
-            outdated = of_python_2(dependency.name)
-            if dependency.name not in known:
-                yield from _unknown(workspace, package, dependency, there)
-            elif outdated is not None and dependency.name not in there.union(options.external):
-                yield _mistaken(package, dependency, outdated)
+    first = {d.name: d for d in reversed(package.dependencies) if condition_holds(d.condition)}
+    for dependency in sorted(first.values(), key=lambda d: d.line):
+        outdated = of_python_2(dependency.name)
+        if dependency.name not in known:
+            yield from _unknown(workspace, package, dependency, there)
+        elif outdated is not None and dependency.name not in there.union(options.external):
+            yield _mistaken(package, dependency, outdated)
+
+
+def names_meant(workspace: WorkspaceIndex, package: Package, options: Options) -> set[str]:
+    """What a manifest means by names that nobody knows, but for tests: the finding about such a name says to write
+    these instead."""
+    told = {diagnostic.identity[1]: diagnostic.meant for diagnostic in _of_manifest(workspace, package, options)}
+    return {told[d.name] for d in package.dependencies if d.kind not in FOR_OTHERS and told.get(d.name)}
 
 
 def _unknown(
@@ -185,3 +196,6 @@ def _of_one_cause(findings: Sequence[Finding]) -> Finding:
         name = findings[0].identity[1]
         return with_others(findings, "another package.xml has", "more package.xml files have", "it, too", f"'{name}'")
     return with_others(findings, "another dependency of the file is", "more dependencies of the file are", "unknown")
+
+
+__all__ = ["names_meant", "unknown_dependency"]
