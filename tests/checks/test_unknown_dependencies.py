@@ -182,7 +182,7 @@ def test_a_build_type_is_no_package(judge: Judge):
     ("command", "help"),
     [
         ("ament_python_install_package(robot)", "write 'ament_cmake_python' instead"),
-        ("find_package(ament_cmake_python REQUIRED)", "write 'ament_cmake_python' instead"),
+        ("find_package(ament_cmake_python REQUIRED)", "write 'ament_cmake' instead, and add 'ament_cmake_python'"),
         ("install(DIRECTORY launch DESTINATION share/robot)", "write 'ament_cmake' instead, with which CMakeLists.txt"),
     ],
 )
