@@ -382,6 +382,13 @@ def test_a_marker_that_is_not_there_stops_the_build(findings):
     assert findings("PKG004", **{"setup.py": listing("package.xml"), "resource/robot": ""}) == []
 
 
+def test_a_marker_that_is_there_under_the_name_of_the_package(findings):
+    setup = listing("package.xml").replace("resource/robot", "resource/old_robot")
+    (finding,) = findings("PKG004", **{"setup.py": setup, "resource/robot": ""})
+    assert finding.message.endswith("stops at 'resource/old_robot'; did you mean 'resource/robot'?")
+    assert finding.help == "write 'resource/robot'"
+
+
 OF_OLD_NAME = '<launch><node pkg="old_robot" exec="talker"/></launch>'
 
 
