@@ -117,6 +117,30 @@ def test_what_pip_is_asked_for(judge: Judge):
     assert judge("import serial", **{"pixi.toml": '[dependencies]\npyserial = ">=3"\n'}) == []
 
 
+def test_what_comes_with_a_package_that_pip_is_asked_for(judge: Judge):
+    assert judge("import torch\ntorch.zeros(3)", **{"requirements.txt": "ultralytics==8.3.168\n"}) == []
+    assert len(judge("import serial\nserial.Serial()", **{"requirements.txt": "ultralytics==8.3.168\n"})) == 1
+
+
+CMAKE = "project(robot)\nfind_package(ament_cmake REQUIRED)\n{}ament_package()\n"
+
+
+@pytest.mark.parametrize(
+    ("installs", "told"),
+    [
+        ("install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})\n", 0),
+        ("find_package(ament_cmake_python REQUIRED)\nament_python_install_package(robot)\n", 1),
+        ("install(PROGRAMS robot/node.py DESTINATION lib/${PROJECT_NAME})\n", 1),
+    ],
+    ids=["launch files alone", "the module", "the program"],
+)
+def test_a_package_whose_cmake_files_install_no_python(judge: Judge, installs: str, told: int):
+    """The setup.py beside its CMakeLists.txt is not run."""
+    manifest = "<package format='3'><name>robot</name><export><build_type>ament_cmake</build_type></export></package>"
+    files = {"package.xml": manifest, "CMakeLists.txt": CMAKE.format(installs), "launch/it.txt": ""}
+    assert len(judge("import serial\nserial.Serial()", **files)) == told
+
+
 @pytest.mark.parametrize(
     ("file", "text"),
     [
@@ -164,6 +188,12 @@ def test_an_import_that_an_editor_has_added(judge: Judge):
     assert told.help == (
         "add <exec_depend>python3-serial</exec_depend>, and remove the import of 'matplotlib', which nothing uses"
     )
+
+
+def test_where_nothing_is_used_the_import_is_the_place(judge: Judge):
+    (told,) = judge("from matplotlib.transforms import Transform")
+    assert (told.place.file, told.place.line) == ("robot/node.py", 2)
+    assert told.help == "remove the import of 'matplotlib', which nothing uses"
 
 
 def test_an_import_of_what_another_file_of_the_package_uses(judge: Judge):

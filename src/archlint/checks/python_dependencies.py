@@ -40,10 +40,10 @@ def _undeclared(package: Package, uses: list[ModuleUse]) -> Finding:
     first = {use.module: use for use in reversed(uses)}
     modules = sorted(first)
     what = f"'{modules[0]}'" if len(modules) == 1 else f"{len(modules)} modules: {listed(modules)}"
-    file = package.manifest.relative
+    manifest = Place(package.manifest.relative, 1, 1, 1, 1)
     return finding(
         "PKG009",
-        Place(file, 1, 1, 1, 1),
+        uses[0].place if all(use.unused for use in uses) else manifest,  # where it is mended
         f"package '{package.name}' imports {what}, which its package.xml does not declare: rosdep does not install "
         f"{'it' if len(modules) == 1 else 'them'}",
         help=_help(uses),

@@ -102,7 +102,25 @@ def _is_judged(workspace: WorkspaceIndex, file: SourceFile) -> bool:
     aside = {"test", "tests", "doc", "docs", "example", "examples", "tools", "scripts"}
     if not aside.isdisjoint(path.split("/")[:-1]) and path not in workspace.code.in_use:
         return False
-    return not is_not_installed(workspace, path)
+    return not (is_not_installed(workspace, path) or _is_in_no_build(workspace, file.package))
+
+
+_INSTALL_PYTHON = frozenset({"ament_python_install_package", "ament_python_install_module", "PROGRAMS"})
+
+
+def _is_in_no_build(workspace: WorkspaceIndex, package: str) -> bool:
+    """Whether the CMake files of a package install no program and no code of Python: a setup.py beside them is not
+    asked."""
+    installs, manifest = workspace.installs.get(package), workspace.packages.get(package)
+    if installs is None or manifest is None or manifest.build_type != "ament_cmake":
+        return False
+    scripts = any(executable.script is not None for executable in installs.executables.values())
+    if scripts or installs.open_executables or installs.open_files or installs.mentioned:
+        return False
+    folders = {posixpath.normpath(row.source) for row in installs.files if row.folder}
+    if any(file.startswith(f"{folder}/") for file in workspace.code.files_of(package) for folder in folders):
+        return False
+    return installs.words.isdisjoint(_INSTALL_PYTHON)
 
 
 def _is_of_ros(workspace: WorkspaceIndex, path: str, module: str, names: tuple[str, ...]) -> bool:
@@ -123,6 +141,7 @@ class _Declared:
         if not self.there.isdisjoint(python_modules.brought_along_by(module)):
             return True
         spellings = {_plain(module), _plain(key).removeprefix("python3").removeprefix("python").removesuffix("pip")}
+        spellings.update(map(_plain, python_modules.brought_by_pip(module)))
         return any(spelling in asked for spelling in spellings for asked in self.letters)
 
 

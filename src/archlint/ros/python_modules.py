@@ -42,6 +42,23 @@ _BRINGS: Mapping[str, frozenset[str]] = {
     "twisted": frozenset({"rosbridge_server"}),
 }
 """The ROS packages that bring a module along."""
+_WITH_TORCH = frozenset({"ultralytics", "torchvision", "easyocr", "stable-baselines3"})
+_BROUGHT_BY_PIP: Mapping[str, frozenset[str]] = {
+    "PIL": frozenset({"ultralytics", "torchvision", "easyocr", "supervision", "scikit-image"}),
+    "cv2": frozenset({"ultralytics", "easyocr", "mediapipe"}),
+    "joblib": frozenset({"scikit-learn"}),
+    "matplotlib": frozenset({"ultralytics", "supervision", "mediapipe", "seaborn"}),
+    "networkx": frozenset({"scikit-image"}),
+    "pandas": frozenset({"ultralytics", "seaborn"}),
+    "requests": frozenset({"ultralytics", "supervision"}),
+    "scipy": frozenset({"ultralytics", "easyocr", "supervision", "scikit-learn", "scikit-image"}),
+    "skimage": frozenset({"easyocr"}),
+    "torch": _WITH_TORCH,
+    "torchvision": frozenset({"ultralytics", "easyocr"}),
+}
+"""The packages of PyPI that a module comes with, because they need it.  Source: ``Requires-Dist`` of ultralytics 8.3 and
+8.4, torchvision 0.29, easyocr 1.7, supervision 0.31, stable-baselines3 2.9, mediapipe 1.2, scikit-learn 1.9, seaborn 0.13
+and scikit-image 0.26."""
 
 
 def key_of(module: str) -> str | None:
@@ -73,4 +90,9 @@ def brought_along_by(module: str) -> frozenset[str]:
     return _BRINGS.get(module, frozenset())
 
 
-__all__ = ["brought_along_by", "is_known", "key_of", "names"]
+def brought_by_pip(module: str) -> frozenset[str]:
+    """The packages of PyPI that bring a module along for whoever installs them by pip."""
+    return _BROUGHT_BY_PIP.get(module, frozenset())
+
+
+__all__ = ["brought_along_by", "brought_by_pip", "is_known", "key_of", "names"]
