@@ -125,6 +125,32 @@ def test_a_script_that_something_runs(told: Told, files: dict[str, str]):
     assert len(told(files, "API005")) == 1
 
 
+SEARCHES = SETUP.replace("import setup\n", "import find_packages, setup\n").replace("['robot'],", "find_packages(),")
+MODULE = """import rclpy
+from rclpy.node import Node
+
+
+class Probe(Node):
+    def __init__(self):
+        super().__init__(missing)
+"""
+PROBE = "robot/robot/probes/probe.py"
+
+
+@pytest.mark.parametrize(
+    ("files", "told_of"),
+    [
+        ({}, []),
+        ({"robot/robot/probes/__init__.py": ""}, [PROBE]),
+        ({"robot/robot/driver.py": "from robot.probes.probe import Probe\n\n\ndef main():\n    Probe()\n"}, [PROBE]),
+        ({"robot/setup.py": SEARCHES.replace("'launch/r", "'robot/probes/probe.py', 'launch/r")}, [PROBE]),
+    ],
+    ids=["left out", "a package", "the program needs it", "installed as data"],
+)
+def test_a_module_that_find_packages_leaves_out(told: Told, files: dict[str, str], told_of: list[str]):
+    assert told({"robot/setup.py": SEARCHES, PROBE: MODULE, **files}, "API005") == told_of
+
+
 SPARE = "robot/launch/spare.launch.py"
 OLD = "robot/launch/old/spare.launch.py"
 

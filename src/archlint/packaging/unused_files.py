@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import posixpath
 import re
+import fnmatch
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import (
@@ -24,6 +25,7 @@ from archlint.workspace.model import LAUNCH_TEXT_KINDS
 
 if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
+    from archlint.workspace.installed import InstalledFiles, Installs
 
 
 def nothing_runs(workspace: WorkspaceIndex, file: str) -> bool:
@@ -37,7 +39,9 @@ def nothing_runs(workspace: WorkspaceIndex, file: str) -> bool:
         return _is_put_aside(workspace, file) or runs_nowhere(workspace, file)
     if kind == "interface":
         return _is_put_aside(workspace, file)
-    return kind == "python" and (_is_put_aside(workspace, file) or _is_spare_program(workspace, file))
+    return kind == "python" and (
+        _is_put_aside(workspace, file) or _is_spare_program(workspace, file) or _is_left_out(workspace, file)
+    )
 
 
 _VERSION = re.compile(r"(?P<name>.*[\W_])(?P<word>v|ver|version)(?P<gap>[\W_]?)(?P<number>\d+)\.py", re.IGNORECASE)
@@ -108,6 +112,28 @@ def _is_spare_program(workspace: WorkspaceIndex, file: str) -> bool:
     if workspace.package_of(file) is None or not is_not_installed(workspace, file):
         return False
     return not (file in _tested(workspace) or is_told_to_run(workspace, file))
+
+
+def _is_left_out(workspace: WorkspaceIndex, file: str) -> bool:
+    """Whether the setup.py of a package that installs programs leaves a module out, as ``find_packages()`` does where
+    there is no ``__init__.py``, and nothing that runs imports it."""
+    installs = workspace.installs.get(workspace.package_of(file) or "")
+    if installs is None or installs.python is None or not installs.python.searched or not installs.executables:
+        return False
+    if installs.open_executables or installs.open_files or installs.python.has(file) or not _is_below(installs, file):
+        return False
+    if file in workspace.code.in_use or file in _tested(workspace) or is_told_to_run(workspace, file):
+        return False
+    return not any(_may_take(row, file) for row in installs.files)
+
+
+def _is_below(installs: Installs, file: str) -> bool:
+    return installs.folder in ("", ".") or file.startswith(f"{installs.folder}/")
+
+
+def _may_take(row: InstalledFiles, file: str) -> bool:
+    """Whether a file is among those that are installed as data or as scripts."""
+    return file.startswith(f"{row.source}/") if row.folder else fnmatch.fnmatchcase(file, row.source)
 
 
 @once
