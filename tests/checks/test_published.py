@@ -2,6 +2,7 @@ from __future__ import annotations
 
 import pytest
 
+from archlint.finding import Severity
 from checks.judging import Judge
 
 NODE = """
@@ -218,3 +219,46 @@ def test_a_type_that_its_package_does_not_define(judge: Judge, type_: str, mark:
         codes.publish(String()){mark}
         """,
     )
+
+
+LEFT_OVER = """
+    import rclpy
+    from rclpy.node import Node
+    from std_msgs.msg import Int32, String
+
+
+    class Lamp(Node):
+        def __init__(self):
+            super().__init__('lamp')
+            self.state = self.create_publisher(String, 'state', 10)
+            self.create_timer(1.0, self.blink)
+
+        def blink(self):
+            {line}
+
+        def count(self):
+            self.state.publish(Int32(data=1))  # here
+
+
+    def main():
+        rclpy.init()
+        rclpy.spin(Lamp())
+
+
+    if __name__ == '__main__':
+        main()
+"""
+OTHERS = "import rclpy\nfrom rclpy.node import Node\n" + "".join(
+    f"\n\nclass Idle{number}(Node):\n    def __init__(self):\n        super().__init__('idle{number}')\n"
+    for number in range(5)
+)
+"""What makes a workspace too large for a lesson."""
+
+
+def test_a_method_of_a_program_that_nothing_calls(judge: Judge):
+    idle = LEFT_OVER.format(line="self.state.publish(String())")
+    [mild] = judge("TOP005", idle)  # who learns may hear of it
+    assert (mild.severity, mild.help) == (Severity.INFO, "delete count(), which nothing calls")
+    judge("TOP005", idle.replace("  # here", ""), OTHERS)
+    [called] = judge("TOP005", LEFT_OVER.format(line="self.count()"), OTHERS)
+    assert called.severity is Severity.ERROR

@@ -10,6 +10,7 @@ from archlint.analysis.source_code import SourceCode, source_code
 from archlint.checks.folding import folds, with_others
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
+from archlint.checks.uncalled import unless_uncalled
 from archlint.finding import Finding, Place, Related
 from archlint.libraries.rclpy.names import canonical, interface_and_section
 from archlint.model.given import (
@@ -59,7 +60,7 @@ def published_type_mismatch(system: System, options: Options) -> Iterator[Findin
         findings = sites[place]
         # A call that serves several publishers, or is made in several ways, is wrong where each of them is.
         if findings[0] is not None and all(findings):
-            yield findings[0]
+            yield from unless_uncalled(system, findings[0])
 
 
 def _judge(code: SourceCode, call: ApiCall, nowhere: frozenset[str]) -> Finding | None:
