@@ -440,6 +440,16 @@ def test_a_name_without_a_namespace_needs_something_that_speaks_against_it(folde
     assert "beside relative names of the same node such as 'state'" in own_form.message
 
 
+def test_who_has_a_name_in_common_with_what_is_told_is_told_too(folder: Path):
+    """Whoever drops the '/' in one class alone parts the ends of ``/words``."""
+    arm, ear = node("Arm", "/arm/state", "/words"), node("Ear", "/words")
+    [finding] = check(request(folder, arm=arm, ear=ear, map=node("Map", "/map"))).findings
+
+    assert finding.message.startswith("2 nodes of package 'robot' fix 2 absolute names: ")
+    assert places([finding]) == [("robot/arm.py", 9)]
+    assert [related.message for related in finding.related] == ["Ear fixes the topic '/words'"]
+
+
 def test_a_private_name_beside_an_absolute_one_is_no_mixture(folder: Path):
     [finding] = check(request(folder, arm=ARM, lidar=node("Lidar", "/lidar/scan", "~/state"))).findings
 

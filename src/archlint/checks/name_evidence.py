@@ -137,9 +137,8 @@ def _told_of_all(
     started = {home: reason for home, rows in by_home.items() if (reason := _as_started(workspace, rows)) is not None}
     others = {home: rows for home, rows in by_home.items() if home not in started}
     evidence = {**_mixed(others), **_in_namespace(workspace, others), **_relative_elsewhere(others)}
-    chosen = _linked(others, evidence)
     fixed = {home for home, rows in others.items() if everywhere or any(name.has_namespace for name in rows)}
-    chosen |= {home for home in fixed if not _is_tied(workspace, others[home])}
+    chosen = _linked(others, [*evidence, *(home for home in fixed if not _is_tied(workspace, others[home]))])
     against = {**evidence, **started}
     return [
         (name, reason if (reason := against.get(name.home)) is not None and _is_of(reason, name) else None)
