@@ -136,9 +136,9 @@ def _instead_of_build_type(workspace: WorkspaceIndex, package: Package, dependen
         return "remove the line: CMakeLists.txt installs no Python package"
     if _has_already(package, dependency, _INSTALLS_PYTHON):
         return f"remove the line: '{_INSTALLS_PYTHON}' is declared already"
-    if installs is not None and installs.looked_for >= {_BY_CMAKE, _INSTALLS_PYTHON}:
-        if all(other.name != _BY_CMAKE for other in package.dependencies):
-            return f"write '{_BY_CMAKE}' instead, and add '{_INSTALLS_PYTHON}': CMakeLists.txt asks for both"
+    both = installs is not None and installs.looked_for >= {_BY_CMAKE, _INSTALLS_PYTHON}
+    if both and all(other.name != _BY_CMAKE for other in package.dependencies):
+        return f"write '{_BY_CMAKE}' instead, and add '{_INSTALLS_PYTHON}': CMakeLists.txt asks for both"
     return f"write '{_INSTALLS_PYTHON}' instead, the package with ament_python_install_package()"
 
 

@@ -7,9 +7,9 @@ Where any of these says more than can be read, a file counts as run.
 
 from __future__ import annotations
 
+import fnmatch
 import posixpath
 import re
-import fnmatch
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import (

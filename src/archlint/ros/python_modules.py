@@ -56,9 +56,9 @@ _BROUGHT_BY_PIP: Mapping[str, frozenset[str]] = {
     "torch": _WITH_TORCH,
     "torchvision": frozenset({"ultralytics", "easyocr"}),
 }
-"""The packages of PyPI that a module comes with, because they need it.  Source: ``Requires-Dist`` of ultralytics 8.3 and
-8.4, torchvision 0.29, easyocr 1.7, supervision 0.31, stable-baselines3 2.9, mediapipe 1.2, scikit-learn 1.9, seaborn 0.13
-and scikit-image 0.26."""
+"""The packages of PyPI that a module comes with, because they need it.  Source: ``Requires-Dist`` of ultralytics 8.3
+and 8.4, torchvision 0.29, easyocr 1.7, supervision 0.31, stable-baselines3 2.9, mediapipe 1.2, scikit-learn 1.9,
+seaborn 0.13 and scikit-image 0.26."""
 
 
 def key_of(module: str) -> str | None:
