@@ -257,10 +257,8 @@ def _all_in_vain(
 def _elsewhere(workspace: WorkspaceIndex, row: ListedInVain) -> str | None:
     """The only file of the package with the name of a listed one that is not there, in another folder."""
     package = workspace.package_of(row.place.file)
-    if package is not None and row.marker:
-        own = posixpath.join(posixpath.dirname(row.file), package)  # a marker of another name registers another package
-        folder = workspace.packages[package].relative if package in workspace.packages else ""
-        return own if own != row.file and workspace.tree.is_file(posixpath.normpath(f"{folder}/{own}")) else None
+    if row.marker:
+        return row.own_marker or None
     if package is None or row.folder or row.command == "add_subdirectory()":
         return None
     return namesake(workspace, package, row.file)

@@ -222,6 +222,8 @@ class ListedInVain:
     folder: bool = False
     within: str = ""
     """The outermost folder of its path that is not there either, from the folder of the package on."""
+    own_marker: str = ""
+    """For a marker: the file beside it that is there and has the name of the package, as a marker must."""
 
 
 def listed_in_vain(workspace: WorkspaceIndex) -> Iterator[ListedInVain]:
@@ -241,9 +243,10 @@ def listed_in_vain(workspace: WorkspaceIndex) -> Iterator[ListedInVain]:
             ):
                 [below] = _below(installs, [row.source])
                 within = _absent_folder(workspace, installs, below)
-                yield ListedInVain(
-                    row.place or at, below, posixpath.normpath(row.destination) == MARKERS, within=within
-                )
+                marker = posixpath.normpath(row.destination) == MARKERS
+                own = posixpath.join(posixpath.dirname(row.source), installs.package)
+                [named] = _below(installs, [own]) if marker and workspace.tree.is_file(own) else [""]
+                yield ListedInVain(row.place or at, below, marker, within=within, own_marker=named)
 
 
 @dataclass(frozen=True)
