@@ -633,8 +633,11 @@ sys.exit(main(["check", ".", "--isolated", "--exit-zero", "--quiet", "--jobs", "
 
 
 def test_launches_are_known_to_another_process(workspace):
-    """What a package installs holds sets, such as the folders of Python code, and each process has its own order of
-    what is in a set."""
+    """What a package installs holds sets, such as the folders of Python code, or what CMake gives a target, and each
+    process has its own order of what is in a set."""
+    write_all(workspace, CPP)
+    given = "ament_target_dependencies(drive rclcpp std_msgs std_srvs nav_msgs sensor_msgs)\ninstall("
+    replaced("drive/CMakeLists.txt", "install(", given)(workspace)
     for folder in ("maths", "words", "colours", "shapes"):
         written(f"robot/robot/{folder}/__init__.py", "")(workspace)
     launched: list[str] = []

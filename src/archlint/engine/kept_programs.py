@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Collection, Mapping
-from dataclasses import astuple, dataclass, fields
+from dataclasses import astuple, dataclass, fields, is_dataclass
 from typing import TYPE_CHECKING
 
 from archlint.engine.own_code import own_code
 from archlint.programs.kept import KeptPrograms
 from archlint.programs.kept_launches import KeptLaunches
 from archlint.programs.kept_table import InMemory, Table, write
-from archlint.workspace.installed import PythonCode
 from archlint.workspace.test_code import FileRoles
 
 if TYPE_CHECKING:
@@ -129,20 +128,19 @@ def _digest(decisive: object) -> str:
     return hashlib.sha256(repr(decisive).encode()).hexdigest()
 
 
-def _plain(known: Installs | PythonCode) -> list[object]:
-    """All that is known of what a package installs, in an order that is the same in every process: sets have another
-    one in each."""
-    rows: list[object] = []
-    for row in fields(known):
-        value = getattr(known, row.name)
-        match value:
-            case frozenset():
-                rows.append(sorted(value))
-            case PythonCode():
-                rows.append(_plain(value))
-            case _:
-                rows.append(value)
-    return rows
+def _plain(value: object) -> object:
+    """What is known of what a package installs, or a part of it, in an order that is the same in every process: sets
+    have another one in each."""
+    match value:
+        case frozenset():
+            return sorted(value)
+        case list() | tuple():
+            return [_plain(item) for item in value]
+        case dict():
+            return [(key, _plain(item)) for key, item in value.items()]
+    if not is_dataclass(value):
+        return value
+    return [type(value).__name__, *(_plain(getattr(value, row.name)) for row in fields(value))]
 
 
 __all__ = ["ProgramCache", "ResultsInMemory"]
