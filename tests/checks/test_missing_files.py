@@ -64,6 +64,28 @@ def test_a_missing_file_behind_the_block_that_every_package_copies(findings):
     assert findings("LCH004", node(inner), **{**files, "CMakeLists.txt": whole}) == []
 
 
+@pytest.mark.parametrize(
+    ("folders", "said"),
+    [
+        (
+            "launch",
+            "package 'robot' does not install the parameter file 'src/config/talk.yaml', which is looked for as "
+            "'config/talk.yaml'",
+        ),
+        ("launch config", None),  # the build stops, and PKG004 says that src/config is meant
+        ("launch src/config", None),
+    ],
+)
+def test_a_path_that_is_right_once_the_folder_is_installed(findings, folders: str, said: str | None):
+    cmake = f"project(robot)\ninstall(DIRECTORY {folders} DESTINATION share/robot)\nament_package()\n"
+    files = {"CMakeLists.txt": cmake, "package.xml": CMAKE, "setup.py": "", "src/config/talk.yaml": ""}
+    told = findings("LCH004", node('<param from="$(find-pkg-share robot)/config/talk.yaml"/>'), **files)
+    assert [one.message for one in told] == ([said] if said else [])
+    assert all("install src/config as config (" in (one.help or "") for one in told)
+    other = findings("LCH004", node('<param from="$(find-pkg-share robot)/config/tall.yaml"/>'), **files)
+    assert [one.message for one in other] == ["package 'robot' has no parameter file 'config/tall.yaml'"]
+
+
 def test_files_of_other_packages_are_not_looked_for(findings):
     assert findings("LCH004", '<include file="$(find-pkg-share nav2_bringup)/launch/x.launch.py"/>') == []
 

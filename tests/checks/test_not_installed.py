@@ -518,10 +518,27 @@ def test_the_first_folder_of_a_call_comes_first(findings):
     files = {"CMakeLists.txt": BUILD.format(line), ".gitignore": "*.stl\n"}  # which may be all that meshes has
     (finding,) = findings("PKG004", **OF_CMAKE, **files)
     assert finding.message == (
-        "install() lists a folder that is not there: the build stops at 'meshes'; another file is not there, either"
+        "install() lists a folder that is not there: the build stops at 'meshes'; another folder is not there, either"
     )
     [other] = finding.related
     assert "'worlds'" in other.message
+
+
+@pytest.mark.parametrize(
+    ("files", "meant"),
+    [
+        (["src/rviz/a.rviz"], "src/rviz"),
+        (["src/rviz/a.rviz", "src/more/rviz/b.rviz"], "src/rviz"),
+        (["src/rviz/a.rviz", "extra/rviz/b.rviz"], None),
+        (["src/views/rviz/a.rviz"], None),
+        (["test/rviz/a.rviz"], None),
+    ],
+)
+def test_a_folder_that_lies_one_level_below(findings, files: list[str], meant: str | None):
+    texts = dict.fromkeys(files, "")
+    (finding,) = findings("PKG004", **OF_CMAKE, **{"CMakeLists.txt": BUILD.format(INSTALL)}, **texts)
+    assert ("; did you mean" in finding.message) == (meant is not None)
+    assert finding.help == (f"write '{meant}'" if meant else "add the folder, or take it off the list")
 
 
 def test_a_folder_that_git_ignores_beside_one_that_is_not_there(findings):

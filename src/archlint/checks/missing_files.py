@@ -6,7 +6,7 @@ import posixpath
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from archlint.checks.folding import folds, with_places
 from archlint.checks.registry import Options, finding, rule
@@ -25,6 +25,7 @@ from archlint.launch_files.missing_files import (
 )
 from archlint.packaging.absent_packages import is_nowhere, is_placeholder, package_meant, package_with
 from archlint.packaging.generated_files import has_template, is_generated, is_ignored
+from archlint.packaging.misplaced_folders import is_told_with_its_folder
 from archlint.suggestions import common_words, distance, have_same_words, listed, meant, nearest
 
 if TYPE_CHECKING:
@@ -69,39 +70,73 @@ def missing_launch_file(system: System, options: Options) -> Iterator[Finding]:
         files = {place.file, reference.place.file, *(other.place.file for other in others)}
         if reference.status == FileStatus.MISSING and any(writes_files(system.workspace, file) for file in files):
             continue
-        what = _WHAT[reference.kind]
         shown = _below_package(written or "")
         if reference.status == FileStatus.MISSING and _need_not_be_here(system, reference, shown):
             continue
         if reference.status == FileStatus.MISSING:
-            message = f"package '{reference.package}' has no {what} '{_in_package(system, reference, shown)}'"
-            near = _file_meant(system.workspace, reference.package or "", shown)
-            message += meant(f"'{near}'") if near else ""
-            beside = (written or "").startswith("$(workspace)")
-            start = "installed folder of this launch file" if beside else "package's installed share folder"
-            help = f"check the path; it is relative to the {start}"
-            there = [] if near else _of_one_kind(system.workspace, reference.package or "", shown)
-            help += f", and its folder has {listed(there)}" if there else ""
-            help += _not_installed_either(system.workspace, reference.package or "", shown, near) if near else ""
+            told = _missing(system, reference, shown)
+            if told is None:
+                continue
         else:
-            message = f"package '{reference.package}' does not install the {what} '{shown}'"
-            aside = _package_beside(system, written or "")
-            help = (
-                f"start at the share folder of '{aside}', which lies beside this one in a merged install alone"
-                if aside
-                else f"install {reference.source} (data_files in setup.py, install(DIRECTORY …) in CMake)"
-            )
+            told = _not_installed(system, reference, shown)
         uses_of_it = [use for use in (reference, *others) if use.kind != FileKind.ARGUMENT]
         read = dict.fromkeys(use.place for use in uses_of_it if use.place != place)
         yield finding(
             "LCH004",
             place,
-            message,
-            help=help,
+            told.message,
+            help=told.help,
             related=[Related(used_at, "it is used here") for used_at in read],
             identity=(reference.package or "", written or ""),
-            group=(reference.status, reference.package or "", _cause(system, reference, shown)),
+            group=(told.status, reference.package or "", told.cause),
         )
+
+
+class _Told(NamedTuple):
+    """What is said of a file; ``cause`` is what those have in common that one change mends."""
+
+    message: str
+    help: str
+    status: FileStatus
+    cause: str
+
+
+def _missing(system: System, reference: FileReference, shown: str) -> _Told | None:
+    """What is said of a file that is not there; None where that is said of the build."""
+    workspace, package, what = system.workspace, reference.package or "", _WHAT[reference.kind]
+    path = _in_package(system, reference, shown)
+    near = _file_meant(workspace, package, shown)
+    misplaced = near.endswith(f"/{path}") and workspace is not None and is_installed_nowhere(workspace, package, near)
+    if workspace is not None and is_told_with_its_folder(workspace, package, path):
+        return None
+    if misplaced:  # the path is right, once the folder is installed
+        message = f"package '{package}' does not install the {what} '{near}', which is looked for as '{path}'"
+        return _Told(message, _installed_as(path, near), FileStatus.NOT_INSTALLED, posixpath.dirname(near))
+    message = f"package '{package}' has no {what} '{path}'" + (meant(f"'{near}'") if near else "")
+    beside = (reference.written or "").startswith("$(workspace)")
+    start = "installed folder of this launch file" if beside else "package's installed share folder"
+    help = f"check the path; it is relative to the {start}"
+    there = [] if near else _of_one_kind(workspace, package, shown)
+    help += f", and its folder has {listed(there)}" if there else ""
+    help += _not_installed_either(workspace, package, shown, near) if near else ""
+    return _Told(message, help, FileStatus.MISSING, _cause(system, reference, shown))
+
+
+def _installed_as(path: str, source: str) -> str:
+    """How to install a file, by its path in the package, so that it has another one in the share folder."""
+    below, folder = posixpath.dirname(path), posixpath.dirname(source)
+    return f"install {folder} as {below} (data_files in setup.py, install(DIRECTORY {folder} …) in CMake)"
+
+
+def _not_installed(system: System, reference: FileReference, shown: str) -> _Told:
+    aside = _package_beside(system, reference.written or "")
+    help = (
+        f"start at the share folder of '{aside}', which lies beside this one in a merged install alone"
+        if aside
+        else f"install {reference.source} (data_files in setup.py, install(DIRECTORY …) in CMake)"
+    )
+    message = f"package '{reference.package}' does not install the {_WHAT[reference.kind]} '{shown}'"
+    return _Told(message, help, FileStatus.NOT_INSTALLED, _cause(system, reference, shown))
 
 
 def _need_not_be_here(system: System, reference: FileReference, shown: str) -> bool:

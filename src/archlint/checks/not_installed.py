@@ -16,6 +16,7 @@ from archlint.finding import Finding, Related
 from archlint.launch_files.missing_files import namesake
 from archlint.packaging.interface_dependencies import NotGenerated, not_generated
 from archlint.packaging.left_out_code import LeftOut, has_init, left_out_code
+from archlint.packaging.misplaced_folders import folder_meant
 from archlint.packaging.refused_manifests import is_passed_over
 from archlint.packaging.uninstalled_data import DataLeftOut, data_left_out
 from archlint.packaging.uninstalled_files import (
@@ -255,18 +256,22 @@ def _all_in_vain(
 
 
 def _elsewhere(workspace: WorkspaceIndex, row: ListedInVain) -> str | None:
-    """The only file of the package with the name of a listed one that is not there, in another folder."""
+    """The only file of the package with the name of a listed one that is not there, in another folder; of a folder, the
+    one of its name that is a level below."""
     package = workspace.package_of(row.place.file)
     if row.marker:
         return row.own_marker or None
-    if package is None or row.folder or row.command == "add_subdirectory()":
+    if package is None or row.command == "add_subdirectory()":
         return None
-    return namesake(workspace, package, row.file)
+    return folder_meant(workspace, package, row.file) if row.folder else namesake(workspace, package, row.file)
+
+
+_A_FOLDER = "a folder"
 
 
 def _in_vain(row: ListedInVain, right: str | None) -> Finding:
     kind = "folder" if row.folder else "file"
-    what = "the marker of the package" if row.marker else f"a {kind}"
+    what = "the marker of the package" if row.marker else _A_FOLDER if row.folder else "a file"
     verb, line = (
         ("needs", "remove the line") if row.command == "add_subdirectory()" else ("lists", "take it off the list")
     )
@@ -332,7 +337,8 @@ def _of_one_list(findings: Sequence[Finding]) -> Finding:
         return with_others(findings, "another pattern of the file does", "more patterns of the file do", "the same")
     if findings[0].group[-1] == BESIDE:
         return with_others(findings, "another module is", "more modules are", "left out, too")
-    return with_others(findings, "another file is", "more files are", "not there, either")
+    kind = "folder" if all(_A_FOLDER in each.message for each in findings) else "file"
+    return with_others(findings, f"another {kind} is", f"more {kind}s are", "not there, either")
 
 
 __all__ = ["not_installed"]

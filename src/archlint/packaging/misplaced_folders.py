@@ -1,0 +1,46 @@
+"""Folders that a build lists where they are not, and what launch files look for in them."""
+
+from __future__ import annotations
+
+import posixpath
+from typing import TYPE_CHECKING
+
+from archlint.analysis.kept import once
+from archlint.packaging.uninstalled_files import listed_in_vain
+
+if TYPE_CHECKING:
+    from archlint.systems.model import WorkspaceIndex
+
+
+def folder_meant(workspace: WorkspaceIndex, package: str, folder: str) -> str | None:
+    """The only folder of a package that has the name of a missing one and lies one level below its place, as
+    ``src/config`` does instead of ``config``; both without a slash at their end."""
+    installs = workspace.installs.get(package)
+    if installs is None or "/" in folder.rstrip("/"):
+        return None
+    top, folders = "" if installs.folder == "." else f"{installs.folder}/", set()
+    for file in workspace.tree.files_below(installs.folder):
+        parts = file.removeprefix(top).split("/")
+        own = len(parts) > 2 and parts[1] == folder.rstrip("/") and workspace.package_of(file) == package
+        if own and not workspace.roles.is_trial(file):
+            folders.add("/".join(parts[:2]))
+    return folders.pop() if len(folders) == 1 else None
+
+
+def is_told_with_its_folder(workspace: WorkspaceIndex, package: str, path: str) -> bool:
+    """Whether the build of a package lists the folder of a missing file in vain, and the one that is meant has the
+    file: that is said of the build (PKG004), and cures both."""
+    installs, (folder, _, rest) = workspace.installs.get(package), path.partition("/")
+    if installs is None or not rest or (package, folder) not in _folders_in_vain(workspace):
+        return False
+    right = folder_meant(workspace, package, folder)
+    return right is not None and workspace.tree.is_file(posixpath.join(installs.folder, right, rest))
+
+
+@once
+def _folders_in_vain(workspace: WorkspaceIndex) -> frozenset[tuple[str, str]]:
+    rows = ((workspace.package_of(row.place.file) or "", row) for row in listed_in_vain(workspace) if row.folder)
+    return frozenset((package, row.file.rstrip("/")) for package, row in rows)
+
+
+__all__ = ["folder_meant", "is_told_with_its_folder"]
