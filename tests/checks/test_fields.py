@@ -8,7 +8,7 @@ import pytest
 from archlint.config.settings import load
 from archlint.engine.pipeline import Request, check
 from checks.judging import Judge
-from robot_package import write_robot
+from robot_package import write_files, write_robot
 
 NODE = """
     import rclpy
@@ -729,7 +729,10 @@ def test_a_file_that_the_build_leaves_out_is_to_be_listed(judge: Judge):
     assert "msg/C.msg is not listed in rosidl_generate_interfaces()" in left_out.message
     assert left_out.help == 'add "msg/C.msg" to rosidl_generate_interfaces() in the CMakeLists.txt of flags'
     [unknown] = judge("MSG002", code.format("Unknown"))
-    assert unknown.help == "the import fails when the node starts; flags.msg has A, B"
+    assert unknown.help == (
+        "the import fails when the node starts; flags.msg has A, B; if it is meant to be one of its own, add "
+        "msg/Unknown.msg to flags"
+    )
 
 
 def test_a_constant_of_the_other_half_of_a_service(judge: Judge):
@@ -789,6 +792,62 @@ def test_what_one_file_imports_in_vain_is_one_finding(judge: Judge):
     [found] = judge("MSG002", code)
     assert found.message.startswith("rover defines no messages 'Box' and 'Key'")
     assert [(row.place.line, row.message) for row in found.related] == [(3, "'Key' is imported here")]
+
+
+TAGS = """
+import rclpy
+from rover.msg import Target
+from rclpy.node import Node
+
+
+class Tags(Node):
+    def __init__(self):
+        super().__init__('tags')
+        self.publisher = self.create_publisher(Target, 'target', 10)
+        self.create_timer(0.1, self.tick)
+
+    def tick(self):
+        {}
+        self.publisher.publish(message)
+
+
+rclpy.init()
+rclpy.spin(Tags())
+"""
+
+
+@pytest.mark.parametrize(
+    ("lines", "is_meant"),
+    [
+        ("message = Target()\n        message.x = 1.0", True),
+        ("message = Target(x=1.0)", True),
+        ("message = Target()\n        message.corners = [1.0]", False),
+        ("message = Target()\n        message.pose.x = 1.0", False),
+        ("message = Target(corners=[1.0])", False),
+        ("message = make(Target)\n        message.corners = [1.0]", True),
+    ],
+)
+def test_a_message_is_not_meant_that_lacks_the_fields_which_the_code_sets(judge: Judge, lines: str, is_meant: bool):
+    lay_out(judge, interfaces("rover", "msg/Targets.msg", files=()) | {"rover/msg/Targets.msg": "float64 x\n"})
+    write_files(judge.folder, {"node.py": TAGS.format(lines), "archlint.toml": 'select = ["MSG002"]'})
+    [found] = check(Request((".",), load(judge.folder), cached=False, jobs=1)).findings
+    assert ("did you mean 'Targets'?" in found.message) == is_meant
+    assert ("add msg/Target.msg to rover" in (found.help or "")) == (not is_meant)
+
+
+def test_what_several_files_lack_of_a_package_of_the_workspace_is_one_finding(judge: Judge):
+    lay_out(judge, interfaces("rover", "msg/Stop.msg", files=("msg/Stop.msg", "msg/Go.msg")))
+    code = "import rclpy\nfrom rover.msg import {}\nrclpy.create_node('x')\n"
+
+    def told(*names: str) -> list[tuple[str, list[str]]]:
+        files = {f"node{number}.py": code.format(name) for number, name in enumerate(names)}
+        write_files(judge.folder, {"archlint.toml": 'select = ["MSG002"]', **files})
+        found = check(Request((".",), load(judge.folder), cached=False, jobs=1)).findings
+        return [(row.place.file, [related.place.file for related in row.related]) for row in found]
+
+    assert told("Box", "Box") == [("node0.py", ["node1.py"])]
+    assert told("Box", "Key") == [("node0.py", []), ("node1.py", [])]
+    assert told("Go", "Go") == [("node0.py", ["node1.py"])]
 
 
 def test_a_message_that_a_package_of_the_workspace_lists_as_a_service(judge: Judge):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -11,6 +11,7 @@ from archlint.checks.folding import folds
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
+from archlint.python_code.message_variables import fields_set
 from archlint.ros.interfaces import is_interface_name
 from archlint.suggestions import listed, nearest
 from archlint.workspace.kinds import is_cpp
@@ -32,8 +33,34 @@ def unknown_interface(system: System, options: Options) -> Iterator[Finding]:
         for interface in run.unknown_interfaces
         if not is_cpp(interface.place.file) or _is_built(system, run.file)
     }
-    for key in sorted(unknown):
-        yield _unknown_interface(unknown[key])
+    rows = [unknown[key] for key in sorted(unknown)]
+    for interface in rows:
+        beside = {
+            other.name for other in rows if other.place.file == interface.place.file and _are_alike(other, interface)
+        }
+        told = _unknown_interface(interface, _meant(system, interface))
+        is_own = system.workspace is not None and interface.package in system.workspace.packages
+        yield _of_own_package(told, interface, beside) if is_own else told
+
+
+def _are_alike(other: UnknownInterface, interface: UnknownInterface) -> bool:
+    return (other.package, other.kind) == (interface.package, interface.kind)
+
+
+def _of_own_package(told: Finding, interface: UnknownInterface, beside: Collection[str]) -> Finding:
+    """The finding with what it has in common with those of other files that lack the same of a package of the
+    workspace: what mends one mends all.  ``beside`` are the names that its file lacks of the package."""
+    if interface.left_out:
+        return replace(told, group=(_LEFT_OUT, interface.package, interface.kind, interface.name))
+    if interface.elsewhere or _part(interface) is not None:
+        return told
+    help = told.help
+    if not told.meant and not is_cpp(interface.place.file) and is_interface_name(interface.name):
+        help = f"{help}; if it is meant to be one of its own, add {_file(interface)} to {interface.package}"
+    return replace(told, help=help, group=(_OWN, interface.package, interface.kind, *sorted(beside)))
+
+
+_OWN, _LEFT_OUT = "of the workspace", "left out"
 
 
 def _is_built(system: System, file: str) -> bool:
@@ -42,10 +69,23 @@ def _is_built(system: System, file: str) -> bool:
     return any(file in package.sources for package in installs)
 
 
-def _unknown_interface(interface: UnknownInterface) -> Finding:
+def _meant(system: System, interface: UnknownInterface) -> str:
+    """The interface that was perhaps meant: one of another kind, with the package, or one of almost its name that has
+    the fields which the file sets; empty for none."""
     moved = [other for other in interface.others if "/" in other]
     names = [other for other in interface.others if "/" not in other]
     meant = moved[0] if moved else "" if _part(interface) else nearest(interface.name, names) or ""
+    if moved or not meant or interface.kind != "msg" or system.workspace is None:
+        return meant
+    file_facts, table = system.workspace.facts_at(interface.place.file), system.workspace.interfaces
+    module, full = f"{interface.package}.msg", f"{interface.package}/msg/{meant}"
+    fields = set() if file_facts is None else fields_set(file_facts, module, interface.name)
+    lacks = table is not None and any(table.has(full, "", field) is False for field in fields)
+    return "" if lacks else meant
+
+
+def _unknown_interface(interface: UnknownInterface, meant: str) -> Finding:
+    names = [other for other in interface.others if "/" not in other]
     hint = _instead(meant)
     place = interface.place
     what = {"msg": "message", "srv": "service", "action": "action"}[interface.kind]
@@ -73,11 +113,12 @@ def _cause(interface: UnknownInterface) -> tuple[str, ...]:
 
 @folds("MSG002")
 def of_one_file(findings: Sequence[Finding]) -> Finding:
-    """The finding for all that one file imports in vain, with what each was perhaps meant to be; the advice is that for
-    the first."""
+    """The finding for all that one file imports in vain, or several of a package of the workspace, with what each was
+    perhaps meant to be; the advice is that for the first."""
     first, *others = findings
     names = list(dict.fromkeys(diagnostic.identity[2] for diagnostic in findings))
-    lines = {other.place.line: other for other in others if other.place.line != first.place.line}
+    here = first.place.file, first.place.line
+    lines = {at: other for other in others if (at := (other.place.file, other.place.line)) != here}
     verb = "named" if is_cpp(first.place.file) else "imported"
     rows = tuple(Related(other.place, f"'{other.identity[2]}' is {verb} here") for other in lines.values())
     if len(names) == 1:

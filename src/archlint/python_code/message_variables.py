@@ -1,4 +1,4 @@
-"""What code gives to objects other than ``self``, but for messages: a field of these is no attribute of a class."""
+"""What code gives to objects other than ``self``: attributes of classes, and the fields of messages."""
 
 from __future__ import annotations
 
@@ -40,6 +40,32 @@ def _fields_given(file_facts: facts.Facts) -> frozenset[Itself[facts.Base]]:
     return frozenset(rows)
 
 
+def fields_set(file_facts: facts.Facts, module: str, name: str) -> set[str]:
+    """The fields that a file gives the messages which it makes of a class, ``name`` of ``robot.msg``: as it makes them,
+    or to variables that are assigned nothing else."""
+    imports = everything_in(file_facts.body, facts.ImportFrom)
+    classes = {
+        bound: f"{module}.{name}"
+        for statement in imports
+        if not statement.level and statement.module == module
+        for imported, bound in statement.names
+        if imported == name
+    }
+    calls = everything_in(file_facts.body, facts.Call) if classes else ()
+    given = {argument.keyword for call in calls if _is_made(call, classes) for argument in call.args}
+    for function in everything_in(file_facts.body, facts.Function) if classes else ():
+        variables = _of_messages(function, classes)
+        given.update(_first_attribute(target) for target in targets_of(function.body) if _root(target) in variables)
+    return {field for field in given if field}
+
+
+def _first_attribute(target: facts.Base) -> str:
+    """``pose`` of ``message.pose.position``."""
+    while isinstance(target, facts.Attribute) and isinstance(target.value, facts.Attribute):
+        target = target.value
+    return target.attr if isinstance(target, facts.Attribute) else ""
+
+
 def _of_messages(function: facts.Function, classes: dict[str, str]) -> set[str]:
     """The variables of a function that are assigned nothing else."""
     times = Counter(
@@ -72,4 +98,4 @@ def _root(target: facts.Base) -> str:
     return ""
 
 
-__all__ = ["given_to_others"]
+__all__ = ["fields_set", "given_to_others"]
