@@ -384,6 +384,26 @@ def test_gaps_of_an_exercise_are_there_to_be_filled_in(judge: Judge):
     judge("API005", _node("self.pub.publish(____)", "self.limit = ________(self.limit)"))
 
 
+def test_what_a_comment_asks_others_to_write(judge: Judge):
+    judge("API005", _node("# TODO: stop if the wall is near", "", "", "", "self.pub.publish(command)"))
+    judge("API005", _node("# TODO: make a Wall here", "# that is called at_wall", "self.pub.publish(at_wall)"))
+    judge("API005", _node("# your code: set speed", "self.pub.publish(speed)", "print(speed)"))
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        ("# TODO: stop if the wall is near", "self.pub.publish(command)  # here"),
+        ("# TODO: stop if the wall is near", "", "", "self.limit = 1.0", "self.pub.publish(command)  # here"),
+        ("# send the command", "", "", "self.pub.publish(command)  # here"),
+        ("# leer todo el command", "", "", "self.pub.publish(command)  # here"),
+        ("# TODO: make it faster", "# with node.command", "self.pub.publish(command)  # here"),
+    ],
+)
+def test_a_comment_that_leaves_no_room_for_others(judge: Judge, lines: tuple[str, ...]):
+    judge("API005", _node(*lines))
+
+
 def test_an_except_with_the_name_of_what_it_catches(judge: Judge):
     (told,) = judge("API005", _node("try:", "    self.publish()", "except e:  # here", "    print(e)"))
     assert told.help == "write `except Exception as e:`"

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.kept import kept_for_few_files, once
 from archlint.launch.files import GENERATE
 from archlint.place import Place
+from archlint.python_code.left_blanks import is_left_blank
 from archlint.python_code.offered_names import MAKES_NAMES, bound_in, own_names, starred
 from archlint.syntax import facts
 from archlint.syntax.bindings import bound_by
@@ -79,7 +80,8 @@ def undefined_names(workspace: WorkspaceIndex) -> Iterator[Undefined]:
         brought = starred(workspace, file.relative, file_facts) if unbound else None
         if brought is None:
             continue
-        for read in unbound:
+        names = {r.name.id for r in unbound if is_left_blank(workspace, file.relative, r.name.id, r.name.span[0])}
+        for read in (read for read in unbound if read.name.id not in names):
             if (read.added or not brought.has(read.name.id)) and not _is_blank(read.name.id):
                 known = read.known | brought.names if brought.names else read.known  # a copy for each read is a square
                 place, span = Place(file.relative, *read.name.span), read.name.span
