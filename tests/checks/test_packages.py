@@ -276,6 +276,37 @@ def test_a_module_that_serves_when_it_is_imported_does_start(findings, text: str
     assert len(findings("PKG002", **{"robot/talker.py": text})) == told
 
 
+DRIVER = "class Driver:\n    def init(self, webots_node, properties):\n        pass\n"
+DESCRIPTION = '<robot name="r">\n  <webots>\n    {}\n  </webots>\n</robot>\n'
+
+
+@pytest.mark.parametrize(
+    ("line", "severity", "help"),
+    [
+        (
+            '<plugin type="robot.talker.Driver"/>',
+            Severity.INFO,
+            "remove the entry: Webots loads 'robot.talker.Driver' by its class, without an executable",
+        ),
+        (
+            '<plugin type="robot.other.Driver"/>',
+            Severity.ERROR,
+            "define 'main' in the module, or use a function that it has",
+        ),
+        (
+            '<!-- <plugin type="robot.talker.Driver"/> -->',
+            Severity.ERROR,
+            "define 'main' in the module, or use a function that it has",
+        ),
+    ],
+)
+def test_a_plugin_of_webots_needs_no_entry(findings, line: str, severity: Severity, help: str):
+    (found,) = findings("PKG002", **{"robot/talker.py": DRIVER, "resource/r.urdf": DESCRIPTION.format(line)})
+    assert (found.severity, found.help) == (severity, help)
+    places = [(row.place.file, row.place.line, row.place.column) for row in found.related]
+    assert places == ([("resource/r.urdf", 3, 19)] if severity is Severity.INFO else [])
+
+
 @pytest.mark.parametrize(
     "text",
     [

@@ -40,6 +40,22 @@ def test_an_argument_that_nothing_reads(findings, files):
     assert (told.place.file, told.place.line, told.severity) == ("launch/it.launch.py", 10, Severity.WARNING)
 
 
+@pytest.mark.parametrize(
+    ("given", "default", "reading"),
+    [
+        ("'0001'", "0001", "ParameterValue(LaunchConfiguration('speed'), value_type=str)"),
+        ("'true'", "true", "ParameterValue(LaunchConfiguration('speed'), value_type=str)"),
+        ("'fast'", "fast", "LaunchConfiguration('speed')"),
+        ("1", "1", "LaunchConfiguration('speed')"),
+        ("'0002'", "0001", "LaunchConfiguration('speed')"),
+    ],
+)
+def test_a_text_that_launch_would_read_as_something_else(findings, given: str, default: str, reading: str):
+    file = _file(given=f"parameters=[{{'speed': {given}}}]")
+    (told,) = findings("LCH011", **{name: text.replace("'1.0'", f"'{default}'") for name, text in file.items()})
+    assert told.help == f"read it where it is meant, {reading}, or remove the declaration"
+
+
 def test_use_sim_time_is_declared_as_a_habit(findings):
     (told,) = findings(
         "LCH011", **{"launch/it.launch.py": _file()["launch/it.launch.py"].replace("speed", "use_sim_time")}

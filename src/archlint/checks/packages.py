@@ -15,10 +15,12 @@ from archlint.finding import Finding, Related, Severity
 from archlint.packaging.entry_points import NeverAwaited, NoFunction, NoFunctionNamed, NoModule, broken_target
 from archlint.packaging.imports import imports
 from archlint.packaging.left_out_code import is_entry_left_out
+from archlint.packaging.webots_plugins import loaded_by_webots
 from archlint.python_code.offered_names import own_names
 from archlint.suggestions import did_you_mean, listed, meant, nearest
 
 if TYPE_CHECKING:
+    from archlint.finding import Place
     from archlint.systems.model import System, WorkspaceIndex
     from archlint.workspace.installed import Executable
     from archlint.workspace.model import Package
@@ -108,10 +110,24 @@ def _broken(workspace: WorkspaceIndex, executable: Executable) -> Iterator[Findi
             elif ros1:
                 help = f"port the module to ROS 2, which has no {ros1}, or remove the entry"
             diagnostic = _entry_finding(executable, f"'{module}' has no function '{function}'{hint}", help, group)
+            loaded = loaded_by_webots(workspace, module) if near is None and not runs_first else None
+            if loaded is not None:
+                diagnostic = _of_webots(diagnostic, *loaded)
             at_the_end = runs_first and near is None
             if at_the_end and is_entry_left_out(workspace, executable):
                 return  # it is not even installed, as PKG004 says
             yield _fails_at_the_end(diagnostic, executable, module, function) if at_the_end else diagnostic
+
+
+def _of_webots(diagnostic: Finding, name: str, place: Place) -> Finding:
+    """What Webots loads by its class needs no entry: nobody starts that one."""
+    return replace(
+        diagnostic,
+        help=f"remove the entry: Webots loads '{name}' by its class, without an executable",
+        related=(Related(place, "it is loaded here"),),
+        severity=Severity.INFO,
+        group=(),
+    )
 
 
 def _with_a_function(name: str, module: str, functions: Sequence[str] | None) -> str:

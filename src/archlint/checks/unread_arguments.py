@@ -11,7 +11,7 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related, Severity
 from archlint.launch_files.shown_files import is_shown_only
-from archlint.launch_files.unread_arguments import kept_for_nothing, unread_arguments
+from archlint.launch_files.unread_arguments import is_text_that_yaml_reads, kept_for_nothing, unread_arguments
 
 if TYPE_CHECKING:
     from archlint.finding import Place
@@ -45,7 +45,7 @@ def unread_launch_argument(system: System, options: Options) -> Iterator[Finding
         "LCH011",
         first.place,
         message,
-        help=_help(first, kept.get(first.name)),
+        help=_help(system, first, kept.get(first.name)),
         related=[
             *(Related(argument.place, f"'{argument.name}' is declared here") for argument in others),
             *(Related(place, f"'{name}' is kept here, and nothing uses that") for name, (_, place) in kept.items()),
@@ -56,14 +56,17 @@ def unread_launch_argument(system: System, options: Options) -> Iterator[Finding
     yield replace(diagnostic, severity=Severity.INFO) if _OF_HABIT.issuperset(names) else diagnostic
 
 
-def _help(argument: DeclaredArgument, kept: tuple[str, Place] | None) -> str:
+def _help(system: System, argument: DeclaredArgument, kept: tuple[str, Place] | None) -> str:
     if kept is not None:
         return f"use {kept[0]} where it is meant, or remove it and the declaration"
-    return f"read it where it is meant, {_reading(argument.file, argument.name)}, or remove the declaration"
+    return f"read it where it is meant, {_reading(system, argument)}, or remove the declaration"
 
 
-def _reading(file: str, name: str) -> str:
-    return f"LaunchConfiguration('{name}')" if file.endswith(".py") else f"$(var {name})"
+def _reading(system: System, argument: DeclaredArgument) -> str:
+    if not argument.file.endswith(".py"):
+        return f"$(var {argument.name})"
+    read = f"LaunchConfiguration('{argument.name}')"
+    return f"ParameterValue({read}, value_type=str)" if is_text_that_yaml_reads(system, argument) else read
 
 
 @folds("LCH011", across_systems=True)

@@ -9,12 +9,14 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once, once_for_each_file
 from archlint.launch.parameter_sources import ParameterFileUse
+from archlint.launch.parameters import from_yaml
 from archlint.launch_files.launch_code import may_read_argument
 from archlint.launch_files.misread_arguments import misread_arguments
 from archlint.place import Place
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in
 from archlint.syntax.walk import called_name
+from archlint.systems.overrides import settings_of
 
 if TYPE_CHECKING:
     from archlint.launch.model import DeclaredArgument, Launched
@@ -139,4 +141,25 @@ def first_text(call: facts.Call) -> list[str]:
     return [value.text for value in values if value.text is not None]
 
 
-__all__ = ["all_readers_are_known", "first_text", "kept_for_nothing", "may_be_read", "unread_arguments"]
+def is_text_that_yaml_reads(system: System, argument: DeclaredArgument) -> bool:
+    """Whether the launch file writes the default of an argument as a text into a parameter of its name, and launch
+    would make something else of it where the argument is read there: ``'0001'`` becomes a number."""
+    launched, workspace = system.launched, system.workspace
+    default = None if argument.default is None else argument.default.text
+    if launched is None or workspace is None or default is None or isinstance(from_yaml(default), str):
+        return False
+    return any(
+        setting.written is None and (setting.name, setting.value) == (argument.name, default)
+        for started in launched.started
+        for setting in settings_of(started, workspace.parameters_of)
+    )
+
+
+__all__ = [
+    "all_readers_are_known",
+    "first_text",
+    "is_text_that_yaml_reads",
+    "kept_for_nothing",
+    "may_be_read",
+    "unread_arguments",
+]
