@@ -802,6 +802,21 @@ class TestSpinWithoutTimeout:
     def test_with_a_limit(self, judge: Judge, line: str):
         judge("TMO003", script(line))
 
+    @pytest.mark.parametrize(
+        ("loop", "between", "mark"),
+        [
+            ("while not answer.done(): rclpy.spin_once(node)", "pass", ""),
+            ("while not answer.done(): rclpy.spin_once(node)", "print('done')", ""),
+            ("while not other.done(): rclpy.spin_once(node)", "pass", "  # here"),
+            ("while not answer.done(): rclpy.spin_once(node)", f"answer = {FUTURE}", "  # here"),
+            ("while rclpy.ok() and not answer.done(): rclpy.spin_once(node)", "pass", "  # here"),
+            ("while not answer.done():\n            rclpy.spin_once(node)\n            break", "pass", "  # here"),
+        ],
+    )
+    def test_what_a_loop_has_waited_for(self, judge: Judge, loop: str, between: str, mark: str):
+        lines = (f"answer = other = {FUTURE}", loop, between, f"rclpy.spin_until_future_complete(node, answer){mark}")
+        judge("TMO003", script("\n        ".join(lines)))
+
     def test_the_goal_and_its_result_are_one_finding(self, judge: Judge):
         lines = (
             "node.create_timer(1.0, print); goal = action.send_goal_async(Fibonacci.Goal())",

@@ -33,6 +33,7 @@ from archlint.connections.own_servers import is_served_by_its_node
 from archlint.execution.asking_scripts import has_only_clients, is_step_of_asking_script
 from archlint.execution.deaf_loops import DeafLoop, deaf_loops
 from archlint.execution.expected_failures import expects_no_answer
+from archlint.execution.future_loops import is_done_before
 from archlint.execution.own_futures import spins_for_a_message, spins_for_own_future, spins_for_own_task
 from archlint.execution.present_servers import until_it_comes, was_waited_for
 from archlint.execution.retries import is_retried
@@ -69,6 +70,7 @@ def spin_without_timeout(system: System, options: Options) -> Iterator[Finding]:
         if call.context.role != Role.METHOD or _may_be_called(program, call)
         if not _is_refused(program, call) and not _may_be_meant_as_a_limit(source_code(system), call)
         if not _is_uncalled(system, call) and not _is_all_there_is_to_do(system, program, call)
+        if not is_done_before(source_code(system), call)
         if not _is_part_of_start(system, call) and not _is_never_reached(source_code(system), program, call)
         if seldom or not _comes_as_a_rule(system, program, call, options)
     )

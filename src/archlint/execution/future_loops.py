@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import takewhile
 from typing import TYPE_CHECKING
 
 from archlint.analysis.reach import same_expression
@@ -34,6 +35,36 @@ def loop_until_done(code: SourceCode, call: ApiCall) -> Loop | None:
         return None
     only_waits = not loop_of(loop).is_left_otherwise and all(map(_is_limit, _other_ends(loop, asked)))
     return loop if only_waits and (loop.tests or _counts(loop)) and _is_about_one(loop, asked) else None
+
+
+def is_done_before(code: SourceCode, call: ApiCall) -> bool:
+    """Whether a loop in front of a spin, in the same block, ends only once the future is done that it spins for."""
+    statement, future = code.statement(call), _spun_for(code, call)
+    if statement is None or not future:
+        return False
+    blocks = [code.body(call), *(block for part in statements_of(code.body(call)) for block in part.blocks)]
+    block = next((block for block in blocks if any(part is statement for part in block)), [])
+    for part in reversed([*takewhile(lambda part: part is not statement, block)]):
+        if isinstance(part, facts.While):
+            return _waits_for(part, future)
+        if any(target.dotted == future for target in part.assigned):
+            return False
+    return False
+
+
+def _spun_for(code: SourceCode, call: ApiCall) -> str:
+    """The variable or attribute with the future that a call spins for; rclpy's function has the node before it."""
+    arguments = code.arguments(call)
+    named = next((each.value for each in arguments if each.keyword == "future"), None)
+    in_order = [each.value for each in arguments if each.keyword is None][0 if "Executor" in call.api else 1 :]
+    future = named or next(iter(in_order), None)
+    return "" if future is None else future.dotted
+
+
+def _waits_for(loop: facts.While, future: str) -> bool:
+    asked = loop.test.negated
+    waits = isinstance(asked, facts.Call) and asked.func.dotted == f"{future}.done"
+    return waits and not any(part.kind == "break" for part in statements_of(loop.body, facts.Jump))
 
 
 def awaits_in_each_round(loop: Loop) -> bool:
