@@ -16,6 +16,7 @@ from archlint.interpreter.values import (
     Value,
 )
 from archlint.libraries.rclpy import names, node_classes
+from archlint.libraries.rclpy.profile_parts import PROFILE
 from archlint.libraries.tables import Api
 from archlint.libraries.values import EntityValue, MessageValue, NodeValue
 from archlint.model import EntityKind, Role
@@ -163,10 +164,12 @@ def _is_no_interface(value: Value, section: str) -> bool:
             return constant is not None
         case ClassValue():
             return node_classes.has_only(value)
+        case Instance(cls=External(path=path)):
+            return names.canonical(path) == PROFILE
         case External(path=path):
             interface, part = names.interface_and_section(names.canonical(path))
             if interface is None:
-                return names.canonical(path) in names.NODE_CLASSES
+                return names.canonical(path) in names.NODE_CLASSES or names.canonical(path) == PROFILE
             if section == "msg" and (part or names.is_part_of_interface(interface)):
                 return False  # what a service or an action is made of are messages, too
             if section == "srv" and interface.endswith(("_SendGoal", "_GetResult")):
@@ -309,6 +312,8 @@ def described(value: Value, written: facts.Expr | None) -> str:
             return f"the number {number}"
         case Instance(cls=External(path="rclpy.parameter.Parameter")):
             return "a Parameter without .value"
+        case Instance(cls=External(path=path)) if names.canonical(path) == PROFILE:
+            return "a QoSProfile"
         case External(path=path):
             interface, part = names.interface_and_section(names.canonical(path))
             name = (interface or path.replace(".", "/")).rpartition("/")[2]
