@@ -985,6 +985,36 @@ def test_a_publisher_that_a_parameter_turns_on(
 
 
 @pytest.mark.parametrize(
+    ("launch", "more", "told"),
+    [
+        ("all.launch.xml", "", True),
+        ("all_old.launch.xml", "", False),
+        ("old/all.launch.xml", "", False),
+        ("all_old.launch.xml", '<include file="$(dirname)/all_old.launch.xml"/>', True),
+    ],
+)
+def test_a_launch_file_that_is_put_aside_starts_nothing(tmp_path, monkeypatch, launch: str, more: str, told: bool):
+    monkeypatch.chdir(tmp_path)
+    both = '<node pkg="demo" exec="one"/><node pkg="demo" exec="two"/>'
+    files = {
+        "package.xml": PACKAGE.strip(),
+        "setup.py": SETUP.replace("demo.one:main", "demo.both:one").replace("demo.two:main", "demo.both:two"),
+        "demo/__init__.py": "",
+        "demo/both.py": SWITCHED.replace("{default}", "True").replace("{ask}", "if self.on or near:"),
+        f"launch/{launch}": LAUNCH.format(both),
+        "launch/robot.launch.xml": LAUNCH.format(more),
+        "archlint.toml": 'select = ["OWN001"]',
+    }
+    for name, text in files.items():
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(text)
+
+    found = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+
+    assert [one.code for one in found] == ["OWN001"] * told
+
+
+@pytest.mark.parametrize(
     ("title", "cure"),
     [
         ("The drivers take turns", "        if not self.active:\n            return\n"),

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from archlint.analysis.aside import is_disused
 from archlint.checks.folding import folds
 from archlint.checks.owner_findings import all_of, finding_for_owners
 from archlint.checks.registry import Options, rule
@@ -32,7 +33,10 @@ _EMPTY = "std_msgs/msg/Empty"
 
 @rule("OWN001", scope=Scope.SYSTEM)
 def multiple_publishers(system: System, options: Options) -> Iterator[Finding]:
-    """Topics with publishers in several nodes that run together."""
+    """Topics with publishers in several nodes that run together; what a launch file starts that is put aside runs no
+    more."""
+    if system.launched is not None and is_disused(system.workspace, system.launched.file):
+        return
     findings = [
         _of_topic(system, connection, owners)
         for connection in system.topics.values()
