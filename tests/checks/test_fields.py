@@ -835,6 +835,13 @@ def test_a_message_is_not_meant_that_lacks_the_fields_which_the_code_sets(judge:
     assert ("add msg/Target.msg to rover" in (found.help or "")) == (not is_meant)
 
 
+def test_a_message_whose_file_lies_in_a_folder_of_its_own(judge: Judge):
+    lay_out(judge, interfaces("rover", "msg/Boxes.msg", files=("msg/Boxes.msg", "msg/done/Box.msg")))
+    [found] = judge("MSG002", "import rclpy\nfrom rover.msg import Box  # here\nrclpy.create_node('x')\n")
+    assert found.message == "rover defines no message 'Box'"
+    assert found.help == 'move msg/done/Box.msg to msg/, and list "msg/Box.msg" in rosidl_generate_interfaces()'
+
+
 def test_what_several_files_lack_of_a_package_of_the_workspace_is_one_finding(judge: Judge):
     lay_out(judge, interfaces("rover", "msg/Stop.msg", files=("msg/Stop.msg", "msg/Go.msg")))
     code = "import rclpy\nfrom rover.msg import {}\nrclpy.create_node('x')\n"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import posixpath
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
@@ -18,7 +19,7 @@ from archlint.workspace.kinds import is_cpp
 
 if TYPE_CHECKING:
     from archlint.model import UnknownInterface
-    from archlint.systems.model import System
+    from archlint.systems.model import System, WorkspaceIndex
 
 _SHOWN = 12
 """How many names a help line lists."""
@@ -40,24 +41,40 @@ def unknown_interface(system: System, options: Options) -> Iterator[Finding]:
         }
         told = _unknown_interface(interface, _meant(system, interface))
         is_own = system.workspace is not None and interface.package in system.workspace.packages
-        yield _of_own_package(told, interface, beside) if is_own else told
+        yield _of_own_package(system.workspace, told, interface, beside) if is_own else told
 
 
 def _are_alike(other: UnknownInterface, interface: UnknownInterface) -> bool:
     return (other.package, other.kind) == (interface.package, interface.kind)
 
 
-def _of_own_package(told: Finding, interface: UnknownInterface, beside: Collection[str]) -> Finding:
+def _of_own_package(
+    workspace: WorkspaceIndex | None, told: Finding, interface: UnknownInterface, beside: Collection[str]
+) -> Finding:
     """The finding with what it has in common with those of other files that lack the same of a package of the
     workspace: what mends one mends all.  ``beside`` are the names that its file lacks of the package."""
     if interface.left_out:
         return replace(told, group=(_LEFT_OUT, interface.package, interface.kind, interface.name))
     if interface.elsewhere or _part(interface) is not None:
         return told
-    help = told.help
-    if not told.meant and not is_cpp(interface.place.file) and is_interface_name(interface.name):
+    help, elsewhere = told.help, _in_another_folder(workspace, interface)
+    if elsewhere is not None:
+        help = f'move {elsewhere} to {interface.kind}/, and list "{_file(interface)}" in rosidl_generate_interfaces()'
+        told = replace(told, message=told.message.replace(_instead(told.meant), ""), meant="")
+    elif not told.meant and not is_cpp(interface.place.file) and is_interface_name(interface.name):
         help = f"{help}; if it is meant to be one of its own, add {_file(interface)} to {interface.package}"
     return replace(told, help=help, group=(_OWN, interface.package, interface.kind, *sorted(beside)))
+
+
+def _in_another_folder(workspace: WorkspaceIndex | None, interface: UnknownInterface) -> str | None:
+    """The only file in a package, by its path there, that has the name of the interface and lies where rosidl makes
+    none of that kind of it: below ``msg/``, say."""
+    package = None if workspace is None else workspace.packages.get(interface.package)
+    if workspace is None or package is None:
+        return None
+    files = workspace.tree.files_below(package.relative)
+    same = [file for file in files if posixpath.basename(file) == f"{interface.name}.{interface.kind}"]
+    return posixpath.relpath(same[0], package.relative) if len(same) == 1 else None
 
 
 _OWN, _LEFT_OUT = "of the workspace", "left out"
