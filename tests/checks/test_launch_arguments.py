@@ -656,3 +656,34 @@ def test_a_file_that_only_forwards_what_an_include_requires(findings, own, sever
     outer = own + '<include file="$(dirname)/inner.launch.xml"><arg name="x" value="$(var x)"/></include>'
     (told,) = findings("LCH003", outer, **{"launch/inner.launch.xml": inner})
     assert (told.severity, told.place.file) == (severity, "launch/it.launch.xml")
+
+
+PART = '<include file="$(dirname)/part.launch.xml"/>'
+
+
+@pytest.mark.parametrize(
+    ("whole", "more", "told"),
+    [
+        (f'<arg name="name" default="a"/><!-- {PART} -->', "", False),
+        (f'<arg name="other" default="a"/><!-- {PART} -->', "", True),
+        ('<arg name="name" default="a"/>', "", True),
+        (f'<arg name="name" default="a"/><!-- {PART} -->', PART, True),
+    ],
+    ids=["commented out", "declares another", "never included", "included elsewhere"],
+)
+def test_a_part_whose_include_is_commented_out(findings, whole: str, more: str, told: bool):
+    files = {
+        "launch/part.launch.xml": f"<launch>{node(name='$(var name)')}</launch>",
+        "launch/alone.launch.xml": f"<launch>{more}</launch>",
+    }
+    rows = findings("LCH003", whole + node(), **files)
+    assert [row.place.file for row in rows] == ["launch/part.launch.xml"] * told
+
+
+def test_a_part_of_what_another_file_includes(findings):
+    files = {
+        "launch/part.launch.xml": f"<launch>{node(name='$(var name)')}</launch>",
+        "launch/middle.launch.xml": f"<launch><!-- {PART} -->{node()}</launch>",
+    }
+    top = '<arg name="name" default="a"/><include file="$(dirname)/middle.launch.xml"/>'
+    assert findings("LCH003", top, **files) == []

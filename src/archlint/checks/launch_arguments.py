@@ -16,6 +16,7 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related, Severity
 from archlint.launch.kinds import FileStatus
+from archlint.launch_files.fragments import is_left_out_fragment
 from archlint.launch_files.launch_code import may_read_argument
 from archlint.launch_files.misread_arguments import MisreadArgument, misread_arguments
 from archlint.launch_files.substitution_values import is_chosen_in_vain
@@ -106,6 +107,11 @@ def told_as_left_out(system: System) -> set[tuple[str, str]]:
     return {(use.file, use.name) for use in left_out if (use.place, (use.file, use.name)) in told}
 
 
+def _comes_from_others(workspace: WorkspaceIndex, use: UndeclaredUse) -> bool:
+    """Whether launch files that include one, or did so once, have what it reads."""
+    return use.name in _passed_to_any(workspace) or is_left_out_fragment(workspace, use.file, use.name)
+
+
 def _undeclared_uses(system: System, launched: Launched) -> Iterator[Finding]:
     reported: set[str] = set()
     own = {use.name: use.own_default for use in launched.undeclared if use.own_default is not None}
@@ -114,7 +120,7 @@ def _undeclared_uses(system: System, launched: Launched) -> Iterator[Finding]:
         alone = use.file == launched.file
         if use.conditional or (alone and system.is_included) or use.name in reported:
             continue  # whoever includes it may pass it: that system reports it
-        if alone and system.workspace is not None and use.name in _passed_to_any(system.workspace):
+        if alone and system.workspace is not None and _comes_from_others(system.workspace, use):
             continue
         if not alone and system.is_included and _is_set_above(system.workspace, launched, use):
             continue
