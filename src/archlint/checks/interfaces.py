@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import posixpath
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
@@ -12,6 +11,7 @@ from archlint.checks.folding import folds
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
+from archlint.launch_files.missing_files import namesake
 from archlint.python_code.message_variables import fields_set
 from archlint.ros.interfaces import is_interface_name
 from archlint.suggestions import listed, nearest
@@ -57,24 +57,15 @@ def _of_own_package(
         return replace(told, group=(_LEFT_OUT, interface.package, interface.kind, interface.name))
     if interface.elsewhere or _part(interface) is not None:
         return told
-    help, elsewhere = told.help, _in_another_folder(workspace, interface)
+    help = told.help
+    # Below msg/, say, where rosidl makes no message of it.
+    elsewhere = None if workspace is None else namesake(workspace, interface.package, _file(interface))
     if elsewhere is not None:
         help = f'move {elsewhere} to {interface.kind}/, and list "{_file(interface)}" in rosidl_generate_interfaces()'
         told = replace(told, message=told.message.replace(_instead(told.meant), ""), meant="")
     elif not told.meant and not is_cpp(interface.place.file) and is_interface_name(interface.name):
         help = f"{help}; if it is meant to be one of its own, add {_file(interface)} to {interface.package}"
     return replace(told, help=help, group=(_OWN, interface.package, interface.kind, *sorted(beside)))
-
-
-def _in_another_folder(workspace: WorkspaceIndex | None, interface: UnknownInterface) -> str | None:
-    """The only file in a package, by its path there, that has the name of the interface and lies where rosidl makes
-    none of that kind of it: below ``msg/``, say."""
-    package = None if workspace is None else workspace.packages.get(interface.package)
-    if workspace is None or package is None:
-        return None
-    files = workspace.tree.files_below(package.relative)
-    same = [file for file in files if posixpath.basename(file) == f"{interface.name}.{interface.kind}"]
-    return posixpath.relpath(same[0], package.relative) if len(same) == 1 else None
 
 
 _OWN, _LEFT_OUT = "of the workspace", "left out"
