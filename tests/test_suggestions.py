@@ -25,6 +25,13 @@ def test_words_that_are_near_have_nearly_the_same_letters(one, other, limit):
         assert suggestions._may_be_near(*letters, limit)
 
 
+@pytest.mark.parametrize(
+    ("word", "most", "meant"), [("camxxa", 2, "camera"), ("camxxa", 1, None), ("camera1", 0, None)]
+)
+def test_no_more_edits_than_are_asked_for(word, most, meant):
+    assert nearest(word, ["camera", "gripper"], most) == meant
+
+
 def test_words_of_other_letters_are_not_compared(monkeypatch):
     compared = []
     monkeypatch.setattr(suggestions, "distance", lambda *words: (compared.append(words[1]), distance(*words))[1])

@@ -88,10 +88,10 @@ _PARTS = re.compile(r"[_/.\s-]+|(?<=[a-z])(?=[A-Z])")
 _DIGITS = re.compile(r"\d+")
 
 
-def nearest(word: str, known: Iterable[str]) -> str | None:
-    """The known word within a third of the word's length (at least one edit, but not all of it); the first of
-    equals.  Names in which one whole word stands for another are two names, not one and a slip: ``publish_odom``
-    and ``publish_rate``, ``motor_1`` and ``motor_2``."""
+def nearest(word: str, known: Iterable[str], most: int | None = None) -> str | None:
+    """The known word within a third of the word's length (at least one edit, but not all of it), and within ``most``
+    edits where that is given; the first of equals.  Names in which one whole word stands for another are two names, not
+    one and a slip: ``publish_odom`` and ``publish_rate``, ``motor_1`` and ``motor_2``."""
     comparisons = _COMPARISONS.get()
     if len(word) > 256 or (comparisons is not None and comparisons.left <= 0):
         return None
@@ -101,6 +101,7 @@ def nearest(word: str, known: Iterable[str]) -> str | None:
         comparisons.left -= sum(1 + len(word) * len(candidate) // _PAIR for candidate in candidates)
         if comparisons.left < 0:
             return None
+    limit = limit if most is None else min(limit, most)
     letters = _letters(word)
     best: tuple[int, str] | None = None
     for candidate in sorted(other for other in candidates if _may_be_near(letters, _letters(other), limit)):

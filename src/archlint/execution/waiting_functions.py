@@ -17,7 +17,7 @@ from archlint.execution.waits import asked_clients
 from archlint.finding import Place
 from archlint.model import Role
 from archlint.syntax import facts
-from archlint.syntax.parts import everything_in, parts_of
+from archlint.syntax.parts import everything_in, once_for, parts_of
 from archlint.syntax.walk import calls_in
 
 if TYPE_CHECKING:
@@ -113,11 +113,16 @@ def _methods_of(system: System, node: Blueprint) -> dict[str, tuple[str, facts.F
     methods: dict[str, tuple[str, facts.Function]] = {}
     for cls in node.classes:
         code = source_code(system).facts_at(cls.place.file)
-        for written in everything_in([] if code is None else code.body, facts.Class):
+        for written in () if code is None else _classes_of(code):
             if Place.of(cls.place.file, written.name_span) == cls.place:
                 own = (method for method in written.body if isinstance(method, facts.Function))
                 methods = {method.name: (cls.place.file, method) for method in own} | methods
     return methods
+
+
+@once_for
+def _classes_of(code: facts.Facts) -> list[facts.Class]:
+    return list(everything_in(code.body, facts.Class))
 
 
 def _on_itself(system: System, chain: tuple[Frame, ...]) -> bool:

@@ -10,6 +10,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from archlint.analysis.kept import kept_for_each_file
 from archlint.place import Place
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in
@@ -79,7 +80,7 @@ def _imported_from(workspace: WorkspaceIndex, start: str, seen: set[str]) -> Ite
         if file in seen or file_facts is None:
             continue
         seen.add(file)
-        if changes_path(file_facts):
+        if changes_path(workspace, file):
             continue
         for statement in certain_imports(file_facts.body):
             for imported in files_of_import(workspace, file, statement):
@@ -128,6 +129,7 @@ def _is_of_another_distribution(workspace: WorkspaceIndex, outer: str, file: str
     return False
 
 
+@kept_for_each_file
 def changes_path(file_facts: facts.Facts) -> bool:
     """Whether a file may say itself where Python looks for modules, with ``sys.path``.  Its text is not asked: an edit
     of a comment would be a reason to judge the workspace again."""

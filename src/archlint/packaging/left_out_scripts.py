@@ -37,7 +37,7 @@ def modules_beside_scripts(workspace: WorkspaceIndex) -> Iterator[LeftOut]:
 def _beside(workspace: WorkspaceIndex, script: str) -> Iterator[tuple[str, Place]]:
     """The files in the folder of a script that it imports whenever it starts."""
     file_facts = workspace.facts_at(script)
-    if file_facts is None or changes_path(file_facts):
+    if file_facts is None or changes_path(workspace, script):
         return
     for statement in certain_imports(file_facts.body):
         for file in files_of_import(workspace, script, statement):

@@ -12,7 +12,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from archlint.analysis.kept import kept_for_each_file
+from archlint.analysis.kept import kept, kept_for_each_file
 from archlint.libraries.rclpy.names import NODE_CLASSES
 from archlint.model import Misuse
 from archlint.place import Place
@@ -241,6 +241,12 @@ def _with_self(cls: facts.Class) -> Iterator[facts.Call]:
 
 
 def function_meant(workspace: WorkspaceIndex, file: str, call: OwnCall) -> FunctionInFile | None:
+    """The function that a call runs."""
+    key = function_meant, file, call.cls, call.name  # many calls are of one function, and several rules ask
+    return kept(workspace, key, lambda: _function_meant(workspace, file, call))
+
+
+def _function_meant(workspace: WorkspaceIndex, file: str, call: OwnCall) -> FunctionInFile | None:
     if call.cls is None:
         return _function(workspace, file, call.name)
     code = workspace.facts_at(file)
@@ -343,9 +349,14 @@ def _methods(code: facts.Class) -> dict[str, facts.Function]:
 
 def _is_plain(code: facts.Class, function: facts.Function) -> bool:
     """Whether a method is what its definition says: nothing else in the body of the class has its name."""
-    names = [name for statement in statements_of(code.body) for name in bound_by(statement)]
     decorated = any(decorator.last_name not in _PLAIN_DECORATORS for decorator in function.decorators)
-    return names.count(function.name) == 1 and not decorated
+    return _times_bound(code)[function.name] == 1 and not decorated
+
+
+@once_for
+def _times_bound(code: facts.Class) -> Counter[str]:
+    """How often the body of a class binds each name."""
+    return Counter(name for statement in statements_of(code.body) for name in bound_by(statement))
 
 
 def _is_replaced(workspace: WorkspaceIndex, cls: ClassInFile, name: str) -> bool:

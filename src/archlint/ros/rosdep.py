@@ -37,7 +37,7 @@ def meant_by(name: str, packages: Collection[str], *, is_python: bool) -> str | 
         written = next((other for other in others if other in packages), None)
     if written is not None or len(name) < _SHORTEST:
         return written
-    near = nearest(name, packages)
+    near = nearest(name, packages, most=1)
     return near if near is not None and distance(name, near, 1) <= 1 else None
 
 
