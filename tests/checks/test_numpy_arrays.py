@@ -19,8 +19,8 @@ NODE = """
             super().__init__('viewer')
             self.bridge = CvBridge()
             self.picture = None
-            self.ranges = []
-            self.count = 0
+            self.ranges, self.count = [], 0
+            self.depth = self.other = None
             self.gray = np.zeros((48, 64))
             self.one = np.zeros(1)
             self.create_subscription(Image, 'image', self.on_image, 10)
@@ -29,6 +29,9 @@ NODE = """
 
         def on_image(self, message):
             self.picture = self.bridge.imgmsg_to_cv2(message, 'bgr8')
+            depth = self.bridge.imgmsg_to_cv2(message)
+            self.depth = np.array(depth, dtype=np.uint16)
+            self.other = np.array(message.data)
 
         def on_scan(self, scan):
             self.ranges = np.array(scan.ranges)
@@ -83,12 +86,17 @@ EACH = "comparing it with None compares each element, and this line fails with a
             "ask what you mean: self.ranges.any(), .all() or .size",
         ),
         (
+            "if not self.depth: return  # here",
+            f"self.depth is an array of numpy: {MANY}",
+            "write self.depth is None",
+        ),
+        (
             "print(1 if local else 0)  # here",
             f"local is an array of numpy: {MANY}",
             "ask what you mean: local.any(), .all() or .size",
         ),
     ],
-    ids=["not", "and", "equal to None", "not equal to None", "of a list before", "a variable"],
+    ids=["not", "and", "equal to None", "not equal to None", "of a list before", "made of a variable", "a variable"],
 )
 def test_the_truth_of_an_array(judge: Judge, line: str, message: str, help: str):
     (finding,) = judge("API001", viewer(line))
@@ -101,12 +109,22 @@ def test_the_truth_of_an_array(judge: Judge, line: str, message: str, help: str)
         "if self.picture is None: return",
         "if self.picture is not None and self.picture.any(): return",
         "if self.one: return",
+        "if self.other: return",
         "if self.count and len(self.ranges): return",
         "picture = self.picture == None",
         "if isinstance(self.picture, list) and self.picture: return",
         "try:\n                if self.picture: return\n            except ValueError:\n                pass",
     ],
-    ids=["is None", "any", "one element", "a number", "no test", "asked for its class", "expected"],
+    ids=[
+        "is None",
+        "any",
+        "one element",
+        "of who knows how many",
+        "a number",
+        "no test",
+        "asked for its class",
+        "expected",
+    ],
 )
 def test_what_may_be_asked_of_an_array(judge: Judge, line: str):
     judge("API001", viewer(line))

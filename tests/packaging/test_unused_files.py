@@ -119,6 +119,13 @@ def test_a_script_that_nothing_runs(told: Told, files: dict[str, str]):
         pytest.param({"robot/robot/probe.py": FAILS, "robot/setup.py": "import setuptools\n"}, id="nothing installed"),
         pytest.param({"tools/probe.py": FAILS}, id="beside the packages"),
         pytest.param({"robot/tools/measure.py": FAILS}, id="run by hand"),
+        pytest.param(
+            {
+                "robot/robot/probe.py": FAILS,
+                "robot/setup.py": SETUP.replace("# 'probe = robot.probe:main',", "'probe = robot.probe.py',"),
+            },
+            id="its entry point is wrong",
+        ),
     ],
 )
 def test_a_script_that_something_runs(told: Told, files: dict[str, str]):

@@ -21,6 +21,7 @@ from archlint.analysis.aside import (
 from archlint.analysis.kept import once
 from archlint.packaging.unbuilt_files import runs_nowhere
 from archlint.packaging.uninstalled_files import is_meant_to_start, is_told_to_run
+from archlint.workspace.comments import without_comments
 from archlint.workspace.model import LAUNCH_TEXT_KINDS
 
 if TYPE_CHECKING:
@@ -78,11 +79,12 @@ def is_run_by_hand(workspace: WorkspaceIndex, file: str) -> bool:
 
 
 def _is_taken_out(workspace: WorkspaceIndex, file: str) -> bool:
-    """Whether the files that build the package of a script, which is not installed, have a word for it all the same."""
+    """Whether the files that build the package of a script have a word for it in a comment alone."""
     installs, stem = workspace.installs.get(workspace.package_of(file) or ""), posixpath.basename(file)
     word = re.compile(rf"(?<!\w){re.escape(stem.removesuffix('.py'))}(?!\w)")
     paths = [] if installs is None else [posixpath.join(installs.folder, name) for name in _BUILD_FILES]
-    return any(word.search(workspace.tree.text(posixpath.normpath(path)) or "") for path in paths)
+    texts = [workspace.tree.text(posixpath.normpath(path)) or "" for path in paths]
+    return any(word.search(text) for text in texts) and not any(word.search(without_comments(text)) for text in texts)
 
 
 _BUILD_FILES = ("setup.py", "setup.cfg", "CMakeLists.txt")

@@ -69,13 +69,13 @@ def _rows(code: facts.Facts) -> list[_Row]:
     expecting = tried_for(code.body, {"ValueError", "Exception", ""})
     rows: list[_Row] = []
     for number, cls in enumerate(classes_of(code)):
-        arrays = _arrays(values_of_self(cls), _EMPTY)
+        arrays = _arrays(values_of_self(cls), _EMPTY, cls)
         asked = _asked_in(cls) if arrays else frozenset()
         held = {f"self.{name}": array for name, array in arrays.items() if f"self.{name}" not in asked}
         for function in methods_of(cls) if held else ():
             rows += _asking(function, held, expecting, number)
     for function in everything_in(code.body, facts.Function):
-        arrays = _arrays(values_in(function), ())
+        arrays = _arrays(values_in(function), (), None)
         asked = _asked_in(function) if arrays else frozenset()
         held = {name: array for name, array in arrays.items() if name not in asked}
         rows += _asking(function, held, expecting, None)
@@ -90,16 +90,28 @@ class _Array:
     or_none: bool
 
 
-def _arrays(values: Values, empty: Collection[Kind]) -> dict[str, _Array]:
-    """What holds an array of many elements, and beside that only what is ``empty``."""
+def _arrays(values: Values, empty: Collection[Kind], cls: facts.Class | None) -> dict[str, _Array]:
+    """What holds an array of many elements, and beside that only what is ``empty``.  In the methods of a class, what is
+    made of a variable is as that."""
+    makers = set(map(Itself[facts.Base], _made_of_variables(cls))) if cls is not None else set()
     arrays: dict[str, _Array] = {}
     for name, given in values.items():
-        makers = [value for value in given if isinstance(value, facts.Call) and is_array(value)]
-        others = [value for value in given if not is_array(value)]
+        known = [
+            value for value in given if value is not None and (is_array(value) or Itself[facts.Base](value) in makers)
+        ]
+        others = [value for value in given if not any(value is each for each in known)]
         kinds = [None if value is None else kind_of(value, {}) for value in others]
-        if makers and all(kind in empty for kind in kinds):
-            arrays[name] = _Array(makers[0].span, Kind.NONE in kinds)
+        if known and all(kind in empty for kind in kinds) and (span := getattr(known[0], "span", None)) is not None:
+            arrays[name] = _Array(span, Kind.NONE in kinds)
     return arrays
+
+
+def _made_of_variables(cls: facts.Class) -> Iterator[facts.Expr]:
+    """The values that the methods of a class assign, and that are arrays for the variables in them."""
+    for function in methods_of(cls):
+        statements = [each for each in everything_in(function.body, facts.Assign) if not is_array(each.value)]
+        variables = values_in(function) if statements else {}
+        yield from (each.value for each in statements if is_array(each.value, variables))
 
 
 def _asked_in(part: facts.Class | facts.Function) -> frozenset[str]:

@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
+
 from archlint.syntax import facts
+
+_NONE: Mapping[str, Sequence[facts.Expr | None]] = {}
 
 _OF_BRIDGES = frozenset({"imgmsg_to_cv2", "compressed_imgmsg_to_cv2"})
 """Methods of ``cv_bridge.CvBridge``, by names that nobody else has."""
@@ -12,6 +16,7 @@ _OF_CV2 = frozenset(
 _COPIES = frozenset({"array", "asarray", "copy"})
 _FILLED = frozenset({"zeros", "ones", "empty", "full"})
 _NUMPY = ("np", "numpy")
+_OPENCV = ("cv2", "cv")
 _DEPTH = 3
 ATTRIBUTES = frozenset(
     {"T", "all", "any", "argmax", "argmin", "argpartition", "argsort", "astype", "base"}
@@ -27,20 +32,25 @@ ATTRIBUTES = frozenset(
 """What an array has in any release of numpy, but for names that begin with two underscores."""
 
 
-def is_array(value: facts.Expr | None, depth: int = _DEPTH) -> bool:
-    """Whether an expression makes an array of more than one element, whatever it is made of."""
+def is_array(
+    value: facts.Expr | None, variables: Mapping[str, Sequence[facts.Expr | None]] = _NONE, depth: int = _DEPTH
+) -> bool:
+    """Whether an expression makes an array of more than one element, whatever it is made of; ``variables`` has all that
+    is assigned to those that it names."""
+    if isinstance(value, facts.Name) and depth and variables.get(value.id):
+        return all(is_array(each, _NONE, depth - 1) for each in variables[value.id])
     if not isinstance(value, facts.Call) or not depth:
         return False
     owner, _, name = value.func.dotted.rpartition(".")
     if (name or value.func.last_name) in _OF_BRIDGES:
         return True
-    if owner == "cv2":
+    if owner in _OPENCV:
         return name in _OF_CV2
     if owner not in _NUMPY or not value.args or value.args[0].star or value.args[0].keyword is not None:
         return False
     first = value.args[0].value
     if name in _COPIES:
-        return is_array(first, depth - 1) or _has_many(first) or first.last_name == "ranges"
+        return is_array(first, variables, depth - 1) or _has_many(first) or first.last_name == "ranges"
     return name in _FILLED and _is_of_many(first)
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from archlint.python_code.class_chains import targets_of
 from archlint.python_code.methods_at_work import of_self
@@ -10,7 +10,7 @@ from archlint.python_code.numpy_arrays import is_array
 from archlint.string_enum import StringEnum
 from archlint.syntax import facts
 from archlint.syntax.bindings import bound_by
-from archlint.syntax.parts import Itself, everything_in
+from archlint.syntax.parts import Itself, everything_in, targets_in
 
 Values = Mapping[str, Sequence[facts.Expr | None]]
 """All that is assigned to each name; None for what is not one plain value."""
@@ -52,8 +52,8 @@ def values_of_self(cls: facts.Class) -> dict[str, list[facts.Expr | None]]:
     values: dict[str, list[facts.Expr | None]] = {}
     plain = set[Itself[facts.Base]]()
     for part in everything_in(cls.body, facts.Assign):
-        match part:
-            case facts.Assign(targets=[target], value=value) if (name := of_self(target)) is not None:
+        for target, value in assigned_by(part):
+            if (name := of_self(target)) is not None:
                 plain.add(Itself(target))
                 values.setdefault(name, []).append(value)
     for change in everything_in(cls.body, facts.Augmented):
@@ -72,14 +72,35 @@ def values_in(function: facts.Function) -> dict[str, list[facts.Expr | None]]:
     values: dict[str, list[facts.Expr | None]] = {param.name: [None] for param in function.params}
     for part in everything_in(function.body):
         match part:
-            case facts.Assign(targets=[facts.Name(id=name)], value=value):
-                values.setdefault(name, []).append(value)
+            case facts.Assign():
+                for target, value in assigned_by(part):
+                    if target.variable:
+                        values.setdefault(target.variable, []).append(value)
             case facts.Augmented(target=facts.Name(id=name)):
                 values.setdefault(name, []).append(_changed(part))
             case _:
                 for name in bound_by(part):
                     values.setdefault(name, []).append(None)
     return values
+
+
+def assigned_by(part: facts.Assign) -> Iterator[tuple[facts.Expr, facts.Expr | None]]:
+    """What an assignment sets, each with its value; None for one that comes out of something else.  Of
+    ``a, b = 1, None`` each name has a value of its own."""
+    for target in part.targets:
+        match target, part.value:
+            case facts.Sequence(elements=targets), facts.Sequence(elements=given) if len(targets) == len(
+                given
+            ) and not any(isinstance(each, facts.Starred) for each in (*targets, *given)):
+                for each, value in zip(targets, given, strict=True):
+                    if isinstance(each, facts.Sequence):
+                        yield from ((inner, None) for inner in targets_in(each))
+                    else:
+                        yield each, value
+            case facts.Sequence(), _:
+                yield from ((each, None) for each in targets_in(target))
+            case _:
+                yield target, part.value
 
 
 def _changed(change: facts.Augmented) -> facts.Expr | None:
@@ -131,4 +152,4 @@ def kind_of(value: facts.Expr, variables: Values, depth: int = _DEPTH) -> Kind |
     return None
 
 
-__all__ = ["Kind", "Values", "kind_of", "kind_of_all", "values_in", "values_of_self"]
+__all__ = ["Kind", "Values", "assigned_by", "kind_of", "kind_of_all", "values_in", "values_of_self"]
