@@ -11,6 +11,7 @@ from archlint.checks.uncalled import once_where_uncalled, uncalled_in_program
 from archlint.finding import Finding, Related, Severity
 from archlint.python_code.late_attributes import Late, LateRead, late_attributes
 from archlint.python_code.methods_at_work import Called
+from archlint.python_code.unspun_reads import UnspunRead, unspun_reads
 
 if TYPE_CHECKING:
     from archlint.systems.model import System
@@ -26,6 +27,23 @@ def late_attribute_findings(system: System) -> Iterator[Finding]:
             yield _finding(read)
         elif read.is_unshared or uncalled_in_program(system, read.assigned) is not None:
             yield from once_where_uncalled(system, _finding(read))
+
+    for unspun in () if system.workspace is None else unspun_reads(system.workspace):
+        yield from once_where_uncalled(system, _unspun(unspun))
+
+
+def _unspun(read: UnspunRead) -> Finding:
+    """An attribute of a node that a function has just made, and that only a callback assigns."""
+    return finding(
+        "API002",
+        read.place,
+        f"only {read.setter}() assigns {read.variable}.{read.name}, and nothing has spun {read.variable} yet: this "
+        "line fails with an AttributeError",
+        help=f"spin {read.variable} until {read.setter}() has run, or assign self.{read.name} in __init__()",
+        related=[Related(read.assigned, "it gets its first value here")],
+        identity=(read.cls, read.name, "unspun"),
+        group=(TOO_LATE, read.place.file, read.cls, "unspun"),
+    )
 
 
 _FIRST = {

@@ -42,6 +42,7 @@ from archlint.execution.stuck import spoken_of
 from archlint.finding import Finding, Related, Severity
 from archlint.model import Role
 from archlint.model.given import Constant
+from archlint.python_code.unspun_reads import unspun_reads
 
 if TYPE_CHECKING:
     from archlint.model import ApiCall, Program
@@ -69,6 +70,7 @@ def spin_without_timeout(system: System, options: Options) -> Iterator[Finding]:
         if not spins_for_own_task(system, program, call)
         if call.context.role != Role.METHOD or _may_be_called(program, call)
         if not _is_refused(program, call) and not _may_be_meant_as_a_limit(source_code(system), call)
+        if not _fails_before(system, call)
         if not _is_uncalled(system, call) and not _is_all_there_is_to_do(system, program, call)
         if not is_done_before(source_code(system), call)
         if not _is_part_of_start(system, call) and not _is_never_reached(source_code(system), program, call)
@@ -84,6 +86,13 @@ def _may_be_called(program: Program, call: ApiCall) -> bool:
         return False
     others = (other for other in program.calls if other.place == call.place and other.api == call.api)
     return all(other.context.role == Role.METHOD for other in others)
+
+
+def _fails_before(system: System, call: ApiCall) -> bool:
+    """Whether a spin is given an attribute that nothing has assigned by then (API002)."""
+    reads = () if system.workspace is None else unspun_reads(system.workspace)
+    start, end = call.place.span[:2], call.place.span[2:]
+    return any(read.place.file == call.file and start <= read.place.span[:2] <= end for read in reads)
 
 
 def _is_uncalled(system: System, call: ApiCall) -> bool:

@@ -133,6 +133,15 @@ def _is_certain(workspace: WorkspaceIndex, cls: ClassInFile, row: _Row) -> bool:
     return not may_be_set(workspace, cls, row.name)
 
 
+def gets_it_nowhere_else(workspace: WorkspaceIndex, cls: ClassInFile, name: str) -> bool:
+    """Whether nothing but the methods of a class gives an object of it an attribute."""
+    chain = chain_of(workspace, cls)
+    if members_of(workspace, chain) is None or is_of_class(workspace, chain, name):
+        return False
+    bases = [base.code for base in chain.own if base.code is not cls.code]
+    return not any(name in gives(base) for base in bases) and not may_be_set(workspace, cls, name)
+
+
 def _calls_from_outside(file_facts: facts.Facts, methods: frozenset[str]) -> bool:
     """Whether a file asks any object but ``self`` for one of some methods."""
     return any(
@@ -162,6 +171,38 @@ def _late(code: facts.Class) -> list[_Row]:
             if row is not None:
                 rows.setdefault(row.name, row)
     return [*rows.values()]
+
+
+@dataclass(frozen=True)
+class LateSetter:
+    """The first ``method`` that assigns an attribute, where it does so, and all ``methods`` that do."""
+
+    method: str
+    span: facts.Span
+    methods: frozenset[str]
+
+
+def set_by_callbacks(code: facts.Class) -> dict[str, LateSetter]:
+    """The attributes of a class that only methods assign to which its constructor does not lead, and a callback does;
+    nothing where the class spins itself or starts threads."""
+    count = Counter(function.name for function in methods_of(code))
+    work = methods_at_work(code)
+    if INIT not in work.methods or any(number > 1 for number in count.values()):
+        return {}
+    if any(name in names_in(code.body) for name in (*_RUNS_CALLBACKS, "Thread")):
+        return {}
+    early, others = work.after([INIT]), {*names_of_body(code), *asked_in(code)}
+    rows: dict[str, LateSetter] = {}
+    for name, where in _setters(work).items():
+        if (
+            name not in others
+            and where
+            and early.isdisjoint(where)
+            and any(map(work.called_for, work.leading_to(where)))
+        ):
+            method, span = next(iter(where.items()))
+            rows[name] = LateSetter(method, span, frozenset(where))
+    return rows
 
 
 def _never(work: MethodsAtWork, late: Mapping[str, dict[str, facts.Span]]) -> Iterator[_Row]:
@@ -259,4 +300,4 @@ def _comes_later(role: Called | None, setters: set[Called]) -> bool:
     return setters <= {Called.MESSAGE, Called.PARAMETERS}
 
 
-__all__ = ["Late", "LateRead", "late_attributes"]
+__all__ = ["Late", "LateRead", "LateSetter", "gets_it_nowhere_else", "late_attributes", "set_by_callbacks"]
