@@ -322,6 +322,40 @@ def test_an_attribute_that_nothing_assigns(judge: Judge):
     assert finding.help == "assign self.brake in __init__(), or define it"
 
 
+ARM = """
+from rclpy.node import Node
+
+class Arm(Node):
+    def __init__(self):
+        super().__init__('arm')
+
+    def start(self):
+        brake = open('brake')
+        brake.close()
+
+    def again(self):
+        {again}
+
+    def stop(self):
+        self.brake.close()  # here
+
+Arm()
+"""
+
+
+@pytest.mark.parametrize(
+    ("again", "help"),
+    [
+        ("pass", "write self.brake instead of brake in start(), where it is a variable of that method"),
+        ("brake = None", "assign self.brake in __init__(), or define it"),  # either may be meant
+    ],
+)
+def test_a_variable_of_another_method_was_to_be_the_attribute(judge: Judge, again: str, help: str):
+    (finding,) = judge("API002", ARM.replace("{again}", again))
+    assert finding.help == help
+    assert [row.place.line for row in finding.related] == ([8] if again == "pass" else [])
+
+
 def test_a_variable_of_the_method_was_meant(judge: Judge):
     (finding,) = judge(
         "API002",

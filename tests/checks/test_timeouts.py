@@ -470,6 +470,39 @@ def test_what_the_scripts_of_one_package_wait_for_is_one_finding(judge: Judge, t
     assert found.message.endswith("; another wait of the package 'robot' does the same")
 
 
+SEVERAL = """
+    import rclpy
+    from rclpy.node import Node
+    from std_srvs.srv import Trigger
+
+
+    class Arm(Node):
+        def __init__(self):
+            super().__init__('arm')
+            self.brake = self.create_client(Trigger, 'brake')
+            self.motor = self.create_client(Trigger, '{motor}')
+            self.find(self.brake)
+            self.find(self.motor)
+
+        def find(self, client):
+            client.wait_for_service()  # here
+
+
+    def main():
+        rclpy.init()
+        rclpy.spin(Arm())
+
+
+    main()
+"""
+
+
+@pytest.mark.parametrize(("motor", "awaited"), [("motor", "a service"), ("brake", "the service 'brake'")])
+def test_a_helper_that_waits_for_one_server_after_the_other_names_none(judge: Judge, motor: str, awaited: str):
+    [wait] = judge("TMO001", SEVERAL.format(motor=motor))
+    assert wait.message.startswith(f"wait_for_service() waits for {awaited} without a timeout: ")
+
+
 def test_a_method_that_nothing_calls_for_a_client_that_nothing_makes(judge: Judge):
     code = """
         import rclpy

@@ -231,6 +231,21 @@ def test_star_imports_that_are_known(judge: Judge) -> None:
     judge("API005", star + _node("print(value, scale(), math, Int32())", "print(time)  # here"), helpers)
 
 
+@pytest.mark.parametrize(
+    ("names", "help"),
+    [
+        ("FRONT_CAMERA_TOPIC, REAR_CAMERA_TOPIC", "write FRONT_CAMERA_TOPIC"),
+        ("FRONT_CAMERA_TOPIC, FRONT_LIDAR_TOPIC", "define it, or remove the line"),  # either may be meant
+        ("AFFRONT_TOPIC", "define it, or remove the line"),
+    ],
+)
+def test_an_import_that_nothing_uses_may_be_what_was_meant(judge: Judge, names: str, help: str) -> None:
+    topics = "".join(f"{name} = 'topic'\n" for name in names.split(", "))
+    lines = f"from node1 import {names}\n" + _node("self.create_subscription(String, Front, print, 10)  # here")
+    (finding,) = judge("API005", lines, topics)
+    assert finding.help == help
+
+
 def test_a_method_of_a_program_that_nothing_calls_is_information(findings: Callable[..., list[Finding]]) -> None:
     node = _node("pass").replace("def helper(self):\n        pass", "def helper(self):\n        time.sleep(1)")
     (finding,) = findings("API005", **{"robot/talker.py": node})

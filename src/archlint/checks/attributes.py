@@ -14,6 +14,7 @@ from archlint.python_code.absent_asked import AbsentAsked, absent_asked
 from archlint.python_code.absent_members import AbsentMember, absent_members
 from archlint.python_code.enum_members import absent_enum_members
 from archlint.python_code.indexed_methods import IndexedMethod, indexed_methods
+from archlint.python_code.kept_in_variables import kept_in_variable
 from archlint.python_code.logger_calls import AbsentOfLogger, absent_of_loggers
 from archlint.python_code.methods_looked_into import LookedInto, methods_looked_into
 from archlint.python_code.object_members import CalledProperty, object_members
@@ -29,7 +30,7 @@ from archlint.python_code.unassigned_attributes import (
 from archlint.suggestions import listed, meant
 
 if TYPE_CHECKING:
-    from archlint.systems.model import System
+    from archlint.systems.model import System, WorkspaceIndex
 
 OF_CLASS = "attribute"
 """The group of findings that are about one attribute of a class."""
@@ -75,7 +76,7 @@ def attribute_findings(system: System) -> Iterator[Finding]:
     }
     for read in unassigned_attributes(system.workspace):
         if (read.place.file, read.name) not in told:
-            diagnostic = _unassigned(read)
+            diagnostic = _unassigned(system.workspace, read)
             yield from [diagnostic] if read.is_slip or read.local else once_where_uncalled(system, diagnostic)
 
 
@@ -209,11 +210,13 @@ def _indexed(row: IndexedMethod) -> Finding:
     )
 
 
-def _unassigned(read: Unassigned) -> Finding:
+def _unassigned(workspace: WorkspaceIndex, read: Unassigned) -> Finding:
     name = _as_written(read.name, read.cls)
     near = None if read.near is None else _as_written(read.near, read.cls)
     message = f"nothing assigns '{name}' of class {read.cls}: this line fails with an AttributeError"
     help = f"assign self.{name} in __init__(), or define it"
+    related = [] if read.near_at is None else [Related(read.near_at, f"'{near}' is defined here")]
+    kept = kept_in_variable(workspace, read.place, read.cls, name)
     logs = read.name in LEVELS and not read.local and not read.is_slip and not read.of_node
     if logs:
         help = LOG_WITH.format(name)
@@ -228,12 +231,15 @@ def _unassigned(read: Unassigned) -> Finding:
     elif read.of_node:
         message = f"class {read.cls} has no '{name}', which only a node has: this line fails with an AttributeError"
         help = f"derive the class from Node, or call {name}() of a node"
+    elif kept is not None and not logs:
+        help = f"write self.{name} instead of {name} in {kept.method}(), where it is a variable of that method"
+        related.append(Related(kept.place, f"{kept.method}() assigns the variable here"))
     return finding(
         "API002",
         read.place,
         message,
         help=help,
-        related=[] if read.near_at is None else [Related(read.near_at, f"'{near}' is defined here")],
+        related=related,
         identity=(read.cls, name),
         group=_group(read, logs),
         meant=near if near is not None and read.is_slip and not read.local else "",

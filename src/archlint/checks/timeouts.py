@@ -26,6 +26,7 @@ from archlint.checks.wait_words import (
     WAIT_FOR_MESSAGE,
     WAIT_FOR_SERVER,
     WAIT_FOR_SERVICE,
+    asked_alone,
     is_at_its_default,
     kind_of,
     made_here,
@@ -47,7 +48,7 @@ from archlint.model import Role
 from archlint.string_enum import StringEnum
 
 if TYPE_CHECKING:
-    from archlint.model import ApiCall, Program
+    from archlint.model import ApiCall, Creation, Program
     from archlint.systems.model import System
 _MINOR = "minor"
 _LIMIT = {
@@ -65,7 +66,7 @@ def wait_without_timeout(system: System, options: Options) -> Iterator[Finding]:
     calls = list(calls_of(system, _LIMIT))
     called = {call.place for _, call in calls if call.context.role != Role.METHOD}
     yield from one_for_each_place(
-        _limitless_wait(system, program, call)
+        _limitless_wait(system, program, call, asked_alone(call, (other for _, other in calls)))
         for program, call in calls
         # What a method that nothing calls gets to, too, says nothing of those that are called.
         if not (call.context.role == Role.METHOD and call.place in called)
@@ -123,10 +124,11 @@ class _Cure(StringEnum):
     LIMIT = "set a limit"
 
 
-def _limitless_wait(system: System, program: Program, call: ApiCall) -> Finding:
+def _limitless_wait(system: System, program: Program, call: ApiCall, client: Creation | None) -> Finding:
+    """``client`` is the one that the line waits for the server of, where there are no others."""
     function = call.api.rpartition(".")[2]
     several = call.api != WAIT_FOR_MESSAGE and is_for_each_client(source_code(system), call)
-    awaited = "a message" if call.api == WAIT_FOR_MESSAGE else server_words(system, call.creation, kind_of(call))
+    awaited = "a message" if call.api == WAIT_FOR_MESSAGE else server_words(system, client, kind_of(call))
     if several:
         awaited = f"{kind_of(call)} after {kind_of(call)}"
     cure = _cure(system, call)
@@ -135,7 +137,7 @@ def _limitless_wait(system: System, program: Program, call: ApiCall) -> Finding:
         call.place,
         f"{function}() waits for {awaited} without a timeout: if it never comes, nothing after this line runs",
         help=_help_for_wait(cure, call, function),
-        related=related_path(call, call.creation if call.api != WAIT_FOR_MESSAGE else None),
+        related=related_path(call, client if call.api != WAIT_FOR_MESSAGE else None),
         node=node_name(system, call.node or call.context.node),
         identity=(call.function, name_of(call.creation), function),
     )
@@ -148,7 +150,7 @@ def _limitless_wait(system: System, program: Program, call: ApiCall) -> Finding:
         diagnostic,
         sites=None
         if runs_in_executor(call.context)
-        else sites_of_wait(system.workspace, call.place, "" if several else name_of(call.creation)),
+        else sites_of_wait(system.workspace, call.place, "" if several else name_of(client)),
         severity=severity,
         group=group,
     )

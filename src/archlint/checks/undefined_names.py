@@ -13,7 +13,7 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.uncalled import once_where_uncalled, unless_uncalled
 from archlint.finding import Finding, Related, Severity
-from archlint.python_code.how_imported import import_of
+from archlint.python_code.how_imported import idle_import_with, import_of
 from archlint.python_code.stray_methods import StrayMethod, stray_methods
 from archlint.python_code.unbound_locals import UnboundLocal, unbound_locals
 from archlint.python_code.undefined_beside import stops_a_launch
@@ -167,7 +167,7 @@ def _undefined(workspace: WorkspaceIndex, read: Undefined) -> Finding:
         statement = import_of(workspace, read.name, in_launch_file=in_launch_file, called=read.called)
     if not near and not statement and len(read.name) >= _SHORT:
         known = (name for name in read.known if name not in _BUILT_IN and not _is_one_a_class(name, read.name))
-        near = nearest(read.name, known) or ""
+        near = nearest(read.name, known) or idle_import_with(workspace, read.place.file, read.name) or ""
     if read.caught:
         near, statement = "", f"except Exception as {read.name}:"
     cure = f"write `{statement}`" if statement else f"write {near}" if near else "define it, or remove the line"

@@ -19,6 +19,8 @@ from archlint.model import EntityKind, Role
 from archlint.model.given import Constant, Future
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable
+
     from archlint.analysis.reach import AskedKind
     from archlint.model import ApiCall, Callback, Creation
     from archlint.systems.model import System
@@ -81,6 +83,15 @@ def server_words(system: System, creation: Creation | None, kind: AskedKind = "s
     if creation is not None and len(names_at(system).get(creation.place, ())) > 1:
         return endpoint_words(None, "action" if creation.kind == EntityKind.ACTION_CLIENT else "service")
     return endpoint_words(creation, kind)
+
+
+def asked_alone(call: ApiCall, calls: Iterable[ApiCall]) -> Creation | None:
+    """The client that a call is made on; None where other ways to the same line, or others of some ``calls`` that
+    stand there, make it on one of another name."""
+    here = [call, *(other for other in calls if other.place == call.place)]
+    names = {client.name.text for other in here for client in creations_of(other.receiver)}
+    names |= {client.name.text for other in here for _, _, clients in other.call_chains for client in clients}
+    return call.creation if call.creation is None or names <= {call.creation.name.text} else None
 
 
 def passed_on(call: ApiCall) -> str:

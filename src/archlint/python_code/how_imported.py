@@ -45,6 +45,17 @@ def import_of(workspace: WorkspaceIndex, name: str, *, in_launch_file: bool = Fa
     return f"from {offering[0]} import {name}"
 
 
+def idle_import_with(workspace: WorkspaceIndex, file: str, word: str) -> str | None:
+    """The only name that a file imports and does not use in which a word stands: ``FRONT_CAMERA`` for ``front``."""
+    code = workspace.facts_at(file)
+    if code is None:
+        return None
+    bound = {name for imported in everything_in(code.body, facts.ImportFrom) for _, name in imported.names}
+    idle = sorted(bound - {*code.names})
+    having = [name for name in idle if word.lower() in name.lower().split("_")]
+    return having[0] if len(having) == 1 else None
+
+
 @once
 def _imports(workspace: WorkspaceIndex) -> dict[str, Counter[str]]:
     """By the name that it binds, how many files have each import statement."""
@@ -70,4 +81,4 @@ def _statements(code: facts.Facts) -> frozenset[tuple[str, str]]:
     return frozenset(rows)
 
 
-__all__ = ["import_of"]
+__all__ = ["idle_import_with", "import_of"]
