@@ -62,6 +62,59 @@ def test_an_executable_that_a_package_of_ros_has_or_may_have(findings, package, 
     assert findings("LCH001", '<arg name="viewer"/>' + node(pkg=package, exec=executable)) == []
 
 
+HUMBLE = {"Dockerfile": "FROM osrf/ros:humble-desktop\n"}
+
+
+@pytest.mark.parametrize(
+    "files",
+    [
+        HUMBLE,
+        {".github/workflows/build.yml": "jobs:\n  build:\n    container: ros:jazzy\n"},
+        {"README.md": "Built with ROS 2 Humble.\n"},
+    ],
+)
+def test_a_program_that_is_gone_in_the_distribution_that_the_workspace_is_for(findings, files):
+    (finding,) = findings("LCH001", node(pkg="controller_manager", exec="spawner.py"), **files)
+    assert finding.message == (
+        "package 'controller_manager' installs no executable 'spawner.py' since Humble, which this workspace is for; "
+        "did you mean 'spawner'?"
+    )
+    assert finding.help == "start one that it has: ros2_control_node, spawner, unspawner, hardware_spawner"
+
+
+@pytest.mark.parametrize(
+    ("executable", "files"),
+    [
+        ("spawner.py", {"Dockerfile": "FROM ros:foxy\n"}),
+        ("spawner.py", {"README.md": "Runs with Foxy and Humble.\n"}),
+        ("spawner", HUMBLE),
+    ],
+)
+def test_a_program_that_some_distribution_of_the_workspace_has(findings, executable, files):
+    assert findings("LCH001", node(pkg="controller_manager", exec=executable), **files) == []
+
+
+def test_a_launch_file_that_asks_for_the_distribution(findings):
+    launch = """\
+import os
+
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    actions = []
+    if os.environ['ROS_DISTRO'] == 'foxy':
+        actions.append(Node(package='controller_manager', executable='spawner.py'))
+    else:
+        actions.append(Node(package='controller_manager', executable='spawner'))
+    return LaunchDescription(actions)
+"""
+    files = {"launch/arm.launch.py": launch}
+    assert findings("LCH001", **HUMBLE, **files) == []
+    assert len(findings("LCH001", **HUMBLE, **{"launch/arm.launch.py": launch.replace("ROS_DISTRO", "HAND")})) == 1
+
+
 def test_a_package_of_ros_that_is_external(findings):
     files = {"archlint.toml": 'select = ["LCH001"]\nexternal = ["gazebo_ros"]\n'}
     assert findings("LCH001", node(pkg="gazebo_ros", exec="spawn_entity"), **files) == []

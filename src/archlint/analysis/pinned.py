@@ -66,6 +66,11 @@ def is_for_humble(workspace: WorkspaceIndex | None) -> bool:
     return "humble" in named or (not named and _is_among(_in_readmes(workspace), _HUMBLE, but_not=_SINCE_IRON))
 
 
+def is_for_humble_or_newer(workspace: WorkspaceIndex) -> bool:
+    """Whether a workspace is for humble or for one that came later, and for none before, by the same evidence."""
+    return _is_among(_named_or_told(workspace), frozenset(_SINCE_HUMBLE), but_not=tuple(_OLDER))
+
+
 def is_on_focal(workspace: WorkspaceIndex) -> bool:
     """Whether a workspace is for a distribution on Ubuntu 20.04 and for none that came later, by the same evidence."""
     return _is_among(_named_or_told(workspace), _ON_FOCAL, but_not=_SINCE_HUMBLE)

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, NamedTuple
 
+from archlint.analysis.pinned import is_for_humble_or_newer
 from archlint.checks.folding import folds, with_places
 from archlint.checks.packages import is_ignored_by_cmake
 from archlint.checks.registry import Options, finding, rule
@@ -153,6 +154,8 @@ def _from_no_package(system: System, workspace: WorkspaceIndex, started: Started
         yield _launch_file(started, package, name)
     elif not posixpath.isabs(name) and (programs := programs_instead(package, name)):
         yield _no_program(started, package, name, programs)
+    elif programs := _programs_since_humble(workspace, started.file, package, name):
+        yield _no_program(started, package, name, programs, " since Humble, which this workspace is for")
     if not is_nowhere(workspace, package):
         return
     near = nearest(
@@ -174,12 +177,20 @@ def _with_share_folders(system: System, told: Finding, package: str) -> Finding:
     return replace(told, related=(*told.related, *rows))
 
 
-def _no_program(started: Started, package: str, name: str, programs: Sequence[str]) -> Finding:
-    """The finding for a package of ROS that has not got the program."""
+def _programs_since_humble(workspace: WorkspaceIndex, file: str, package: str, name: str) -> list[str]:
+    """The programs of a package of ROS that lost the one of a name before Humble, in a workspace for Humble or later.
+    A launch file that asks for the distribution may start either."""
+    programs = programs_instead(package, name, since_humble=True)
+    asks = programs and workspace.code.mentions(file, "ROS_DISTRO")
+    return programs if programs and not asks and is_for_humble_or_newer(workspace) else []
+
+
+def _no_program(started: Started, package: str, name: str, programs: Sequence[str], since: str = "") -> Finding:
+    """The finding for a package of ROS that has not got the program, or has not got it ``since`` a distribution."""
     return finding(
         "LCH001",
         started.places.get("executable", started.place),
-        f"package '{package}' installs no executable '{name}'{did_you_mean(name, programs)}",
+        f"package '{package}' installs no executable '{name}'{since}{did_you_mean(name, programs)}",
         help=f"start one that it has: {listed(programs)}",
         identity=(package, name),
         group=(package, name),

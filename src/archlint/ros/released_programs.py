@@ -50,9 +50,15 @@ _MORE = {
 """What newer ones of a package are called."""
 
 
-def programs_instead(package: str, name: str) -> list[str]:
-    """The programs of a package which does not have one of a name; empty where it has, or may have it."""
-    programs = _PROGRAMS.get(package, "").split()
+_BEFORE_HUMBLE: Mapping[str, frozenset[str]] = {"controller_manager": frozenset({"spawner.py", "unspawner.py"})}
+"""Those of them that Humble and all later distributions lack."""
+
+
+def programs_instead(package: str, name: str, since_humble: bool = False) -> list[str]:
+    """The programs of a package which does not have one of a name; empty where it has, or may have it.  With
+    ``since_humble`` it is the package as Humble and later distributions have it."""
+    gone = _BEFORE_HUMBLE.get(package, frozenset()) if since_humble else frozenset()
+    programs = [program for program in _PROGRAMS.get(package, "").split() if program not in gone]
     may_be = name in programs or (package in _MORE and _MORE[package].fullmatch(name) is not None)
     return [] if may_be else programs
 
