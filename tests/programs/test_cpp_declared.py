@@ -164,3 +164,37 @@ def test_classes_of_one_name_in_two_namespaces() -> None:
     source = "right::Relay::Relay(rclcpp::Node * node) { node->create_publisher<String>(topic, 1); }"
     made = "left::Relay first(this); right::Relay second(this);"
     assert sorted(map(str, names(header, source, made))) == ["/l", "/r"]
+
+
+def test_a_class_that_is_called_like_its_namespace() -> None:
+    """A source that only defines its methods does not say that the name is a class, too."""
+    header = """
+    namespace wheel {
+    class wheel : public rclcpp::Node {
+    public:
+      wheel (const rclcpp::NodeOptions & options);
+      void start();
+    };
+    }
+    """
+    source = """
+    namespace wheel {
+    wheel::wheel (const rclcpp::NodeOptions & options) : Node("left_wheel", options) { start(); }
+    void wheel::start() { create_publisher<std_msgs::msg::String>("speed", 1); }
+    }
+    """
+    headers = '#include "rclcpp/rclcpp.hpp"\n#include "std_msgs/msg/string.hpp"\n'
+    files = {
+        "include/robot/wheel.hpp": f"#pragma once\n{headers}{header}",
+        "src/wheel.cpp": f'#include "robot/wheel.hpp"\n{source}',
+    }
+    nodes = graph(files)["nodes"]
+    assert [(node["name"], [end["name"] for end in node["publishers"]]) for node in nodes] == [
+        ("/left_wheel", ["/speed"])
+    ]
+
+
+def test_a_function_that_is_called_like_its_namespace() -> None:
+    header = "namespace arm { std::string arm(int number); }"
+    source = 'namespace arm { std::string arm(int number) { return number == 1 ? "first" : "other"; } }'
+    assert names(header, source, publish("arm::arm(1)")) == ["/first"]

@@ -79,7 +79,7 @@ from archlint.syntax.statements import (
     WithItem,
 )
 
-FACTS_VERSION = 27
+FACTS_VERSION = 28
 """Raised whenever the shape or the meaning of the facts changes: old cache entries are then misses."""
 
 

@@ -105,11 +105,14 @@ class FunctionLowering(StatementLowering):
 
     def is_class_called(self, name: str) -> bool:
         """Whether ``name::`` in front of a definition is a class.  A namespace may be opened in a header alone; classes
-        whose names are written as those of namespaces mostly are have a constructor or a destructor here, too."""
-        if name in self.names.classes or name in self.names.namespaces:
-            return name in self.names.classes
-        written = self.source.words
-        return not name[:1].islower() or f"{name}::{name}(" in written or f"{name}::~{name}(" in written
+        whose names are written as those of namespaces mostly are, or which are called like the namespace around them,
+        have a constructor or a destructor here, too."""
+        if name in self.names.classes:
+            return True
+        own = re.compile(rf"\b{re.escape(name)}::~?{re.escape(name)} ?\(")
+        if own.search(self.source.words) is not None:
+            return True
+        return name not in self.names.namespaces and not name[:1].islower()
 
     def _of_owner(self, owner: Part) -> dict[str, str]:
         """What ``Channel<T>::open()`` calls the template arguments of its class."""
