@@ -170,3 +170,24 @@ def test_a_launch_file_of_tests_may_start_the_node(findings):
     assert len(findings("PRM005", node(LOAD_IT), **files)) == 1
     test = "<launch>" + node(LOAD_IT, name="tester") + "</launch>"
     assert findings("PRM005", node(LOAD_IT), **files, **{"launch/test_it.launch.xml": test}) == []
+
+
+BY_ARGUMENT = '<arg name="show" default="false"/>'
+
+
+@pytest.mark.parametrize(
+    ("other", "count"),
+    [
+        ("", 1),
+        ('<node pkg="rviz2" exec="rviz2" name="rviz2" if="$(var show)"/>', 1),
+        # It may be the node that the section is for.
+        ('<node pkg="rviz2" exec="rviz2" name="listener" if="$(var show)"/>', 0),
+        ('<node pkg="rviz2" exec="rviz2" if="$(var show)"/>', 0),
+        # It may have more nodes than this one, and one of them may be it.
+        (f'<node pkg="rviz2" exec="rviz2" name="rviz2" if="$(var show)">{LOAD_IT}</node>', 0),
+    ],
+)
+def test_a_process_that_only_other_arguments_start(findings, other, count):
+    files = {"config/p.yaml": f"talker: {RATE}\nlistener: {RATE}\n"}
+    told = findings("PRM005", BY_ARGUMENT + node(LOAD_IT) + other, **files)
+    assert [finding.place.line for finding in told] == [2] * count

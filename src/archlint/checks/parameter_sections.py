@@ -28,7 +28,7 @@ from archlint.systems.nodes import key_of
 from archlint.systems.overrides import key_matches
 
 if TYPE_CHECKING:
-    from archlint.launch.model import Included
+    from archlint.launch.model import Included, Launched
     from archlint.systems.model import System, WorkspaceIndex
     from archlint.systems.nodes import Node
 
@@ -62,6 +62,8 @@ def parameters_for_unknown_node(system: System, options: Options) -> Iterator[Fi
         unmet = [node for node in started if not any(key_matches(key, node.name) for key in keys)]
         for section in workspace.parameters_of(file).sections:
             if section.key == "/" or "*" in section.key or "$(" in section.key or _any_matches(section.key, started):
+                continue
+            if section.key.rpartition("/")[2] in _named_for_others(workspace, file):
                 continue
             finding_ = _judged(workspace, Place(file, *section.span), section.key, started, unmet)
             if finding_ is not None:
@@ -192,13 +194,36 @@ def _is_folder(text: str) -> bool:
     return text.startswith("$(") and "." not in posixpath.basename(text)
 
 
+def _are_others_known(launched: Launched, file: str) -> bool:
+    """Whether of each process that a launch starts under other arguments alone the name is known, and that it does
+    not get a parameter file."""
+    return all(
+        process.name is not None
+        and process.name.resolution == "exact"
+        and not may_get_any_file(launched, process)
+        and file not in files_of_process(process)
+        for process in launched.started
+        if process.dormant
+    )
+
+
+def _named_for_others(workspace: WorkspaceIndex, file: str) -> set[str]:
+    """The names of what the launches that load a file start under other arguments alone."""
+    return {
+        process.name.text.rpartition("/")[2]
+        for system in systems_that_load(workspace).get(file, ())
+        for process in (system.launched.started if system.launched is not None else ())
+        if process.dormant and process.name is not None and process.name.text is not None
+    }
+
+
 def _nodes_beside(workspace: WorkspaceIndex, file: str) -> list[_Loader]:
     """All nodes of the launches that load a file; none where the name of one is not known."""
     loaders: list[_Loader] = []
     for system in systems_that_load(workspace).get(file, ()):
         launched = system.launched
         assert launched is not None
-        if launched.gaps or any(started.dormant for started in launched.started):
+        if launched.gaps or not _are_others_known(launched, file):
             return []
         if any(i.reference.source is None and _may_read(i, file) for i in launched.included):
             return []
