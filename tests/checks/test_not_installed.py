@@ -635,7 +635,8 @@ def test_a_program_of_a_folder_that_is_misspelt(findings):
 
 OPENS = """\
 import os
-from ament_index_python.packages import get_package_share_directory
+from pathlib import Path
+from ament_index_python.packages import get_package_share_directory, get_package_share_path
 
 def load():
     {lines}
@@ -648,6 +649,12 @@ JOINED = "return open(os.path.join(get_package_share_directory('robot'), 'data',
     [
         JOINED,
         "share = get_package_share_directory('robot')\n    return open(os.path.join(share, 'data/words.json'))",
+        "return open(get_package_share_directory('robot') + '/data/words.json')",
+        "share = get_package_share_directory('robot')\n    return open(f'{share}/data/words.json')",
+        "data = get_package_share_directory('robot') + '/data'\n    return open(data + '/words.json')",
+        "return Path(get_package_share_directory('robot')) / 'data' / 'words.json'",
+        "return get_package_share_path('robot') / 'data' / 'words.json'",
+        "name = 'words.json'\n    return open(os.path.join(get_package_share_directory('robot'), 'data', name))",
     ],
 )
 def test_a_file_that_a_node_looks_for(findings, lines):
@@ -674,10 +681,81 @@ def test_a_file_that_a_node_looks_for(findings, lines):
         JOINED.replace("words.json", "others.json"),
         "path = " + JOINED.removeprefix("return ") + "\n    return path if os.path.exists('x') else None",
         "share = get_package_share_directory('robot')\n    share = '/'\n    os.path.join(share, 'data/words.json')",
+        "return open(get_package_share_directory('robot') + '/data/' + kind + '/words.json')",
+        "return open(get_package_share_directory('robot') + 'data/words.json')",
+        "return open(f'{get_package_share_directory(robot)}/data/words.json')",
+        "share = get_package_share_directory('robot')\n    share += '/a'\n    return open(share + '/data/words.json')",
+        "path = get_package_share_path('robot') / 'data/words.json'\n    return path if path.is_file() else 1",
     ],
 )
 def test_a_file_that_may_be_elsewhere(findings, lines):
     assert findings("PKG004", **{"robot/words.py": OPENS.format(lines=lines), "data/words.json": "{}"}) == []
+
+
+def test_a_file_that_is_installed_elsewhere(findings):
+    files = {"robot/words.py": OPENS.format(lines=JOINED), "data/words.json": "{}"}
+    installed = SETUP.replace("data_files=[", "data_files=[('share/robot', ['data/words.json']), ")
+    (finding,) = findings("PKG004", **files, **{"setup.py": installed})
+    assert finding.message == (
+        "package 'robot' installs the file 'data/words.json' in another place than robot/words.py looks for: "
+        "it comes to 'share/robot/words.json'"
+    )
+    assert finding.help == "add ('share/robot/data', ['data/words.json']) to data_files="
+
+
+OPENS_IN_CPP = """\
+#include <ament_index_cpp/get_package_share_directory.hpp>
+#include <rclcpp/rclcpp.hpp>
+
+int main(int argc, char ** argv)
+{{
+  rclcpp::init(argc, argv);
+  {lines}
+  auto node = std::make_shared<rclcpp::Node>("words");
+  load(node, path);
+  rclcpp::spin(node);
+}}
+"""
+SHARE_IN_CPP = 'const std::string share = ament_index_cpp::get_package_share_directory("robot");'
+
+
+def of_cpp_code(lines: str, installed: str) -> dict[str, str]:
+    build = "find_package(rclcpp REQUIRED)\nadd_executable(words src/words.cpp)\n" + installed
+    return {
+        **OF_CMAKE,
+        "CMakeLists.txt": BUILD.format(build),
+        "src/words.cpp": OPENS_IN_CPP.format(lines=lines),
+        "data/words.json": "{}",
+    }
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        f'{SHARE_IN_CPP}\n  std::string path = share + "/data/words.json";',
+        f'{SHARE_IN_CPP}\n  std::string path = share + "/" + "data/words.json";',
+        'auto path = std::filesystem::path(ament_index_cpp::get_package_share_directory("robot")) / "data/words.json";',
+    ],
+)
+def test_a_file_that_a_node_of_cpp_looks_for(findings, lines):
+    (finding,) = findings("PKG004", **of_cpp_code(lines, "install(DIRECTORY data/ DESTINATION share/${PROJECT_NAME})"))
+    assert "installs the file 'data/words.json' in another place than src/words.cpp looks for" in finding.message
+    assert finding.help == "write install(FILES data/words.json DESTINATION share/${PROJECT_NAME}/data)"
+    (finding,) = findings("PKG004", **of_cpp_code(lines, ""))
+    assert "does not install the file 'data/words.json', which src/words.cpp looks for" in finding.message
+    assert findings("PKG004", **of_cpp_code(lines, "install(DIRECTORY data DESTINATION share/${PROJECT_NAME})")) == []
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        f'{SHARE_IN_CPP}\n  auto path = share + "/data/" + argv[1] + ".json";',
+        f'{SHARE_IN_CPP}\n  auto path = share + "/data/words.json";\n  if (!std::filesystem::exists(path)) return 1;',
+        f'// {SHARE_IN_CPP}\n  auto path = share + "/data/words.json";',
+    ],
+)
+def test_a_file_of_cpp_that_may_be_elsewhere(findings, lines):
+    assert findings("PKG004", **of_cpp_code(lines, "")) == []
 
 
 OF_LAUNCH = """\

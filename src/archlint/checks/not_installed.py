@@ -204,15 +204,23 @@ def _to_data_files(place: Place, folder: str, files: Sequence[str], more: str = 
     return f"add ('{folder}', {list(files)}){more} to data_files="
 
 
-def _data(rows: Sequence[DataLeftOut]) -> Finding:
+def _data(named: Sequence[DataLeftOut]) -> Finding:
+    """The finding for what code looks for; a folder in which a file is named, too, is not named by itself."""
+    rows = [row for row in named if not any(other.file.startswith(f"{row.file}/") for other in named)]
     [first, *_] = rows
     files = list(dict.fromkeys(row.file for row in rows))
     kind = "folder" if all(row.folder for row in rows) else "file"
     what = f"the {kind} '{first.file}'" if len(files) == 1 else f"these {len(files)} {kind}s: {listed(files)}"
+    told = (
+        f"package '{first.package}' does not install {what}, which {first.named_at.file} looks for in its share folder"
+    )
+    if all(row.instead for row in rows):
+        told = f"package '{first.package}' installs {what} in another place than {first.named_at.file} looks for"
+        told += f": '{first.file}' comes to '{first.instead}'" if len(files) > 1 else f": it comes to '{first.instead}'"
     return finding(
         "PKG004",
         first.place,
-        f"package '{first.package}' does not install {what}, which {first.named_at.file} looks for in its share folder",
+        told,
         help=_installed_data(first, rows),
         related=[Related(row.named_at, f"'{row.file}' is named here") for row in rows[:_SHOWN]],
         identity=(first.package, *files),

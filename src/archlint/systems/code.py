@@ -40,6 +40,16 @@ class WorkspaceCode:
         file = self._by_path.get(path)
         return None if file is None or file.kind not in PYTHON_KINDS else self._facts_of(file)
 
+    def cpp_facts_at(self, path: str) -> Facts | None:
+        """The facts of a C++ file; None where it was not read, or is no C++."""
+        file = self._by_path.get(path)
+        return self._facts_of(file) if file is not None and file.kind == "cpp" and self._relevant(file) else None
+
+    def cpp_files_that_mention(self, name: str) -> Sequence[str]:
+        """The C++ files that can matter in which a name stands anywhere."""
+        paths = (file.relative for file in self._files if file.kind == "cpp" and not file.context)
+        return [path for path in paths if self.mentions(path, name) and self._relevant(self._by_path[path])]
+
     def asked_for(self) -> Sequence[tuple[SourceFile, Facts]]:
         """The files that were asked for and that can matter, with their facts."""
         return self._asked_for
