@@ -697,7 +697,7 @@ def test_a_file_that_is_installed_elsewhere(findings):
     installed = SETUP.replace("data_files=[", "data_files=[('share/robot', ['data/words.json']), ")
     (finding,) = findings("PKG004", **files, **{"setup.py": installed})
     assert finding.message == (
-        "package 'robot' installs the file 'data/words.json' in another place than robot/words.py looks for: "
+        "package 'robot' installs the file 'data/words.json' elsewhere than where robot/words.py looks for it: "
         "it comes to 'share/robot/words.json'"
     )
     assert finding.help == "add ('share/robot/data', ['data/words.json']) to data_files="
@@ -739,7 +739,7 @@ def of_cpp_code(lines: str, installed: str) -> dict[str, str]:
 )
 def test_a_file_that_a_node_of_cpp_looks_for(findings, lines):
     (finding,) = findings("PKG004", **of_cpp_code(lines, "install(DIRECTORY data/ DESTINATION share/${PROJECT_NAME})"))
-    assert "installs the file 'data/words.json' in another place than src/words.cpp looks for" in finding.message
+    assert "installs the file 'data/words.json' elsewhere than where src/words.cpp looks for it" in finding.message
     assert finding.help == "write install(FILES data/words.json DESTINATION share/${PROJECT_NAME}/data)"
     (finding,) = findings("PKG004", **of_cpp_code(lines, ""))
     assert "does not install the file 'data/words.json', which src/words.cpp looks for" in finding.message

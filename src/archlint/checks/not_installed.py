@@ -215,8 +215,9 @@ def _data(named: Sequence[DataLeftOut]) -> Finding:
         f"package '{first.package}' does not install {what}, which {first.named_at.file} looks for in its share folder"
     )
     if all(row.instead for row in rows):
-        told = f"package '{first.package}' installs {what} in another place than {first.named_at.file} looks for"
-        told += f": '{first.file}' comes to '{first.instead}'" if len(files) > 1 else f": it comes to '{first.instead}'"
+        them, comes = ("it", "it comes") if len(files) == 1 else ("them", f"'{first.file}' comes")
+        told = f"package '{first.package}' installs {what} elsewhere than where {first.named_at.file} looks for {them}"
+        told += f": {comes} to '{first.instead}'"
     return finding(
         "PKG004",
         first.place,
