@@ -189,3 +189,29 @@ def test_a_package_of_python_has_nothing_for_cmake(beside, name):
 )
 def test_a_package_that_cmake_may_find(beside, line, data_files):
     assert beside(line, data_files) == []
+
+
+INSTALLED = TALKER + "install(TARGETS talker DESTINATION lib/${{{}}})\n"
+
+
+@pytest.mark.parametrize("name", ["PROJECT_N", "PROJECTNAME", "project_name", "PROJET_NAME"])
+def test_a_variable_that_is_almost_the_name_of_the_project(names, name):
+    assert names(INSTALLED.format(name)) == [
+        (f"nothing sets the variable '{name}', so that there is nothing in its place here", "write '${PROJECT_NAME}'")
+    ]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        INSTALLED.format("PROJECT_NAME"),
+        "set(project_name robot)\n" + INSTALLED.format("project_name"),
+        "foreach(project_name robot arm)\n" + INSTALLED.format("project_name") + "endforeach()\n",
+        "include(names.cmake)\n" + INSTALLED.format("project_name"),
+        "if(project_name)\n" + INSTALLED.format("project_name") + "endif()\n",
+        INSTALLED.format("PROJECT_BINARY_DIR"),
+        INSTALLED.format("ARM_NAME"),
+    ],
+)
+def test_a_variable_that_may_be_set(names, text):
+    assert names(text) == []

@@ -37,6 +37,7 @@ def unknown_cmake_name(system: System, options: Options) -> Iterator[Finding]:
             continue
         if is_aside(workspace, package.manifest.relative):
             continue
+        yield from (_variable(installs, named) for named in installs.unset_variables)
         if installs.names_of_nothing:
             yield from _of_build(workspace, installs, options)
         yield from (_of_python(installs, asked) for asked in installs.required if _is_of_python(workspace, asked.name))
@@ -116,6 +117,11 @@ _TAKES_A_TARGET = "ament_target_dependencies"
 _OF_MESSAGES = re.compile(r"[a-z0-9_]+_(?:msgs|interfaces|srvs)")
 """How packages of interfaces are called: no package of the system is, which one that is found may find with it."""
 _KINDS = frozenset({"action", "msg", "srv"})
+
+
+def _variable(installs: Installs, named: NameInCMake) -> Finding:
+    message = f"nothing sets the variable '{named.name}', so that there is nothing in its place here"
+    return _finding(installs, named, message, "write '${PROJECT_NAME}'", "variable")
 
 
 def _project(installs: Installs, named: NameInCMake) -> Finding:

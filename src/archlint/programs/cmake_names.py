@@ -12,6 +12,7 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from archlint.finding import Place
 from archlint.programs.built_targets import built_targets
+from archlint.suggestions import nearest
 from archlint.workspace.cmake import Argument, Command
 from archlint.workspace.cmake_run import Step
 from archlint.workspace.installed import Installs, NameInCMake
@@ -53,6 +54,27 @@ def read_names(installs: Installs, steps: Sequence[Step]) -> None:
         for name in _of_packages(step)
         if name.name not in installs.looked_for and f"{name.name}_FOUND" not in installs.words
     ]
+
+
+_VARIABLE = re.compile(r"\$\{(\w+)\}")
+_OF_PROJECT = "PROJECT_NAME"
+
+
+def misspelt_variables(steps: Sequence[Step]) -> Iterator[NameInCMake]:
+    """The variables without a value whose names are almost ``PROJECT_NAME``, where they always matter.  A variable that
+    some command is given by its bare name may have a value: ``set(PROJECTNAME robot)``."""
+    bare = {text for step in steps for text in step.command.texts}
+    for step in steps:
+        for argument in () if step.conditional and not step.of_tests else step.command.arguments:
+            for name in _VARIABLE.findall(argument.text):
+                if name not in bare and _is_nearly_of_project(name):
+                    yield NameInCMake(name, step.command.name, _place(argument, step))
+
+
+def _is_nearly_of_project(name: str) -> bool:
+    """Whether a name is ``PROJECT_NAME`` with a slip or two, or the beginning of it."""
+    begins = name != _OF_PROJECT and _OF_PROJECT.startswith(name.upper()) and len(name) > len("PROJECT_")
+    return begins or nearest(name, [_OF_PROJECT]) is not None
 
 
 _AMENT_PACKAGES = frozenset({"ament_package", "ament_package_xml", "ament_auto_package"})
@@ -163,4 +185,4 @@ def _place(argument: Argument, step: Step) -> Place:
     return Place(step.file, argument.line, argument.column, argument.line, argument.column + len(argument.text))
 
 
-__all__ = ["may_make_anything", "misnamed_project", "read_names"]
+__all__ = ["may_make_anything", "misnamed_project", "misspelt_variables", "read_names"]

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 from typing import Protocol
 
 from archlint.finding import Place
-from archlint.programs.cmake_names import may_make_anything, misnamed_project, read_names
+from archlint.programs.cmake_names import may_make_anything, misnamed_project, misspelt_variables, read_names
 from archlint.programs.cmake_targets import TargetNames
 from archlint.syntax.entry_point_tables import ScriptEntry, entries_of_setup_cfg
 from archlint.workspace.cmake import Argument, Command
@@ -91,6 +91,7 @@ def read_cmake(installs: Installs, path: str, tree: CMakeTree) -> None:
         installs.open_executables = True
     if not run.open:
         read_names(installs, run.steps)
+        installs.unset_variables += misspelt_variables(run.steps)
     installs.names_of_nothing += misnamed_project(installs, run.steps)
     installs.generates_nothing = not run.open and not installs.mentioned and _GENERATES not in installs.words
 

@@ -167,6 +167,8 @@ class Installs:
     """What CMake commands name and none of them has made or found."""
     targets: frozenset[str] = frozenset()
     """The targets that the CMake files make."""
+    unset_variables: list[NameInCMake] = field(default_factory=list)
+    """Variables that the CMake files read and do not set, with almost the name of ``PROJECT_NAME``."""
     looked_for: frozenset[str] = frozenset()
     """The packages that the CMake files look for, in any case or not."""
     built: list[BuiltTarget] = field(default_factory=list)
