@@ -111,6 +111,7 @@ def test_a_value_that_only_another_branch_gives(judge: Judge):
 
 
 TRIED = ("try:", "    a = float(message.data)", "except ValueError:")
+NOTES = ("except Exception as e:", "    print(e)")
 
 
 @pytest.mark.parametrize(
@@ -119,6 +120,9 @@ TRIED = ("try:", "    a = float(message.data)", "except ValueError:")
         ("while True:", *(f"    {line}" for line in TRIED), "        print('no')", "    print(a)  # here"),
         (*TRIED, "    exit", "if limit:", "    print(limit)", "return a  # here"),
         ("with open('a') as file:", "    print(text)  # here", "    text = file.read()"),
+        (*TRIED, "    print('no')", "try:", "    print(a)", *NOTES, "return a  # here"),
+        (*TRIED, "    print('no')", *("try:", "    print(a)  # here", "except ValueError as e:", "    print(e)")),
+        (*("try:", *(f"    {line}" for line in TRIED), "        print('no')"), "    print(a)  # here", *NOTES),
     ],
 )
 def test_other_ways_to_a_variable_without_a_value(judge: Judge, lines: tuple[str, ...]):
@@ -141,6 +145,7 @@ def test_other_ways_to_a_variable_without_a_value(judge: Judge, lines: tuple[str
         ("try:", "    a = float(message.data)", "except KeyboardInterrupt:", "    pass", "print(a)"),
         ("try:", "    a = Talker()", "except Exception:", "    print('no')", "finally:", "    a.destroy_node()"),
         ("try:", "    import numpy as a", "except ImportError:", "    print('no')", "print(a)"),
+        (*TRIED, "    print('no')", "try:", "    print(a)", *NOTES),
     ],
 )
 def test_a_try_after_which_the_variable_has_a_value_or_may_not_be_read(judge: Judge, lines: tuple[str, ...]):

@@ -96,7 +96,10 @@ def _in_function(function: facts.Function, known: frozenset[str] | None) -> Iter
             yield _Row(name, early.span, first)
             continue
         for attempt in parts_of(function.body, facts.Try):
-            caught = _past_handler(graph, attempt, blocks, rows)
+            told = _told_elsewhere(function, attempt)
+            caught = _past_handler(
+                graph, attempt, blocks, [row for row in rows if Itself[facts.Base](row[1]) not in told]
+            )
             if caught is not None and _is_defined(caught[1], function, known):
                 tried = {block for statement in attempt.body for block in graph.at(statement)}
                 assigned = next(span for block, span in bound[name] if block in tried)
@@ -110,6 +113,19 @@ def _expected(attempt: facts.Try) -> Iterator[Itself[facts.Base]]:
         yield from map(Itself, everything_in(attempt.body))
 
 
+def _told_elsewhere(function: facts.Function, attempt: facts.Try) -> set[Itself[facts.Base]]:
+    """What other attempts of a function try that catch whatever happens: where an earlier one has failed, they say that
+    they have, too."""
+    return {
+        Itself(part)
+        for other in parts_of(function.body, facts.Try)
+        if any(handler.type is None or handler.caught & _ANYTHING for handler in other.handlers)
+        if all(part is not attempt for part in everything_in([other]))
+        for part in everything_in(other.body)
+    }
+
+
+_ANYTHING = frozenset({"BaseException", "Exception"})
 _OF_NAMES = frozenset({"NameError", "UnboundLocalError"})
 
 
