@@ -291,12 +291,12 @@ DESCRIPTION = '<robot name="r">\n  <webots>\n    {}\n  </webots>\n</robot>\n'
         (
             '<plugin type="robot.other.Driver"/>',
             Severity.ERROR,
-            "define 'main' in the module, or use a function that it has",
+            "define 'main' in the module, or remove the entry: it has no function at all",
         ),
         (
             '<!-- <plugin type="robot.talker.Driver"/> -->',
             Severity.ERROR,
-            "define 'main' in the module, or use a function that it has",
+            "define 'main' in the module, or remove the entry: it has no function at all",
         ),
     ],
 )

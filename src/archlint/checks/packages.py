@@ -100,11 +100,12 @@ def _broken(workspace: WorkspaceIndex, executable: Executable) -> Iterator[Findi
             help = f"name a function in the entry that calls asyncio.run({function}())"
             told = _entry_finding(executable, what, help)
             yield replace(told, related=(Related(place, f"'{function}' is defined here"),))
-        case NoFunction(module, function, names, runs_first, ros1):
+        case NoFunction(module, function, names, runs_first, ros1, has_others):
             near = nearest(function, names)
             group = () if near is not None else (executable.place.file, function, ros1)
             hint = did_you_mean(function, names)
-            help = f"define '{function}' in the module, or use a function that it has"
+            otherwise = "use a function that it has" if has_others else "remove the entry: it has no function at all"
+            help = f"define '{function}' in the module, or {otherwise}"
             if near is not None:
                 help = f"write '{executable.name} = {module}:{near}'"
             elif ros1:

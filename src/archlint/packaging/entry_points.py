@@ -50,6 +50,8 @@ class NoFunction:
     runs_first: bool = False
     ros1: str = ""
     """The first module of ROS 1 that it imports: a function alone would not start it either."""
+    has_others: bool = True
+    """Whether it has any function, of which another one may have been meant."""
 
 
 @dataclass(frozen=True)
@@ -93,7 +95,14 @@ def broken_target(workspace: WorkspaceIndex, executable: Executable) -> Broken |
         return None
     if _serves_on_import(file_facts) or any(map(_never_ends, file_facts.body)):
         return None
-    return NoFunction(module, head, names, _works_on_import(file_facts), ros1_module(file_facts) or "")
+    return NoFunction(
+        module,
+        head,
+        names,
+        _works_on_import(file_facts),
+        ros1_module(file_facts) or "",
+        _functions(file_facts) != (),
+    )
 
 
 def _coroutine(file_facts: facts.Facts, function: str) -> facts.Function | None:
