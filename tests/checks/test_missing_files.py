@@ -86,6 +86,20 @@ def test_a_path_that_is_right_once_the_folder_is_installed(findings, folders: st
     assert [one.message for one in other] == ["package 'robot' has no parameter file 'config/tall.yaml'"]
 
 
+@pytest.mark.parametrize(
+    ("others", "said"), [(["arm"], "; 'arm' has a file of that path"), (["arm", "leg"], ""), ([], "")]
+)
+def test_a_file_that_another_package_has(tmp_path, monkeypatch, others: list[str], said: str):
+    monkeypatch.chdir(tmp_path)
+    inner = '<param from="$(find-pkg-share robot)/config/grip.yaml"/>'
+    write_robot(tmp_path / "robot", node(inner))
+    for name in others:
+        write_files(tmp_path / name, {"package.xml": manifest(name), "config/grip.yaml": ""})
+    write_files(tmp_path, {"archlint.toml": 'select = ["LCH004"]'})
+    (told,) = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+    assert told.help == f"check the path; it is relative to the package's installed share folder{said}"
+
+
 def test_files_of_other_packages_are_not_looked_for(findings):
     assert findings("LCH004", '<include file="$(find-pkg-share nav2_bringup)/launch/x.launch.py"/>') == []
 

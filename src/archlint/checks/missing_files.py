@@ -22,6 +22,7 @@ from archlint.launch_files.missing_files import (
     may_do_without,
     names_beside,
     namesake,
+    other_package_with,
 )
 from archlint.packaging.absent_packages import is_nowhere, is_placeholder, package_meant, package_with
 from archlint.packaging.generated_files import has_template, is_generated, is_ignored
@@ -116,7 +117,9 @@ def _missing(system: System, reference: FileReference, shown: str) -> _Told | No
     beside = (reference.written or "").startswith("$(workspace)")
     start = "installed folder of this launch file" if beside else "package's installed share folder"
     help = f"check the path; it is relative to the {start}"
-    there = [] if near else _of_one_kind(workspace, package, shown)
+    other = None if near or workspace is None else other_package_with(workspace, package, path)
+    help += f"; '{other}' has a file of that path" if other else ""
+    there = [] if near or other else _of_one_kind(workspace, package, shown)
     help += f", and its folder has {listed(there)}" if there else ""
     help += _not_installed_either(workspace, package, shown, near) if near else ""
     return _Told(message, help, FileStatus.MISSING, _cause(system, reference, shown))

@@ -44,6 +44,19 @@ def namesake(workspace: WorkspaceIndex, package: str, path: str) -> str | None:
     return files[0] if len(files) == 1 else None
 
 
+def other_package_with(workspace: WorkspaceIndex, package: str, path: str) -> str | None:
+    """The only other package of the workspace that has a file of a path, which says more than the name of the file."""
+    path = posixpath.normpath(path)
+    if posixpath.dirname(path) in ("", ".") or path.startswith(".."):
+        return None
+    having = [
+        name
+        for name, other in workspace.packages.items()
+        if name != package and workspace.tree.is_file(posixpath.normpath(posixpath.join(other.relative, path)))
+    ]
+    return having[0] if len(having) == 1 else None
+
+
 def installed_paths(workspace: WorkspaceIndex, package: str, path: str) -> list[str] | None:
     """Where a file of a package, by its path below the folder, is in the share folder; None where that is not known."""
     installs, share = workspace.installs.get(package), f"share/{package}/"
