@@ -29,6 +29,22 @@ class TestEntitiesOfCallbacks:
         method = f"def tick(self):\n    {body}\n\ndef note(self):\n    print('later')\n"
         assert "EXE005" in codes(run(source(TIMER, method)))
 
+    def test_what_the_constructor_of_an_object_creates_is_told_where_a_callback_makes_that(self, run: Run):
+        tool = (
+            "\n\nclass Tool:\n    def __init__(self, node):\n"
+            "        self.client = node.create_client(Trigger, 'go')\n"
+            "        self.sender = node.create_publisher(Empty, 'a', 1)\n"
+        )
+        text = source(TIMER, "def tick(self):\n    self.use()\n\ndef use(self):\n    Tool(self)\n")
+        text = text.replace("\n\nclass ", f"{tool}\n\nclass ", 1)
+        [told] = [row for row in run(text) if row.code == "EXE005"]
+        lines = text.splitlines()
+        assert lines[told.place.line - 1].strip() == "Tool(self)"
+        assert "makes a Tool, which creates a client of 'go', each time it runs" in told.message
+        assert (told.help or "").startswith("make the Tool once, in the constructor of ")
+        created = [lines[row.place.line - 1] for row in told.related if row.message == "it is created here"]
+        assert ["create_client" in line for line in created] == [True]
+
     @pytest.mark.parametrize(
         "body",
         [

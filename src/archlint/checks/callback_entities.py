@@ -21,7 +21,7 @@ from archlint.model import (
 )
 
 if TYPE_CHECKING:
-    from archlint.model import Callback, Creation, Program
+    from archlint.model import Callback, Creation, Frame, Program
     from archlint.systems.model import System
 
 _ENDS = (
@@ -108,11 +108,14 @@ def _created(system: System, creation: Creation, callback: Callback, left: bool)
             else ""
         )
         end = f"destroy() does not remove the old one from the node{raises}"
+    article = "an" if entity[0] == "a" else "a"
+    makes = next((frame for frame in creation.chain if frame.callee.endswith(_CONSTRUCTOR)), None)
+    if makes is not None:
+        return _of_object(system, creation, callback, makes, f"{article} {entity}, each time it {gets}, and {end}")
     return finding(
         "EXE005",
         creation.place,
-        f"{callback_words(callback)} creates {'an' if entity[0] == 'a' else 'a'} {entity} each time it {gets}, "
-        f"and {end}",
+        f"{callback_words(callback)} creates {article} {entity} each time it {gets}, and {end}",
         help=_once(creation, function, varies),
         related=[
             Related(callback.place, f"{callback.name} runs repeatedly"),
@@ -121,6 +124,34 @@ def _created(system: System, creation: Creation, callback: Callback, left: bool)
         node=node_name(system, creation.node),
         identity=(callback.name, creation.kind, creation.name.text or ""),
         group=(creation.place.file, creation.function, creation.kind, callback.place.file, str(callback.place.line)),
+    )
+
+
+_CONSTRUCTOR = ".__init__"
+
+
+def _of_object(system: System, creation: Creation, callback: Callback, makes: Frame, entity: str) -> Finding:
+    """What the constructor of an object creates that the callback makes: the object is to be made once."""
+    kind = makes.callee.removesuffix(_CONSTRUCTOR).rpartition(".")[2]
+    owner = callback.name.rpartition(".")[0]
+    where = f"in the constructor of {owner}" if owner.isidentifier() else "where the node is made"
+    return finding(
+        "EXE005",
+        makes.place,
+        f"{callback_words(callback)} makes a {kind}, which creates {entity}",
+        help=f"make the {kind} once, {where}, and keep it",
+        related=[
+            Related(callback.place, f"{callback.name} runs repeatedly"),
+            *(
+                Related(each.place, f"{each.caller} calls {each.callee} here")
+                for each in creation.chain
+                if each != makes
+            ),
+            Related(creation.place, "it is created here"),
+        ],
+        node=node_name(system, creation.node),
+        identity=(callback.name, creation.kind, creation.name.text or ""),
+        group=(makes.place.file, makes.caller, kind, callback.place.file, str(callback.place.line)),
     )
 
 
