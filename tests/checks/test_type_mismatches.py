@@ -332,3 +332,65 @@ def test_publishers_to_whom_nobody_listens():
 
     assert found(topic_type_mismatch, system(one, two, name="launch/all.launch.py")) == []
     assert len(found(topic_type_mismatch, system(one, two, listener, name="launch/all.launch.py"))) == 1
+
+
+STEPS = """\
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import Bool, Int16, String
+
+class {kind}(Node):
+    def __init__(self):
+        super().__init__('{name}')
+{lines}
+
+def main():
+    rclpy.init()
+    rclpy.spin({kind}())
+"""
+SAYS = "        self.end = self.create_publisher(Int16, '/horn', 10)"
+HEARS = "        self.end = self.create_subscription({type}, '/horn', print, 10)"
+
+
+def _of_programs(root: Path, **sources: str) -> list[Finding]:
+    """What TOP001 finds in a package with these programs."""
+    scripts = ", ".join(f"'{name} = robot.{name}:main'" for name in sources)
+    setup = SETUP.replace("'talker = robot.talker:main'", scripts)
+    files = {f"robot/{name}.py": text for name, text in sources.items()}
+    write_robot(root, **{"setup.py": setup, "archlint.toml": 'select = ["TOP001"]', **files})
+    return check(Request((".",), load(root), cached=False, jobs=1)).findings
+
+
+@pytest.mark.parametrize(("name", "severity"), [("listener", Severity.INFO), ("other", Severity.ERROR)])
+def test_of_two_nodes_with_one_name_one_runs(tmp_path: Path, monkeypatch, name: str, severity: Severity):
+    """The first step of a lesson hears a String, the second under the same name what the driver says."""
+    monkeypatch.chdir(tmp_path)
+    steps = {
+        "driver": STEPS.format(kind="Driver", name="driver", lines=SAYS),
+        "first": STEPS.format(kind="Listener", name="listener", lines=HEARS.format(type="String")),
+        "second": STEPS.format(kind="Listener", name=name, lines=HEARS.format(type="Int16")),
+    }
+    (finding,) = _of_programs(tmp_path, **steps)
+    assert finding.severity is severity
+
+
+@pytest.mark.parametrize("count", [1, 2, 3])
+def test_the_topics_of_a_loop_are_one_finding(tmp_path: Path, monkeypatch, count: int):
+    monkeypatch.chdir(tmp_path)
+    loop = f"        for i in range({count}):\n            self.create_publisher(Int16, f'/horn_{{i}}', 10)"
+    ears = "\n".join(f"        self.create_subscription(Bool, '/horn_{number}', print, 10)" for number in range(count))
+    programs = {
+        "driver": STEPS.format(kind="Driver", name="driver", lines=ears),
+        "horn": STEPS.format(kind="Horn", name="horn", lines=loop),
+    }
+    (finding,) = _of_programs(tmp_path, **programs)
+    told = {
+        1: "",
+        2: "; so it is with another topic of that line: '/horn_1'",
+        3: "; so it is with 2 more topics of that line: '/horn_1', '/horn_2'",
+    }
+    assert finding.place.file == "robot/horn.py"
+    assert finding.message == (
+        "/horn publishes '/horn_0' as std_msgs/msg/Int16, but /driver subscribes to it as std_msgs/msg/Bool: they are "
+        f"never connected{told[count]}"
+    )

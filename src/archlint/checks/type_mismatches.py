@@ -14,13 +14,13 @@ from archlint.analysis.coexistence import (
     launched_separately,
 )
 from archlint.analysis.kept import once
+from archlint.checks.folding import folds
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.connections.lessons import is_lesson
 from archlint.finding import Finding, Related, Severity
-from archlint.model import (
-    EntityKind,
-)
+from archlint.model import EntityKind
+from archlint.suggestions import listed
 
 if TYPE_CHECKING:
     from archlint.place import Place
@@ -80,7 +80,11 @@ def _mismatches(code: str, system: System, connections: Mapping[str, Connection]
             first, second = sorted((endpoint.type or "", other.type or ""))
             pairs.setdefault((first, second), []).append((endpoint, other))
         for types in sorted(pairs):
-            together = [pair for pair in pairs[types] if not _are_alternatives(system, connection, *pair)]
+            together = [
+                pair
+                for pair in pairs[types]
+                if not _are_alternatives(system, connection, *pair) and not _are_steps(system, connection, *pair)
+            ]
             diagnostic = _mismatch(code, connection, together or pairs[types])
             unsure = not together or _are_at_home(system, connection, together)
             yield _if_both_run(diagnostic) if unsure else diagnostic
@@ -164,6 +168,18 @@ def _are_alternatives(system: System, connection: Connection, endpoint: Endpoint
     return any(there.kind == connection.kind and there.providers and there.users for there in alike)
 
 
+def _are_steps(system: System, connection: Connection, endpoint: Endpoint, other: Endpoint) -> bool:
+    """Whether nothing starts two nodes together, and one of them has the partner that it wants in a namesake of the
+    other: of two nodes with one name, such as the steps of a lesson, one runs."""
+    if endpoint.node is other.node or system.closed or known_to_coexist(system, endpoint.node, other.node):
+        return False
+    return any(
+        there.type == end.type and there.node.name == far.node.name and there.node not in (end.node, far.node)
+        for end, far in ((endpoint, other), (other, endpoint))
+        for there in (connection.providers if far in connection.providers else connection.users)
+    )
+
+
 def _are_at_home(system: System, connection: Connection, pairs: list[tuple[Endpoint, Endpoint]]) -> bool:
     """Whether nothing is seen to start any two of these together, while whoever listens or asks has a partner of its
     own type: in its package, as lessons of a course that all say ``topic``; or anywhere, where one server answers."""
@@ -217,4 +233,14 @@ def _mismatch(code: str, connection: Connection, pairs: list[tuple[Endpoint, End
         ],
         node=last.node.name,
         identity=(connection.kind, connection.name, *sorted({end.type or "" for end in ends})),
+        group=(str(last.place), against[0].place.file, last.type or "", against[0].type or ""),
     )
+
+
+@folds("TOP001")
+def _of_one_line(findings: Sequence[Finding]) -> Finding:
+    """One finding for the topics of a loop: one line creates an end of each, and one file the other ends."""
+    first, *others = findings
+    more = "another topic" if len(others) == 1 else f"{len(others)} more topics"
+    names = listed([f"'{other.identity[1]}'" for other in others])
+    return replace(first, message=f"{first.message}; so it is with {more} of that line: {names}")
