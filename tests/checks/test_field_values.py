@@ -443,3 +443,27 @@ def test_a_name_that_no_interface_package_has_comes_from_another_star_import(jud
             rclpy.spin(node)
         """,
     )
+
+
+SENT = """
+        flags, counts = self.create_publisher(Bool, 'flags', 10), self.create_publisher(Int32, 'counts', 10)
+        text = String()
+        text.data = {value}
+        {between}{publisher}.publish(text)"""
+
+
+@pytest.mark.parametrize(
+    ("between", "publisher", "told"),
+    [
+        ("", "counts", False),
+        ("self.get_logger().info(text.data)\n        ", "counts", True),
+        ("", "self.create_publisher(String, 'texts', 10)", True),
+    ],
+)
+def test_the_wrong_message_is_told_where_it_is_sent(judge: Judge, between: str, publisher: str, told: bool):
+    """TOP005 says that this publisher wants an Int32, to which the value would be right."""
+    value = "1  # here" if told else "1"
+    judge("MSG003", NODE.format(line=SENT.format(value=value, between=between, publisher=publisher), of_joy="pass"))
+    if publisher == "counts":
+        sent = SENT.format(value="1", between=between, publisher=publisher) + "  # here"
+        judge("TOP005", NODE.format(line=sent, of_joy="pass"))

@@ -10,6 +10,7 @@ from archlint.analysis.pinned import is_for_humble
 from archlint.analysis.reach import judged_notes
 from archlint.checks.field_operations import operations_on_fields
 from archlint.checks.folding import folds, with_others
+from archlint.checks.published import is_told_where_it_is_sent
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Related
@@ -38,7 +39,7 @@ def field_value_type(system: System, options: Options) -> Iterator[Finding]:
     values = {(value.place, value.name): value for value in noted}
     for key in sorted(values):
         consequence = _consequence(system, values[key], options.distros)
-        if consequence:
+        if consequence and not is_told_where_it_is_sent(system, values[key]):
             yield _finding(values[key], consequence)
     yield from map(_compared, bytes_compared(system))
     yield from operations_on_fields(system)

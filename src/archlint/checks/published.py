@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Final
 
+from archlint.analysis.kept import once
 from archlint.analysis.reach import creations_of, is_given_a_literal
 from archlint.analysis.source_code import SourceCode, source_code
 from archlint.checks.folding import folds, with_others
@@ -26,9 +27,10 @@ from archlint.model.given import (
     Object,
     PlainValue,
 )
+from archlint.python_code.next_uses import is_next_use
 
 if TYPE_CHECKING:
-    from archlint.model import ApiCall, Creation
+    from archlint.model import ApiCall, Creation, WrongValue
     from archlint.ros.interfaces import MessageClass
     from archlint.systems.model import System
 
@@ -49,18 +51,39 @@ _SENDS: Final[dict[str, tuple[str, MessageClass]]] = {
 @rule("TOP005", scope=Scope.CODE, by_program=True)
 def published_type_mismatch(system: System, options: Options) -> Iterator[Finding]:
     """Arguments of ``publish`` and its kin that are certainly not of the endpoint's type."""
+    for _, diagnostic in _wrong_calls(system):
+        yield from unless_uncalled(system, diagnostic)
+
+
+@once
+def _wrong_calls(system: System) -> list[tuple[ApiCall, Finding]]:
+    """The calls that send something of another type, with what is said of each."""
     code = source_code(system)
     unknown = (interface for run in system.programs for interface in run.unknown_interfaces)
     nowhere = frozenset(f"{interface.package}/{interface.kind}/{interface.name}" for interface in unknown)
-    sites: dict[Place, list[Finding | None]] = {}
+    sites: dict[Place, list[tuple[ApiCall, Finding | None]]] = {}
     for call in system.calls:
         if call.api in _SENDS:
-            sites.setdefault(call.place, []).append(_judge(code, call, nowhere))
+            sites.setdefault(call.place, []).append((call, _judge(code, call, nowhere)))
+    rows: list[tuple[ApiCall, Finding]] = []
     for place in sorted(sites):
-        findings = sites[place]
+        call, diagnostic = sites[place][0]
         # A call that serves several publishers, or is made in several ways, is wrong where each of them is.
-        if findings[0] is not None and all(findings):
-            yield from unless_uncalled(system, findings[0])
+        if diagnostic is not None and all(told is not None for _, told in sites[place]):
+            rows.append((call, diagnostic))
+    return rows
+
+
+def is_told_where_it_is_sent(system: System, value: WrongValue) -> bool:
+    """Whether the message that is given a wrong value is next sent where another type is wanted: the message is what
+    is wrong, and not the value."""
+    given = ((call, call.arguments.get(_SENDS[call.api][0])) for call, _ in _wrong_calls(system))
+    return any(
+        isinstance(sent, Message)
+        and sent.type == value.type
+        and is_next_use(source_code(system), value.place, call.place)
+        for call, sent in given
+    )
 
 
 def _judge(code: SourceCode, call: ApiCall, nowhere: frozenset[str]) -> Finding | None:
