@@ -207,6 +207,38 @@ def test_a_timer_is_ended_if_there_is_one(run: Run, first: str, expected: list[s
     assert codes(run(source(create + beside, START.format(first=first)))) == expected
 
 
+@pytest.mark.parametrize(
+    ("wait", "missed", "says"),
+    [
+        ("if not self.client.wait_for_service(timeout_sec=2.0)", "self.timer.cancel()\n        return", True),
+        ("if not self.client.wait_for_service(timeout_sec=2.0)", "return", False),
+        ("if self.client.wait_for_service(timeout_sec=2.0)", "self.timer.cancel()", False),
+    ],
+)
+def test_a_timer_that_gives_up_at_a_miss(run: Run, wait: str, missed: str, says: bool):
+    """Without a wait the first turn would be the last one: the server is hardly there so soon."""
+    create = "self.client = self.create_client(Trigger, 'a')\nself.timer = self.create_timer(2.0, self.begin)\n"
+    beside = "self.create_subscription(Empty, 'beside', print, 10)\n"
+    begin = f"\ndef begin(self):\n    {wait}:\n        {missed}\n    self.get_logger().info('started')\n"
+    [slow] = run(source(create + beside, begin))
+    assert (slow.help or "").endswith("; cancel the timer only once the server is there") is says
+
+
+ENDLESS = """
+def tick(self):
+    while not self.client.wait_for_service(timeout_sec=2.0):
+        {body}
+    self.client.call_async(Trigger.Request())
+"""
+
+
+@pytest.mark.parametrize(("body", "expected"), [("print('waiting')", ["TMO004"]), ("break", ["EXE003"])])
+def test_a_loop_that_only_the_server_ends_is_told_as_that(run: Run, body: str, expected: list[str]):
+    """Each wait in it has a limit, the loop has none."""
+    create = "self.client = self.create_client(Trigger, 'a')\n" + TIMER
+    assert codes(run(source(create, ENDLESS.format(body=body)))) == expected
+
+
 RESTARTS = """
 def tick(self):
     {}

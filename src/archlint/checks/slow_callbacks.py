@@ -19,6 +19,7 @@ from archlint.checks.callback_findings import finding_in_callback, told_at
 from archlint.checks.folding import folds
 from archlint.checks.registry import Options, rule
 from archlint.checks.scope import Scope
+from archlint.checks.wait_loops import endless_waits_of_callbacks
 from archlint.checks.wait_words import MAKE_IT_EARLIER, made_here
 from archlint.connections.lessons import is_lesson
 from archlint.execution import blocking
@@ -30,7 +31,7 @@ from archlint.execution.demonstrations import stands_for_work
 from archlint.execution.kept_waiting import Waiting, blocks_nobody, is_one_chain, who_waits
 from archlint.execution.long_stays import LongStay, long_stays, period_of
 from archlint.execution.loop_times import in_loops
-from archlint.execution.own_timers import ends_its_timer_after
+from archlint.execution.own_timers import ends_its_timer_after, gives_up_at_a_miss
 from archlint.execution.retries import gives_up_loudly, retries_after_errors
 from archlint.execution.sleeps import Stay
 from archlint.execution.spins import is_spin_call
@@ -59,14 +60,15 @@ def slow_callback(system: System, options: Options) -> Iterator[Finding]:
     asked = clients_of_handlers(system, options.distros)
     reported = functions_that_ask(system, options.distros)
     endless = {loop.loop for loop in attribute_loops(system)}
+    told_endless = endless_waits_of_callbacks(system, options.distros)
     spinning = {id(call.context) for _, call in judged_calls(system) if is_spin_call(call)}
     turning = {id(call.context) for _, call in judged_calls(system) if _turns(call)}
     functions: dict[tuple[str, str], dict[Place, LongStay]] = {}
     for program, call, stay in long_stays(system):
         if _is_for_others(call, stay):
             continue
-        if not endless.isdisjoint(call.loops):
-            continue  # EXE009 says that the loop never ends
+        if not endless.isdisjoint(call.loops) or call.place in told_endless:
+            continue  # EXE009 says that the loop never ends, or TMO004 what it takes
         if id(call.context) in (spinning if stay.kind == "discovery" else turning):
             continue  # EXE001 says what is wrong, and its cure is this one's
         if _is_pause_of_retry(code, call, stay):
@@ -267,7 +269,7 @@ def _slow(system: System, rows: Sequence[LongStay], worst: str) -> Finding:
         program,
         call,
         f"{callback_words(callback)} {stay.words}{end}: {meanwhile}",
-        help=_instead(program, call, stay),
+        help=_instead(program, call, stay) + (_GIVES_UP if gives_up_at_a_miss(system, call) else ""),
         further=(Related(other.place, f"here it {words.words}", again=True) for _, other, words in others),
         identity=(call.api,),
         group=(*_cause(callback), worst),
@@ -346,6 +348,8 @@ _ANSWERS = frozenset({Role.SERVICE, Role.LIFECYCLE, Role.GOAL, Role.CANCEL, Role
 """Roles of callbacks that somebody waits for: what they return is the answer."""
 
 _OWN_GROUP = "give this callback its own callback group"
+_GIVES_UP = "; cancel the timer only once the server is there"
+"""What is said where a first miss, without a wait, would be the last one."""
 _INSTEAD = {
     "sleep": "continue from a timer instead of sleeping",
     "discovery": "check once without waiting, and try again from a timer",

@@ -43,8 +43,21 @@ _IN_CLASS = "class"
 def endless_wait_loop(system: System, options: Options) -> Iterator[Finding]:
     """Loops that repeat until a server appears, and that nothing else ends.  Those with which a program starts count in
     a lesson, if they do not say what they wait for, and with ``start-up``."""
-    start_up, lesson = options.flag("start-up"), is_lesson(system)
-    asked = clients_of_handlers(system, options.distros)
+    for calls, end in _endless_loops(system, options.distros, start_up=options.flag("start-up")):
+        yield _endless(system, calls, end)
+
+
+def endless_waits_of_callbacks(system: System, distros: Sequence[str]) -> frozenset[Place]:
+    """The waits of callbacks in such loops."""
+    loops = _endless_loops(system, distros, start_up=False)
+    return frozenset(call.place for calls, _ in loops for call in calls if runs_in_executor(call.context))
+
+
+def _endless_loops(
+    system: System, distros: Sequence[str], *, start_up: bool
+) -> Iterator[tuple[list[ApiCall], LoopEnd]]:
+    """Such loops: the calls of each that wait, and what ends it."""
+    asked, lesson = clients_of_handlers(system, distros), is_lesson(system)
     code = source_code(system)
     loops: dict[Place, list[ApiCall]] = {}
     for program, call in calls_of(system, (WAIT_FOR_SERVICE, WAIT_FOR_SERVER, *READY)):
@@ -69,7 +82,7 @@ def endless_wait_loop(system: System, options: Options) -> Iterator[Finding]:
         known = frozenset(call.place.span for call in loops[key])
         # Of several servers one may be enough: then all of them must be known.
         if end is not None and (end.spans <= known if end.any_of_them else not end.spans.isdisjoint(known)):
-            yield _endless(system, [call for call in loops[key] if call.place.span in end.spans], end)
+            yield [call for call in loops[key] if call.place.span in end.spans], end
 
 
 def _endless(system: System, calls: Sequence[ApiCall], end: LoopEnd) -> Finding:

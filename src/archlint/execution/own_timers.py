@@ -46,6 +46,21 @@ def runs_once(system: System, call: ApiCall) -> bool:
     return all(any(path_comes_before(code, _guard(code, end), other) for end in ends) for other in paths_to(call))
 
 
+def gives_up_at_a_miss(system: System, call: ApiCall) -> bool:
+    """Whether a timer's callback ends the timer where what it waits for has not come: ``if not
+    ….wait_for_service(timeout_sec=1.0): self.timer.cancel()``."""
+    code = source_code(system)
+    missed = [
+        branch.body
+        for branch in statements_of(code.body(call), facts.If)
+        if isinstance(branch.test, facts.Unary)
+        and branch.test.negated is not None
+        and branch.test.negated.span == call.place.span
+    ]
+    ends = [end.place for end in _ends_of_timer(system, call) if end.file == call.file]
+    return any(covers(line, place.span) for body in missed for line in body for place in ends)
+
+
 def _guard(code: SourceCode, end: ApiCall) -> tuple[Place, ...]:
     """The way to a call that ends a timer, or to the condition around it that only asks whether there is one."""
     *way, last = next(paths_to(end))
@@ -104,4 +119,11 @@ def _ends_by_callback(system: System) -> dict[Place, list[ApiCall]]:
     return by_callback
 
 
-__all__ = ["ENDS_TIMER", "ends_its_timer_after", "ends_its_timer_before", "runs_once", "timer_period"]
+__all__ = [
+    "ENDS_TIMER",
+    "ends_its_timer_after",
+    "ends_its_timer_before",
+    "gives_up_at_a_miss",
+    "runs_once",
+    "timer_period",
+]

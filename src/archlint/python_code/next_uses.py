@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from archlint.syntax import facts
-from archlint.syntax.parts import everything_in, names_in
+from archlint.syntax.parts import everything_in
 
 if TYPE_CHECKING:
     from archlint.analysis.source_code import SourceCode
@@ -13,16 +13,15 @@ if TYPE_CHECKING:
 
 
 def is_next_use(code: SourceCode, assigned: Place, used: Place) -> bool:
-    """Whether ``used`` is in the first statement, below the assignment at ``assigned``, that mentions the variable of
-    which that one sets something: ``msg.data = 1`` in front of ``publish(msg)``."""
-    statement = code.statement_at(assigned)
-    if statement is None or assigned.file != used.file or code.body_at(assigned) is not code.body_at(used):
+    """Whether ``used``, a call, has the first mention of the variable below the assignment at ``assigned`` that sets
+    something of it: ``msg.data = 1`` in front of ``publish(msg)``."""
+    statement, body = code.statement_at(assigned), code.body_at(assigned)
+    if not isinstance(statement, facts.Assign) or assigned.file != used.file or body is not code.body_at(used):
         return False
-    names = {name.id for name in everything_in(list(statement.assigned), facts.Name)} - {"self"}
-    end = statement.span[2:]
-    later = (each for each in everything_in(list(code.body_at(assigned)), facts.Statement) if each.span[:2] > end)
-    following = min((each.span for each in later if not names.isdisjoint(names_in(each))), default=None)
-    return following is not None and following[:2] <= used.span[:2] and used.span[2:] <= following[2:]
+    names = {name.id for name in everything_in(statement.targets, facts.Name)} - {"self"}
+    later = (name.span for name in everything_in(body, facts.Name) if name.id in names)
+    following = min((span for span in later if span[:2] >= statement.span[2:]), default=None)
+    return following is not None and used.span[:2] <= following[:2] and following[2:] <= used.span[2:]
 
 
 __all__ = ["is_next_use"]
