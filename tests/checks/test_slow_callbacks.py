@@ -1777,6 +1777,21 @@ def test_the_lookups_that_a_callback_gets_to_in_a_class_are_one_finding(run: Run
     assert asked == [first.place.line + 2, first.place.line + 6]
 
 
+def test_the_lookups_of_two_callbacks_of_a_class_are_one_finding(run: Run):
+    """One executor with more threads cures both."""
+    lookups = """
+    def tick(self):
+        self.buffer.lookup_transform('map', 'base', rclpy.time.Time(), timeout=Duration(seconds=0.2))
+
+    def hear(self, message):
+        self.buffer.lookup_transform('map', 'tool', rclpy.time.Time(), timeout=Duration(seconds=0.2))
+    """
+    more = "self.create_subscription(Empty, 'go', self.hear, 10)"
+    [first] = run(source(TF.replace("{more}", "") + more, lookups))
+    asked = [one.place.line for one in first.related if one.message == "it looks up a transform here, too"]
+    assert asked == [first.place.line + 3]
+
+
 @pytest.mark.parametrize(
     ("test", "expected"),
     [

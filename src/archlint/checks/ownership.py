@@ -24,6 +24,8 @@ from archlint.finding import Finding, Related, Severity
 from archlint.ros.well_known import BY_CLICK, OF_MANY_PUBLISHERS, TYPES_OF_MANY_PUBLISHERS
 
 if TYPE_CHECKING:
+    from archlint.finding import Place
+    from archlint.launch.started import Remap
     from archlint.systems.model import System
     from archlint.systems.nodes import Connection, Endpoint
 
@@ -87,7 +89,37 @@ def _of_topic(system: System, connection: Connection, owners: list[Endpoint]) ->
         "give each its own topic and let one node arbitrate, or list the topic under shared-topics if it is meant "
         "to be shared",
     )
+    remapped_at = _remapped_at(owners)
+    if remapped_at is not None:
+        finding = _at_the_remapping(finding, owners, remapped_at)
     return finding if _is_obeyed(connection, owners) else replace(finding, severity=Severity.INFO)
+
+
+def _remapped_at(owners: list[Endpoint]) -> Place | None:
+    """The remapping that gives the last of several nodes its topic, where all of them run the same line of code: what
+    is wrong is not there."""
+    last = owners[-1]
+    if last.node.started is None or len({end.place for end in owners}) > 1 or last.written == last.name:
+        return None
+    remaps = [remap for remap in last.node.started.remaps if _is_to(remap, last.name)]
+    return remaps[0].place if len(remaps) == 1 else None
+
+
+def _is_to(remap: Remap, name: str | None) -> bool:
+    return remap.target.resolution == "exact" and remap.target.text == name
+
+
+def _at_the_remapping(finding: Finding, owners: list[Endpoint], place: Place) -> Finding:
+    """The finding where the launch file makes one topic of those of several nodes."""
+    others = [
+        Related(remap.place, f"{end.node.name} is given '{end.name}' here")
+        for end in owners[:-1]
+        for remap in (() if end.node.started is None else end.node.started.remaps)
+        if _is_to(remap, end.name)
+    ]
+    code = Related(finding.place, f"{finding.node} publishes it here")
+    help = "remap each to a topic of its own, or list the topic under shared-topics if it is meant to be shared"
+    return replace(finding, place=place, help=help, related=(*others, code))
 
 
 def _if_set(switches: Mapping[str | None, str]) -> str:

@@ -48,7 +48,7 @@ def blocking_tf_lookup(system: System, options: Options) -> Iterator[Finding]:
                 "MultiThreadedExecutor"
             ),
             identity=(call.api,),
-            group=(call.file, class_around(call.function), call.context.name),
+            group=(call.file, class_around(call.function)),
         )
         for program, call in calls_of(system, _LOOKUPS)
         if runs_in_executor(call.context)
@@ -69,8 +69,8 @@ def _in_spite_of(threaded: Sequence[tuple[Program, Blueprint | None]], program: 
 
 @folds("EXE007")
 def _of_one_class(findings: Sequence[Finding]) -> Finding:
-    """The finding for all lookups of a class that one callback gets to: whether a transform is there, and then what it
-    is.  What comes after a lookup that has succeeded hardly waits."""
+    """The finding for all lookups of a class: whether a transform is there, and then what it is, be it in another
+    callback.  One executor is the cure, and what comes after a lookup that has succeeded hardly waits."""
     return with_places(findings, "it looks up a transform here, too")
 
 
