@@ -54,7 +54,7 @@ def gives_up_at_a_miss(system: System, call: ApiCall) -> bool:
         branch.body
         for branch in statements_of(code.body(call), facts.If)
         if isinstance(branch.test, facts.Unary)
-        and branch.test.negated is not None
+        and isinstance(branch.test.negated, facts.Call)
         and branch.test.negated.span == call.place.span
     ]
     ends = [end.place for end in _ends_of_timer(system, call) if end.file == call.file]
