@@ -19,7 +19,7 @@ from archlint.checks.callback_findings import finding_in_callback, told_at
 from archlint.checks.folding import folds
 from archlint.checks.registry import Options, rule
 from archlint.checks.scope import Scope
-from archlint.checks.wait_loops import endless_waits_of_callbacks
+from archlint.checks.wait_loops import endless_in_callbacks
 from archlint.checks.wait_words import MAKE_IT_EARLIER, made_here
 from archlint.connections.lessons import is_lesson
 from archlint.execution import blocking
@@ -59,16 +59,15 @@ def slow_callback(system: System, options: Options) -> Iterator[Finding]:
     alone = lesson or not quiet
     asked = clients_of_handlers(system, options.distros)
     reported = functions_that_ask(system, options.distros)
-    endless = {loop.loop for loop in attribute_loops(system)}
-    told_endless = endless_waits_of_callbacks(system, options.distros)
+    endless = {loop.loop for loop in attribute_loops(system)} | endless_in_callbacks(system, options.distros)
     spinning = {id(call.context) for _, call in judged_calls(system) if is_spin_call(call)}
     turning = {id(call.context) for _, call in judged_calls(system) if _turns(call)}
     functions: dict[tuple[str, str], dict[Place, LongStay]] = {}
     for program, call, stay in long_stays(system):
         if _is_for_others(call, stay):
             continue
-        if not endless.isdisjoint(call.loops) or call.place in told_endless:
-            continue  # EXE009 says that the loop never ends, or TMO004 what it takes
+        if not endless.isdisjoint(call.loops):
+            continue  # EXE009 says that the loop never ends, or TMO004 what alone ends it
         if id(call.context) in (spinning if stay.kind == "discovery" else turning):
             continue  # EXE001 says what is wrong, and its cure is this one's
         if _is_pause_of_retry(code, call, stay):

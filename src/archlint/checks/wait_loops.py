@@ -47,10 +47,10 @@ def endless_wait_loop(system: System, options: Options) -> Iterator[Finding]:
         yield _endless(system, calls, end)
 
 
-def endless_waits_of_callbacks(system: System, distros: Sequence[str]) -> frozenset[Place]:
-    """The waits of callbacks in such loops."""
+def endless_in_callbacks(system: System, distros: Sequence[str]) -> frozenset[Place]:
+    """Those of such loops that callbacks come to."""
     loops = _endless_loops(system, distros, start_up=False)
-    return frozenset(call.place for calls, _ in loops for call in calls if runs_in_executor(call.context))
+    return frozenset(call.loops[-1] for calls, _ in loops for call in calls if runs_in_executor(call.context))
 
 
 def _endless_loops(
