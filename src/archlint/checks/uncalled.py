@@ -10,6 +10,7 @@ from archlint.analysis.closed_guards import is_switched_off
 from archlint.analysis.idle_helpers import is_idle_helper
 from archlint.analysis.left_over import is_named_nowhere
 from archlint.analysis.uncalled_methods import uncalled_method
+from archlint.analysis.unmet_choices import is_never_chosen
 from archlint.connections.lessons import is_lesson
 from archlint.finding import Severity
 
@@ -22,13 +23,14 @@ if TYPE_CHECKING:
 
 def unless_uncalled(system: System, diagnostic: Finding) -> Iterator[Finding]:
     """The same finding; none where the file is a program and nothing calls that method, or only such methods do, and
-    none behind a flag that stays false: it is left over, and nobody meets the mistake.  In a lesson it is information
-    then, with the advice to delete a method that nothing calls.  What a library offers is for others to call, but for
-    what a module without a word of ROS has and no file names."""
+    none behind a flag that stays false, or for a choice that is never made: it is left over, and nobody meets the
+    mistake.  In a lesson it is information then, with the advice to delete a method that nothing calls.  What a library
+    offers is for others to call, but for what a module without a word of ROS has and no file names."""
     name = uncalled_in_program(system, diagnostic.place)
     if is_idle_helper(system.workspace, diagnostic.place):
         return
-    if name is None and is_switched_off(system.workspace, diagnostic.place):
+    place, workspace = diagnostic.place, system.workspace
+    if name is None and (is_switched_off(workspace, place) or is_never_chosen(workspace, place)):
         if is_lesson(system):
             yield replace(diagnostic, severity=Severity.INFO)
     elif name is None or system.workspace is None:
