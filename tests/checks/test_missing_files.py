@@ -186,6 +186,14 @@ def test_a_file_that_is_there_but_not_installed(findings):
     assert "does not install the launch file 'more/x.launch.xml'" in found.message
 
 
+def test_a_file_that_is_installed_elsewhere(findings):
+    load = '<param from="$(find-pkg-share robot)/more/a.yaml"/>'
+    setup = SETUP.replace("glob('config/*'))", "glob('config/*')), ('share/more', ['more/a.yaml'])")
+    (told,) = findings("LCH004", node(load), **{"setup.py": setup, "more/a.yaml": "talker: {}"})
+    assert told.message == "package 'robot' does not install the parameter file 'more/a.yaml'"
+    assert told.help == "the build puts it into 'share/more/a.yaml'; it is looked for in 'share/robot/more/a.yaml'"
+
+
 LAUNCHES = '<executable cmd="ros2 launch robot deep.launch.xml"/>'
 
 

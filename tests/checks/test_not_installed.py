@@ -259,6 +259,22 @@ def test_what_cmake_does_not_install(findings):
     assert findings("PKG004", LAUNCH, **{"package.xml": CMAKE, "setup.py": "", "CMakeLists.txt": mended}) == []
 
 
+@pytest.mark.parametrize("folder", ["share/launch", "launch", "share/old_robot/launch", "lib/robot/launch"])
+def test_launch_files_that_are_installed_where_nobody_looks(findings, folder):
+    listed = SETUP.replace("share/robot/launch", folder)
+    (finding,) = findings("PKG004", LAUNCH, **{"setup.py": listed})
+    assert finding.message == (
+        f"package 'robot' installs the launch file 'it.launch.xml' in '{folder}', where ros2 launch does not look"
+    )
+    assert (finding.place.file, finding.help) == ("setup.py", "install it in 'share/robot/launch'")
+
+
+@pytest.mark.parametrize("folder", ["share/robot", "share/robot/launch/more", "share/nav2_bringup/launch"])
+def test_launch_files_that_are_installed_for_a_package(findings, folder):
+    listed = SETUP.replace("share/robot/launch", folder)
+    assert findings("PKG004", LAUNCH, **{"setup.py": listed}) == []
+
+
 SHARE = "${CMAKE_INSTALL_PREFIX}/share/${PROJECT_NAME}"
 LINK_EACH = f"""\
 file(GLOB FILES "${{CMAKE_CURRENT_SOURCE_DIR}}/launch/*")

@@ -136,7 +136,7 @@ def _not_installed(system: System, reference: FileReference, shown: str) -> _Tol
     help = (
         f"start at the share folder of '{aside}', which lies beside this one in a merged install alone"
         if aside
-        else f"install {reference.source} (data_files in setup.py, install(DIRECTORY …) in CMake)"
+        else _installed_so(system, reference, shown)
     )
     message = f"package '{reference.package}' does not install the {_WHAT[reference.kind]} '{shown}'"
     return _Told(message, help, FileStatus.NOT_INSTALLED, _cause(system, reference, shown))
@@ -243,6 +243,15 @@ def _is_read(system: System, reference: FileReference, written: str) -> bool:
         is_meant = is_meant or is_folder_missing(system.workspace, installs.package, path)
         is_meant = is_meant and not has_template(system.workspace, installs.package, path)
     return is_meant and not is_ignored(system.workspace, posixpath.normpath(posixpath.join(installs.folder, path)))
+
+
+def _installed_so(system: System, reference: FileReference, shown: str) -> str:
+    """How to install a file, which the build may put into another folder already."""
+    installs = None if system.workspace is None else system.workspace.installs.get(reference.package or "")
+    elsewhere = next(installs.places_of(reference.source), "") if installs is not None and reference.source else ""
+    if elsewhere and "$" not in elsewhere:
+        return f"the build puts it into '{elsewhere}'; it is looked for in 'share/{reference.package}/{shown}'"
+    return f"install {reference.source} (data_files in setup.py, install(DIRECTORY …) in CMake)"
 
 
 def _below_package(written: str) -> str:

@@ -25,6 +25,7 @@ from archlint.packaging.uninstalled_files import (
     ListedInVain,
     MisnamedMarker,
     folders_listed,
+    launch_files_astray,
     launch_files_left_out,
     listed_in_vain,
     misnamed_markers,
@@ -68,6 +69,7 @@ def _all_left_out(workspace: WorkspaceIndex) -> Iterator[Finding]:
     named: dict[str, list[DataLeftOut]] = {}
     for named_row in data_left_out(workspace):
         named.setdefault(named_row.package, []).append(named_row)
+    yield from map(_astray, launch_files_astray(workspace))
     yield from map(_data, named.values())
     yield from _all_in_vain(workspace, in_vain, misspelt)
     yield from map(_folder, folders_listed(workspace))
@@ -193,6 +195,18 @@ def _launch_files(row: LaunchFilesLeftOut) -> Finding:
         f"{message}: ros2 launch does not find {_it(len(names))}",
         help=line,
         related=[Related(place, "it is to be started like this") for place in row.told_at[:_SHOWN]],
+        identity=(row.package, "launch", *names),
+    )
+
+
+def _astray(row: LaunchFilesLeftOut) -> Finding:
+    names = [posixpath.basename(file) for file in row.files]
+    what = f"the launch file '{names[0]}'" if len(names) == 1 else f"all {len(names)} launch files"
+    return finding(
+        "PKG004",
+        row.place,
+        f"package '{row.package}' installs {what} in '{row.instead}', where ros2 launch does not look",
+        help=f"install {_it(len(names))} in 'share/{row.package}/launch'",
         identity=(row.package, "launch", *names),
     )
 

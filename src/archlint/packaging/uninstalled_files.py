@@ -17,6 +17,7 @@ from archlint.analysis.aside import is_aside
 from archlint.analysis.kept import once
 from archlint.launch.kinds import FileStatus
 from archlint.launch_files.launch_code import writes_files
+from archlint.packaging.absent_packages import is_nowhere
 from archlint.packaging.generated_files import is_ignored, submodule_around
 from archlint.place import Place
 from archlint.workspace.installed import MARKERS
@@ -37,6 +38,8 @@ class LaunchFilesLeftOut:
     files: tuple[str, ...]
     """By their paths below the folder of the package."""
     told_at: tuple[Place, ...] = ()
+    instead: str = ""
+    """The folder, below the prefix, that the build puts them into; empty where it leaves them out."""
 
 
 def launch_files_left_out(workspace: WorkspaceIndex) -> Iterator[LaunchFilesLeftOut]:
@@ -57,6 +60,35 @@ def launch_files_left_out(workspace: WorkspaceIndex) -> Iterator[LaunchFilesLeft
         if missing:
             places = tuple(place for file in missing for place in told[file])
             yield LaunchFilesLeftOut(installs.package, place, tuple(_below(installs, missing)), places)
+
+
+def launch_files_astray(workspace: WorkspaceIndex) -> Iterator[LaunchFilesLeftOut]:
+    """The launch files in the folder ``launch`` of a package that installs them all, and all in a folder that is not
+    below its share folder, nor below that of another package."""
+    for installs in understood(workspace).values():
+        place = mended_at(workspace, installs)
+        own = _launch_files(workspace, installs)
+        targets = {file: [*installs.places_of(file)] for file in own}
+        every = [target for row in targets.values() for target in row]
+        if place is None or not every or not all(targets.values()):
+            continue
+        if not any(_is_in_a_share_folder(workspace, installs, target) for target in every):
+            folder = posixpath.dirname(every[0])
+            yield LaunchFilesLeftOut(installs.package, place, tuple(_below(installs, own)), instead=folder)
+
+
+def _is_in_a_share_folder(workspace: WorkspaceIndex, installs: Installs, target: str) -> bool:
+    """Whether a path below the prefix may be in the share folder of a package: this one, or another that is known."""
+    top, _, below = target.partition("/")
+    if top != "share":
+        return target.startswith("..") or posixpath.isabs(target) or "$" in target
+    name = below.partition("/")[0]
+    if name == _LAUNCH and name not in workspace.packages:
+        return False  # the package of that name is no place for launch files of others
+    return name == installs.package or "$" in name or installs.is_indexed_as(name) or not is_nowhere(workspace, name)
+
+
+_LAUNCH = "launch"
 
 
 def is_left_out_launch_file(workspace: WorkspaceIndex, file: str) -> bool:
