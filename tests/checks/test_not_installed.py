@@ -699,6 +699,7 @@ def test_a_file_that_a_node_looks_for(findings, lines):
         "share = get_package_share_directory('robot')\n    share = '/'\n    os.path.join(share, 'data/words.json')",
         "return open(get_package_share_directory('robot') + '/data/' + kind + '/words.json')",
         "return open(get_package_share_directory('robot') + 'data/words.json')",
+        "return os.path.join(get_package_share_directory('robot'), '..', 'data')",
         "return open(f'{get_package_share_directory(robot)}/data/words.json')",
         "share = get_package_share_directory('robot')\n    share += '/a'\n    return open(share + '/data/words.json')",
         "path = get_package_share_path('robot') / 'data/words.json'\n    return path if path.is_file() else 1",

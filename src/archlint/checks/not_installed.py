@@ -14,6 +14,7 @@ from archlint.checks.scope import Scope
 from archlint.checks.script_imports import BESIDE, imports_of_scripts
 from archlint.finding import Finding, Related
 from archlint.launch_files.missing_files import namesake
+from archlint.packaging.astray_launch_files import launch_files_astray
 from archlint.packaging.interface_dependencies import NotGenerated, not_generated
 from archlint.packaging.left_out_code import LeftOut, has_init, left_out_code
 from archlint.packaging.misplaced_folders import folder_meant
@@ -25,7 +26,6 @@ from archlint.packaging.uninstalled_files import (
     ListedInVain,
     MisnamedMarker,
     folders_listed,
-    launch_files_astray,
     launch_files_left_out,
     listed_in_vain,
     misnamed_markers,

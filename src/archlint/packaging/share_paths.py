@@ -54,8 +54,12 @@ def paths_in_share(file_facts: facts.Facts) -> list[Named]:
     rows = []
     for part in parts:
         path = reader.path(part) if id(part) not in within else None
-        if path is not None and path.below.startswith("/") and path.below.strip("/"):
-            rows.append(Named(path.package, posixpath.normpath(path.below.strip("/")), part.span))
+        below = posixpath.normpath(path.below.strip("/")) if path is not None and path.below.startswith("/") else "."
+        if path is not None and below.partition("/")[0] not in (
+            ".",
+            "..",
+        ):  # what is around the folder is not asked for
+            rows.append(Named(path.package, below, part.span))
     return rows
 
 

@@ -17,7 +17,6 @@ from archlint.analysis.aside import is_aside
 from archlint.analysis.kept import once
 from archlint.launch.kinds import FileStatus
 from archlint.launch_files.launch_code import writes_files
-from archlint.packaging.absent_packages import is_nowhere
 from archlint.packaging.generated_files import is_ignored, submodule_around
 from archlint.place import Place
 from archlint.workspace.installed import MARKERS
@@ -47,11 +46,11 @@ def launch_files_left_out(workspace: WorkspaceIndex) -> Iterator[LaunchFilesLeft
     that a text of the workspace says to start by ``ros2 launch PACKAGE FILE``."""
     for installs in understood(workspace).values():
         place = mended_at(workspace, installs)
-        own = _launch_files(workspace, installs)
+        own = own_launch_files(workspace, installs)
         missing = [
             file for file in own if not any(installs.places_of(file)) and file not in files_told_already(workspace)
         ]
-        missing = [file for file in missing if not any(map(installs.may_install, _below(installs, [file])))]
+        missing = [file for file in missing if not any(map(installs.may_install, paths_below(installs, [file])))]
         if place is None or not missing:
             continue
         told = {file: list(_told_at(workspace, installs.package, file)) for file in missing}
@@ -59,36 +58,7 @@ def launch_files_left_out(workspace: WorkspaceIndex) -> Iterator[LaunchFilesLeft
             missing = [file for file in missing if told[file]]
         if missing:
             places = tuple(place for file in missing for place in told[file])
-            yield LaunchFilesLeftOut(installs.package, place, tuple(_below(installs, missing)), places)
-
-
-def launch_files_astray(workspace: WorkspaceIndex) -> Iterator[LaunchFilesLeftOut]:
-    """The launch files in the folder ``launch`` of a package that installs them all, and all in a folder that is not
-    below its share folder, nor below that of another package."""
-    for installs in understood(workspace).values():
-        place = mended_at(workspace, installs)
-        own = _launch_files(workspace, installs)
-        targets = {file: [*installs.places_of(file)] for file in own}
-        every = [target for row in targets.values() for target in row]
-        if place is None or not every or not all(targets.values()):
-            continue
-        if not any(_is_in_a_share_folder(workspace, installs, target) for target in every):
-            folder = posixpath.dirname(every[0])
-            yield LaunchFilesLeftOut(installs.package, place, tuple(_below(installs, own)), instead=folder)
-
-
-def _is_in_a_share_folder(workspace: WorkspaceIndex, installs: Installs, target: str) -> bool:
-    """Whether a path below the prefix may be in the share folder of a package: this one, or another that is known."""
-    top, _, below = target.partition("/")
-    if top != "share":
-        return target.startswith("..") or posixpath.isabs(target) or "$" in target
-    name = below.partition("/")[0]
-    if name == _LAUNCH and name not in workspace.packages:
-        return False  # the package of that name is no place for launch files of others
-    return name == installs.package or "$" in name or installs.is_indexed_as(name) or not is_nowhere(workspace, name)
-
-
-_LAUNCH = "launch"
+            yield LaunchFilesLeftOut(installs.package, place, tuple(paths_below(installs, missing)), places)
 
 
 def is_left_out_launch_file(workspace: WorkspaceIndex, file: str) -> bool:
@@ -99,7 +69,7 @@ def is_left_out_launch_file(workspace: WorkspaceIndex, file: str) -> bool:
         installs is None
         or _is_forgotten(workspace, installs, file)
         or any(installs.places_of(file))
-        or any(map(installs.may_install, _below(installs, [file])))
+        or any(map(installs.may_install, paths_below(installs, [file])))
     ):
         return False
     name = posixpath.basename(file)
@@ -114,7 +84,7 @@ def _is_forgotten(workspace: WorkspaceIndex, installs: Installs, file: str) -> b
     return file.startswith(f"{folder}/") and not any(installed)
 
 
-def _below(installs: Installs, files: Iterable[str]) -> Iterator[str]:
+def paths_below(installs: Installs, files: Iterable[str]) -> Iterator[str]:
     """Paths as they are from the folder of a package on."""
     return (file if installs.folder == "." else file.removeprefix(f"{installs.folder}/") for file in files)
 
@@ -150,7 +120,7 @@ def mended_at(workspace: WorkspaceIndex, installs: Installs) -> Place | None:
     return None
 
 
-def _launch_files(workspace: WorkspaceIndex, installs: Installs) -> list[str]:
+def own_launch_files(workspace: WorkspaceIndex, installs: Installs) -> list[str]:
     """The launch files in the folder ``launch`` of a package, that is in use, and that launch loads."""
     folder = posixpath.normpath(posixpath.join(installs.folder, "launch"))
     files = (file for file in _all_launch_files(workspace) if file.startswith(f"{folder}/"))
@@ -222,7 +192,7 @@ def is_meant_to_start(workspace: WorkspaceIndex, file: str) -> bool:
     another launch file, or a text that says to start it, by its package or by its path."""
     package = workspace.package_of(file) or ""
     installs = workspace.installs.get(package)
-    given = installs is not None and any(map(installs.may_install, _below(installs, [file])))
+    given = installs is not None and any(map(installs.may_install, paths_below(installs, [file])))
     told = any(_told_at(workspace, package, file)) or _is_started_by_path(workspace, file)
     return given or told or file in files_told_already(workspace)
 
@@ -273,11 +243,11 @@ def listed_in_vain(workspace: WorkspaceIndex) -> Iterator[ListedInVain]:
                 and not workspace.tree.is_file(row.source)
                 and not is_ignored(workspace, row.source)
             ):
-                [below] = _below(installs, [row.source])
+                [below] = paths_below(installs, [row.source])
                 within = _absent_folder(workspace, installs, below)
                 marker = posixpath.normpath(row.destination) == MARKERS
                 own = posixpath.join(posixpath.dirname(row.source), installs.package)
-                [named] = _below(installs, [own]) if marker and workspace.tree.is_file(own) else [""]
+                [named] = paths_below(installs, [own]) if marker and workspace.tree.is_file(own) else [""]
                 yield ListedInVain(row.place or at, below, marker, within=within, own_marker=named)
 
 
@@ -302,7 +272,7 @@ def misnamed_markers(workspace: WorkspaceIndex) -> Iterator[MisnamedMarker]:
             continue
         names = [row.rename or posixpath.basename(row.source) for row in rows]
         if installs.package not in names and workspace.tree.is_file(rows[0].source):
-            [below] = _below(installs, [rows[0].source])
+            [below] = paths_below(installs, [rows[0].source])
             used = names[0] == installs.package.lower() or names[0] in _named_packages(workspace)
             yield MisnamedMarker(rows[0].place or at, installs.package, below, names[0], used)
 
@@ -341,7 +311,7 @@ def folders_listed(workspace: WorkspaceIndex) -> Iterator[FolderListed]:
             folders = dict.fromkeys(path.partition("/")[0] for path in below if "/" in path)
             matching = [folder for folder in folders if _is_pattern(row) and fnmatch.fnmatchcase(folder, name)]
             if matching:
-                [folder, pattern] = _below(installs, [posixpath.join(where, matching[0]), row.source])
+                [folder, pattern] = paths_below(installs, [posixpath.join(where, matching[0]), row.source])
                 yield FolderListed(place, folder, posixpath.normpath(pattern))
 
 
@@ -374,7 +344,7 @@ def _missing(workspace: WorkspaceIndex, installs: Installs, needed: NeededSource
         return None
     if is_ignored(workspace, needed.path, by_name=True) or submodule_around(workspace, needed.path) is not None:
         return None
-    [below] = _below(installs, [needed.path])
+    [below] = paths_below(installs, [needed.path])
     return below
 
 
