@@ -108,3 +108,11 @@ class Robot(Node):
         print(message)
 """
     assert not judge("MSG004", source)
+
+
+def test_a_type_that_is_nowhere_defined_is_told_at_its_import(judge: Judge):
+    """MSG002 says that the node does not start: whoever takes the import out, changes the annotation, too."""
+    source = NODE.format(message=": Quote):", request=", response):")
+    source = source.replace("from std_srvs.srv", "from geometry_msgs.msg import Quote\nfrom std_srvs.srv")
+    judge("MSG004", source)
+    judge("MSG002", source.replace("import Quote", "import Quote  # here"))

@@ -59,6 +59,18 @@ def test_a_package_without_a_build_type(findings, full, files, build_type):
 
 
 @pytest.mark.parametrize(
+    ("export", "help"),
+    [
+        ("<export>\n<!-- <metapackage/> -->\n</export>", "put <build_type>ament_cmake</build_type> into <export>"),
+        ("<!-- <export> -->", "add <export><build_type>ament_cmake</build_type></export>"),
+    ],
+)
+def test_a_build_type_belongs_into_the_export_that_is_there(findings, full, export, help):
+    (finding,) = findings("PKG011", **{"package.xml": full.format(export), "CMakeLists.txt": AMENT})
+    assert finding.help == help
+
+
+@pytest.mark.parametrize(
     ("more", "files"),
     [
         ("", {"CMakeLists.txt": "project(robot)\n"}),  # it is not known what this is for

@@ -321,7 +321,7 @@ def test_a_name_that_cmake_takes_from_package_xml_is_still_to_be_found(judge: Ju
     told = help_for(judge, "<depend>Eigen3</depend>", AUTO.format(more=""))
     assert told == (
         "write 'eigen' instead, and add find_package(Eigen3 REQUIRED) to CMakeLists.txt, which takes its packages from "
-        "here"
+        "here, and a target_link_libraries() for what uses it"
     )
 
 

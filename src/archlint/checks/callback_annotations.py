@@ -45,6 +45,8 @@ class _Annotated:
 def callback_annotation(system: System, options: Options) -> Iterator[Finding]:
     """Annotations that name another type than any subscription or service passes."""
     parameters: dict[Place, list[_Annotated | None]] = {}
+    unknown = (interface for run in system.programs for interface in run.unknown_interfaces)
+    nowhere = frozenset(f"{interface.package}/{interface.kind}/{interface.name}" for interface in unknown)
     for callback in system.callbacks:
         parts = _DELIVERED.get(callback.role, ())
         if parts and not system.roles.is_test(callback.file):
@@ -54,7 +56,8 @@ def callback_annotation(system: System, options: Options) -> Iterator[Finding]:
                     parameters.setdefault(message.place, []).append(row)
     for place in sorted(parameters):
         rows = [row for row in parameters[place] if row is not None and row.differs]
-        if len(rows) == len(parameters[place]):
+        # Of a type that is nowhere defined, MSG002 speaks: whoever removes the import mends the annotation, too.
+        if len(rows) == len(parameters[place]) and rows[0].message.interface not in nowhere:
             yield _finding(system, rows[0])
 
 

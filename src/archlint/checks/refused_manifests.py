@@ -42,12 +42,12 @@ def _refused(row: RefusedManifest) -> Finding:
 
 def _untyped(row: Untyped) -> Finding:
     manifest, line = row.package.manifest.relative, row.package.name_line
-    what = "there is no <build_type>"
+    what, tag = "there is no <build_type>", f"<build_type>{row.build_type}</build_type>"
     return finding(
         "PKG011",
         Place(manifest, line, 1, line, 1),
         f"colcon takes '{row.package.name}' for a package of catkin, the build system of ROS 1: {what}",
-        help=f"add <export><build_type>{row.build_type}</build_type></export>",
+        help=f"put {tag} into <export>" if row.has_export else f"add <export>{tag}</export>",
         identity=(row.package.name, what),
         group=(manifest,),
     )

@@ -88,7 +88,8 @@ def _unknown(
     if meant is not None and _has_already(package, dependency, meant):
         yield _finding(package, dependency, meant, f"remove the line: '{meant}' is declared already")
     elif meant is not None:
-        own = f", and add find_package({name} REQUIRED) to CMakeLists.txt, which takes its packages from here"
+        own = f", and add find_package({name} REQUIRED) to CMakeLists.txt, which takes its packages from here, and a "
+        own += "target_link_libraries() for what uses it"
         needed = _is_found_by_name(workspace, package, dependency)
         yield _finding(package, dependency, meant, f"write '{meant}' instead{own if needed else ''}")
 

@@ -35,6 +35,8 @@ class Untyped:
 
     package: Package
     build_type: str
+    has_export: bool
+    """Whether the manifest has the element that the type belongs in."""
 
 
 def untyped_manifests(workspace: WorkspaceIndex) -> Iterator[Untyped]:
@@ -47,9 +49,11 @@ def untyped_manifests(workspace: WorkspaceIndex) -> Iterator[Untyped]:
         build_type = _built_with(workspace, package)
         says_nothing = package.build_type == "catkin" and "<build_type" not in text and "catkin" not in text
         if says_nothing and build_type and not refusals(text):
-            yield Untyped(package, build_type)
+            yield Untyped(package, build_type, _EXPORT.search(_COMMENT.sub("", text)) is not None)
 
 
+_COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
+_EXPORT = re.compile(r"<export\s*/?>")
 _AMENT = re.compile(r"^\s*ament_(?:auto_)?package\s*\(", re.MULTILINE)
 
 
