@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from archlint import suggestions
-from archlint.suggestions import did_you_mean, distance, limited_suggestions, nearest
+from archlint.suggestions import did_you_mean, distance, limited_suggestions, listed_for, nearest
 
 
 @pytest.mark.parametrize(
@@ -107,3 +107,12 @@ def test_a_word_is_not_held_against_more_names_than_the_limit(monkeypatch: pytes
     with limited_suggestions():
         assert nearest("taker", known[:10]) == "talker"
         assert nearest("taker", known) is None
+
+
+def test_of_many_names_those_with_a_word_of_the_one_that_is_missing_come_first():
+    names = [f"gain_{letter}" for letter in "abcdefgh"] + ["input_image_topic"]
+    assert listed_for("camera_topic", names) == (
+        "input_image_topic, gain_a, gain_b, gain_c, gain_d, gain_e, gain_f, gain_g and 1 more"
+    )
+    assert listed_for("camera_topic", ["zoom", "rate", "map_topic"]) == "map_topic, rate, zoom"
+    assert listed_for("camera", []) == "none"

@@ -233,7 +233,24 @@ def meant(words: str) -> str:
     return f"; did you mean {words}?" if words else ""
 
 
-def listed(names: Sequence[str], otherwise: str = "none", *, shown: int = 8) -> str:
+def listed_for(name: str, names: Iterable[str]) -> str:
+    """The names that there are in place of one, as :func:`listed`: where these are more than are shown, those come
+    first that have a word with it in common."""
+    every, words = sorted(names), _words_of(name)
+    if len(every) > SHOWN:
+        every.sort(key=lambda other: -len(words & _words_of(other)))
+    return listed(every)
+
+
+def _words_of(name: str) -> set[str]:
+    return set(re.findall("[a-z]+", name.lower()))
+
+
+SHOWN = 8
+"""How many names a list shows."""
+
+
+def listed(names: Sequence[str], otherwise: str = "none", *, shown: int = SHOWN) -> str:
     """The first ``shown`` names for a line of help, with how many more there are; ``otherwise`` where there is none."""
     more = f" and {len(names) - shown} more" if len(names) > shown else ""
     return ", ".join(names[:shown]) + more or otherwise

@@ -13,7 +13,7 @@ from archlint.checks.misspelt_parameters import MISSPELT, is_misspelt
 from archlint.checks.registry import finding
 from archlint.finding import Finding
 from archlint.model import ExecutorKind
-from archlint.suggestions import hint, listed, nearest
+from archlint.suggestions import hint, listed_for, nearest
 
 if TYPE_CHECKING:
     from archlint.place import Place
@@ -75,7 +75,7 @@ def _finding(node: Node, name: str, place: Place, free: set[str]) -> Finding:
         "PRM004",
         place,
         f"{node.name} declares no parameter '{name}'{of}, so this value has no effect{hint(near)}",
-        help=f"it declares {listed(sorted(free))}" if free else "remove it",
+        help=f"it declares {listed_for(name, free)}" if free else "remove it",
         node=node.name,
         identity=(node.name or "", name),
         group=(MISSPELT if near else f"{node.name} declares none of", node.package or "", node.executable or ""),

@@ -26,7 +26,7 @@ from archlint.launch_files.set_parameters import (
     others_are_not_run,
     set_nodes,
 )
-from archlint.suggestions import did_you_mean, hint, listed, meant, probable
+from archlint.suggestions import did_you_mean, hint, listed, listed_for, meant, probable
 from archlint.systems.nodes import key_of
 from archlint.systems.overrides import Setting, applied, key_matches
 
@@ -214,6 +214,7 @@ def _never_used(
     if setting.name.rpartition(".")[2] in declared:
         near = None  # it is the prefix that is wrong, most often of all names beside it
     section = misspelt_section(setting.name, declared.keys() - given) if near else None
+    names = listed_for(setting.name, _surely(declared)) if declared else ""
     readers = _readers(system, setting) if setting.written is not None and "*" in setting.key else []
     if len(readers) > 1:
         return _read_by_several(readers, setting, settings)
@@ -221,7 +222,7 @@ def _never_used(
         "PRM004",
         setting.place,
         f"{subject} declares no parameter '{setting.name}', so this value has no effect{hint(near)}",
-        help=f"it declares {listed(_surely(declared))}" if declared else "declare it in the node, or remove it",
+        help=f"it declares {names}" if names else "declare it in the node, or remove it",
         related=[defined],
         node=node.name,
         identity=(subject, setting.name),
