@@ -176,3 +176,54 @@ def test_joining_large_lists_counts_as_work(tmp_path: Path, monkeypatch: pytest.
     assert topics() == ["/after", "/lane1", "/lane2"]
     monkeypatch.setattr("archlint.interpreter.machine.WORK_OF_A_STEP", 0.1)
     assert topics() == ["/lane1", "/lane2"]
+
+
+GRID = """\
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import String
+
+
+class Planner(Node):
+    def __init__(self):
+        super().__init__('planner')
+        self.wide = self.declare_parameter('wide').value
+        self.nearest((0, 0))
+        self.create_publisher(String, 'after', 10)
+
+    def nearest(self, cell):
+        x, y = cell
+        for r in range(1, 30):
+            for dy in range(-r, r + 1):
+                for dx in range(-r, r + 1):
+                    if self.wide[x + dx, y + dy]:
+                        return (x + dx, y + dy)
+        return None
+
+
+def main():
+    rclpy.init()
+    rclpy.spin(Planner())
+
+
+if __name__ == '__main__':
+    main()
+"""
+
+
+def test_a_search_that_may_return_from_each_round_of_its_loops_ends_soon(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+):
+    evaluated, evaluate = [0], Run.evaluate
+
+    def counted(run, expression):
+        evaluated[0] += 1
+        return evaluate(run, expression)
+
+    monkeypatch.setattr(Run, "evaluate", counted)
+    (tmp_path / "node.py").write_text(GRID)
+
+    system = pipeline.graph(pipeline.Request((str(tmp_path),), Settings(), cached=False))
+
+    assert sorted(system.topics) == ["/after"]
+    assert evaluated[0] < 20_000  # of 37,000 rounds, with some ten expressions each

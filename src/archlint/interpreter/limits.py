@@ -30,5 +30,8 @@ WORK_OF_A_STEP = 500
 """How many slots and items that branches leave may be joined for the price of a statement."""
 UNROLL = 512
 """How many items of a known collection a loop is unrolled over."""
+RETURNS = 128
+"""From how many rounds a function may return, with a condition that is not known, before one more round stands for the
+rest of its loops: each return keeps all that was written before it."""
 COMPREHENDED = 8_000
 """How many items all comprehensions of a program go through one by one: tables of numbers are no names."""

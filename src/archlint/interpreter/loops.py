@@ -7,7 +7,7 @@ from archlint.interpreter.assignment import assign
 from archlint.interpreter.augmented import forget_counters
 from archlint.interpreter.conditions import evaluate_test
 from archlint.interpreter.heap import Layer
-from archlint.interpreter.limits import UNROLL
+from archlint.interpreter.limits import RETURNS, UNROLL
 from archlint.interpreter.machine import Machine, Status
 from archlint.interpreter.narrowing import narrow
 from archlint.interpreter.values import Items, Unknown, Value, reason
@@ -26,6 +26,8 @@ def for_each(machine: Machine, s: facts.For) -> Status:
         if items is None or items.open or len(items.values) > UNROLL:
             return _loop_of_unknown(machine, s, iterable, items)
         for item in items.values:
+            if len(activation.returns) > RETURNS:
+                return _loop_of_unknown(machine, s, iterable, None)
             assign(machine, s.target, item)
             status = machine.execute(s.body)
             if status == "break":
