@@ -58,6 +58,9 @@ def _node(*lines: str) -> str:
     ("line", "hint", "help"),
     [
         ("time.sleep(0.1)", "", "write `import time`"),
+        ("rospy.sleep(0.1)", "", "port the file to rclpy: it is written for ROS 1"),
+        ("bridge = CvBridge()", "", "write `from cv_bridge import CvBridge`"),
+        ("raise TransformException('lost')", "", "write `from tf2_ros import TransformException`"),
         ("print(np.zeros(3))", "", "write `import numpy as np`"),
         ("print(ReentrantCallbackGroup())", "", "write `from rclpy.callback_groups import ReentrantCallbackGroup`"),
         ("self.pub.publish(Sting())", "; did you mean 'String'?", "write String"),

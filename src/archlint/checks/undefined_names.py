@@ -170,7 +170,15 @@ def _undefined(workspace: WorkspaceIndex, read: Undefined) -> Finding:
         near = nearest(read.name, known) or idle_import_with(workspace, read.place.file, read.name) or ""
     if read.caught:
         near, statement = "", f"except Exception as {read.name}:"
-    cure = f"write `{statement}`" if statement else f"write {near}" if near else "define it, or remove the line"
+    if read.name in _OF_ROS_1:
+        near, statement = "", ""
+    cure = (
+        f"write `{statement}`"
+        if statement
+        else f"write {near}"
+        if near
+        else _OF_ROS_1.get(read.name, "define it, or remove the line")
+    )
     hint = meant(f"'{near}'" if near else "")
     return finding(
         "API005",
@@ -181,6 +189,10 @@ def _undefined(workspace: WorkspaceIndex, read: Undefined) -> Finding:
         group=(read.place.file, read.name),
         meant=near,
     )
+
+
+_OF_ROS_1 = dict.fromkeys(("roslib", "rospy"), "port the file to rclpy: it is written for ROS 1")
+"""What is advised of modules that ROS 2 does not have."""
 
 
 def _is_one_a_class(known: str, name: str) -> bool:

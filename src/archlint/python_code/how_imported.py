@@ -22,6 +22,23 @@ _USUAL = {
     "plt": "import matplotlib.pyplot as plt",
     "rclpy": "import rclpy",
     "tf2_ros": "import tf2_ros",
+} | {
+    name: f"from {module} import {name}"
+    for module, names in {
+        "cv_bridge": ("CvBridge", "CvBridgeError"),
+        "message_filters": ("ApproximateTimeSynchronizer", "TimeSynchronizer"),
+        "tf2_ros": (
+            "Buffer",
+            "ConnectivityException",
+            "ExtrapolationException",
+            "LookupException",
+            "StaticTransformBroadcaster",
+            "TransformBroadcaster",
+            "TransformException",
+            "TransformListener",
+        ),
+    }.items()
+    for name in names
 }
 
 
