@@ -106,6 +106,12 @@ def test_imports_that_find_something_or_are_not_known(said: Callable[..., list[F
     assert said(line) == []
 
 
+def test_a_module_that_is_compiled(said: Callable[..., list[Finding]]) -> None:
+    compiled = {"robot/motors.so": "", "robot/gears.cpython-311-x86_64-linux-gnu.so": ""}
+    assert said("import robot.motors as motors\nfrom robot import gears", **compiled) == []
+    assert len(said("import robot.motor", **compiled)) == 1
+
+
 def test_names_that_a_module_may_have(said: Callable[..., list[Finding]]) -> None:
     for text in ("from unknown_library import *\n", "globals()['motors'] = 1\n", "def __getattr__(name): ...\n"):
         assert said("from robot.camera import motors", **{"robot/camera.py": text}) == []

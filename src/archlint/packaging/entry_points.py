@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import posixpath
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial
@@ -187,12 +188,13 @@ def _leaves_loop(statement: facts.Stmt) -> bool:
 
 
 def is_on_disk(workspace: WorkspaceIndex, package: str, module: str) -> bool:
-    """Whether a module is there and not read: a pattern of ``.gitignore`` leaves it out."""
+    """Whether a module is there and not read: a pattern of ``.gitignore`` leaves it out, or it is compiled."""
     installs = workspace.installs.get(package)
     path = "/" + module.replace(".", "/")
+    is_it = re.compile(rf"{re.escape(path)}(?:\.py|/__init__\.py|(?:\.[^/.]+)?\.(?:so|pyd))$").search
     files = [] if installs is None else workspace.tree.files_below(installs.folder)
     below = "" if installs is None or installs.folder == "." else f"{installs.folder}/"
-    return any(f"/{file.removeprefix(below)}".endswith((f"{path}.py", f"{path}/__init__.py")) for file in files)
+    return any(is_it(f"/{file.removeprefix(below)}") for file in files)
 
 
 def _is_in_empty_submodule(workspace: WorkspaceIndex, executable: Executable) -> bool:

@@ -133,7 +133,7 @@ def _absent_names(
         return
     for name in names:
         inner = f"{module}.{name}"
-        is_inner = inner in workspace.code.modules or _is_there(workspace, file, inner)
+        is_inner = _is_there(workspace, file, inner) or _is_on_disk(workspace, inner)
         if not is_inner and not _is_made_by_a_tool(name) and not offers(workspace, path, name):
             yield MissingImport(place, module, name)
 
