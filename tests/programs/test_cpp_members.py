@@ -298,3 +298,25 @@ int main(int argc, char ** argv) {
 def test_a_member_of_a_class_of_elsewhere_is_no_text_that_it_is_made_of() -> None:
     [node] = graph({"src/robot.cpp": FILTERS})["nodes"]
     assert not node["complete"]  # configure() declares what the parameters name
+
+
+DERIVED = """
+#include "rclcpp/rclcpp.hpp"
+class Base : public rclcpp::Node {
+public:
+  Base() : Node("base") { declare_parameter("rate", 1.0); }
+};
+class Robot : public Base {
+public:
+  Robot() : Base::Base() {}
+};
+int main(int argc, char ** argv) {
+  rclcpp::init(argc, argv);
+  rclcpp::spin(std::make_shared<Robot>());
+}
+"""
+
+
+def test_a_constructor_of_a_base_may_be_called_by_its_whole_name() -> None:
+    [node] = graph({"src/robot.cpp": DERIVED})["nodes"]
+    assert (node["name"], [parameter["name"] for parameter in node["parameters"]]) == ("/base", ["rate"])

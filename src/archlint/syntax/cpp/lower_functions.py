@@ -251,6 +251,8 @@ class FunctionLowering(StatementLowering):
             name.type == "field_identifier" and not last.name[:1].isupper() and last.name not in self.names.classes
         )
         itself = facts.Name("self", span)
+        if len(parts) > 1 and last.name == parts[-2].name and last.name not in self.names.namespaces:
+            parts = parts[:-1]  # Base::Base() names the class twice
         if not is_field or len(parts) > 1 or last.name in self.names.aliases:
             values = [] if arguments is None else self.lower_all(arguments.named_children)
             base = self.names.resolve(parts, span)
