@@ -110,3 +110,35 @@ def test_an_attribute_that_a_method_reads_which_nothing_calls(
         (tmp_path / name).write_text(text, encoding="utf-8")
     rows = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
     assert [row.place.line for row in rows if row.place.file == "car/car/brake.py"] == [12] * told
+
+
+LEFT_OVER = """\
+
+    def gains(self):
+        print('/' + self.get_parameter('controller'))
+        answer = self.client.call_async(GetParameters.Request())
+        return answer.values
+
+    def more(self):
+        return self.gains()
+"""
+SETS_UP = CAR.replace("car.brake import Brake", "rcl_interfaces.srv import GetParameters\nfrom car.brake import Brake")
+SETS_UP = SETS_UP.replace(
+    "        self.timer", "        self.client = self.create_client(GetParameters, 'gains')\n        self.timer"
+)
+
+
+@pytest.mark.parametrize(("called", "told"), [("self.brake.press()", []), ("self.more()", ["PRM011", "TMO006"])])
+def test_a_parameter_and_a_future_in_a_method_that_nothing_calls(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, called: str, told: list[str]
+):
+    monkeypatch.chdir(tmp_path)
+    source = SETS_UP.replace("\n\ndef main", f"{LEFT_OVER}\n\ndef main", 1).replace("self.brake.press()", called)
+    own = {"car/package.xml": manifest("car"), "car/setup.py": SETUP, "car/car/__init__.py": ""}
+    own |= {"car/car/brake.py": BRAKE, "archlint.toml": 'select = ["PRM011", "TMO006"]\n'}
+    others = {f"car/car/drive{n}.py": CAR.replace("class Car(", f"class Car{n}(") for n in range(6)}  # no lesson
+    for name, text in {**own, **others, "car/car/drive.py": source}.items():
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    rows = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+    assert sorted(row.code for row in rows if row.place.file == "car/car/drive.py") == told

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from archlint.checks.folding import folds, with_places
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
+from archlint.checks.uncalled import once_where_uncalled
 from archlint.finding import Finding
 from archlint.python_code.parameters_as_values import Outcome, ParameterUse, parameter_uses
 
@@ -19,7 +20,7 @@ if TYPE_CHECKING:
 def parameter_as_value(system: System, options: Options) -> Iterator[Finding]:
     """Parameters without ``.value`` where code calculates, compares or decides."""
     for use in parameter_uses(system):
-        yield finding(
+        diagnostic = finding(
             "PRM011",
             use.place,
             _message(use),
@@ -27,6 +28,7 @@ def parameter_as_value(system: System, options: Options) -> Iterator[Finding]:
             identity=(use.outcome, use.by),
             group=(use.place.file,),
         )
+        yield from once_where_uncalled(system, diagnostic)
 
 
 def _message(use: ParameterUse) -> str:

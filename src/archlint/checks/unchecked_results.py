@@ -17,6 +17,7 @@ from archlint.analysis.reach import (
 from archlint.checks.folding import folds, with_others
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
+from archlint.checks.uncalled import unless_uncalled
 from archlint.checks.wait_words import name_of, related_path
 from archlint.execution.callback_roles import may_run_in_executor, runs_in_executor
 from archlint.execution.early_results import EarlyResult, early_results
@@ -48,7 +49,7 @@ def unchecked_result(system: System, options: Options) -> Iterator[Finding]:
                 for result in early
                 if result.call.place not in in_callbacks and _runs(system, result.program, result.call)
             ),
-            *(_mistaken(system, use) for use in mistaken_futures(system)),
+            *(told for use in mistaken_futures(system) for told in unless_uncalled(system, _mistaken(system, use))),
             *(map(_tested, tested_spins(system.workspace)) if system.workspace is not None else ()),
         )
     )
