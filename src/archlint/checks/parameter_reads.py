@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.declared_parameters import always_declared, declared_by, followed
 from archlint.analysis.parameter_uses import is_passed_on, names_listed
-from archlint.checks.folding import folds
+from archlint.checks.folding import folds, with_others
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related, Severity
 from archlint.model import Role
 from archlint.model.given import Constant
-from archlint.suggestions import did_you_mean, listed
+from archlint.suggestions import did_you_mean, listed, meant
 
 if TYPE_CHECKING:
     from archlint.model import ApiCall, ParameterDeclaration
@@ -63,16 +63,29 @@ def _undeclared(
 ) -> Finding:
     assert node.blueprint is not None
     hint = did_you_mean(name, declared)
+    bare = _without_tilde(name, declared)
+    if bare:
+        hint = meant(f"'{bare}'")
     return finding(
         "PRM003",
         place,
         f"parameter '{name}' is read, but {node.blueprint.class_name} never declares it{hint}",
-        help=f"declare it first: {_declaration(name, place)}",
+        help=f"take the ~ out: write '{bare}'" if bare else f"declare it first: {_declaration(name, place)}",
         related=[] if _encloses(call.place, place) else [Related(call.place, "it is read here")],
         node=node.name,
         identity=(node.blueprint.class_name, name),
-        group=(place.file, node.blueprint.class_name, name if hint else ""),
+        group=(place.file, node.blueprint.class_name, _TILDE if bare else name if hint else ""),
     )
+
+
+_TILDE = "~"
+"""What ROS 1 wrote before the name of a parameter of the node itself, and is a part of the name in ROS 2."""
+
+
+def _without_tilde(name: str, declared: Collection[str]) -> str:
+    """The declared parameter that a name of ROS 1 means; empty for any other."""
+    bare = name.removeprefix(_TILDE).lstrip("/")
+    return bare if name.startswith(_TILDE) and bare in declared else ""
 
 
 @folds("PRM003")
@@ -81,6 +94,11 @@ def _of_one_node(findings: Sequence[Finding]) -> Finding:
     first, *others = findings
     cls, _ = first.identity
     names = list(dict.fromkeys(other.identity[1] for other in findings))
+    if len(names) > 1 and first.group[-1] == _TILDE:
+        return replace(
+            with_others(findings, "another name has", "more names have", "a ~, too", beside="this name has a ~, too"),
+            identity=(cls, *names),
+        )
     if len(names) == 1:
         return replace(first, related=(*first.related, *(Related(other.place, "and here") for other in others)))
     return replace(
