@@ -137,6 +137,11 @@ def test_an_import_in_a_function(judge: Judge):
     assert finding.help == "the import fails when that function runs"
 
 
+def test_a_line_that_runs_only_in_a_program(judge: Judge):
+    [finding] = judge("API002", FILE.format(line="if __name__ == '__main__':\n    rclpy.teleport()  # here"))
+    assert finding.help == "the line fails when the file is run as a program"
+
+
 @pytest.mark.parametrize(
     "line",
     [
@@ -178,3 +183,10 @@ def test_a_workspace_with_a_module_of_that_name(judge: Judge):
     (judge.folder / "launch").mkdir()
     (judge.folder / "launch" / "__init__.py").write_text("def get_logger(): ...\n", encoding="utf-8")
     judge("API002", dedent(FILE).format(line="from launch import get_logger"))
+
+
+def test_the_arguments_that_rospy_leaves_are_one_finding_with_the_rest_of_the_file(judge: Judge):
+    lines = "arguments = rclpy.myargv()  # here\nrclpy.init_node('echo')"
+    [finding] = judge("API002", FILE.format(line=lines))
+    assert finding.message == "rclpy has no myargv(); another call in this file is of rospy, too"
+    assert finding.help == "use rclpy.utilities.remove_ros_args(args=sys.argv)"

@@ -97,7 +97,8 @@ def _failing(absent: Absent) -> str:
     if absent.in_except:
         return "the except fails, too, as soon as something is raised in its try: name a class that there is"
     what = "the import" if absent.is_import else "the line"
-    return f"{what} fails when {'that function runs' if absent.in_function else 'the file is loaded'}"
+    as_program = "the file is run as a program" if absent.in_main else "the file is loaded"
+    return f"{what} fails when {'that function runs' if absent.in_function else as_program}"
 
 
 __all__ = ["OF_MODULE", "absent_import_findings"]

@@ -11,6 +11,7 @@ from archlint.libraries.module_names import is_known, is_module, lacks
 from archlint.place import Place
 from archlint.syntax import facts
 from archlint.syntax.parts import Itself, everything_in
+from archlint.syntax.walk import main_guard
 
 if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
@@ -36,6 +37,8 @@ class Absent:
     in_node: bool = False
     """Whether it is called without an argument in a method of a class whose base is called a node: ``self`` has what
     nodes have."""
+    in_main: bool = False
+    """Whether it runs only where the file is a program: behind ``if __name__ == '__main__':``."""
 
     @property
     def is_module(self) -> bool:
@@ -84,6 +87,8 @@ class _Code:
         self._caught = {Itself(part) for part in everything_in(caught)}
         self._never_run = {Itself(part) for hint in _unread_hints(file_facts) for part in everything_in([hint])}
         self._asked_of_nodes = {Itself(call.func) for call in _bare_calls_in_nodes(file_facts)}
+        main = main_guard(file_facts)
+        self._in_main = set() if main is None else {Itself(part) for part in everything_in(main.body)}
         self._bound: dict[str, set[str]] = {}
 
     def note_names(self) -> None:
@@ -96,7 +101,14 @@ class _Code:
         for statement in self.statements:
             if Itself(statement) not in self._forgiven:
                 for module, name in _asked_for(statement):
-                    yield Absent(module, name, True, Itself(statement) in self._in_functions, statement.span)
+                    yield Absent(
+                        module,
+                        name,
+                        True,
+                        Itself(statement) in self._in_functions,
+                        statement.span,
+                        in_main=Itself(statement) in self._in_main,
+                    )
 
     def attributes(self) -> Iterator[Absent]:
         """The attributes of modules that the code reads in vain."""
@@ -106,7 +118,8 @@ class _Code:
             if module and lacks(module, part.attr) and not left_out:
                 in_function, in_except = (Itself(part) in parts for parts in (self._in_functions, self._caught))
                 in_node = Itself(part) in self._asked_of_nodes
-                yield Absent(module, part.attr, False, in_function, part.span, in_except, in_node)
+                in_main = Itself(part) in self._in_main
+                yield Absent(module, part.attr, False, in_function, part.span, in_except, in_node, in_main)
 
     def _module(self, path: str) -> str:
         """The module that a dotted name means; empty where it is none, or perhaps something else."""
