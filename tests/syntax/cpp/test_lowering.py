@@ -91,6 +91,7 @@ def test_what_creates_an_endpoint_has_the_arguments_of_rclpy(written: str, expec
     [
         ('auto t = declare_parameter<std::string>("t", "x");', "t = self.declare_parameter('t', 'x').value"),
         ('declare_parameter<double>("rate", 10);', "self.declare_parameter('rate', 10.0).value"),
+        ('declare_parameter<bool>("on", 0);', "self.declare_parameter('on', False).value"),
         ('declare_parameter<double>("rate", {10});', "self.declare_parameter('rate', 10.0).value"),
         ('declare_parameter<std::string>("t", {"x"});', "self.declare_parameter('t', 'x').value"),
         (

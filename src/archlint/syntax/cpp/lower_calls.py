@@ -202,6 +202,8 @@ class CallLowering(MethodLowering):
         number = values[0].number
         if number is not None and of_type in ("float", "double"):
             return [facts.Literal(float(number), span)]
+        if number is not None and of_type == "bool":
+            return [facts.Literal(bool(number), span)]
         if number is not None and _PARAMETER_TYPES.get(of_type) == "INTEGER":
             return [facts.Literal(int(number), span)]
         match values[0]:
