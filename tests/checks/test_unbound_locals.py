@@ -56,6 +56,15 @@ def test_an_except_that_goes_on_to_the_read(judge: Judge):
     assert [row.place.line for row in finding.related] == [15, 16]
 
 
+def test_two_variables_of_one_line_are_one_finding(judge: Judge):
+    lines = ("if message.data:", "    low, high = 1, 2", "else:", "    print(low, high)  # here")
+    (finding,) = judge("API005", _node(*lines))
+    assert finding.message == (
+        "'low' gets a value only in another branch of this function: this line fails with an UnboundLocalError; "
+        "another variable has none, either"
+    )
+
+
 @pytest.mark.parametrize(
     ("handler", "told"),
     [

@@ -441,3 +441,48 @@ def test_what_stands_behind_the_line_at_which_loading_ends(judge: Judge):
         """
     told = judge("API005", source)
     assert [(row.place.line, len(row.related)) for row in told] == [(3, 1), (7, 0)]
+
+
+OF_ROS_1 = """
+import os
+import rclpy
+from rclpy.node import Node
+from arm_msgs.action import Reach
+from arm_msgs.msg import Tick
+from arm_msgs.srv import Park
+
+
+class Arm(Node):
+    def __init__(self):
+        super().__init__('arm')
+        {line}
+
+
+def main():
+    rclpy.init()
+    rclpy.spin(Arm())
+"""
+OTHER_OF_ROS_1 = "from arm_msgs.msg import tick, tock\n"
+
+
+@pytest.mark.parametrize(
+    ("line", "help"),
+    [
+        ("self.pub = self.create_publisher(tick, 'ticks', 3)", "write Tick"),
+        ("self.pub = self.create_publisher(tock, 'ticks', 3)", "define it, or remove the line"),
+        ("print(ReachResult())", "write Reach.Result"),
+        ("print(ParkRequest())", "write Park.Request"),
+    ],
+)
+def test_names_of_ros_1(judge: Judge, line: str, help: str) -> None:
+    """An import that fails is no advice."""
+    (finding,) = judge("API005", OF_ROS_1.replace("{line}", f"{line}  # here"), OTHER_OF_ROS_1)
+    assert finding.help == help
+
+
+@pytest.mark.parametrize("test", ["os.name == 'nt'", "sys.platform == 'win32'"])
+def test_what_runs_on_windows_alone(judge: Judge, test: str) -> None:
+    line = (
+        f"import sys\n        if {test}:\n            print(elapsed)\n        else:\n            print(passed)  # here"
+    )
+    judge("API005", OF_ROS_1.replace("{line}", line))

@@ -13,7 +13,7 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.uncalled import once_where_uncalled, unless_uncalled
 from archlint.finding import Finding, Related, Severity
-from archlint.python_code.how_imported import idle_import_with, import_of
+from archlint.python_code.how_imported import idle_import_with, import_of, interface_meant
 from archlint.python_code.stray_methods import StrayMethod, stray_methods
 from archlint.python_code.unbound_locals import UnboundLocal, unbound_locals
 from archlint.python_code.undefined_beside import stops_a_launch
@@ -51,7 +51,12 @@ def undefined_name(system: System, options: Options) -> Iterator[Finding]:
                 told = replace(told, group=(read.place.file, leader))
             yield from once_where_uncalled(system, told)
         for local in unbound_locals(system.workspace):
-            yield from unless_uncalled(system, _too_early(local) if local.caught is None else _past_handler(local))
+            told = _too_early(local) if local.caught is None else _past_handler(local)
+            if told.group[-1] == _EARLY:  # a statement fails at the first of its names, which tells the rest
+                span = getattr(source_code(system).statement_at(local.place), "span", None)
+                leader = leaders.setdefault((local.place.file, (_EARLY, span)), local.name)
+                told = replace(told, group=(local.place.file, leader, _EARLY))
+            yield from unless_uncalled(system, told)
 
 
 def _outside_of_classes(method: StrayMethod) -> Finding:
@@ -77,8 +82,8 @@ def _too_early(read: UnboundLocal) -> Finding:
         f"'{read.name}' {reason} this function: this line fails with an UnboundLocalError",
         help=f"give {read.name} a value in this branch, too" if elsewhere else f"give {read.name} a value before",
         related=[Related(read.assigned, "it makes the name a variable of this function, wherever else it has a value")],
-        identity=(read.name, "early"),
-        group=(read.place.file, read.name, "early"),
+        identity=(read.name, _EARLY),
+        group=(read.place.file, read.name, _EARLY),
     )
 
 
@@ -90,8 +95,8 @@ def _hiding(read: UnboundLocal) -> Finding:
         f"'{read.name}' is a variable in this function and has no value yet: this line fails with an UnboundLocalError",
         help=f"give the variable another name: it hides the {read.hidden} {read.name} of this file",
         related=[Related(read.assigned, "it makes the name a variable of this function, wherever else it has a value")],
-        identity=(read.name, "early"),
-        group=(read.place.file, read.name, "early"),
+        identity=(read.name, _EARLY),
+        group=(read.place.file, read.name, _EARLY),
     )
 
 
@@ -116,6 +121,8 @@ def _past_handler(read: UnboundLocal) -> Finding:
 
 _WITHOUT_SELF = "no self"
 """The group of findings in a method whose author forgot ``self``."""
+_EARLY = "early"
+"""The group of findings about a variable of a function that is read before it has a value."""
 PAST_HANDLER = "caught"
 """The group of findings about what one ``except`` leaves without a value."""
 
@@ -162,6 +169,8 @@ def _undefined(workspace: WorkspaceIndex, read: Undefined) -> Finding:
     near, statement = "", ""
     if read.of_self:
         near = f"self.{read.name}"
+    elif meant_part := interface_meant(workspace, read.place.file, read.name):
+        near = meant_part
     else:
         in_launch_file = read.place.file in workspace.launch_files.all()
         statement = import_of(workspace, read.name, in_launch_file=in_launch_file, called=read.called)
@@ -205,6 +214,8 @@ def undefined_in_one_file(findings: Sequence[Finding]) -> Finding:
     """The first read of a name in a file, for all of them, and for the other names of its statement; and of what has no
     value after one ``except``."""
     if PAST_HANDLER in findings[0].group:
+        return with_others(findings, "another variable has", "more variables have", "none, either")
+    if _EARLY in findings[0].group and len({told.identity[0] for told in findings}) > 1:
         return with_others(findings, "another variable has", "more variables have", "none, either")
     if _WITHOUT_SELF not in findings[0].group and len({told.identity[0] for told in findings}) > 1:
         return with_others(findings, "another name is", "more names are", "not defined, either")

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
 from archlint.libraries.module_names import modules_with
+from archlint.ros.interfaces import is_interface_name
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in, once_for
 
@@ -48,8 +49,10 @@ _MODULES_OF_VALUES = frozenset({"rclpy", "rclpy.qos"})
 
 def import_of(workspace: WorkspaceIndex, name: str, *, in_launch_file: bool = False, called: bool = False) -> str:
     """The statement that would bind a name: what most other files of the workspace write, or what is usual; empty where
-    neither is known.  A variable somewhere in ROS is not what a name means that is not ``called``, and no class."""
-    counts = _imports(workspace).get(name)
+    neither is known.  A variable somewhere in ROS is not what a name means that is not ``called``, and no class; nor is
+    the import of an interface by a name that ROS 2 gives none."""
+    statements = _imports(workspace).get(name, Counter())
+    counts = {statement: n for statement, n in statements.items() if not _asks_in_vain(statement)}
     if counts:
         return min(counts, key=lambda statement: (-counts[statement], statement))
     if name in _USUAL:
@@ -60,6 +63,38 @@ def import_of(workspace: WorkspaceIndex, name: str, *, in_launch_file: bool = Fa
     if not offering or not (called or name[0].isupper() or offering[0] in _MODULES_OF_VALUES):
         return ""
     return f"from {offering[0]} import {name}"
+
+
+_SECTIONS = (".msg", ".srv", ".action")
+_PARTS = {
+    ".action": ("Goal", "Result", "Feedback"),
+    ".srv": ("Request", "Response"),
+}
+"""What ROS 1 makes a class of its own of, and ROS 2 an attribute of that of the action or service."""
+
+
+def _asks_in_vain(statement: str) -> bool:
+    """Whether a statement imports an interface by a name that ROS 2 gives none."""
+    words = statement.split()
+    return words[0] == "from" and words[1].endswith(_SECTIONS) and not is_interface_name(words[3])
+
+
+def interface_meant(workspace: WorkspaceIndex, file: str, name: str) -> str:
+    """What of the interfaces that a file imports a name of ROS 1 means, ``Move.Result`` for ``MoveResult``, or ``Tick``
+    for the ``tick`` that other files import in vain; empty for any other name."""
+    code = workspace.facts_at(file)
+    if code is None:
+        return ""
+    in_vain = any(map(_asks_in_vain, _imports(workspace).get(name, ())))
+    for imported in everything_in(code.body, facts.ImportFrom):
+        for section in _SECTIONS if imported.module.endswith(_SECTIONS) else ():
+            for _, bound in imported.names if imported.module.endswith(section) else ():
+                for part in _PARTS.get(section, ()):
+                    if name == f"{bound}{part}":
+                        return f"{bound}.{part}"
+                if in_vain and bound.lower() == name.lower() and bound != name:
+                    return bound
+    return ""
 
 
 def idle_import_with(workspace: WorkspaceIndex, file: str, word: str) -> str | None:
@@ -98,4 +133,4 @@ def _statements(code: facts.Facts) -> frozenset[tuple[str, str]]:
     return frozenset(rows)
 
 
-__all__ = ["idle_import_with", "import_of"]
+__all__ = ["idle_import_with", "import_of", "interface_meant"]

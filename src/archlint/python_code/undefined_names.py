@@ -251,6 +251,8 @@ def _reads(body: Sequence[facts.Base], scope: _Scope) -> Iterator[_Read]:
                 yield from _reads(part.children(), scope.within(frozenset(targets)))
             case facts.Try() if any(_catches(handler) for handler in part.handlers):
                 stack += reversed([*part.handlers, *part.orelse, *part.final])
+            case facts.If(test=test, orelse=orelse) if _is_of_windows(test):
+                stack += reversed([test, *orelse])
             case facts.Annotated(target=target, value=value):
                 stack += [fact for fact in (value, target) if fact is not None]
             case facts.Name(id=name):
@@ -314,6 +316,14 @@ def _set_on_self(body: Sequence[facts.Stmt]) -> Iterator[facts.Attribute]:
                 match target:
                     case facts.Attribute(value=facts.Name(id="self")):
                         yield target
+
+
+def _is_of_windows(test: facts.Expr) -> bool:
+    """``os.name == 'nt'``: what runs nowhere else, most likely comes from elsewhere and never runs."""
+    match test:
+        case facts.Compare(left, ["=="], [right]):
+            return (left.dotted, right.text) in {("os.name", "nt"), ("sys.platform", "win32")}
+    return False
 
 
 def _catches(handler: facts.Handler) -> bool:
