@@ -53,6 +53,8 @@ def main():
         ("self.create_publisher('std_msgs/msg/String', 'a', 10)", "not the text 'std_msgs/msg/String'"),
         ("self.create_publisher(Robot, 'a', 10)", "'msg_type' takes a message class, not the class Robot"),
         ("self.create_publisher(Trigger, 'a', 10)", "'msg_type' takes a message class, not the class Trigger"),
+        ("self.create_publisher(int, 'a', 10)", "'msg_type' takes a message class, not Python's int"),
+        ("self.create_client(dict, 'a')", "'srv_type' takes a service class, not Python's dict"),
         ("self.create_publisher(QoSProfile, 'a', 10)", "'msg_type' takes a message class, not the class QoSProfile"),
         ("self.create_publisher(QoSProfile(depth=1), 'a', 10)", "'msg_type' takes a message class, not a QoSProfile"),
         ("self.create_publisher(QoSProfile(depth=1), 'a', String)", "'msg_type' and 'qos_profile' are swapped"),

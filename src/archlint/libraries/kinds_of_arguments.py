@@ -7,6 +7,7 @@ from enum import Enum
 
 from archlint.interpreter.values import (
     BoundMethod,
+    Builtin,
     ClassValue,
     External,
     FunctionValue,
@@ -162,6 +163,8 @@ def _is_no_interface(value: Value, section: str) -> bool:
     match value:
         case Known(value=constant):
             return constant is not None
+        case Builtin(name=name, self_value=None):
+            return name in _PYTHON_TYPES
         case ClassValue():
             return node_classes.has_only(value)
         case Instance(cls=External(path=path)):
@@ -253,6 +256,8 @@ def _is_no_group(value: Value, written: facts.Expr | None) -> bool:
     return _is_function(value) or isinstance(value, (EntityValue, MessageValue, NodeValue))
 
 
+_PYTHON_TYPES = frozenset({"str", "int", "float", "bool", "bytes", "list", "dict", "tuple", "set"})
+
 _IS_OTHER: Mapping[Kind, Callable[[Value, facts.Expr | None], bool]] = {
     Kind.NAME: _is_no_text,
     Kind.PROFILE: _is_no_profile,
@@ -320,6 +325,8 @@ def described(value: Value, written: facts.Expr | None) -> str:
             return f"the class {name}.{part}" if part else f"the class {name}"
         case ClassValue(qualified=name):
             return f"the class {name}"
+        case Builtin(name=name):
+            return f"Python's {name}"
         case BoundMethod(function=FunctionValue(qualified=name)):
             return f"the method {name.rpartition('.')[2]}"
         case FunctionValue(ir=facts.Lambda()):
