@@ -70,6 +70,7 @@ def main():
             "self.create_client(Fibonacci_FeedbackMessage, 'a')",
             "'srv_type' takes a service class, not the class Fibonacci_FeedbackMessage",
         ),
+        ("self.create_client(Fibonacci, 'a')", "'srv_type' takes a service class, not the action Fibonacci"),
         ("self.create_service(String, 'a', self.listen)", "'srv_type' takes a service class, not the class String"),
         ("self.create_client('a', Trigger)", "'srv_type' and 'srv_name' are swapped"),
         ("self.create_client(Trigger, 'a').call_async()", "'request' is missing"),
@@ -428,3 +429,16 @@ def test_a_number_for_the_arguments_of_a_thread(judge: Judge, given: str):
 )
 def test_what_may_be_the_arguments_of_a_thread(judge: Judge, args: str, parameters: str, test: str):
     judge("API001", THREAD.format(given="self.read()", args=args, parameters=parameters, test=test, mark=""))
+
+
+@pytest.mark.parametrize(
+    ("call", "help"),
+    [
+        ("self.create_client(Fibonacci, 'a')", "use ActionClient of rclpy.action"),
+        ("self.create_service(Fibonacci, 'a', self.listen)", "use ActionServer of rclpy.action"),
+        ("self.create_client(String, 'a')", "pass a service class"),
+    ],
+)
+def test_an_action_in_place_of_a_service(judge: Judge, call: str, help: str):
+    [finding] = judge("API001", NODE.format(call=f"{call}  # here"))
+    assert finding.help == help

@@ -312,6 +312,8 @@ def _what_is_wrong(call: RefusedCall) -> str:
             return f"{names} takes {call.wanted}, not {call.given}"
 
 
+_OF_ACTIONS = {"create_client": "ActionClient", "create_service": "ActionServer"}
+"""What makes for an action what these make for a service."""
 _THREAD = "threading.Thread"
 _ONCE = frozenset({"once", "one_shot", "oneshot"})
 """What a timer of ROS 1 takes so that it runs once."""
@@ -337,6 +339,8 @@ def _cure(name: str, call: RefusedCall) -> str:
             return "put a comma behind it, which makes the tuple: args=(…,)"
         if call.parameters == ("executor",) and call.api.endswith("spin_until_future_complete"):
             return "give the timeout by name, timeout_sec=…: the executor comes before it"
+        if call.given.startswith("the action ") and name in _OF_ACTIONS:
+            return f"use {_OF_ACTIONS[name]} of rclpy.action"
         called = call.given.startswith("what ")
         return "pass the function itself, without parentheses" if called else f"pass {call.wanted}"
     if call.misuse is Misuse.UNKNOWN_KEYWORD:

@@ -322,6 +322,13 @@ def described(value: Value, written: facts.Expr | None) -> str:
         case External(path=path):
             interface, part = names.interface_and_section(names.canonical(path))
             name = (interface or path.replace(".", "/")).rpartition("/")[2]
+            if (
+                interface
+                and not part
+                and interface.split("/")[1] == "action"
+                and not names.is_part_of_interface(interface)
+            ):
+                return f"the action {name}"
             return f"the class {name}.{part}" if part else f"the class {name}"
         case ClassValue(qualified=name):
             return f"the class {name}"
