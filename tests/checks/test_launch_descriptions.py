@@ -7,6 +7,8 @@ from __future__ import annotations
 
 import pytest
 
+from archlint.config.settings import load
+from archlint.engine.pipeline import Request, check
 from archlint.finding import Severity
 
 FILE = """\
@@ -341,3 +343,18 @@ def test_an_include_that_reads_another_language(findings, source, package, file,
     told = findings("LCH008", **{"launch/it.launch.py": text}, **others)
     assert [one.message for one in told] == ([f"{source} {message}"] if message else [])
     assert all(one.place.line == 8 for one in told)
+
+
+def test_a_description_that_is_forgotten_altogether_is_one_finding(findings):
+    [told] = findings("LCH008", **_file("print(Node)"))
+    assert told.message.startswith("generate_launch_description() returns nothing")
+
+
+@pytest.mark.parametrize(("package", "told"), [("your_package", 0), ("<package name>", 0), ("arm", 1)])
+def test_a_file_in_no_package_that_is_there_to_be_copied(tmp_path, monkeypatch, package: str, told: int):
+    monkeypatch.chdir(tmp_path)
+    source = FILE.format(rest="print(Node)", given="").replace("package='robot'", f"package='{package}'")
+    (tmp_path / "it.launch.py").write_text(source, encoding="utf-8")
+    (tmp_path / "archlint.toml").write_text('select = ["LCH008"]\n', encoding="utf-8")
+    rows = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+    assert [row.code for row in rows] == ["LCH008"] * told

@@ -34,10 +34,29 @@ def wrong_descriptions(system: System) -> Iterator[tuple[str, WrongDescription]]
         return
     for file in launched.sources:
         rows = (_of_file(workspace, file) if file.endswith(".py") else None) or []
+        if any(wrong.kind == Wrong.NOTHING for wrong in rows):
+            if _is_sample(workspace, file):
+                continue
+            # Whoever makes a launch description of it adds the actions.
+            rows = [wrong for wrong in rows if wrong.kind != Wrong.NOT_ADDED]
         aside = {wrong.of for wrong in rows if _is_put_aside(workspace, file, wrong)}
         for wrong in rows:
             if wrong.kind != Wrong.NOT_ADDED or not (wrong.of in aside or _is_idle(workspace, launched, wrong)):
                 yield file, wrong
+
+
+_SAMPLE = re.compile(r"your_\w+|<[\w -]+>")
+"""Names that stand for those of whoever takes a file over."""
+
+
+def _is_sample(workspace: WorkspaceIndex, file: str) -> bool:
+    """Whether a launch file in no package starts a program of a package that has yet to be named: it is to be copied,
+    not launched."""
+    code = workspace.facts_at(file)
+    if code is None or workspace.package_of(file) is not None:
+        return False
+    arguments = (a for call in everything_in(code.body, facts.Call) for a in call.args if a.keyword == "package")
+    return any(_SAMPLE.fullmatch(argument.value.text or "") for argument in arguments)
 
 
 def misnamed_functions(workspace: WorkspaceIndex) -> Iterator[tuple[str, WrongDescription]]:
