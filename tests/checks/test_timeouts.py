@@ -339,6 +339,7 @@ STARTS = """
     if __name__ == '__main__':
         main()
 """
+SOUGHT = "self.get_logger().info('connecting')"
 LOG, WAIT = "self.get_logger().info('waiting')", "self.far.wait_for_service()  # here"
 
 
@@ -348,6 +349,8 @@ LOG, WAIT = "self.get_logger().info('waiting')", "self.far.wait_for_service()  #
         ([LOG, WAIT], None),
         ([LOG, "self.ready = False", WAIT], None),
         ([f"{LOG[:-1]} if input() else None)", WAIT], None),
+        ([SOUGHT, "if not self.far.service_is_ready():", f"    {WAIT}"], None),
+        ([SOUGHT, "if not self.arrived():", f"    {WAIT}"], Severity.WARNING),
         ([WAIT], Severity.WARNING),
         ([WAIT, LOG], Severity.WARNING),
         ([LOG.replace("waiting", "hello"), "self.create_timer(1.0, print)", WAIT], Severity.WARNING),
@@ -360,6 +363,8 @@ LOG, WAIT = "self.get_logger().info('waiting')", "self.far.wait_for_service()  #
         "announced",
         "with an assignment between",
         "whatever the words",
+        "asked whether it is there",
+        "something else done between",
         "not announced",
         "announced too late",
         "said of something else",

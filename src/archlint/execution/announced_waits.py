@@ -16,6 +16,8 @@ if TYPE_CHECKING:
     from archlint.systems.model import System
 
 _SAYS = frozenset({"info", "warn", "warning", "error", "print"})
+_ASKS = frozenset({"service_is_ready", "server_is_ready"})
+"""What tells whether there is anything to wait for."""
 _ENDS = frozenset({"shutdown", "try_shutdown", "destroy_node", "destroy", "exit", "get_logger", "set", "join"})
 """What is called in every ``except KeyboardInterrupt`` that ends a program."""
 
@@ -47,8 +49,8 @@ def says_something(loop: facts.While | facts.For | None) -> bool:
 
 
 def _is_announced(code: SourceCode, call: ApiCall) -> bool:
-    """Whether on every way to a call a line says something, and since then there are only assignments; or a line before
-    that says that it waits."""
+    """Whether on every way to a call a line says something, and since then there are only assignments and the question
+    whether the server is there; or a line before that says that it waits."""
     if any(_says_so(statement.value) and statement.span < call.place.span for statement in _expressions(code, call)):
         return True
 
@@ -58,6 +60,8 @@ def _is_announced(code: SourceCode, call: ApiCall) -> bool:
                 return called_name(called) in _SAYS
             case facts.Assign():
                 return said
+            case facts.Unary(operand=facts.Call() as asked) | (facts.Call() as asked):
+                return said and called_name(asked) in _ASKS
         return False
 
     graph = graph_of(code.body(call))
