@@ -1320,3 +1320,16 @@ main()
 )
 def test_a_publisher_that_the_next_line_replaces(judge: Judge, line: str, mark: str):
     judge("OWN001", REPLACED.format(line=line, mark=mark))
+
+
+@pytest.mark.parametrize(
+    ("made", "mark"),
+    [
+        ("Planner(), Pilot()", "  # here"),
+        ("Planner(),", ""),
+        ("Planner(), *[make() for make in (Pilot,)]", "  # here"),
+    ],
+)
+def test_a_node_that_nothing_makes(judge: Judge, made: str, mark: str):
+    source = REPLACED.format(line="", mark=mark).replace("Planner(), Pilot()", made)
+    judge("OWN001", source)

@@ -91,6 +91,23 @@ def _defines(file_facts: facts.Facts, name: str) -> bool:
     return len(classes) == 1 and not classes[0].decorators and not classes[0].bases
 
 
+def is_left_unmade(workspace: WorkspaceIndex | None, file: str, cls: str) -> bool:
+    """Whether a file that uses others of its classes never names this one again, and neither does another file, but for
+    those that define a class of that name themselves: no object of it is made."""
+    uses = None if workspace is None else _uses(workspace, file)
+    if workspace is None or uses is None or uses.by_name or cls in uses.names or not cls.isidentifier():
+        return False
+    classes = _classes(workspace.facts_at(file))
+    if cls not in classes or classes.isdisjoint(uses.names):
+        return False
+    others = (other for other in workspace.code.files_that_mention(cls) if other != file)
+    return all(cls in _classes(workspace.facts_at(other)) for other in others)
+
+
+def _classes(code: facts.Facts | None) -> set[str]:
+    return set() if code is None else {each.name for each in code.body if isinstance(each, facts.Class)}
+
+
 def _sets_itself(workspace: WorkspaceIndex, file: str, name: str) -> bool:
     uses = _uses(workspace, file)
     return uses is not None and name in uses.kept.values()

@@ -14,7 +14,7 @@ from archlint.analysis.coexistence import (
     launched_separately,
     named_by_library,
 )
-from archlint.analysis.left_over import is_left_over
+from archlint.analysis.left_over import is_left_over, is_left_unmade
 from archlint.connections.arbitration import is_replaced, never_speaks, only_stops, speaks_once
 from archlint.connections.in_sequence import run_in_sequence
 from archlint.model import EntityKind
@@ -51,6 +51,9 @@ def _owns(system: System, end: Endpoint) -> bool:
         return True
     idle = named_by_library(end) or is_left_over(system.workspace, end) or speaks_once(system, end)
     idle = idle or only_stops(system, end) or is_replaced(system, end)
+    if end.node.blueprint is not None:
+        blueprint = end.node.blueprint
+        idle = idle or is_left_unmade(system.workspace, blueprint.place.file, blueprint.class_name)
     if system.name is not None and end.kind == EntityKind.PUBLISHER:
         idle = idle or never_speaks(end)  # a launch file says which program it is
     return not idle and (system.name is not None or not is_aside(system.workspace, end.place.file))
