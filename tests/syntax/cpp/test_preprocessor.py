@@ -43,3 +43,19 @@ def test_a_block_under_a_condition_of_its_own_stays_whole() -> None:
 def test_whole_branches_stay_as_they_are() -> None:
     source = '#if A\nf("{"); // (\n#else\ng();\n#endif\n'
     assert with_whole_branches(source.encode()) == source.encode()
+
+
+def test_what_if_0_leaves_out_is_no_code() -> None:
+    source = """
+        if (a) { one(); }
+        #if 0
+        else if (b) { two(); }
+        #endif
+        else if (c) { three(); }
+        #if 0  // the old way
+        old();
+        #else
+        now();
+        #endif
+    """
+    assert kept(source) == ["if (a) { one(); }", "else if (c) { three(); }", "now();"]

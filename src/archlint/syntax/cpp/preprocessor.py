@@ -11,6 +11,7 @@ import re
 from dataclasses import dataclass, field
 
 _DIRECTIVE = re.compile(rb"^[ \t]*#[ \t]*(if|ifdef|ifndef|elif|else|endif)\b(?:\\\n|[^\n])*", re.MULTILINE)
+_NEVER = re.compile(rb"\s*#\s*if\s+(?:0|false)\s*(?://.*)?")
 _NO_CODE = re.compile(rb'//[^\n]*|/\*.*?\*/|"(?:[^"\\\n]|\\.)*"|\'(?:[^\'\\\n]|\\.)*\'', re.DOTALL)
 
 
@@ -51,7 +52,13 @@ def with_whole_branches(data: bytes) -> bytes:
 
 
 def _unbalanced(data: bytes, directives: list[tuple[int, int]]) -> list[tuple[int, int]]:
-    """What to blank of a block: nothing where each branch is whole."""
+    """What to blank of a block: what ``#if 0`` leaves out, and nothing else where each branch is whole."""
+    if _NEVER.fullmatch(data[slice(*directives[0])]):
+        second, last = directives[1], directives[-1]
+        if len(directives) == 2:
+            return [(directives[0][0], last[1])]
+        if len(directives) == 3 and b"else" in data[slice(*second)]:
+            return [(directives[0][0], second[1]), last]
     branches = [(start[1], end[0]) for start, end in itertools.pairwise(directives)]
     if not any(_balance(data[start:end]) for start, end in branches):
         return []
