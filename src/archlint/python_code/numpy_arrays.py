@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from types import MappingProxyType
 
 from archlint.syntax import facts
 
-_NONE: Mapping[str, Sequence[facts.Expr | None]] = {}
+_NONE: Mapping[str, Sequence[facts.Expr | None]] = MappingProxyType({})
 
 _OF_BRIDGES = frozenset({"imgmsg_to_cv2", "compressed_imgmsg_to_cv2"})
 """Methods of ``cv_bridge.CvBridge``, by names that nobody else has."""
