@@ -7,13 +7,12 @@ from __future__ import annotations
 
 import posixpath
 import re
-from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in
-from archlint.syntax.walk import called_name
+from archlint.syntax.walk import called_name, main_guard
 from archlint.workspace.comments import without_comments
 from archlint.workspace.test_code import FileRoles
 
@@ -193,19 +192,13 @@ def _is_script(workspace: WorkspaceIndex, file: str) -> bool:
     """Whether a file asks whether it is the program, or starts ROS or reads the command line as it is loaded: no other
     imports it then."""
     file_facts = workspace.facts_at(file)
-    body = [] if file_facts is None else file_facts.body
-    if asks_whether_it_is_the_program(body):
-        return True
-    return any(
-        isinstance(statement, (facts.Expression, facts.Assign)) and _is_for_a_program(statement.value)
-        for statement in body
+    return file_facts is not None and (
+        main_guard(file_facts) is not None
+        or any(
+            isinstance(statement, (facts.Expression, facts.Assign)) and _is_for_a_program(statement.value)
+            for statement in file_facts.body
+        )
     )
-
-
-def asks_whether_it_is_the_program(body: Sequence[facts.Stmt]) -> bool:
-    """Whether a file has ``if __name__ == '__main__':``."""
-    tests = (statement.test for statement in body if isinstance(statement, facts.If))
-    return any(isinstance(test, facts.Compare) and test.left.variable == "__name__" for test in tests)
 
 
 def _starts_in_main(workspace: WorkspaceIndex, file: str) -> bool:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.kept import kept_for_each_file
 from archlint.syntax import facts
 from archlint.syntax.parts import names_in
+from archlint.syntax.walk import main_guard
 
 if TYPE_CHECKING:
     from archlint.finding import Place
@@ -34,12 +35,13 @@ _Definition = tuple[str, int, int, list[str]]
 @kept_for_each_file
 def _definitions(code: facts.Facts) -> list[_Definition]:
     rows: list[_Definition] = []
+    guard = main_guard(code)
     for statement in code.body:
         names = sorted(names_in([statement]))
         match statement:
             case facts.Function(name=name, span=span) | facts.Class(name=name, span=span):
                 rows.append((name, span[0], span[2], names))
-            case facts.If(test=facts.Compare(left=facts.Name(id="__name__")), span=span):
+            case facts.If(span=span) if statement is guard:
                 rows.append((_AS_PROGRAM, span[0], span[2], names))
             case _:
                 rows.append(("", 0, 0, names))

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in
-from archlint.syntax.walk import statements_of
+from archlint.syntax.walk import blocks_of, statements_of
 
 _Leaving = (facts.Return, facts.Raise, facts.Jump)
 
@@ -18,14 +18,8 @@ def waits_for_busy_flag(loop: facts.While, attribute: str, code: facts.Facts) ->
     if not isinstance(asked, facts.Attribute) or asked.attr != attribute:
         return False
     waits_for = loop.test.negated is not None
-    blocks = [block for function in everything_in(code.body, facts.Function) for block in _blocks(function.body)]
+    blocks = [block for function in everything_in(code.body, facts.Function) for block in blocks_of(function.body)]
     return all(_is_taken_back(block, attribute, waits_for) for block in blocks)
-
-
-def _blocks(body: Sequence[facts.Stmt]) -> Iterator[Sequence[facts.Stmt]]:
-    yield body
-    for statement in statements_of(body):
-        yield from statement.blocks
 
 
 def _is_taken_back(block: Sequence[facts.Stmt], attribute: str, wanted: bool) -> bool:

@@ -10,7 +10,7 @@ from archlint.execution.loop_tests import is_only_after_shutdown
 from archlint.syntax import facts
 from archlint.syntax.control_flow import loop_of
 from archlint.syntax.parts import names_in
-from archlint.syntax.walk import called_name, parts_of, statements_of
+from archlint.syntax.walk import blocks_of, called_name, parts_of, statements_of
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -42,8 +42,7 @@ def is_done_before(code: SourceCode, call: ApiCall) -> bool:
     statement, future = code.statement(call), _spun_for(code, call)
     if statement is None or not future:
         return False
-    blocks = [code.body(call), *(block for part in statements_of(code.body(call)) for block in part.blocks)]
-    block = next((block for block in blocks if any(part is statement for part in block)), [])
+    block = next((block for block in blocks_of(code.body(call)) if any(part is statement for part in block)), [])
     for part in reversed([*takewhile(lambda part: part is not statement, block)]):
         if isinstance(part, facts.While):
             return _waits_for(part, future)

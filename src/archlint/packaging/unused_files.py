@@ -13,7 +13,6 @@ import re
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import (
-    asks_whether_it_is_the_program,
     is_disused,
     is_left_alone,
     is_not_installed,
@@ -21,6 +20,7 @@ from archlint.analysis.aside import (
 from archlint.analysis.kept import once
 from archlint.packaging.unbuilt_files import runs_nowhere
 from archlint.packaging.uninstalled_files import is_meant_to_start, is_told_to_run
+from archlint.syntax.walk import main_guard
 from archlint.workspace.comments import without_comments
 from archlint.workspace.model import LAUNCH_TEXT_KINDS
 
@@ -75,7 +75,7 @@ def is_run_by_hand(workspace: WorkspaceIndex, file: str) -> bool:
         return False
     file_facts = workspace.facts_at(file)
     aside = workspace.roles.is_put_aside(file) or is_disused(workspace, file) or _is_taken_out(workspace, file)
-    return file_facts is not None and not aside and asks_whether_it_is_the_program(file_facts.body)
+    return file_facts is not None and not aside and main_guard(file_facts) is not None
 
 
 def _is_taken_out(workspace: WorkspaceIndex, file: str) -> bool:

@@ -19,6 +19,7 @@ from archlint.python_code.late_attributes import LateSetter, gets_it_nowhere_els
 from archlint.python_code.methods_at_work import MethodsAtWork, methods_at_work
 from archlint.syntax import facts
 from archlint.syntax.parts import Itself, everything_in
+from archlint.syntax.walk import blocks_of
 
 if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
@@ -78,7 +79,7 @@ def _of_file(file_facts: facts.Facts) -> list[_Row]:
     if not late:
         return []
     bodies = [file_facts.body, *(function.body for function in everything_in(file_facts.body, facts.Function))]
-    return [row for body in bodies for block in _blocks(body) for row in _in_block(body, block, late)]
+    return [row for body in bodies for block in blocks_of(body) for row in _in_block(body, block, late)]
 
 
 @dataclass(frozen=True)
@@ -92,13 +93,6 @@ class _LateClass:
 
 _Late = Mapping[str, _LateClass]
 """Such classes by their names."""
-
-
-def _blocks(body: Sequence[facts.Stmt]) -> Iterator[Sequence[facts.Stmt]]:
-    yield body
-    for statement in body:
-        for block in statement.blocks:
-            yield from _blocks(block)
 
 
 def _in_block(body: Sequence[facts.Stmt], block: Sequence[facts.Stmt], late: _Late) -> Iterator[_Row]:

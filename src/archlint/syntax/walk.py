@@ -26,6 +26,13 @@ def statements_of(body: Sequence[facts.Stmt], kind: type[facts.Base] = facts.Bas
             yield from statements_of(block, kind)
 
 
+def blocks_of(body: Sequence[facts.Stmt]) -> Iterator[Sequence[facts.Stmt]]:
+    """A body and each block inside it, outer ones first."""
+    yield body
+    for statement in statements_of(body):
+        yield from statement.blocks
+
+
 def calls_in(fact: Source) -> Iterator[facts.Call]:
     """The calls inside a statement or expression."""
     return parts_of(fact, facts.Call)
@@ -58,4 +65,4 @@ def main_guard(code: facts.Facts) -> facts.If | None:
     return None
 
 
-__all__ = ["called_name", "calls_in", "given_to", "is_none", "main_guard", "parts_of", "statements_of"]
+__all__ = ["blocks_of", "called_name", "calls_in", "given_to", "is_none", "main_guard", "parts_of", "statements_of"]
