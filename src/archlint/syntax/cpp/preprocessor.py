@@ -1,7 +1,7 @@
-"""Branches of the preprocessor that hold no whole statements.
+"""Branches of the preprocessor that are no code, or hold no whole statements.
 
 ``#if A`` … ``if (x) {`` … ``#else`` … ``if (y) {`` … ``#endif`` is code in either case, and no tree can hold both: the
-first branch stays, with as many lines and columns as there were.
+first branch stays, with as many lines and columns as there were.  What ``#if 0`` leaves out is no code at all.
 """
 
 from __future__ import annotations
@@ -28,7 +28,8 @@ class _Block:
 
 
 def with_whole_branches(data: bytes) -> bytes:
-    """The source, with one branch left of each ``#if`` whose branches open or close brackets of code around them."""
+    """The source without what ``#if 0`` leaves out, and with one branch left of each ``#if`` whose branches open or
+    close brackets of code around them."""
     if b"#if" not in data:
         return data
     blanked: list[tuple[int, int]] = []
@@ -42,7 +43,7 @@ def with_whole_branches(data: bytes) -> bytes:
             if word == b"endif":
                 block = open_blocks.pop()
                 if len(open_blocks) < MAX_NESTED:
-                    blanked += _unbalanced(data, block.directives)
+                    blanked += _left_out(data, block.directives) or _unbalanced(data, block.directives)
     if not blanked:
         return data
     changed = bytearray(data)
@@ -51,14 +52,20 @@ def with_whole_branches(data: bytes) -> bytes:
     return bytes(changed)
 
 
+def _left_out(data: bytes, directives: list[tuple[int, int]]) -> list[tuple[int, int]]:
+    """What to blank of an ``#if 0``: all of it, or all but its ``#else``."""
+    if not _NEVER.fullmatch(data[slice(*directives[0])]):
+        return []
+    second, last = directives[1], directives[-1]
+    if len(directives) == 2:
+        return [(directives[0][0], last[1])]
+    if len(directives) == 3 and b"else" in data[slice(*second)]:
+        return [(directives[0][0], second[1]), last]
+    return []
+
+
 def _unbalanced(data: bytes, directives: list[tuple[int, int]]) -> list[tuple[int, int]]:
-    """What to blank of a block: what ``#if 0`` leaves out, and nothing else where each branch is whole."""
-    if _NEVER.fullmatch(data[slice(*directives[0])]):
-        second, last = directives[1], directives[-1]
-        if len(directives) == 2:
-            return [(directives[0][0], last[1])]
-        if len(directives) == 3 and b"else" in data[slice(*second)]:
-            return [(directives[0][0], second[1]), last]
+    """What to blank of a block: all but its first branch, and nothing where each branch is whole."""
     branches = [(start[1], end[0]) for start, end in itertools.pairwise(directives)]
     if not any(_balance(data[start:end]) for start, end in branches):
         return []
