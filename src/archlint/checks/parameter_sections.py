@@ -59,11 +59,12 @@ def parameters_for_unknown_node(system: System, options: Options) -> Iterator[Fi
         if not started or file in rewritten_files(workspace):
             continue  # in the file that a launch makes of this one the keys may be others
         keys = [section.key for section in workspace.parameters_of(file).sections if "*" not in section.key]
+        of_others = _named_for_others(workspace, file)
         unmet = [node for node in started if not any(key_matches(key, node.name) for key in keys)]
         for section in workspace.parameters_of(file).sections:
             if section.key == "/" or "*" in section.key or "$(" in section.key or _any_matches(section.key, started):
                 continue
-            if section.key.rpartition("/")[2] in _named_for_others(workspace, file):
+            if section.key.rpartition("/")[2] in of_others:
                 continue
             finding_ = _judged(workspace, Place(file, *section.span), section.key, started, unmet)
             if finding_ is not None:

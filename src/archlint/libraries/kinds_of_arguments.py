@@ -257,6 +257,7 @@ def _is_no_group(value: Value, written: facts.Expr | None) -> bool:
 
 
 _PYTHON_TYPES = frozenset({"str", "int", "float", "bool", "bytes", "list", "dict", "tuple", "set"})
+"""Classes of Python that students give where a message class is wanted: ``create_publisher(str, ...)``."""
 
 _IS_OTHER: Mapping[Kind, Callable[[Value, facts.Expr | None], bool]] = {
     Kind.NAME: _is_no_text,

@@ -327,6 +327,7 @@ def _end(commands: Sequence[Command], at: int) -> int:
 
 
 _HAND_ON = frozenset({"rosidl_generate_interfaces", "ament_target_dependencies", "ament_export_dependencies"})
+"""Functions of ament and rosidl that hand ``${ARGN}`` to another one: a quoted list becomes several arguments there."""
 
 
 def _expanded(command: Command, scope: _Scope) -> list[Argument]:
