@@ -189,4 +189,4 @@ def test_the_arguments_that_rospy_leaves_are_one_finding_with_the_rest_of_the_fi
     lines = "arguments = rclpy.myargv()  # here\nrclpy.init_node('echo')"
     [finding] = judge("API002", FILE.format(line=lines))
     assert finding.message == "rclpy has no myargv(); another call in this file is of rospy, too"
-    assert finding.help == "use rclpy.utilities.remove_ros_args(args=sys.argv)"
+    assert finding.help.endswith("; here use rclpy.utilities.remove_ros_args(args=sys.argv)")

@@ -123,7 +123,7 @@ def test_the_same_name_twice_in_a_file_is_one_finding(judge: Judge):
 def test_functions_of_rospy_are_one_finding_for_a_file(judge: Judge):
     [finding] = judge("API002", NODE.format(call="rclpy.loginfo('a')  # here\n        rclpy.Rate(10)"))
     assert finding.message == "rclpy has no loginfo(); another call in this file is of rospy, too"
-    assert "rclpy has no Rate()" in [one.message for one in finding.related]
+    assert "rclpy has no Rate(): use create_rate() of a node" in [one.message for one in finding.related]
 
 
 def test_what_else_a_file_of_rospy_has_is_told_with_its_functions(judge: Judge):

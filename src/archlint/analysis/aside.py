@@ -116,6 +116,14 @@ def is_not_installed(workspace: WorkspaceIndex | None, file: str) -> bool:
     return _in_no_module(workspace, file) and file in _reached_by_loose(workspace)
 
 
+def is_loose_module(workspace: WorkspaceIndex, file: str) -> bool:
+    """Whether a module of a package is no program, and no other file has a word for it."""
+    code = workspace.facts_at(file)
+    if code is None or workspace.package_of(file) is None or file in workspace.code.in_use:
+        return False
+    return main_guard(code) is None and not _is_mentioned(workspace, file)
+
+
 def import_that_fails(workspace: WorkspaceIndex | None, file: str) -> str | None:
     """The first module that a file imports as it starts and that is not there: one of a package here, or of ROS 1."""
     package = None if workspace is None else workspace.package_of(file)
@@ -266,6 +274,7 @@ __all__ = [
     "is_disused",
     "is_example",
     "is_left_alone",
+    "is_loose_module",
     "is_not_installed",
     "ros1_module",
     "starts_ros",

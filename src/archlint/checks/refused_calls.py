@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -28,9 +28,9 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.time_operators import OPERATOR, time_operator_findings
 from archlint.checks.uncalled import UNCALLED, unless_uncalled
+from archlint.checks.unported import OF_ROS_1, functions_of_rospy, is_left_in_ros_1, is_of_rospy, of_one_port
 from archlint.checks.used_values import NOTHING, PLAIN, TEXT, misused_kind_findings, used_value_findings
 from archlint.finding import Finding
-from archlint.libraries.absent_names import instead_of
 from archlint.libraries.api_signatures import attributes_of, signatures_of
 from archlint.model import Misuse, RefusedCall
 from archlint.python_code.logger_calls import GET_LOGGER, LOGGER, refused_logger_calls
@@ -52,7 +52,7 @@ def refused_call(system: System, options: Options) -> Iterator[Finding]:
     """Calls that rclpy, message_filters or tf2_ros refuse, and operators between times that rclpy does."""
     loggers = [] if system.workspace is None else refused_logger_calls(system.workspace)
     judged = list(_judged(system))
-    unported = _unported(judged)
+    unported = functions_of_rospy(judged)
     for call in (*judged, *loggers):
         of_rospy = call.api == "rclpy.spin" and call.misuse is Misuse.MISSING and call.place.file in unported
         if call.misuse not in _OF_OTHER_RULES and not of_rospy and _is_refused(call, options.distros):
@@ -78,11 +78,17 @@ def unknown_attribute(system: System, options: Options) -> Iterator[Finding]:
     yield from early_read_findings(system)
     yield from late_attribute_findings(system)
     yield from misused_kind_findings(system)
-    unported = _unported(absent)
+    unported = functions_of_rospy(absent)
+    left = {file for file, names in unported.items() if is_left_in_ros_1(system, file, len(names))}
     for diagnostic in absent_import_findings(system, {(call.place.file, call.place.line) for call in absent}):
         of_rospy = diagnostic.place.file in unported and diagnostic.identity[0].startswith("rclpy.ROS")
-        yield replace(diagnostic, group=(OF_ROS_1, diagnostic.place.file)) if of_rospy else diagnostic
+        if not of_rospy:
+            yield diagnostic
+        elif diagnostic.place.file not in left:
+            yield replace(diagnostic, group=(OF_ROS_1, diagnostic.place.file))
     for call, name in judged:
+        if is_of_rospy(call) and call.place.file in left:
+            continue
         logs = name in LEVELS and _is_of_node(call)
         diagnostic = finding(
             "API002",
@@ -123,18 +129,11 @@ def _group(call: RefusedCall, logs: bool) -> tuple[str, ...]:
     name."""
     if logs:
         return (LOGS, call.place.file)
-    if call.given == "rclpy" and instead_of(call.api):
+    if is_of_rospy(call):
         return (OF_ROS_1, call.place.file)
     return (UNDEFINED, call.place.file) if _is_of_node(call) and not call.wanted else (call.place.file, call.api)
 
 
-def _unported(calls: Iterable[RefusedCall]) -> frozenset[str]:
-    """The files that ask rclpy for functions of rospy."""
-    return frozenset(call.place.file for call in calls if call.given == "rclpy" and instead_of(call.api))
-
-
-OF_ROS_1 = "rospy"
-"""The group of findings about functions of rospy that a file asks rclpy for: it was not ported."""
 UNDEFINED = "undefined"
 """The group of findings about methods that the classes of a file call and do not have."""
 
@@ -182,8 +181,8 @@ def absent_in_one_file(findings: Sequence[Finding]) -> Finding:
         )
     if findings[0].group[0] in (LOGS, UNDEFINED):
         return with_others(findings, "another call in this file is", "more calls in this file are", "like that")
-    if findings[0].group[0] == OF_ROS_1 and len({told.identity for told in findings}) > 1:
-        return with_others(findings, "another call in this file is", "more calls in this file are", "of rospy, too")
+    if findings[0].group[0] == OF_ROS_1:
+        return of_one_port(findings)
     if findings[0].group[0] == OF_MODULE:
         return with_others(findings, "another line of the file does", "more lines of the file do", "the same")
     return with_others(findings, "another call in this file does", "more calls in this file do", "the same")
