@@ -188,6 +188,7 @@ def many(*names: str) -> dict[str, str]:
 
 
 ALL_ABSOLUTE = [f"/part{number}/state" for number in range(7)]
+MOSTLY_RELATIVE = [name.removeprefix("/") for name in ALL_ABSOLUTE]
 
 
 @pytest.mark.parametrize(("count", "told"), [(5, [("robot/node0.py", 9)]), (6, [])])
@@ -206,7 +207,7 @@ def test_a_large_workspace_hears_of_the_two_ends_of_one_topic(folder: Path):
         "user": subscriber("User", "/lidar/scan"),
         "viewer": node("Viewer", "/user/state"),
     }
-    [finding] = check(request(folder, **nodes, **many(*ALL_ABSOLUTE))).findings
+    [finding] = check(request(folder, **nodes, **many(*MOSTLY_RELATIVE))).findings
 
     assert places([finding]) == [("robot/user.py", 9)]
     assert finding.message == (
@@ -238,7 +239,13 @@ def test_a_slip_is_a_name_whose_class_follows_its_namespace_otherwise(
         ),
         "viewer": subscriber("Viewer", "/lidar/scan").replace("print, 10)", f"print, 10){CREATES.format(viewer)}"),
     }
-    assert bool(check(request(folder, **nodes, **many(*ALL_ABSOLUTE))).findings) is told
+    assert bool(check(request(folder, **nodes, **many(*MOSTLY_RELATIVE))).findings) is told
+
+
+def test_where_all_other_names_are_absolute_the_relative_one_does_not_fit(folder: Path):
+    """No namespace is meant to apply there: taking the '/' from one more name would be the wrong end."""
+    nodes = {"lidar": node("Lidar", "lidar/scan"), "user": subscriber("User", "/lidar/scan")}
+    assert check(request(folder, **nodes, **many(*ALL_ABSOLUTE))).findings == []
 
 
 CREATES = "\n        self.create_publisher(String, '{}', 10)"
@@ -268,7 +275,7 @@ def test_a_relative_name_that_says_nothing_against_an_absolute_one(folder: Path,
 def test_ends_that_meet_as_they_are_started(folder: Path, launch: str, told: bool):
     """A robot in a namespace does not hear the monitor of the fleet: its relative name may be what is wrong."""
     nodes = {"robot": subscriber("Robot", "command"), "monitor": node("Monitor", "/command")}
-    assert bool(check(request(folder, launch, **nodes, **many(*ALL_ABSOLUTE))).findings) is told
+    assert bool(check(request(folder, launch, **nodes, **many(*MOSTLY_RELATIVE))).findings) is told
 
 
 def test_a_bus_of_a_fleet_is_meant_to_be_absolute(folder: Path):
@@ -290,6 +297,30 @@ def test_a_small_workspace_that_starts_a_driver_or_two_robots_is_no_lesson(folde
     for other in ('pkg="v4l2_camera" exec="v4l2_camera_node"', 'pkg="robot" exec="arm" name="second"'):
         assert check(request(folder, f'<node pkg="robot" exec="arm"/><node {other}/>', arm=ARM)).findings == []
     assert check(request(folder, '<node pkg="robot" exec="arm" namespace="left"/>', arm=ARM)).findings == []
+
+
+@pytest.mark.parametrize(
+    ("line", "told"),
+    [
+        ("import cv2", False),
+        ("from serial import Serial", False),
+        ("from nav2_simple_commander.robot_navigator import BasicNavigator", False),
+        ("import numpy as np", True),  # rclpy brings it along
+        ("from geometry_msgs.msg import Twist", True),
+        ("from robot.base import Base", True),
+    ],
+)
+def test_a_small_workspace_that_works_with_more_than_ros_is_no_lesson(folder: Path, line: str, told: bool):
+    """Whoever has a camera, an arm on a serial port or Nav2 has the one robot that the names are for."""
+    nodes = {"arm": f"{line}\n{ARM}", "base": node("Base", "state")}
+    assert bool(check(request(folder, **nodes)).findings) is told
+
+
+@pytest.mark.parametrize(("needed", "told"), [("moveit_ros_planning_interface", False), ("std_msgs", True)])
+def test_a_small_workspace_whose_package_needs_another_system_is_no_lesson(folder: Path, needed: str, told: bool):
+    asked = request(folder, arm=ARM)
+    (folder / "package.xml").write_text(manifest(more=f"<depend>{needed}</depend>"))
+    assert bool(check(asked).findings) is told
 
 
 def test_a_large_workspace_may_mix_names_that_nobody_else_has(folder: Path):

@@ -21,10 +21,11 @@ _PRESCRIBED = (
 )
 """How the names begin that drivers and bridges of systems outside of ROS choose, of which one robot or one simulation
 has one."""
-_OF_A_JOINT = re.compile(r"/model/[^/]+/joint/[^/]+/")
-"""How Gazebo's joint plugins (JointController, JointPositionController, Thruster) begin the topics that nobody names.
+_OF_A_MODEL = re.compile(r"/model/[^/]+/(?:joint/[^/]+/|(?:cmd_vel|odometry|pose|tf)$)")
+"""What Gazebo's plugins for joints (JointController, JointPositionController, Thruster) and for driving (DiffDrive,
+AckermannSteering, OdometryPublisher, PosePublisher) call the topics of a model that nobody names.
 
-Source: gz-sim, ``src/systems``: ``/model/<model>/joint/<joint>/cmd_vel`` and the like.
+Source: gz-sim, ``src/systems``: ``/model/<model>/joint/<joint>/cmd_vel``, ``/model/<model>/odometry`` and the like.
 """
 _OF_AUTOWARE = (
     "/api/",
@@ -67,7 +68,7 @@ def _is_prescribed(workspace: WorkspaceIndex | None, endpoint: Endpoint) -> bool
     types = (other.type or "" for other in (endpoint, *endpoint.node.endpoints))
     if name.startswith(_OF_AUTOWARE) and any(other.startswith(("autoware_", "tier4_")) for other in types):
         return True
-    if name.startswith(_PRESCRIBED) or _OF_A_JOINT.match(name):
+    if name.startswith(_PRESCRIBED) or _OF_A_MODEL.match(name):
         return True
     spoken_with = type_.startswith(_TYPES_OF_OTHERS) and name.rfind("/") <= 0
     return spoken_with and (workspace is None or name not in _spoken_here(workspace))

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
 from archlint.checks.foreign_names import is_foreign
+from archlint.checks.lessons_about_names import is_lesson_about_names, namespace_of
 from archlint.checks.name_reasons import (
     FIXED,
     INSTANCES,
@@ -20,7 +21,6 @@ from archlint.checks.name_reasons import (
     parted_from,
     unlike_another,
 )
-from archlint.connections.lessons import is_lesson
 from archlint.model import EntityKind
 from archlint.ros.well_known import ABSOLUTE, BY_CLICK
 from archlint.systems.nodes import key_of
@@ -28,13 +28,11 @@ from archlint.systems.nodes import key_of
 if TYPE_CHECKING:
     from archlint.model import Blueprint
     from archlint.systems.model import System, WorkspaceIndex
-    from archlint.systems.nodes import Endpoint, Node
+    from archlint.systems.nodes import Endpoint
 
 Home = tuple[str, str]
 """The file and the class that a name is fixed in; the class is empty where there is none."""
 _ROOT = frozenset({""})
-_PACKAGES_OF_A_LESSON = 2
-"""One that learns has a package, and starts another."""
 _PROVIDES = frozenset({EntityKind.PUBLISHER, EntityKind.SERVICE, EntityKind.ACTION_SERVER})
 
 
@@ -80,9 +78,9 @@ def told(system: System, names: Sequence[FixedName], everywhere: bool) -> list[t
     workspace that starts nothing but its own nodes, also hears of what else speaks against absolute names, and so does
     who wants to be told of all, ``everywhere``.
     """
-    if everywhere or (is_lesson(system) and _stands_alone(system) and _starts_each_once(system.workspace)):
+    if everywhere or is_lesson_about_names(system):
         return _told_of_all(system.workspace, names, everywhere)
-    parted = _parted(system.workspace, names)
+    parted = {} if _are_absolute_throughout(names) else _parted(system.workspace, names)
     kept = _with_other_absolute_names(names, parted)
     meant = {_end_of(name) for name in names if name.home in kept}
     return [
@@ -90,6 +88,20 @@ def told(system: System, names: Sequence[FixedName], everywhere: bool) -> list[t
         for name in names
         if name.text[:1] != "/" or (_end_of(name) in parted and _end_of(name) not in meant)
     ]
+
+
+_MANY = 5
+_EXCEPTIONS = 3
+"""How many times more absolute names than relative ones make a relative one the exception."""
+
+
+def _are_absolute_throughout(names: Iterable[FixedName]) -> bool:
+    """Whether the names of a workspace are absolute but for a few: there, a relative one is what does not fit, and no
+    namespace is meant to apply."""
+    absolute = {_end_of(name) for name in names if name.is_absolute}
+    relative = {_end_of(name) for name in names if name.is_relative}
+    beside = {text for text, _ in relative}
+    return len(absolute) >= _MANY and sum(text[1:] not in beside for text, _ in absolute) > _EXCEPTIONS * len(relative)
 
 
 def _with_other_absolute_names(
@@ -104,26 +116,6 @@ def _with_other_absolute_names(
         if any(text.startswith("/") and (text, kind) not in parted for text, kind in (_end_of(name), *written)):
             kept.add(name.home)
     return kept
-
-
-def _stands_alone(system: System) -> bool:
-    """Whether the nodes of a workspace are in two packages at most, and talk to no system of which there is one, such
-    as PX4.  More packages make up a robot, and such a system has its names from elsewhere."""
-    nodes = [node for node in system.nodes if not node.external and not node.test]
-    written = (end for node in nodes for end in node.endpoints if (end.written or "").startswith("/"))
-    few = len({node.package for node in nodes}) <= _PACKAGES_OF_A_LESSON
-    return few and not any(is_foreign(system.workspace, end) for end in written)
-
-
-def _starts_each_once(workspace: WorkspaceIndex | None) -> bool:
-    """Whether launch files start nodes of the workspace alone, each once and in no namespace.  One with drivers or a
-    simulator is for a robot that somebody has, and one with instances for several."""
-    for system in () if workspace is None else workspace.systems:
-        if system.launched is not None:
-            keys = [None if node.blueprint is None else key_of(node.blueprint) for node in system.nodes]
-            if None in keys or len(set(keys)) < len(keys) or any(_namespace_of(node) for node in system.nodes):
-                return False
-    return True
 
 
 def _told_of_all(
@@ -270,18 +262,11 @@ def _started_in(workspace: WorkspaceIndex) -> frozenset[tuple[str, object]]:
     """The namespaces in which launch files start nodes, each with a node: by :func:`key_of`, or its start where its
     source is not here."""
     return frozenset(
-        (_namespace_of(node), id(node.started) if node.blueprint is None else key_of(node.blueprint))
+        (namespace_of(node), id(node.started) if node.blueprint is None else key_of(node.blueprint))
         for system in workspace.systems
         if system.launched is not None
         for node in system.nodes
     )
-
-
-def _namespace_of(node: Node) -> str:
-    """The namespace in which a launch file starts a node, the root where it is not known."""
-    given = None if node.started is None else node.started.namespace
-    known = (node.name or "").rpartition("/")[0] if given is None or node.name is not None else given.text
-    return f"/{known.strip('/')}" if known and known != "/" else ""
 
 
 @once

@@ -85,6 +85,11 @@ def is_known(module: str) -> bool:
     return module in _WITH_ROS or key_of(module) is not None
 
 
+def comes_with_ros(module: str) -> bool:
+    """Whether a top-level module is there wherever a node runs."""
+    return module in _WITH_ROS
+
+
 def brought_along_by(module: str) -> frozenset[str]:
     """The ROS packages that bring a module along."""
     return _BRINGS.get(module, frozenset())
@@ -95,4 +100,4 @@ def brought_by_pip(module: str) -> frozenset[str]:
     return _BROUGHT_BY_PIP.get(module, frozenset())
 
 
-__all__ = ["brought_along_by", "brought_by_pip", "is_known", "key_of", "names"]
+__all__ = ["brought_along_by", "brought_by_pip", "comes_with_ros", "is_known", "key_of", "names"]
