@@ -64,6 +64,13 @@ def _node(*lines: str) -> str:
         ("print(np.zeros(3))", "", "write `import numpy as np`"),
         ("print(ReentrantCallbackGroup())", "", "write `from rclpy.callback_groups import ReentrantCallbackGroup`"),
         ("self.pub.publish(Sting())", "; did you mean 'String'?", "write String"),
+        ("print(Int32())", "", "write `from std_msgs.msg import Int32`"),  # the file has others of that package
+        ("print(Imu())", "", "write `from sensor_msgs.msg import Imu`"),
+        ("print(Pose())", "", "write `from geometry_msgs.msg import Pose`"),  # turtlesim's is for those who use it
+        ("print(JointTrajectory())", "", "define it, or remove the line"),  # of two packages
+        ("name = raw_input()", "; did you mean 'input'?", "write input"),
+        ("print(double(self.limit))", "; did you mean 'float'?", "write float"),
+        ("self.limit = true", "; did you mean 'True'?", "write True"),
         ("print(limit)", "; did you mean 'self.limit'?", "write self.limit"),
         ("self.limit = limit + 1.0", "; did you mean 'self.limit'?", "write self.limit"),
         ("self.store = store('map.db')", "", "define it, or remove the line"),
@@ -136,6 +143,34 @@ def test_all_reads_in_a_file_are_one_finding(judge: Judge) -> None:
     (finding,) = judge("API005", _node("time.sleep(0.1)  # here") + "\n\ndef wait():\n    time.sleep(1.0)\n")
     assert finding.message.endswith("; another line of the file does the same")
     assert len(finding.related) == 1
+
+
+def test_what_a_file_does_not_import_is_one_finding(judge: Judge) -> None:
+    (finding,) = judge("API005", _node("print(Imu())  # here", "print(Pose())", "print(CvBridge(), Imu())"))
+    assert finding.message.endswith("; 2 more names are not defined, either")
+    assert finding.help == "write `from sensor_msgs.msg import Imu`"
+    assert [row.message for row in finding.related] == [
+        "nothing defines 'Pose': write `from geometry_msgs.msg import Pose`",
+        "nothing defines 'CvBridge': write `from cv_bridge import CvBridge`",
+    ]
+
+
+@pytest.mark.parametrize("line", ["print(Imu(), limit)", "print(limit, Imu())"])
+def test_a_slip_in_a_statement_with_an_import_is_told_with_it(judge: Judge, line: str) -> None:
+    (finding,) = judge("API005", _node(f"{line}  # here", "print(Imu())" if line.startswith("print(I") else "pass"))
+    assert finding.message.endswith("; another name is not defined, either")
+
+
+def test_what_a_slip_is_stays_beside_what_is_not_imported(judge: Judge) -> None:
+    slip, lacking = judge("API005", _node("print(limit)  # here", "print(Imu())  # here"))
+    assert (slip.help, lacking.help) == ("write self.limit", "write `from sensor_msgs.msg import Imu`")
+
+
+def test_an_interface_of_the_workspace_that_is_not_imported(findings: Callable[..., list[Finding]]) -> None:
+    files = {"msg/ServoState.msg": "uint8 id\n", "robot/talker.py": _node("print(ServoState())")}
+    cmake = 'rosidl_generate_interfaces(robot "msg/ServoState.msg")\n'
+    (finding,) = findings("API005", **{"CMakeLists.txt": cmake, **files})
+    assert finding.help == "write `from robot.msg import ServoState`"
 
 
 def test_the_names_of_one_statement_are_one_finding(judge: Judge) -> None:

@@ -47,13 +47,14 @@ def undefined_name(system: System, options: Options) -> Iterator[Finding]:
                 continue
             told = _finding(system.workspace, read)
             statement = getattr(source_code(system).statement_at(read.place), "span", None)
-            if statement is not None and told.group == (read.place.file, read.name):
+            imports = told.group == (read.place.file, _IMPORTS)
+            if statement is not None and (imports or told.group == (read.place.file, read.name)):
                 # A statement fails at the first of its names, which tells the rest, and so does all of a file that
                 # Python loads no further.
                 stops = statement in statements_of_module(system.workspace, read.place.file)
                 statement = None if stops else statement
-                leader = leaders.setdefault((read.place.file, statement), read.name)
-                told = replace(told, group=(read.place.file, leader))
+                leader = _IMPORTS if imports and not stops else read.name
+                told = replace(told, group=(read.place.file, leaders.setdefault((read.place.file, statement), leader)))
             yield from once_where_uncalled(system, told)
         for local in unbound_locals(system.workspace):
             told = _too_early(local) if local.caught is None else _past_handler(local)
@@ -126,6 +127,8 @@ def _past_handler(read: UnboundLocal) -> Finding:
 
 _WITHOUT_SELF = "no self"
 """The group of findings in a method whose author forgot ``self``."""
+_IMPORTS = "imports"
+"""The group of findings about what a file has to import: all that it lacks there is one finding."""
 _EARLY = "early"
 """The group of findings about a variable of a function that is read before it has a value."""
 PAST_HANDLER = "caught"
@@ -178,7 +181,9 @@ def _undefined(workspace: WorkspaceIndex, read: Undefined) -> Finding:
         near = meant_part
     else:
         in_launch_file = read.place.file in workspace.launch_files.all()
-        statement = import_of(workspace, read.name, in_launch_file=in_launch_file, called=read.called)
+        statement = import_of(
+            workspace, read.name, file=read.place.file, in_launch_file=in_launch_file, called=read.called
+        )
     if not near and not statement and len(read.name) >= _SHORT:
         known = (name for name in read.known if name not in _BUILT_IN and not _is_one_a_class(name, read.name))
         near = nearest(read.name, known) or idle_import_with(workspace, read.place.file, read.name) or ""
@@ -186,6 +191,8 @@ def _undefined(workspace: WorkspaceIndex, read: Undefined) -> Finding:
         near, statement = "", f"except Exception as {read.name}:"
     if read.name in _OF_ROS_1:
         near, statement = "", ""
+    if read.name in _OTHERWISE_CALLED and not read.of_self:
+        near, statement = _OTHERWISE_CALLED[read.name], ""
     cure = (
         f"write `{statement}`"
         if statement
@@ -200,13 +207,18 @@ def _undefined(workspace: WorkspaceIndex, read: Undefined) -> Finding:
         f"nothing defines '{read.name}': this line fails with a NameError{hint}",
         help=cure,
         identity=(read.name,),
-        group=(read.place.file, read.name),
+        group=(read.place.file, _IMPORTS if statement and not read.caught else read.name),
         meant=near,
     )
 
 
 _OF_ROS_1 = dict.fromkeys(("roslib", "rospy"), "port the file to rclpy: it is written for ROS 1")
 """What is advised of modules that ROS 2 does not have."""
+_OTHERWISE_CALLED = {
+    **{"basestring": "str", "long": "int", "raw_input": "input", "unichr": "chr", "unicode": "str", "xrange": "range"},
+    **{"double": "float", "false": "False", "null": "None", "nullptr": "None", "true": "True"},
+}
+"""What Python 2 and C++ call what Python 3 calls otherwise.  Source: docs.python.org/3/whatsnew/3.0.html."""
 
 
 def _is_one_a_class(known: str, name: str) -> bool:
@@ -222,9 +234,24 @@ def undefined_in_one_file(findings: Sequence[Finding]) -> Finding:
         return with_others(findings, "another variable has", "more variables have", "none, either")
     if _EARLY in findings[0].group and len({told.identity[0] for told in findings}) > 1:
         return with_others(findings, "another variable has", "more variables have", "none, either")
+    if findings[0].group[-1] == _IMPORTS:
+        return _of_imports(findings)
     if _WITHOUT_SELF not in findings[0].group and len({told.identity[0] for told in findings}) > 1:
         return with_others(findings, "another name is", "more names are", "not defined, either")
     return with_others(findings, "another line of the file does", "more lines of the file do", "the same")
+
+
+def _of_imports(findings: Sequence[Finding]) -> Finding:
+    """The first of the names that a file does not import, with the import of each other where it is read first."""
+    first: dict[str, Finding] = {}
+    for told in findings:
+        first.setdefault(told.identity[0], told)
+    if len(first) == 1:
+        return with_others(findings, "another line of the file does", "more lines of the file do", "the same")
+    names = list(first.values())
+    whole = with_others(names, "another name is", "more names are", "not defined, either")
+    rows = (Related(told.place, f"nothing defines '{told.identity[0]}': {told.help}") for told in names[1:])
+    return replace(whole, related=(*names[0].related, *rows))
 
 
 __all__ = ["undefined_in_one_file", "undefined_name"]

@@ -8,8 +8,10 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
 from archlint.libraries.module_names import modules_with
+from archlint.ros import standard_interfaces
 from archlint.ros.interfaces import is_interface_name
 from archlint.syntax import facts
+from archlint.syntax.interfaces import INTERFACE_KINDS
 from archlint.syntax.parts import everything_in, once_for
 
 if TYPE_CHECKING:
@@ -47,10 +49,12 @@ _MODULES_OF_VALUES = frozenset({"rclpy", "rclpy.qos"})
 """What these offer is for others, values too: ``qos_profile_sensor_data``."""
 
 
-def import_of(workspace: WorkspaceIndex, name: str, *, in_launch_file: bool = False, called: bool = False) -> str:
-    """The statement that would bind a name: what most other files of the workspace write, or what is usual; empty where
-    neither is known.  A variable somewhere in ROS is not what a name means that is not ``called``, and no class; nor is
-    the import of an interface by a name that ROS 2 gives none."""
+def import_of(
+    workspace: WorkspaceIndex, name: str, *, file: str = "", in_launch_file: bool = False, called: bool = False
+) -> str:
+    """The statement that would bind a name in a file: what most other files of the workspace write, or what is usual;
+    empty where neither is known.  A variable somewhere in ROS is not what a name means that is not ``called``, and no
+    class; nor is the import of an interface by a name that ROS 2 gives none."""
     statements = _imports(workspace).get(name, Counter())
     counts = {statement: n for statement, n in statements.items() if not _asks_in_vain(statement)}
     if counts:
@@ -60,9 +64,30 @@ def import_of(workspace: WorkspaceIndex, name: str, *, in_launch_file: bool = Fa
     if name in sys.stdlib_module_names:
         return f"import {name}"
     offering = [*(modules_with(name, "launch") if in_launch_file else ()), *modules_with(name, "rclpy")]
-    if not offering or not (called or name[0].isupper() or offering[0] in _MODULES_OF_VALUES):
+    if not offering:
+        return _import_of_interface(workspace, name, file)
+    if not (called or name[0].isupper() or offering[0] in _MODULES_OF_VALUES):
         return ""
     return f"from {offering[0]} import {name}"
+
+
+def _import_of_interface(workspace: WorkspaceIndex, name: str, file: str) -> str:
+    """The statement that imports an interface: from where the file imports others, else from the only package that has
+    one of the name, those of the workspace before others."""
+    table, code = workspace.interfaces, workspace.facts_at(file)
+    if table is None or code is None or not is_interface_name(name):
+        return ""
+    own = [f"{package}.{kind}" for kind in INTERFACE_KINDS for package in table.packages_with(kind, name)]
+    full = (full.split("/") for full in standard_interfaces.table().interfaces if full.endswith(f"/{name}"))
+    common = [f"{package}.{kind}" for package, kind, _ in full]
+    asked = {imported.module for imported in everything_in(code.body, facts.ImportFrom) if not imported.level}
+    usual = [module for module in common if module.partition(".")[0] not in _OF_LESSONS]
+    modules = [*asked.intersection(own + common)] or own or usual
+    return f"from {modules[0]} import {name}" if len(modules) == 1 else ""
+
+
+_OF_LESSONS = frozenset({"action_tutorials_interfaces", "example_interfaces", "turtlesim", "turtlesim_msgs"})
+"""Packages whose messages are meant where a file imports from them already."""
 
 
 _SECTIONS = (".msg", ".srv", ".action")
