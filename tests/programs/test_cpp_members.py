@@ -320,3 +320,33 @@ int main(int argc, char ** argv) {
 def test_a_constructor_of_a_base_may_be_called_by_its_whole_name() -> None:
     [node] = graph({"src/robot.cpp": DERIVED})["nodes"]
     assert (node["name"], [parameter["name"] for parameter in node["parameters"]]) == ("/base", ["rate"])
+
+
+OWN_NODE = """
+#include "rclcpp/rclcpp.hpp"
+#include "rclcpp_lifecycle/lifecycle_node.hpp"
+namespace robots {
+class LifecycleNode : public rclcpp_lifecycle::LifecycleNode {
+public:
+  LifecycleNode(const std::string & name, const std::string & ns, const rclcpp::NodeOptions & options)
+  : rclcpp_lifecycle::LifecycleNode(name, ns, options) { declare_parameter("bond", 1.0); }
+  LifecycleNode(const std::string & name, const rclcpp::NodeOptions & options)
+  : DELEGATED(name, "arm", options) {}
+};
+class Robot : public robots::LifecycleNode {
+public:
+  explicit Robot(const rclcpp::NodeOptions & options = rclcpp::NodeOptions())
+  : robots::LifecycleNode("robot", options) {}
+};
+}
+int main(int argc, char ** argv) {
+  rclcpp::init(argc, argv);
+  rclcpp::spin(std::make_shared<robots::Robot>()->get_node_base_interface());
+}
+"""
+
+
+@pytest.mark.parametrize("written", ["LifecycleNode", "robots::LifecycleNode"])
+def test_a_class_that_is_called_like_one_of_rclcpp_takes_what_its_own_constructors_take(written: str) -> None:
+    [node] = graph({"src/robot.cpp": OWN_NODE.replace("DELEGATED", written)})["nodes"]
+    assert (node["name"], [parameter["name"] for parameter in node["parameters"]]) == ("/arm/robot", ["bond"])

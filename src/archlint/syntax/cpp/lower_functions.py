@@ -265,9 +265,11 @@ class FunctionLowering(StatementLowering):
         return facts.Assign([target], self._member_value(name, arguments, span), span)
 
     def is_node(self, parts: list[Part]) -> bool:
-        """Whether a base is a node of rclcpp, which may be named without its namespace."""
-        path = self.names.path(parts)
-        return IN_PYTHON.get(path, "").endswith("Node") or (not path and parts[-1].name in ("Node", "LifecycleNode"))
+        """Whether a base is a node of rclcpp, which may be named without its namespace: a class of that name in another
+        one takes what its own constructors take."""
+        path, name = self.names.path(parts), parts[-1].name
+        is_bare = not path and len(parts) == 1 and name not in self.names.classes
+        return IN_PYTHON.get(path, "").endswith("Node") or (is_bare and name in ("Node", "LifecycleNode"))
 
     def _member_value(self, name: Node, arguments: Node | None, span: Span) -> Expr:
         """What ``member(…)`` of a constructor's list sets.  Where the type of the member is not known here, its class
