@@ -110,6 +110,15 @@ def test_calls_that_are_alike_are_one_finding(judge: Judge):
     assert finding.message.endswith("; another call in this file fails in the same way")
 
 
+def test_calls_of_several_levels_are_one_finding(judge: Judge):
+    lines = (
+        "self.log.info('%d', count)  # here\n            self.log.error('%s', e)\n            self.log.warn('%s', e)"
+    )
+    (finding,) = judge("API001", NODE.format(call=lines))
+    assert finding.message.endswith("; 2 more calls in this file fail in the same way")
+    assert [row.message.partition(":")[0] for row in finding.related] == ["error() fails", "warn() fails"]
+
+
 def test_a_call_that_is_expected_to_be_refused(judge: Judge):
     judge(
         "API001",

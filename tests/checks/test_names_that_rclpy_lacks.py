@@ -38,6 +38,11 @@ class Robot(Node):
         ("self.take_off()", "Node has no take_off()", "define take_off() in the class of the node, or remove the call"),
         ("self.logerr('no')", "Node has no logerr()", "use get_logger().error()"),
         ("self.trigger.call_sync(Trigger.Request())", "Client has no call_sync()", "use call()"),
+        (
+            "self.trigger.send_goal_async(Trigger.Request())",
+            "Client has no send_goal_async()",
+            "make an ActionClient of rclpy.action, which has it, in place of the client",
+        ),
         ("self.trigger.call_async(Trigger.Request()).get_result()", "Future has no get_result()", "use result()"),
         ("self.timer.stop()", "Timer has no stop()", "use cancel()"),
         ("self.goals.set_succeeded()", "ActionServer has no set_succeeded()", "use succeed() of the goal handle"),
@@ -274,3 +279,10 @@ def test_a_future_that_is_taken_for_the_goal_handle(judge: Judge):
     [finding] = judge("API002", source.replace("pass", "self.goal.cancel_goal_async()  # here"))
     assert finding.message == "Future has no cancel_goal_async()"
     assert finding.help == "keep the future apart from the goal handle, which is its result()"
+
+
+def test_a_client_that_is_made_for_an_action_lacks_what_an_action_client_has(judge: Judge):
+    call = "self.count = self.create_client(Fibonacci, 'count')\n        self.count.send_goal_async(Fibonacci.Goal())"
+    judge("API002", NODE.format(call=call))  # API001 says to make an ActionClient
+    judge("API001", NODE.format(call=call.replace("'count')", "'count')  # here")))
+    judge("API002", NODE.format(call=f"{call}\n        self.count.call_sync(1)  # here"))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -87,7 +87,7 @@ def unknown_attribute(system: System, options: Options) -> Iterator[Finding]:
         elif diagnostic.place.file not in left:
             yield replace(diagnostic, group=(OF_ROS_1, diagnostic.place.file))
     for call, name in judged:
-        if is_of_rospy(call) and call.place.file in left:
+        if (is_of_rospy(call) and call.place.file in left) or _is_of_action(call, name, judged_calls):
             continue
         logs = name in LEVELS and _is_of_node(call)
         diagnostic = finding(
@@ -100,6 +100,18 @@ def unknown_attribute(system: System, options: Options) -> Iterator[Finding]:
             meant=call.wanted,
         )
         yield from [diagnostic] if call.wanted else unless_uncalled(system, diagnostic)
+
+
+def _is_of_action(call: RefusedCall, name: str, refused: Iterable[RefusedCall]) -> bool:
+    """Whether a client for services lacks what one for actions has, and API001 says that its file makes it for an
+    action."""
+    if not call.api.startswith(_CLIENT) or name not in (attributes_of(_ACTION_CLIENT) or ()):
+        return False
+    return any(_is_made_for_action(other) for other in refused if other.place.file == call.place.file)
+
+
+def _is_made_for_action(call: RefusedCall) -> bool:
+    return call.misuse is Misuse.KIND and call.api.endswith(".create_client") and call.given.startswith(_THE_ACTION)
 
 
 def _in_place_of_absent(system: System, call: RefusedCall, name: str, logs: bool) -> str:
@@ -139,6 +151,9 @@ UNDEFINED = "undefined"
 
 
 _NODE = "rclpy.node.Node"
+_CLIENT = "rclpy.client.Client."
+_THE_ACTION = "the action "
+_ACTION_CLIENT = "rclpy.action.client.ActionClient"
 _GOAL_HANDLE = "rclpy.action.client.ClientGoalHandle"
 
 
@@ -148,6 +163,8 @@ def _define(system: System, call: RefusedCall, name: str) -> str:
         return "keep the future apart from the goal handle, which is its result()"
     if not _is_of_node(call) and name in (attributes_of(_NODE) or ()):
         return f"it is a method of the node: write {_node_around(system, call)}.{name}(…)"
+    if call.api.startswith(_CLIENT) and name in (attributes_of(_ACTION_CLIENT) or ()):
+        return "make an ActionClient of rclpy.action, which has it, in place of the client"
     if call.given.rpartition(".")[2] == "ClientGoalHandle" and "feedback" in name:
         return "pass what takes the feedback to send_goal_async(goal, feedback_callback=…) instead"
     return f"define {name}() in the class of the node, or remove the call" if _is_of_node(call) else "remove the call"
@@ -260,8 +277,13 @@ def _finding(call: RefusedCall) -> Finding:
         f"{_subject(name, call)} fails: {_what_is_wrong(call)}",
         help=_cure(name, call),
         identity=(call.api, str(call.misuse), *call.parameters),
-        # What is no node is none for all calls.
-        group=(call.place.file, call.given if no_node or inherited else call.api, str(call.misuse), *call.parameters),
+        # What is no node is none for all calls, and who gives one level of a logger too much does so to the others.
+        group=(
+            call.place.file,
+            call.given if no_node or inherited else LOGGER if call.api.startswith(LOGGER) else call.api,
+            str(call.misuse),
+            *call.parameters,
+        ),
     )
 
 
@@ -338,7 +360,7 @@ def _cure(name: str, call: RefusedCall) -> str:
             return "put a comma behind it, which makes the tuple: args=(…,)"
         if call.parameters == ("executor",) and call.api.endswith("spin_until_future_complete"):
             return "give the timeout by name, timeout_sec=…: the executor comes before it"
-        if call.given.startswith("the action ") and name in _OF_ACTIONS:
+        if call.given.startswith(_THE_ACTION) and name in _OF_ACTIONS:
             return f"use {_OF_ACTIONS[name]} of rclpy.action"
         called = call.given.startswith("what ")
         return "pass the function itself, without parentheses" if called else f"pass {call.wanted}"
