@@ -19,7 +19,10 @@ _NAMED_OLD = re.compile(
     r"(?:old|archived|deprecated)_.+|.+_(?:old|archived?|deprecated|back_?up|bak|unused)|_old|(?:.+_)?not_?used"
 )
 _MARKED = re.compile(r"[(\[](?:archived?|backup|deprecated|obsolete|old|unused)[)\]]")
-_COPY = re.compile(r"\(copy|[ _.-]copy\W|sync-conflict-|\(\d+\)|[ _.-](?:bak|backup|bk|old|orig|unused)\.")
+_COPY = re.compile(
+    r"\(copy|[ _.-]copy\d*\W|^copy[ _-](?:\d+[ _-])?of[ _-]|sync-conflict-|\(\d+\)"
+    r"|[ _.-](?:bak|backup|bk|old|orig|unused)\.|[ _.-](?:archived?|deprecated|obsolete)\.py$"
+)
 _RETIRED = re.compile(r"(?:old|archived|deprecated|unused)_(?=.*\.py$)(?!.*\.launch\.py$)", re.IGNORECASE)
 
 
