@@ -105,6 +105,18 @@ def test_what_package_xml_asks_for(judge: Judge, imports: str, tag: str):
     assert judge(imports, tag) == []
 
 
+def test_a_dependency_that_somebody_has_taken_out_is_known_to_him(judge: Judge):
+    imports = "import serial\nserial.Serial()"
+    assert judge(imports, "<!-- <exec_depend>python3-serial</exec_depend> -->") == []
+    assert len(judge(imports, "<!-- python3-serial is on the image -->")) == 1
+
+
+def test_what_pip_brings_along_with_another_missing_module_is_not_listed(judge: Judge):
+    imports = "import cv2, torch, ultralytics\ncv2.imread('')\ntorch.zeros(3)\nultralytics.YOLO()"
+    [finding] = judge(imports)
+    assert finding.help == "add <exec_depend>python3-ultralytics-pip</exec_depend>"
+
+
 def test_a_test_dependency_is_not_installed_with_the_node(judge: Judge):
     assert len(judge("import serial", "<test_depend>python3-serial</test_depend>")) == 1
 

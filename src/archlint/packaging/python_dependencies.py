@@ -77,7 +77,17 @@ def modules_to_declare(
             rows.setdefault(package.relative, (package, []))[1].append(ModuleUse(statement.place, module, key, unused))
     idle = {(package.name, use.module) for package, uses in rows.values() for use in uses if use.unused}
     used_apart |= {(package, module) for package, module in idle if _is_named_apart(workspace, package, module)}
-    return {folder: (package, _with_uses_apart(package, uses, used_apart)) for folder, (package, uses) in rows.items()}
+    return {
+        folder: (package, _with_uses_apart(package, _without_brought(uses), used_apart))
+        for folder, (package, uses) in rows.items()
+    }
+
+
+def _without_brought(uses: Sequence[ModuleUse]) -> list[ModuleUse]:
+    """The uses but for those of modules that pip brings along with another one of them: rosdep asks pip for that one,
+    and what apt has beside it is a second copy."""
+    by_pip = {use.module for use in uses if use.key.endswith("-pip") and not use.unused}
+    return [use for use in uses if by_pip.isdisjoint(python_modules.brought_by_pip(use.module))]
 
 
 def _is_named_apart(workspace: WorkspaceIndex, package: str, module: str) -> bool:
@@ -163,7 +173,18 @@ def _declared(
     if any(name not in known and not name.endswith(("_msgs", "_interfaces")) for name in there):
         return None
     texts = [workspace.tree.text(posixpath.join(package.relative, name)) or "" for name in _BUILT_BY]
+    texts += _taken_out(workspace.tree.text(package.manifest.relative) or "")
     return _Declared((*map(_plain, there), *map(_plain, [*texts, *_requirements(workspace)])), there)
+
+
+def _taken_out(manifest: str) -> list[str]:
+    """The dependencies that stand in comments of a manifest: somebody wants them there no longer, and knows of them."""
+    comments = _COMMENT.findall(manifest)
+    return [name for comment in comments for name in _DEPENDENCY.findall(comment)]
+
+
+_COMMENT = re.compile(r"<!--(.*?)-->", re.DOTALL)
+_DEPENDENCY = re.compile(r"<(?:\w+_)?depend\b[^>]*>\s*([\w.-]+)\s*</")
 
 
 @once

@@ -42,23 +42,33 @@ _BRINGS: Mapping[str, frozenset[str]] = {
     "twisted": frozenset({"rosbridge_server"}),
 }
 """The ROS packages that bring a module along."""
-_WITH_TORCH = frozenset({"ultralytics", "torchvision", "easyocr", "stable-baselines3"})
+_WITH_TORCHVISION = frozenset({"easyocr", "facenet-pytorch", "rfdetr", "timm", "ultralytics", "yolov5"})
+_WITH_TORCH = _WITH_TORCHVISION | {
+    *("openai-whisper", "pytorch-lightning", "sentence-transformers", "stable-baselines3", "torchaudio", "torchvision"),
+}
+_WITH_CV2 = frozenset({"deepface", "easyocr", "insightface", "mediapipe", "roboflow", "ultralytics", "yolov5"})
+_WITH_SCIPY = frozenset({"easyocr", "insightface", "sentence-transformers", "supervision", "ultralytics", "yolov5"})
+_WITH_REQUESTS = frozenset({"deepface", "facenet-pytorch", "insightface", "rfdetr", "roboflow", "supervision"})
 _BROUGHT_BY_PIP: Mapping[str, frozenset[str]] = {
-    "PIL": frozenset({"ultralytics", "torchvision", "easyocr", "supervision", "scikit-image"}),
-    "cv2": frozenset({"ultralytics", "easyocr", "mediapipe"}),
+    "PIL": _WITH_TORCHVISION - {"rfdetr", "timm"} | {"roboflow", "scikit-image", "supervision", "torchvision"},
+    "cv2": _WITH_CV2,
     "joblib": frozenset({"scikit-learn"}),
-    "matplotlib": frozenset({"ultralytics", "supervision", "mediapipe", "seaborn"}),
+    "matplotlib": frozenset({"mediapipe", "roboflow", "seaborn", "supervision", "ultralytics", "yolov5"}),
     "networkx": frozenset({"scikit-image"}),
-    "pandas": frozenset({"ultralytics", "seaborn"}),
-    "requests": frozenset({"ultralytics", "supervision"}),
-    "scipy": frozenset({"ultralytics", "easyocr", "supervision", "scikit-learn", "scikit-image"}),
-    "skimage": frozenset({"easyocr"}),
+    "pandas": frozenset({"deepface", "seaborn", "ultralytics", "yolov5"}),
+    "requests": _WITH_REQUESTS | {"ultralytics", "yolov5"},
+    "scipy": _WITH_SCIPY | {"scikit-image", "scikit-learn"},
+    "seaborn": frozenset({"yolov5"}),
+    "skimage": frozenset({"easyocr", "insightface"}),
+    "sklearn": frozenset({"sentence-transformers"}),
     "torch": _WITH_TORCH,
-    "torchvision": frozenset({"ultralytics", "easyocr"}),
+    "torchvision": _WITH_TORCHVISION,
 }
 """The packages of PyPI that a module comes with, because they need it.  Source: ``Requires-Dist`` of ultralytics 8.3
 and 8.4, torchvision 0.29, easyocr 1.7, supervision 0.31, stable-baselines3 2.9, mediapipe 1.2, scikit-learn 1.9,
-seaborn 0.13 and scikit-image 0.26."""
+seaborn 0.13, scikit-image 0.26, deepface 0.0.103, facenet-pytorch 2.6, insightface 2.1, openai-whisper 20250625,
+pytorch-lightning 2.6, rfdetr 1.11, roboflow 1.7, sentence-transformers 6.2, timm 1.0, torchaudio 2.11 and
+yolov5 7.0."""
 
 
 def key_of(module: str) -> str | None:
