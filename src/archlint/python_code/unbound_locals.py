@@ -23,8 +23,19 @@ if TYPE_CHECKING:
     from archlint.syntax.flow_graph import Graph
     from archlint.systems.model import WorkspaceIndex
 
-_ENDS = frozenset({"BaseException", "KeyboardInterrupt", "SystemExit", "ExternalShutdownException", "GeneratorExit"})
-"""What ends a program, at any place: whoever catches it cares for nothing else."""
+_ENDS = frozenset(
+    {
+        "BaseException",
+        "ExternalShutdownException",
+        "GeneratorExit",
+        "KeyboardInterrupt",
+        "ROSInterruptException",
+        "SystemExit",
+    }
+)
+"""What ends a program, at any place: whoever catches it cares for nothing else.  No constructor of a node raises it."""
+_CLOCKS = frozenset({"datetime.datetime.now", "datetime.now", "time.monotonic", "time.perf_counter", "time.time"})
+"""Calls that cannot fail, though they are calls: they read a clock."""
 _OPTIONAL = frozenset({"ImportError", "ModuleNotFoundError", "NameError", "UnboundLocalError"})
 
 
@@ -222,7 +233,12 @@ def _may_fail(inside: Collection[Block], tried: Collection[Block]) -> bool:
     later = after(inside)
     until = [block.fact for block in tried if block not in later or block in inside]
     kinds = (facts.Call, facts.Subscript, facts.Await)
-    return any(isinstance(part, kinds) for fact in until if fact is not None for part in parts_of(fact))
+    parts = (part for fact in until if fact is not None for part in parts_of(fact))
+    return any(isinstance(part, kinds) and not _reads_a_clock(part) for part in parts)
+
+
+def _reads_a_clock(part: facts.Base) -> bool:
+    return isinstance(part, facts.Call) and part.func.dotted in _CLOCKS
 
 
 def _goes_on(edge: Edge) -> bool:
