@@ -88,6 +88,22 @@ class TestWaysToWait:
         )
 
         assert found.severity is Severity.ERROR
+        assert "its node is spun by another executor" in found.message
+
+    def test_a_loop_that_spins_the_executor_that_is_spinning(self, judge: Judge):
+        [found] = judge(
+            "SRV003",
+            gripper(
+                [
+                    "future = self.motor.call_async(SetBool.Request())",
+                    "while not future.done():  # here",
+                    "    rclpy.spin_once(self)",
+                    "return response",
+                ]
+            ),
+        )
+
+        assert "its executor is already spinning" in found.message
 
     def test_an_event_that_the_done_callback_sets(self, judge: Judge):
         judge(

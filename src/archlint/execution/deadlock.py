@@ -191,16 +191,18 @@ def judge_spin(
     program: Program,
     limited: bool = False,
     distros: Sequence[str] = DISTROS,
+    on_global_executor: bool = False,
 ) -> Verdict:
-    """A spin inside a callback ends well only for another node on an executor that is not running."""
+    """A spin inside a callback ends well only for another node on an executor that is not running.  ``call`` may be the
+    ``future.done()`` of a loop, which spins ``on_global_executor`` where it calls rclpy's functions."""
     callback = call.context
     node = callback.node
     running = program.executors_of(node) if node is not None else []
     relation = _relation_of_spin(call, spun, client)
-    globally = call.api.startswith("rclpy.spin") and not _given(call, "executor")
+    globally = on_global_executor or (call.api.startswith("rclpy.spin") and not _given(call, "executor"))
     form: Form = LIMITED_SPIN if limited else SPIN
     # A spin without a future ends as soon as there is any work.
-    steal: Form = LIMITED_STEAL if limited or "future" not in call.arguments else STEAL
+    steal: Form = LIMITED_STEAL if limited or not (on_global_executor or "future" in call.arguments) else STEAL
     nested = look_up(form, _pool_of(node, program), relation, _NESTED, distros)
     if node is not None and any(creation.kind == EntityKind.ACTION_CLIENT for creation in node.creations):
         nested = nested.with_an_action_client()

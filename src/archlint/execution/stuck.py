@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.reach import creations_of
 from archlint.execution import blocking
 from archlint.execution.callback_roles import runs_in_executor
-from archlint.execution.deadlock import Verdict, judge_wait
+from archlint.execution.deadlock import Verdict, judge_spin, judge_wait
 from archlint.execution.waits import Wait, waits
 from archlint.model import Role
 
@@ -68,6 +68,8 @@ def nested_spins(system: System, distros: Sequence[str]) -> frozenset[Place]:
 
 
 def _verdict(wait: Wait, distros: Sequence[str]) -> Verdict:
+    if wait.on_global_executor:
+        return judge_spin(wait.call, wait.client.node, wait.client, wait.program, wait.limited, distros, True)
     return judge_wait(wait.kind, wait.call, wait.client, wait.program, wait.limited, distros)
 
 

@@ -21,7 +21,7 @@ from archlint.model import Role
 from archlint.model.given import Constant, Future, Object
 from archlint.syntax import facts
 from archlint.syntax.parts import names_in
-from archlint.syntax.walk import called_name, calls_in, statements_of
+from archlint.syntax.walk import called_name, calls_in, given_to, statements_of
 
 if TYPE_CHECKING:
     from archlint.execution.blocking import Form
@@ -67,6 +67,8 @@ class Wait:
     program: Program
     limited: bool = False
     bounded: bool = False
+    on_global_executor: bool = False
+    """Whether the loop around it calls ``rclpy.spin_once(node)``, which knows nothing of another executor."""
 
 
 @once
@@ -80,7 +82,8 @@ def waits(system: System) -> list[Wait]:
             if clients:
                 limited = any(has_limit(call, name) for name in _LIMITS) or (call.api == DONE and gives_up(code, call))
                 bounded = limited or any(_may_end(argument(call, name)) for name in _LIMITS)
-                all_waits.append(Wait(kind, call, clients[0], program, limited, bounded))
+                globally = kind == SPIN and call.api == DONE and _spins_on_global_executor(code, call)
+                all_waits.append(Wait(kind, call, clients[0], program, limited, bounded, globally))
     return all_waits
 
 
@@ -89,6 +92,15 @@ def _may_end(limit: Given | None) -> bool:
     return limit is not None and all(
         not isinstance(option, Constant) or (isinstance(option.value, (int, float)) and option.value >= 0)
         for option in limit.alternatives
+    )
+
+
+def _spins_on_global_executor(code: SourceCode, call: ApiCall) -> bool:
+    loop = loop_until_done(code, call)
+    spins = () if loop is None else [each for each in calls_in(loop) if called_name(each).startswith("spin")]
+    return bool(spins) and all(
+        each.func.dotted.startswith(("rclpy.spin", "spin")) and given_to(each, "executor", None) is None
+        for each in spins
     )
 
 
