@@ -90,6 +90,13 @@ def test_modules_of_ros_packages(lint: Lint, line: str, needed: str):
     assert missing(lint(files)) == [needed]
 
 
+def test_a_module_of_a_package_with_another_name(lint: Lint):
+    """``tf2_ros`` of C++ and ``tf2_ros_py`` do not bring each other."""
+    (found,) = lint({"package.xml": manifest("robot", *depends("rclpy")), "robot/talk.py": node("import tf2_ros")})
+    assert found.message == ("package 'robot' imports a module of 'tf2_ros_py', which its package.xml does not declare")
+    assert found.help == "add <exec_depend>tf2_ros_py</exec_depend> to package.xml"
+
+
 def test_what_a_declared_package_does_not_bring_is_missing(lint: Lint):
     files = {"package.xml": manifest("talk", *depends("rclpy", "std_srvs")), "talk/node.py": node(POSE)}
     assert missing(lint(files)) == ["geometry_msgs"]

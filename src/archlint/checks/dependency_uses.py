@@ -31,6 +31,7 @@ if TYPE_CHECKING:
 
 How = Literal[
     "imports",
+    "imports a module of",
     "starts a node of",
     "uses types of",
     "includes a launch file of",
@@ -41,6 +42,7 @@ How = Literal[
     "builds its tests with",
     "tests with",
 ]
+_IMPORTS: frozenset[How] = frozenset({"imports", "imports a module of"})
 BUILDS: frozenset[How] = frozenset({"builds with", "builds its tests with", "includes headers of"})
 
 
@@ -114,7 +116,7 @@ def _is_left_out(workspace: WorkspaceIndex, package: Package, use: Use) -> bool:
     package of Python, and that no program reaches: it is run by hand, where it lies."""
     installs, file = workspace.installs.get(package.name), use.place.file
     code = None if installs is None else installs.python
-    if installs is None or code is None or use.how != "imports" or installs.open_files or code.has(file):
+    if installs is None or code is None or use.how not in _IMPORTS or installs.open_files or code.has(file):
         return False
     if file in workspace.code.in_use or any(installs.places_of(file)) or workspace.code.kind_of(file) != "python":
         return False
@@ -220,7 +222,8 @@ def _imported(workspace: WorkspaceIndex) -> Iterator[Use]:
         if needed is None or (of_launch and needed in _OF_ROS2_LAUNCH):
             continue
         if not workspace.code.is_local(file, statement.module):
-            yield Use(statement.place, needed, "imports", unused=statement.unused)
+            how: How = "imports" if statement.module.partition(".")[0] == needed else "imports a module of"
+            yield Use(statement.place, needed, how, unused=statement.unused)
 
 
 _BESIDE = frozenset({"test", "tests", "doc", "docs", "example", "examples"})

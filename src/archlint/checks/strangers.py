@@ -19,7 +19,9 @@ if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
     from archlint.workspace.model import Package
 
-_STOPS: frozenset[How] = frozenset({"imports", "starts a node of", "includes a launch file of", "takes files of"})
+_STOPS: frozenset[How] = frozenset(
+    {"imports", "imports a module of", "starts a node of", "includes a launch file of", "takes files of"}
+)
 """Uses at which a program or launch stops without the package."""
 
 

@@ -187,6 +187,7 @@ def _related(by_needed: Mapping[str, Sequence[Use]]) -> Iterator[Related]:
 
 _FIRST: dict[How, str] = {
     "imports": "'{}' is imported here",
+    "imports a module of": "a module of '{}' is imported here",
     "starts a node of": "a node of '{}' is started here",
     "uses types of": "a type of '{}' is used here",
     "includes a launch file of": "a launch file of '{}' is included here",

@@ -50,7 +50,7 @@ _BY_MODULE = {
     "sensor_msgs_py": "sensor_msgs_py",
     "tf2_geometry_msgs": "tf2_geometry_msgs",
     "tf2_py": "tf2_py",
-    "tf2_ros": "tf2_ros",
+    "tf2_ros": "tf2_ros_py",
     "tf2_sensor_msgs": "tf2_sensor_msgs",
     "tf_transformations": "tf_transformations",
     "xacro": "xacro",
