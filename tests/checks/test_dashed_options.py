@@ -37,6 +37,19 @@ def test_all_packages_of_one_template_are_one_finding(tmp_path, monkeypatch):
 
 
 @pytest.mark.parametrize(
+    ("command", "told"),
+    [
+        ("ament_python_install_package(robot)", 0),  # CMake builds the package, and nobody hands setuptools the file
+        ("ament_python_install_package(robot SCRIPTS_DESTINATION lib/robot SETUP_CFG setup.cfg)", 1),
+    ],
+)
+def test_a_package_that_cmake_builds(findings, command: str, told: int):
+    cmake = f"cmake_minimum_required(VERSION 3.8)\nproject(robot)\nfind_package(ament_cmake_python)\n{command}\n"
+    files = {"setup.cfg": OLD, "CMakeLists.txt": cmake, "package.xml": manifest(build_type="ament_cmake")}
+    assert len(findings("PKG010", **files)) == told
+
+
+@pytest.mark.parametrize(
     "text",
     [
         OLD.replace("-dir", "_dir").replace("-scripts", "_scripts"),

@@ -7,13 +7,25 @@ import pytest
 from archlint.config.settings import load
 from archlint.engine.pipeline import Request, check
 from archlint.finding import Severity
-from robot_package import CMAKE, MANIFEST, SCRIPTS, SETUP, TALKER, node
+from robot_package import CMAKE, MANIFEST, SCRIPTS, SETUP, SETUP_CFG, TALKER, node
+
+LEFT_OVER = "remove the entry: it has no module, and no launch file starts it"
 
 
 @pytest.mark.parametrize(
     ("entries", "message", "help"),
     [
         ("'talker == robot.talker:main'", "it has '==' instead of '='", "write 'talker = robot.talker:main'"),
+        (
+            "'talker == robot.robot.talker:main'",
+            "it has '==' instead of '=', and module 'robot.robot.talker' does not exist",
+            "write 'talker = robot.talker:main'",
+        ),
+        (
+            "'talker == robot.b:main'",
+            "it has '==' instead of '=', and module 'robot.b' does not exist",
+            "remove the entry",
+        ),
         (
             "'talker = robot.talker:main' 'other = robot.talker:main'",
             "a comma is missing between 'talker' and 'other'; newer setuptools stop the build here",
@@ -181,13 +193,13 @@ def test_a_node_action_without_a_package_needs_none(findings):
             "module 'robot.tlker' does not exist; did you mean 'robot.talker'?",
             "write 'talker = robot.talker:main'",
         ),
-        ("robot.b", "module 'robot.b' does not exist", "add the module, or remove the entry"),
+        ("robot.b", "module 'robot.b' does not exist", LEFT_OVER),
         (
             "robot.robot_arm_talker",
             "module 'robot.robot_arm_talker' does not exist; did you mean 'robot.talker'?",
             "write 'talker = robot.talker:main'",
         ),
-        ("robot.robot_a", "module 'robot.robot_a' does not exist", "add the module, or remove the entry"),
+        ("robot.robot_a", "module 'robot.robot_a' does not exist", LEFT_OVER),
         (
             "robt.talker",
             "module 'robt.talker' does not exist; did you mean 'robot.talker'?",
@@ -206,14 +218,36 @@ def test_a_module_without_the_function_is_not_the_one_that_was_meant(findings, t
     entry = SETUP.replace("robot.talker:main", "robot.visualizer:main")
     (found,) = findings("PKG002", **{"setup.py": entry, "robot/visualiser.py": text})
     assert ("did you mean 'robot.visualiser'?" in found.message) == said
-    assert found.help == ("write 'talker = robot.visualiser:main'" if said else "add the module, or remove the entry")
+    assert found.help == ("write 'talker = robot.visualiser:main'" if said else LEFT_OVER)
+
+
+def test_two_entries_are_not_said_to_mean_one_module(findings):
+    entries = "'camera_goal = robot.camera_goal:main', '3_nav_to_goal = robot.3_nav_to_goal:main'"
+    setup = SETUP.replace("'talker = robot.talker:main'", entries)
+    near, left_over = findings("PKG002", **{"setup.py": setup, "robot/goal.py": "def main():\n    print('on')\n"})
+    assert (near.identity[1], near.help) == ("camera_goal", "write 'camera_goal = robot.goal:main'")
+    assert (left_over.identity[1], left_over.help) == ("3_nav_to_goal", LEFT_OVER)
+
+
+def test_a_module_that_a_launch_file_wants_may_be_added(findings):
+    setup = SETUP.replace("robot.talker:", "robot.b:")
+    (found,) = findings("PKG002", node(exec="talker"), **{"setup.py": setup})
+    assert found.help == "add the module, or remove the entry"
+
+
+@pytest.mark.parametrize(("entry_points", "place"), [(True, ("setup.py", 6)), (False, ("setup.cfg", 7))])
+def test_entries_of_setup_cfg_count_where_setup_is_given_none(findings, entry_points: bool, place):
+    table = SETUP_CFG + "[options.entry_points]\nconsole_scripts =\n    talker = robot.b:main\n"
+    setup = SETUP.replace("robot.talker", "robot.b") if entry_points else "from setuptools import setup\nsetup()\n"
+    (found,) = findings("PKG002", **{"setup.py": setup, "setup.cfg": table})
+    assert (found.place.file, found.place.line) == place
 
 
 def test_a_module_that_another_entry_starts_is_not_the_one_that_was_meant(findings):
     entries = "'talker = robot.talker:main', 'second = robot.talkers:main'"
     (found,) = findings("PKG002", **{"setup.py": SETUP.replace("'talker = robot.talker:main'", entries)})
     assert found.message == "the executable 'second' cannot start: module 'robot.talkers' does not exist"
-    assert found.help == "add the module, or remove the entry"
+    assert found.help == LEFT_OVER
     (alone,) = findings("PKG002", **{"setup.py": SETUP.replace("robot.talker:main", "robot.talkers:main")})
     assert alone.message.endswith("; did you mean 'robot.talker'?")
 
@@ -358,7 +392,10 @@ def test_entries_whose_modules_are_not_there_are_one_finding(findings):
     files = {"setup.py": SETUP.replace("'talker = robot.talker:main'", entries)}
     (found,) = findings("PKG002", **files)
     assert found.message == "2 executables cannot start: their modules do not exist: left, right"
-    assert found.help == "add the modules, or remove the entries" and len(found.related) == 1
+    assert (
+        found.help == "remove the entries: they have no modules, and no launch file starts them"
+        and len(found.related) == 1
+    )
     (found,) = findings("PKG002", **files, **{"robot/arms/l.py": "def main():\n    pass\n"})
     assert "'robot.arms.r' does not exist" in found.message
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -12,11 +12,11 @@ from archlint.checks.plugin_classes import plugin_classes
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related, Severity
+from archlint.launch_files.launch_code import started_programs
 from archlint.packaging.entry_points import NeverAwaited, NoFunction, NoFunctionNamed, NoModule, broken_target
-from archlint.packaging.imports import imports
 from archlint.packaging.left_out_code import is_entry_left_out
+from archlint.packaging.modules_meant import target_meant
 from archlint.packaging.webots_plugins import loaded_by_webots
-from archlint.python_code.offered_names import own_names
 from archlint.suggestions import did_you_mean, listed, meant, nearest
 
 if TYPE_CHECKING:
@@ -44,7 +44,7 @@ def broken_entry_point(system: System, options: Options) -> Iterator[Finding]:
     for name in sorted(workspace.installs):
         for executable in workspace.installs[name].executables.values():
             if executable.wrong:
-                yield _wrong(executable)
+                yield _wrong(workspace, executable)
             elif executable.module is not None and not _never_run(workspace, executable):
                 yield from _broken(workspace, executable)
     yield from plugin_classes(workspace)
@@ -60,33 +60,34 @@ def is_ignored_by_cmake(package: Package | None, executable: Executable) -> bool
     return cmake and posixpath.basename(executable.place.file) == "setup.py"
 
 
-def _wrong(executable: Executable) -> Finding:
+def _wrong(workspace: WorkspaceIndex, executable: Executable) -> Finding:
     target = f"{executable.module}:{executable.function or 'main'}" if executable.module else "package.module:function"
+    what, help = (
+        executable.wrong,
+        f"write '{executable.name} = {target}'" + ("," if "comma" in executable.wrong else ""),
+    )
+    if isinstance(broken_target(workspace, executable), NoModule):  # to write it in the right form does not suffice
+        there = target_meant(workspace, executable)
+        what += f", and module '{executable.module}' does not exist"
+        help = "remove the entry" if there is None else help.replace(target, there.target)
     return finding(
         "PKG002",
         executable.place,
-        f"this entry does not install an executable '{executable.name}': {executable.wrong}",
-        help=f"write '{executable.name} = {target}'" + ("," if "comma" in executable.wrong else ""),
+        f"this entry does not install an executable '{executable.name}': {what}",
+        help=help,
         identity=(executable.package, executable.name),
     )
 
 
 def _broken(workspace: WorkspaceIndex, executable: Executable) -> Iterator[Finding]:
     match broken_target(workspace, executable):
-        case NoModule(module, function, known):
-            parent, _, last = module.rpartition(".")
-            near = _near_module(module, _that_start(workspace, executable, module, known))
-            target = f"{near}:{function or 'main'}"
-            if function is None and parent in known and _may_offer(workspace, executable.package, parent, last):
-                near = target = f"{parent}:{last}"
-            elif near is not None and not _may_offer(workspace, executable.package, near, function or "main"):
-                near = None
-            if near is None:
-                near = _shorter(workspace, executable, module, function or "main", known)
-                target = f"{near}:{function or 'main'}"
-            hint = "" if near is None else meant(f"'{near}'")
-            help = "add the module, or remove the entry" if near is None else f"write '{executable.name} = {target}'"
-            group = (executable.place.file, _NO_MODULE, "") if near is None else ()
+        case NoModule(module):
+            there = target_meant(workspace, executable)
+            hint = "" if there is None else meant(f"'{there.named}'")
+            help = _without_module(workspace, executable)
+            if there is not None:
+                help = f"write '{executable.name} = {there.target}'"
+            group = (executable.place.file, _NO_MODULE, "") if there is None else ()
             yield _entry_finding(executable, f"module '{module}' does not exist{hint}", help, group)
         case NoFunctionNamed(module, functions):
             help = _with_a_function(executable.name, module, functions)
@@ -118,6 +119,16 @@ def _broken(workspace: WorkspaceIndex, executable: Executable) -> Iterator[Findi
             if at_the_end and is_entry_left_out(workspace, executable):
                 return  # it is not even installed, as PKG004 says
             yield _fails_at_the_end(diagnostic, executable, module, function) if at_the_end else diagnostic
+
+
+def _without_module(workspace: WorkspaceIndex, executable: Executable) -> str:
+    """What to do about an entry whose module is nowhere: one that no launch file starts is left over."""
+    if (executable.package, executable.name) in started_programs(workspace):
+        return "add the module, or remove the entry"
+    return _LEFT_OVER
+
+
+_LEFT_OVER = "remove the entry: it has no module, and no launch file starts it"
 
 
 def _of_webots(diagnostic: Finding, name: str, place: Place) -> Finding:
@@ -153,52 +164,8 @@ def _fails_at_the_end(diagnostic: Finding, executable: Executable, module: str, 
     )
 
 
-def _that_start(workspace: WorkspaceIndex, executable: Executable, module: str, known: Collection[str]) -> list[str]:
-    """The modules that may have been meant: they lie in a Python package, as the missing one does; no entry starts
-    them; and they do not go on to the missing one, as a script of its name in ``scripts/`` may."""
-    modules, others = workspace.code.modules_of(executable.package), _in_other_entries(workspace, executable)
-    return [
-        name
-        for name in sorted({*known} - others)
-        if ("." in name or "." not in module) and not imports(workspace, modules[name], module)
-    ]
-
-
-def _in_other_entries(workspace: WorkspaceIndex, executable: Executable) -> set[str]:
-    """The modules that further entries of the package start: another command for one of them is not what was meant."""
-    others = workspace.installs[executable.package].executables.values()
-    return {other.module for other in others if other.module is not None and other is not executable}
-
-
-def _shorter(
-    workspace: WorkspaceIndex, executable: Executable, module: str, function: str, known: Collection[str]
-) -> str | None:
-    """The only module beside the missing one with the end of its name: ``arm.driver`` for ``arm.arm_driver``, which
-    defines the function."""
-    modules, (parent, _, last) = workspace.code.modules_of(executable.package), module.rpartition(".")
-    beside = _that_start(workspace, executable, module, known) if parent else []
-    ends = [name for name in beside if name.startswith(f"{parent}.") and last.endswith(f"_{name[len(parent) + 1 :]}")]
-    code = {name: workspace.facts_at(modules[name]) for name in ends}
-    having = [name for name, read in code.items() if read is not None and function in own_names(read)]
-    return having[0] if len(having) == 1 else None
-
-
-def _near_module(module: str, known: Collection[str]) -> str | None:
-    """The module that was meant: one beside it by the last part of its name, else by the whole name."""
-    parent, _, last = module.rpartition(".")
-    beside = [name.rpartition(".")[2] for name in known if name.rpartition(".")[0] == parent]
-    if not beside:
-        return nearest(module, known)
-    near = nearest(last, beside)
-    return f"{parent}.{near}" if near is not None else None
-
-
-def _may_offer(workspace: WorkspaceIndex, package: str, module: str, function: str) -> bool:
-    """Whether a module has a word for a function: an empty ``__init__.py`` cannot be what was meant."""
-    path = workspace.code.modules_of(package).get(module)
-    return path is None or workspace.code.mentions(path, function.partition(".")[0])
-
-
+_ADD_THEM = "add the modules, or remove the entries"
+_LEFT_OVER_ENTRIES = "remove the entries: they have no modules, and no launch file starts them"
 _NO_MODULE = "no module"
 """The group of entries whose modules are not there, and that have no near name."""
 
@@ -215,7 +182,7 @@ def _without_one_function(several: Sequence[Finding]) -> Finding:
         return replace(
             first,
             message=f"{len(names)} executables cannot start: their modules do not exist: {listed(names)}",
-            help="add the modules, or remove the entries",
+            help=_LEFT_OVER_ENTRIES if all(entry.help == _LEFT_OVER for entry in several) else _ADD_THEM,
             related=tuple(Related(entry.place, entry.message) for entry in others),
             identity=(first.identity[0], *names),
         )

@@ -38,12 +38,24 @@ def dashed_options(workspace: WorkspaceIndex) -> Iterator[DashedOption]:
         text = workspace.tree.text(path) if workspace.tree.is_file(path) else None
         if text is None or package.ros1 or is_aside(workspace, package.manifest.relative):
             continue
+        if package.build_type == "ament_cmake" and not _reads_table(workspace, package.name):
+            continue
         section = ""
         for number, line in enumerate(text.splitlines(), 1):
             head, option = _SECTION.match(line), _OPTION.match(line)
             section = head[1] if head is not None else section
             if option is not None and section in _JUDGED:
                 yield DashedOption(option[1], Place(path, number, 1, number, len(option[1]) + 1))
+
+
+def _reads_table(workspace: WorkspaceIndex, package: str) -> bool:
+    """Whether the CMake files of a package may hand its setup.cfg to setuptools.
+
+    Source: ``_ament_cmake_python_install_package`` copies one that is named there, or the one beside the Python
+    package, where it installs scripts.
+    """
+    installs = workspace.installs.get(package)
+    return installs is not None and not installs.words.isdisjoint({"SETUP_CFG", "SCRIPTS_DESTINATION"})
 
 
 __all__ = ["DashedOption", "dashed_options"]

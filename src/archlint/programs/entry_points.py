@@ -78,11 +78,12 @@ def read_installs(
         installs.generates_nothing |= package.build_type == "ament_python"
         with _reading(installs, "setup.cfg", faults):
             _read_tables(installs, tree)
-        before = installs.open_executables, installs.open_files
+        before, named = (installs.open_executables, installs.open_files), dict(installs.executables)
         with _reading(installs, "setup.py", faults) as path:
             _read_setup_at(installs, path, setups, index, tree, faults)
         if package.build_type == "ament_cmake":  # which does not run setup.py
             installs.open_executables, installs.open_files = before
+            installs.executables.update(named)
             installs.python = installs.data_files_at = None
         with _reading(installs, "package.xml", faults):
             _find_programs(installs, tree)
@@ -189,6 +190,8 @@ def _read_setup(installs: Installs, module: Module, index: ModuleIndex, tree: Tr
         installs.open_executables = installs.open_files = True
         return
     keywords = run.keywords
+    if _has_entries(run, keywords.get("entry_points")):
+        _drop_those_of_table(installs)
     installs.open_executables |= run.open
     installs.open_files |= run.open
     where = run.called_at or place
@@ -208,6 +211,21 @@ def _items(run: SetupRun, value: Value | None) -> tuple[list[Value], bool]:
         return [], False
     items = value.items(run)
     return ([], True) if items is None else (list(items.values), items.open)
+
+
+def _has_entries(run: SetupRun, value: Value | None) -> bool:
+    entries = value.entries(run) if isinstance(value, DictValue) else None
+    return entries is not None and bool(entries.entries)
+
+
+def _drop_those_of_table(installs: Installs) -> None:
+    """Where ``setup()`` is given entry points, those of setup.cfg are not read, whatever their names.
+
+    Source: ``ConfigHandler.__setitem__`` of setuptools, which leaves what has a value already.
+    """
+    table = posixpath.normpath(posixpath.join(installs.folder, "setup.cfg"))
+    for row in [row for row in installs.executables.values() if row.place.file == table]:
+        del installs.executables[row.name]
 
 
 def _console_scripts(installs: Installs, run: SetupRun, value: Value | None, where: Place, tree: Tree) -> None:

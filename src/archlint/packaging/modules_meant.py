@@ -1,0 +1,119 @@
+"""The module that an entry of a setup.py was meant to start, where the one that it names is not there."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from archlint.packaging.entry_points import NoModule, broken_target
+from archlint.packaging.imports import imports
+from archlint.python_code.offered_names import own_names
+from archlint.suggestions import distance, nearest
+
+if TYPE_CHECKING:
+    from archlint.systems.model import WorkspaceIndex
+    from archlint.workspace.installed import Executable
+
+
+@dataclass(frozen=True)
+class Meant:
+    """A module, or a function of one (``named``), and the ``target`` to write for it in the entry."""
+
+    named: str
+    target: str
+
+
+def target_meant(workspace: WorkspaceIndex, executable: Executable) -> Meant | None:
+    """What an entry whose module is not there was meant to start; None where that is not known.  Of several such
+    entries for which the same one would do, it is that of the entry with the most similar name."""
+    likely = _likely(workspace, executable)
+    if likely is None or executable.module is None:
+        return None
+    edits = _edits(executable.module, likely.named)
+    for other in workspace.installs[executable.package].executables.values():
+        if other.module is None or other.module == executable.module or _edits(other.module, likely.named) > edits:
+            continue
+        if _likely(workspace, other) == likely:
+            return None
+    return likely
+
+
+def _edits(module: str, named: str) -> int:
+    return distance(module, named, len(module) + len(named))
+
+
+def _likely(workspace: WorkspaceIndex, executable: Executable) -> Meant | None:
+    """What one entry alone would be taken for."""
+    broken = broken_target(workspace, executable)
+    if not isinstance(broken, NoModule):
+        return None
+    module, known, package = broken.module, broken.known, executable.package
+    function = broken.function or "main"
+    parent, _, last = module.rpartition(".")
+    if broken.function is None and parent in known and _may_offer(workspace, package, parent, last):
+        return Meant(f"{parent}:{last}", f"{parent}:{last}")
+    near = _without_folders(workspace, package, module, function, known)
+    near = near or _near_module(module, _that_start(workspace, executable, module, known))
+    if near is None or not _may_offer(workspace, package, near, function):
+        near = _shorter(workspace, executable, module, function, known)
+    return None if near is None else Meant(near, f"{near}:{function}")
+
+
+def _without_folders(
+    workspace: WorkspaceIndex, package: str, module: str, function: str, known: Collection[str]
+) -> str | None:
+    """The module that is left of a name without the folders that it begins with: ``robot.talker`` of
+    ``src.robot.robot.talker``."""
+    parts = module.split(".")
+    shorter = (".".join(parts[count:]) for count in range(1, len(parts) - 1))
+    return next((name for name in shorter if name in known and _may_offer(workspace, package, name, function)), None)
+
+
+def _that_start(workspace: WorkspaceIndex, executable: Executable, module: str, known: Collection[str]) -> list[str]:
+    """The modules that may have been meant: they lie in a Python package, as the missing one does; no entry starts
+    them; and they do not go on to the missing one, as a script of its name in ``scripts/`` may."""
+    modules, others = workspace.code.modules_of(executable.package), _in_other_entries(workspace, executable)
+    return [
+        name
+        for name in sorted({*known} - others)
+        if ("." in name or "." not in module) and not imports(workspace, modules[name], module)
+    ]
+
+
+def _in_other_entries(workspace: WorkspaceIndex, executable: Executable) -> set[str]:
+    """The modules that further entries of the package start: another command for one of them is not what was meant."""
+    others = workspace.installs[executable.package].executables.values()
+    return {other.module for other in others if other.module is not None and other is not executable}
+
+
+def _shorter(
+    workspace: WorkspaceIndex, executable: Executable, module: str, function: str, known: Collection[str]
+) -> str | None:
+    """The only module beside the missing one with the end of its name: ``arm.driver`` for ``arm.arm_driver``, which
+    defines the function."""
+    modules, (parent, _, last) = workspace.code.modules_of(executable.package), module.rpartition(".")
+    beside = _that_start(workspace, executable, module, known) if parent else []
+    ends = [name for name in beside if name.startswith(f"{parent}.") and last.endswith(f"_{name[len(parent) + 1 :]}")]
+    code = {name: workspace.facts_at(modules[name]) for name in ends}
+    having = [name for name, read in code.items() if read is not None and function in own_names(read)]
+    return having[0] if len(having) == 1 else None
+
+
+def _near_module(module: str, known: Collection[str]) -> str | None:
+    """The module that was meant: one beside it by the last part of its name, else by the whole name."""
+    parent, _, last = module.rpartition(".")
+    beside = [name.rpartition(".")[2] for name in known if name.rpartition(".")[0] == parent]
+    if not beside:
+        return nearest(module, known)
+    near = nearest(last, beside)
+    return f"{parent}.{near}" if near is not None else None
+
+
+def _may_offer(workspace: WorkspaceIndex, package: str, module: str, function: str) -> bool:
+    """Whether a module has a word for a function: an empty ``__init__.py`` cannot be what was meant."""
+    path = workspace.code.modules_of(package).get(module)
+    return path is None or workspace.code.mentions(path, function.partition(".")[0])
+
+
+__all__ = ["Meant", "target_meant"]
