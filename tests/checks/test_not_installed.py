@@ -259,6 +259,21 @@ def test_what_cmake_does_not_install(findings):
     assert findings("PKG004", LAUNCH, **{"package.xml": CMAKE, "setup.py": "", "CMakeLists.txt": mended}) == []
 
 
+@pytest.mark.parametrize(
+    ("starts", "told"),
+    [
+        ('<node pkg="arm_driver" exec="driver"/>', 0),
+        ('<node pkg="arm_driver" exec="driver"/><node pkg="robot" exec="talker"/>', 1),
+        ('<node pkg="arm_driver" exec="driver"/><!-- for the robot -->', 1),
+        ('<node pkg="rviz2" exec="rviz2"/>', 1),
+    ],
+)
+def test_a_launch_file_that_came_along_with_another_driver(findings, starts, told):
+    assert len(findings("PKG004", starts, **{"setup.py": NO_DATA})) == told
+    asks = manifest(more="<exec_depend>arm_driver</exec_depend>")
+    assert len(findings("PKG004", starts, **{"setup.py": NO_DATA, "package.xml": asks})) == 1
+
+
 @pytest.mark.parametrize("folder", ["share/launch", "launch", "share/old_robot/launch", "lib/robot/launch"])
 def test_launch_files_that_are_installed_where_nobody_looks(findings, folder):
     listed = SETUP.replace("share/robot/launch", folder)
@@ -557,6 +572,15 @@ def test_a_folder_that_lies_one_level_below(findings, files: list[str], meant: s
     assert finding.help == (f"write '{meant}'" if meant else "add the folder, or take it off the list")
 
 
+@pytest.mark.parametrize("same", [True, False])
+def test_a_build_file_that_is_a_copy_of_the_one_in_a_package(findings, same: bool):
+    cmake = BUILD.format("install(DIRECTORY views DESTINATION share/robot)")
+    files = {"src/CMakeLists.txt": cmake + ("" if same else "\n"), "src/views/a.rviz": "", "CMakeLists.txt": cmake}
+    (finding,) = findings("PKG004", **OF_CMAKE, **files)
+    copied = "delete this file, which is a copy of src/CMakeLists.txt"
+    assert finding.help == (copied if same else "write 'src/views'")
+
+
 def test_a_folder_that_git_ignores_beside_one_that_is_not_there(findings):
     line = INSTALL.replace("launch rviz", "launch made worlds")
     (finding,) = findings("PKG004", **OF_CMAKE, **{"CMakeLists.txt": BUILD.format(line), ".gitignore": "made/\n"})
@@ -671,6 +695,7 @@ JOINED = "return open(os.path.join(get_package_share_directory('robot'), 'data',
         "return Path(get_package_share_directory('robot')) / 'data' / 'words.json'",
         "return get_package_share_path('robot') / 'data' / 'words.json'",
         "name = 'words.json'\n    return open(os.path.join(get_package_share_directory('robot'), 'data', name))",
+        "words = open(os.path.join(get_package_share_directory('robot'), 'data', 'words.json'))",
     ],
 )
 def test_a_file_that_a_node_looks_for(findings, lines):
@@ -703,6 +728,7 @@ def test_a_file_that_a_node_looks_for(findings, lines):
         "return open(f'{get_package_share_directory(robot)}/data/words.json')",
         "share = get_package_share_directory('robot')\n    share += '/a'\n    return open(share + '/data/words.json')",
         "path = get_package_share_path('robot') / 'data/words.json'\n    return path if path.is_file() else 1",
+        "words = os.path.join(get_package_share_directory('robot'), 'data', 'words.json')\n    return 1",  # unused
     ],
 )
 def test_a_file_that_may_be_elsewhere(findings, lines):

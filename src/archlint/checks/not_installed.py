@@ -15,6 +15,7 @@ from archlint.checks.script_imports import BESIDE, imports_of_scripts
 from archlint.finding import Finding, Related
 from archlint.launch_files.missing_files import namesake
 from archlint.packaging.astray_launch_files import launch_files_astray
+from archlint.packaging.copies import are_copies
 from archlint.packaging.interface_dependencies import NotGenerated, not_generated
 from archlint.packaging.left_out_code import LeftOut, has_init, left_out_code
 from archlint.packaging.misplaced_folders import folder_meant
@@ -275,7 +276,18 @@ def _all_in_vain(
         file, own = row.place.file, (row.place.file, row.command)
         group = groups.setdefault((file, row.within), own) if row.within else own
         right = misspelt.get((file, row.file)) or _elsewhere(workspace, row)
-        yield replace(_in_vain(row, right), group=group)
+        told, original = _in_vain(row, right), _original(workspace, row, right)
+        cure = told.help if original is None else f"delete this file, which is a copy of {original}"
+        yield replace(told, help=cure, group=group)
+
+
+def _original(workspace: WorkspaceIndex, row: ListedInVain, right: str | None) -> str | None:
+    """The build file that one is a copy of, where that lies beside what the copy lists in vain."""
+    if right is None or not right.endswith(f"/{row.file}"):
+        return None
+    folder, name = posixpath.split(row.place.file)
+    beside = posixpath.join(folder, right[: -len(row.file)], name)
+    return beside if are_copies(workspace, row.place.file, beside) else None
 
 
 def _elsewhere(workspace: WorkspaceIndex, row: ListedInVain) -> str | None:

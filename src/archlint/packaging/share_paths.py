@@ -7,6 +7,7 @@ and of ``std::filesystem``; also in parts, through variables that only ever have
 from __future__ import annotations
 
 import posixpath
+from collections import Counter
 from collections.abc import Iterator
 from typing import NamedTuple
 
@@ -52,6 +53,7 @@ def paths_in_share(file_facts: facts.Facts) -> list[Named]:
             parts.append(part)
             within.update(id(inner) for inner in _parts_of_a_path(part))
     rows = []
+    within |= _kept_for_nobody(file_facts)
     for part in parts:
         path = reader.path(part) if id(part) not in within else None
         below = posixpath.normpath(path.below.strip("/")) if path is not None and path.below.startswith("/") else "."
@@ -61,6 +63,17 @@ def paths_in_share(file_facts: facts.Facts) -> list[Named]:
         ):  # what is around the folder is not asked for
             rows.append(Named(path.package, below, part.span))
     return rows
+
+
+def _kept_for_nobody(file_facts: facts.Facts) -> set[int]:
+    """What functions assign to variables whose names the file never has again: no path that anything opens."""
+    uses = Counter(name.id for name in everything_in(file_facts.body, facts.Name))
+    values = set()
+    for function in everything_in(file_facts.body, facts.Function):
+        for assign in everything_in(function.body, facts.Assign):
+            if all(target.variable and uses[target.variable] == 1 for target in assign.targets):
+                values.add(id(assign.value))
+    return values
 
 
 def _parts_of_a_path(part: facts.Call | facts.Binary | facts.FormatString) -> Iterator[facts.Base]:
