@@ -841,3 +841,19 @@ def test_a_draft_of_an_installed_program_belongs_to_its_finding(found):
     assert installed.place.file == "robot/robot/driver.py"
     assert [row.place.file for row in installed.related if "draft" in row.message] == ["driver_1.py"]
     assert (apart.place.file, apart.severity) == ("other.py", Severity.INFO)
+
+
+@pytest.mark.parametrize(
+    ("entry", "told"),
+    [("", 0), ("'mapper = robot.robot:main',", 1)],
+    ids=["only the package is called so", "an entry names it"],
+)
+def test_a_module_that_is_called_like_its_package(tmp_path, monkeypatch, entry: str, told: int):
+    code = "import rclpy\n\n\ndef main():\n    rclpy.init()\n    print(lost)\n"
+    files = {"package.xml": MANIFEST.strip(), "setup.py": SETUP.replace("{more}", entry), "robot/robot.py": code}
+    for name, text in {**files, "robot/__init__.py": "", "robot/driver.py": "def main(): pass\n"}.items():
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    rows = check(Request((".",), Settings(), cached=False, jobs=1)).findings
+    assert [finding.code for finding in rows if finding.code == "API005"] == ["API005"] * told

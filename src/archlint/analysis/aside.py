@@ -240,20 +240,16 @@ def _is_named(workspace: WorkspaceIndex, installs: Installs, file: str) -> bool:
 
 
 def _is_built(workspace: WorkspaceIndex, installs: Installs, stem: str) -> bool:
-    """Whether the files that build a package have a word for a script."""
-    if stem in installs.words or stem in installs.executables:
+    """Whether the files that build a package have a word for a script.  One that is called like the package needs more
+    than the name of that."""
+    if stem in installs.executables or (stem in installs.words and stem != installs.package):
         return True
-    built = ("setup.py", "setup.cfg", "pyproject.toml")
-    return any(_mentions(workspace, f"{installs.folder}/{name}".removeprefix("./"), stem) for name in built)
-
-
-def _mentions(workspace: WorkspaceIndex, path: str, word: str) -> bool:
-    """Whether a word stands in a file of the build, other than in a comment: an entry that is commented out installs
-    nothing."""
-    if not workspace.code.mentions(path, word):
-        return False
-    text = without_comments(workspace.tree.text(path) or "")
-    return re.search(rf"(?<!\w){re.escape(word)}(?!\w)", text) is not None
+    built = (f"{installs.folder}/{name}".removeprefix("./") for name in ("setup.py", "setup.cfg", "pyproject.toml"))
+    texts = [without_comments(workspace.tree.text(path) or "") for path in built if workspace.code.mentions(path, stem)]
+    same = stem == installs.package and not any("py_modules" in text for text in texts)
+    words = (f"{stem}.{stem}", f".{stem}") if same else (stem,)
+    # An entry that is commented out installs nothing.
+    return any(re.search(rf"(?<!\w){re.escape(word)}(?!\w)", text) for text in texts for word in words)
 
 
 @once
