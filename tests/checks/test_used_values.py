@@ -234,3 +234,30 @@ def test_a_parameter_whose_value_has_another_type(judge: Judge, parameter: str, 
 )
 def test_a_parameter_whose_value_has_its_type(judge: Judge, parameter: str):
     judge("API001", SETTING.format(parameter=parameter))
+
+
+GUARDED = """
+import sys
+import rclpy
+
+
+def main():
+    rclpy.init()
+    rclpy.spin(rclpy.create_node('talker'))
+
+
+if __name__ == '__main__':
+    if not main():
+        sys.exit(1)
+"""
+
+
+def test_the_status_of_a_module_that_an_entry_point_starts_is_nobodys(findings) -> None:
+    """The console script calls main() itself; who runs the file gets the status."""
+    assert findings("API001", **{"robot/talker.py": GUARDED}) == []
+    cmake = "install(PROGRAMS robot/talker.py DESTINATION lib/robot)\n"
+    (told,) = findings("API001", **{"setup.py": "", "CMakeLists.txt": cmake, "robot/talker.py": GUARDED})
+    assert told.message == "main() returns None: this condition always holds"
+    asks = GUARDED.replace("rclpy.init()", "rclpy.init()\n    if not stop():\n        return")
+    (told,) = findings("API001", **{"robot/talker.py": asks + "\n\ndef stop():\n    rclpy.shutdown()\n"})
+    assert told.message == "stop() returns None: this condition always holds"

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from archlint.analysis.kept import kept_for_each_file
+from archlint.analysis.kept import kept_for_each_file, once
 from archlint.place import Place
 from archlint.python_code.own_calls import function_meant, own_calls_of
 from archlint.python_code.plain_kinds import Kind, kind_of
@@ -15,7 +15,9 @@ from archlint.string_enum import StringEnum
 from archlint.syntax import facts
 from archlint.syntax.bindings import bound_by
 from archlint.syntax.control_flow import always_raises
+from archlint.syntax.flow_facts import covers
 from archlint.syntax.parts import Itself, everything_in, parts_of
+from archlint.syntax.walk import main_guard
 
 if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
@@ -57,12 +59,35 @@ def uses_of_nothing(workspace: WorkspaceIndex) -> Iterator[UsedNothing]:
         for name, use, span in _of_python(workspace, path) or ():
             yield UsedNothing(Place(path, *span), name, use)
         uses = dict(_uses(workspace, path) or ())
+        if path in _started_by_entries(workspace):
+            uses = _outside_of_guard(workspace, path, uses)
         for call in (own_calls_of(workspace, path) or ()) if uses else ():
             row = uses.get(call.span)
             meant = None if row is None else function_meant(workspace, path, call)
             if row is not None and meant is not None and _returns_nothing(meant.code):
                 defined = Place(meant.file, *meant.code.name_span)
                 yield UsedNothing(Place(path, *row[1]), call.name, row[0], defined)
+
+
+@once
+def _started_by_entries(workspace: WorkspaceIndex) -> frozenset[str]:
+    """The modules of console scripts, which call a function and leave out what a module does as the program."""
+    executables = [each for installs in workspace.installs.values() for each in installs.executables.values()]
+    scripts = {each.script for each in executables}
+    modules = ((each.package, each.module) for each in executables if each.module and each.script is None)
+    files = (file for package, module in modules for file in workspace.code.files_named(package, module or ""))
+    return frozenset(file for file in files if file not in scripts)
+
+
+def _outside_of_guard(
+    workspace: WorkspaceIndex, path: str, uses: dict[facts.Span, tuple[Use, facts.Span]]
+) -> dict[facts.Span, tuple[Use, facts.Span]]:
+    """The uses but for tests below ``if __name__ == '__main__':``, as of the status that the program ends with."""
+    file_facts = workspace.facts_at(path)
+    guard, tests = None if file_facts is None else main_guard(file_facts), (Use.TESTS, Use.TESTS_NOT)
+    if guard is None:
+        return uses
+    return {call: row for call, row in uses.items() if row[0] not in tests or not covers(guard, call)}
 
 
 def _returns_nothing(code: facts.Function) -> bool:
