@@ -27,7 +27,16 @@ def test_a_script_that_a_launch_file_starts(findings):
 
 
 def test_a_comment_in_front_of_the_first_line(findings):
-    assert findings("PKG006", **HERE, **{"scripts/drive.py": "# drives\n#!/usr/bin/env python3\n" + DRIVE + GUARD})
+    text = "# drives\n#!/usr/bin/env python3\n" + DRIVE + GUARD
+    (finding,) = findings("PKG006", **HERE, **{"scripts/drive.py": text})
+    assert finding.message.endswith(": its #! line is line 2, and not the first")
+    assert finding.help == "move the #! line to the top of the file"
+
+
+@pytest.mark.parametrize(("asks", "launch", "told"), [(3, "", 0), (2, "", 1), (3, START, 1)])
+def test_an_exercise_that_nobody_has_done_and_nothing_starts(findings, asks: int, launch: str, told: int):
+    text = DRIVE.replace("    rclpy.init()\n", "    # TODO: subscribe\n" * asks + "    rclpy.init()\n") + GUARD
+    assert len(findings("PKG006", launch, **HERE, **{"scripts/drive.py": text})) == told
 
 
 def test_a_first_line_that_ends_as_on_windows(findings, tmp_path):

@@ -28,6 +28,8 @@ def _finding(row: Unstartable) -> Finding:
     name, package = row.executable.name, row.executable.package
     if row.carriage_return:
         why, help = "its lines end in \\r\\n, and no interpreter is called so", "save the file with Unix line endings"
+    elif row.below:
+        why, help = f"its #! line is line {row.below}, and not the first", "move the #! line to the top of the file"
     else:
         why, help = "it does not begin with a #! line", "begin the file with #!/usr/bin/env python3"
     started = [] if row.started_at is None else [Related(row.started_at, "it is started here")]

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.launch.kinds import StartedKind
+from archlint.python_code.left_blanks import is_an_exercise
 from archlint.syntax.walk import main_guard
 
 if TYPE_CHECKING:
@@ -35,10 +36,13 @@ class Unstartable:
     script: str
     carriage_return: bool
     started_at: Place | None
+    below: int = 0
+    """The line that has a ``#!`` and is not the first; 0 where there is none."""
 
 
 def unstartable_scripts(workspace: WorkspaceIndex) -> Iterator[Unstartable]:
-    """Every such script that is a program: a launch file starts it, or it has code for that case."""
+    """Every such script that is a program: a launch file starts it, or it has code for that case, and is no exercise
+    that nobody has done."""
     started = _started(workspace)
     for package in sorted(workspace.installs):
         build = workspace.packages.get(package)
@@ -53,8 +57,14 @@ def unstartable_scripts(workspace: WorkspaceIndex) -> Iterator[Unstartable]:
             if first.startswith("#!") and not first.endswith("\r"):
                 continue
             at = started.get((package, executable.name))
-            if (at is not None or _is_program(workspace, executable, script)) and not _has_python(workspace, script):
-                yield Unstartable(executable, script, first.startswith("#!"), at)
+            by_hand = not is_an_exercise(text) and _is_program(workspace, executable, script)
+            if (at is not None or by_hand) and not _has_python(workspace, script):
+                yield Unstartable(executable, script, first.startswith("#!"), at, _line_below(text))
+
+
+def _line_below(text: str) -> int:
+    lines = text.splitlines()
+    return next((number for number, line in enumerate(lines, 1) if number > 1 and line.startswith("#!/")), 0)
 
 
 def _started(workspace: WorkspaceIndex) -> dict[tuple[str | None, str | None], Place]:

@@ -25,6 +25,17 @@ def is_left_blank(workspace: WorkspaceIndex, file: str, name: str, line: int) ->
     return _is_asked_for(text, name) or _is_below_gap(text, line)
 
 
+_SEVERAL = 3
+"""How many comments that ask for code no longer are an author's notes to himself."""
+
+
+def is_an_exercise(text: str) -> bool:
+    """Whether several comments of a file ask for what is to be written there: nobody has done so yet."""
+    return (
+        sum(line.strip().startswith("#") and _ASKS.search(line) is not None for line in text.splitlines()) >= _SEVERAL
+    )
+
+
 def _is_asked_for(text: str, name: str) -> bool:
     word = re.compile(rf"(?<![\w.]){re.escape(name)}(?!\w)")
     return any(_ASKS.search(block) and word.search(block) for block in _comments(text.splitlines()))
@@ -53,4 +64,4 @@ def _comments(lines: Sequence[str]) -> Iterator[str]:
             block = []
 
 
-__all__ = ["is_left_blank"]
+__all__ = ["is_an_exercise", "is_left_blank"]
