@@ -45,9 +45,17 @@ def judge(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Judge:
 
 @pytest.mark.parametrize(
     ("readme", "told"),
-    [("For ROS 2 Foxy.", 0), ("For Galactic.", 0), ("For Foxy and Humble.", 1), ("For Humble.", 1), ("", 1)],
+    [
+        ("For ROS 2 Foxy.", 0),
+        ("For Galactic.", 0),
+        ("For Foxy and Humble.", 0),
+        ("For Humble.", 1),
+        ("For Jazzy.", 0),
+        ("For Humble and Jazzy.", 0),
+        ("", 0),
+    ],
 )
-def test_a_key_that_ubuntu_has_only_since_22_04(judge: Judge, readme: str, told: int):
+def test_a_key_that_not_each_ubuntu_has_a_package_for(judge: Judge, readme: str, told: int):
     assert len(judge("import torch\ntorch.zeros(3)", **{"README.md": readme})) == told
     assert len(judge("import serial\nserial.Serial()", **{"README.md": readme})) == 1
 
@@ -115,6 +123,32 @@ def test_what_pip_brings_along_with_another_missing_module_is_not_listed(judge: 
     imports = "import cv2, torch, ultralytics\ncv2.imread('')\ntorch.zeros(3)\nultralytics.YOLO()"
     [finding] = judge(imports)
     assert finding.help == "add <exec_depend>python3-ultralytics-pip</exec_depend>"
+
+
+def test_parts_of_a_module_that_have_keys_of_their_own(judge: Judge):
+    (finding,) = judge("from PySide2 import QtCore, QtQml\nQtCore, QtQml")
+    keys = ("python3-pyside2", "python3-pyside2.qtqml")
+    assert finding.help == "add " + "".join(f"<exec_depend>{key}</exec_depend>" for key in keys)
+    (finding,) = judge("from PySide2.QtWidgets import QLabel\nQLabel()")
+    assert finding.help == "add <exec_depend>python3-pyside2</exec_depend>"
+
+
+def test_a_part_of_a_module_that_rosdep_does_not_have(judge: Judge):
+    part = "from PySide2.QtPositioning import QGeoCoordinate\nQGeoCoordinate()"
+    assert judge(f"from PySide2 import QtCore\nQtCore\n{part}") == []
+
+
+@pytest.mark.parametrize(
+    ("line", "help"),
+    [
+        ("import sounddevice", "remove the import of 'sounddevice', which nothing uses"),
+        ("import sounddevice  # keeps ALSA quiet", "add <exec_depend>python3-sounddevice-pip</exec_depend>"),
+        ("import sounddevice  # noqa: F401", "add <exec_depend>python3-sounddevice-pip</exec_depend>"),
+    ],
+)
+def test_an_import_for_what_it_does(judge: Judge, line: str, help: str):
+    (finding,) = judge(line)
+    assert finding.help == help
 
 
 def test_a_test_dependency_is_not_installed_with_the_node(judge: Judge):

@@ -75,6 +75,12 @@ def test_what_is_known_or_may_be(judge: Judge, tag: str):
         ("<depend>dynamic_reconfigure</depend>", "remove the line"),
         ("<exec_depend>python-numpy</exec_depend>", "write 'python3-numpy' instead"),
         ("<exec_depend>opencv-python</exec_depend>", "write 'python3-opencv' instead"),
+        ("<exec_depend>python3-tkinter</exec_depend>", "write 'python3-tk' instead"),
+        ("<exec_depend>python3-pillow</exec_depend>", "write 'python3-pil' instead"),
+        ("<exec_depend>python3-cv2</exec_depend>", "write 'python3-opencv' instead"),
+        ("<exec_depend>python3-hid</exec_depend>", "write 'python3-hidapi' instead"),  # as Debian calls it
+        ("<depend>libeigen3-dev</depend>", "write 'eigen' instead"),
+        ("<depend>libyaml-cpp-dev</depend>", "write 'yaml-cpp' instead"),
         ("<depend>opencv4</depend>", "write 'libopencv-dev' instead"),
         ("<depend>eigen3</depend>", "write 'eigen' instead"),
         ("<depend>nlohmann_json</depend>", "write 'nlohmann-json-dev' instead"),

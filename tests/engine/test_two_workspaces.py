@@ -127,7 +127,7 @@ PURE = {
     "packaging/mistaken_imports.py": {"_by_shortened"},
     "ros/packages.py": {"released_names", "table"},
     "ros/python_modules.py": {"names"},
-    "ros/rosdep.py": {"keys"},
+    "ros/rosdep.py": {"_on_ubuntu", "keys"},
     "ros/standard_interfaces.py": {"table"},
     "rulebook.py": {"own_rules"},
     "syntax/cpp/parser.py": {"_parser"},

@@ -7,7 +7,7 @@ import re
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
-from archlint.ros.distros import DISTROS
+from archlint.ros.distros import DISTROS, UBUNTU
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -74,6 +74,13 @@ def is_for_humble_or_newer(workspace: WorkspaceIndex) -> bool:
 def is_on_focal(workspace: WorkspaceIndex) -> bool:
     """Whether a workspace is for a distribution on Ubuntu 20.04 and for none that came later, by the same evidence."""
     return _is_among(_named_or_told(workspace), _ON_FOCAL, but_not=_SINCE_HUMBLE)
+
+
+def ubuntu_releases(workspace: WorkspaceIndex) -> frozenset[str]:
+    """The releases of Ubuntu that a workspace may be for, by the same evidence; where it says nothing, the two that
+    most robots run."""
+    named = {UBUNTU[name] for name in _named_or_told(workspace) if name in UBUNTU}
+    return frozenset(named) or frozenset({"jammy", "noble"})
 
 
 def may_be_on_focal(workspace: WorkspaceIndex) -> bool:

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_aside, is_not_installed
 from archlint.analysis.kept import once
-from archlint.analysis.pinned import is_on_focal
+from archlint.analysis.pinned import ubuntu_releases
 from archlint.packaging.imports import imports_at_start
 from archlint.packaging.manifests import package_around
 from archlint.ros import packages, python_modules, rosdep
@@ -31,8 +31,6 @@ _BUILT_BY = ("setup.py", "setup.cfg", "pyproject.toml", "requirements.txt", "CMa
 
 _CHANGE_OTHERS: Mapping[str, str] = {"mpl_toolkits": "matplotlib"}
 """Modules that come with another one, and add something to it by being imported."""
-_NOT_ON_FOCAL = frozenset({"python3-torch"})
-"""Keys without a package on Ubuntu 20.04: rosdep stops at them there.  Source: ``rosdep/python.yaml`` of rosdistro."""
 
 
 @dataclass(frozen=True, order=True)
@@ -53,14 +51,14 @@ def modules_to_declare(
     rows: dict[str, tuple[Package, list[ModuleUse]]] = {}
     declared: dict[str, _Declared | None] = {}
     used_apart: set[tuple[str | None, str]] = set()
+    without_key: set[tuple[str, str]] = set()
+    releases = ubuntu_releases(workspace)
     for statement in imports_at_start(workspace):
         module = statement.module.partition(".")[0]
-        unused = statement.unused and module not in _CHANGE_OTHERS
+        unused = statement.unused and module not in _CHANGE_OTHERS and not _has_comment(workspace, statement.place)
         module = _CHANGE_OTHERS.get(module, module)
         key = None if module in sys.stdlib_module_names else python_modules.key_of(module)
-        if key in _NOT_ON_FOCAL and is_on_focal(workspace):
-            continue
-        if key is None:
+        if key is None or not all(rosdep.is_on(key, release) for release in releases):
             continue
         if not _is_judged(workspace, statement.file):
             used_apart |= set() if unused else {(statement.file.package, module)}
@@ -74,13 +72,24 @@ def modules_to_declare(
             declared[package.relative] = _declared(workspace, package, brought_by, more)
         known = declared[package.relative]
         if known is not None and not known.has(module, key):
-            rows.setdefault(package.relative, (package, []))[1].append(ModuleUse(statement.place, module, key, unused))
+            keys = python_modules.keys_of_parts(statement.module, statement.names) or [key]
+            without_key |= {(package.relative, module)} if None in keys else set()
+            uses = [ModuleUse(statement.place, module, each, unused) for each in keys if each is not None]
+            rows.setdefault(package.relative, (package, []))[1].extend(uses)
     idle = {(package.name, use.module) for package, uses in rows.values() for use in uses if use.unused}
     used_apart |= {(package, module) for package, module in idle if _is_named_apart(workspace, package, module)}
     return {
         folder: (package, _with_uses_apart(package, _without_brought(uses), used_apart))
-        for folder, (package, uses) in rows.items()
+        for folder, (package, every) in rows.items()
+        if (uses := [use for use in every if (folder, use.module) not in without_key])
     }
+
+
+def _has_comment(workspace: WorkspaceIndex, place: Place) -> bool:
+    """Whether the line of an import says what it is for, or to a linter that it is meant: it may be there for what
+    importing the module does."""
+    lines = (workspace.tree.text(place.file) or "").splitlines()
+    return place.end_line <= len(lines) and "#" in lines[place.end_line - 1]
 
 
 def _without_brought(uses: Sequence[ModuleUse]) -> list[ModuleUse]:

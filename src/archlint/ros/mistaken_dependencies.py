@@ -98,6 +98,7 @@ _SPELLINGS: Mapping[str, str] = {
     "rpi.gpio": "python-rpi.gpio-pip",
     "scikit-image": "python3-skimage",
     "scikit-learn": "python3-sklearn",
+    "tkinter": "python3-tk",
     "yamlcpp": "yaml-cpp",
 }
 """Names of pip, of CMake and of modules, in lower case, with the package of ROS or the key that is meant."""
@@ -149,7 +150,9 @@ def _by_another_name(name: str, packages: Collection[str], *, is_python: bool) -
     debian = _DEBIAN_OF_ROS.fullmatch(name)
     if debian is not None and debian[1].replace("-", "_") in packages:
         return debian[1].replace("-", "_")
-    return _SPELLINGS.get(name.lower()) or (key_of(name) if is_python else None)
+    key, plain = rosdep.key_of_debian(name), re.sub(r"^python3?-", "", name)
+    written = _SPELLINGS.get(name.lower()) or _SPELLINGS.get(plain.lower())
+    return key or written or (key_of(name) or key_of(plain) if is_python else None)
 
 
 def modules_of_pip(name: str) -> set[str]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import cache
 
 from archlint.ros import rosdep
@@ -81,6 +81,29 @@ def key_of(module: str) -> str | None:
     return next((key for key in spellings if key in known), None)
 
 
+_PARTS: Mapping[str, frozenset[str]] = {
+    "PySide2": frozenset(
+        {"QtCore", "QtGui", "QtHelp", "QtNetwork", "QtPrintSupport", "QtSvg", "QtTest", "QtWidgets", "QtXml"}
+    ),
+}
+"""What the key of a module installs of it on Ubuntu.  Source: ``rosdep/python.yaml`` of rosdistro."""
+
+
+def keys_of_parts(module: str, names: Sequence[str]) -> list[str | None]:
+    """The keys for the parts of a module that an import takes, where it has parts that its key does not install; None
+    for one without a key."""
+    top, _, rest = module.partition(".")
+    parts = _PARTS.get(top)
+    if parts is None:
+        return []
+    key, known = key_of(top), rosdep.keys()
+    asked_for = [rest.partition(".")[0]] if rest else [name for name in names if name.startswith("Qt")]
+    return [
+        key if part in parts else next(iter({f"{key}.{part.lower()}"} & known), None)
+        for part in dict.fromkeys(asked_for)
+    ]
+
+
 @cache
 def names() -> frozenset[str]:
     """The top-level modules that rosdep has keys for, as far as the keys have their names, and those that come with
@@ -110,4 +133,4 @@ def brought_by_pip(module: str) -> frozenset[str]:
     return _BROUGHT_BY_PIP.get(module, frozenset())
 
 
-__all__ = ["brought_along_by", "brought_by_pip", "comes_with_ros", "is_known", "key_of", "names"]
+__all__ = ["brought_along_by", "brought_by_pip", "comes_with_ros", "is_known", "key_of", "keys_of_parts", "names"]

@@ -12,6 +12,7 @@ import msgspec
 from archlint.suggestions import distance, nearest
 
 FILE = Path(__file__).with_name("rosdep_keys.json")
+ON_UBUNTU = FILE.with_name("rosdep_on_ubuntu.json")
 _SHORTEST = 6
 """How long a name is at least of which one with another letter can be what was meant."""
 
@@ -20,6 +21,30 @@ _SHORTEST = 6
 def keys() -> frozenset[str]:
     """The keys that ``scripts/generate_rosdep_keys`` writes, of rosdistro's ``rosdep/*.yaml``; read once."""
     return msgspec.json.decode(FILE.read_bytes(), type=frozenset[str])
+
+
+class _OnUbuntu(msgspec.Struct):
+    """What the same script writes of the packages of Ubuntu."""
+
+    without: dict[str, frozenset[str]]
+    """The keys for Python without a package, by the release."""
+    named: dict[str, str]
+    """The key of a package that is called otherwise."""
+
+
+@cache
+def _on_ubuntu() -> _OnUbuntu:
+    return msgspec.json.decode(ON_UBUNTU.read_bytes(), type=_OnUbuntu)
+
+
+def is_on(key: str, release: str) -> bool:
+    """Whether a key for Python has a package on a release of Ubuntu: rosdep stops at one that has none."""
+    return key not in _on_ubuntu().without.get(release, ())
+
+
+def key_of_debian(name: str) -> str | None:
+    """The key that stands for a package of Ubuntu, by its name there; None where it has that name, too, or is none."""
+    return _on_ubuntu().named.get(name)
 
 
 _AS_DEBIAN = re.compile(r"^python3?-")
@@ -57,4 +82,4 @@ def _names_of_python(name: str) -> Iterator[str]:
         yield from (f"python3-{other}", f"python3-{other}-pip", f"{other}-pip")
 
 
-__all__ = ["keys", "meant_by"]
+__all__ = ["is_on", "key_of_debian", "keys", "meant_by"]
