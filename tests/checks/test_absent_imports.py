@@ -58,7 +58,11 @@ def generate_launch_description():
             "write `from rclpy.node import Node`",
         ),
         ("from rclpy import loginfo", "rclpy has no 'loginfo'", "use get_logger().info() of a node"),
-        ("from rclpy import teleport", "rclpy has no 'teleport'", "the import fails when the file is loaded"),
+        (
+            "from rclpy import teleport",
+            "rclpy has no 'teleport'",
+            "remove it, or name what there is: the import fails when the file is loaded",
+        ),
         (
             "from launch.substitution import LaunchConfiguration as Argument",
             "launch.substitution has no 'LaunchConfiguration'; it is in launch.substitutions",
@@ -72,7 +76,7 @@ def generate_launch_description():
         (
             "from rclpy.executor import teleport",
             "there is no module rclpy.executor; did you mean rclpy.executors?",
-            "the import fails when the file is loaded",
+            "remove it, or name what there is: the import fails when the file is loaded",
         ),
         (
             "import rclpy.callback_group",
@@ -134,12 +138,12 @@ def test_a_method_of_the_node_that_is_called_as_a_function(judge: Judge, base: s
 
 def test_an_import_in_a_function(judge: Judge):
     [finding] = judge("API002", FILE.format(line="def later():\n    from rclpy import teleport  # here"))
-    assert finding.help == "the import fails when that function runs"
+    assert finding.help == "remove it, or name what there is: the import fails when that function runs"
 
 
 def test_a_line_that_runs_only_in_a_program(judge: Judge):
     [finding] = judge("API002", FILE.format(line="if __name__ == '__main__':\n    rclpy.teleport()  # here"))
-    assert finding.help == "the line fails when the file is run as a program"
+    assert finding.help == "remove it, or name what there is: the line fails when the file is run as a program"
 
 
 @pytest.mark.parametrize(

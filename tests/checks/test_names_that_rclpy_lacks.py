@@ -36,6 +36,7 @@ class Robot(Node):
         ("self.get_param('rate')", "Node has no get_param()", "use get_parameter()"),
         ("self.destroy_subscriber(None)", "Node has no destroy_subscriber()", "use destroy_subscription()"),
         ("self.take_off()", "Node has no take_off()", "define take_off() in the class of the node, or remove the call"),
+        ("self.shutdown()", "Node has no shutdown()", "use rclpy.shutdown()"),
         ("self.logerr('no')", "Node has no logerr()", "use get_logger().error()"),
         ("self.trigger.call_sync(Trigger.Request())", "Client has no call_sync()", "use call()"),
         (

@@ -97,8 +97,9 @@ def _failing(absent: Absent) -> str:
     if absent.in_except:
         return "the except fails, too, as soon as something is raised in its try: name a class that there is"
     what = "the import" if absent.is_import else "the line"
-    as_program = "the file is run as a program" if absent.in_main else "the file is loaded"
-    return f"{what} fails when {'that function runs' if absent.in_function else as_program}"
+    when = "that function runs" if absent.in_function else "the file is loaded"
+    when = "the file is run as a program" if absent.in_main and not absent.in_function else when
+    return f"remove it, or name what there is: {what} fails when {when}"
 
 
 __all__ = ["OF_MODULE", "absent_import_findings"]

@@ -167,7 +167,13 @@ def _define(system: System, call: RefusedCall, name: str) -> str:
         return "make an ActionClient of rclpy.action, which has it, in place of the client"
     if call.given.rpartition(".")[2] == "ClientGoalHandle" and "feedback" in name:
         return "pass what takes the feedback to send_goal_async(goal, feedback_callback=…) instead"
+    if _is_of_node(call) and name in _OF_RCLPY:
+        return f"use rclpy.{name}()"
     return f"define {name}() in the class of the node, or remove the call" if _is_of_node(call) else "remove the call"
+
+
+_OF_RCLPY = frozenset({"init", "ok", "shutdown", "spin", "spin_once", "spin_until_future_complete", "try_shutdown"})
+"""Functions of rclpy that are taken for methods of a node.  Source: ``rclpy/__init__.py``."""
 
 
 def _node_around(system: System, call: RefusedCall) -> str:
