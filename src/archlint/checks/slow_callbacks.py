@@ -31,7 +31,7 @@ from archlint.execution.demonstrations import stands_for_work
 from archlint.execution.kept_waiting import Waiting, blocks_nobody, is_one_chain, who_waits
 from archlint.execution.long_stays import LongStay, long_stays, period_of
 from archlint.execution.loop_times import in_loops
-from archlint.execution.own_timers import ends_its_timer_after, gives_up_at_a_miss
+from archlint.execution.own_timers import ends_its_timer_after
 from archlint.execution.retries import gives_up_loudly, retries_after_errors
 from archlint.execution.sleeps import Stay
 from archlint.execution.spins import is_spin_call
@@ -174,7 +174,7 @@ def _delays_nothing(code: SourceCode, row: LongStay) -> bool:
     program, call, stay = row
     if stay.kind == "keyboard":
         return True
-    return not made_here(call) and who_waits(code, call, program) in (Waiting.NOBODY, Waiting.SELDOM)
+    return not made_here(call) and who_waits(code, call, program) in (Waiting.NOBODY, Waiting.SELDOM, Waiting.UNKNOWN)
 
 
 def _turns(call: ApiCall) -> bool:
@@ -268,7 +268,7 @@ def _slow(system: System, rows: Sequence[LongStay], worst: str) -> Finding:
         program,
         call,
         f"{callback_words(callback)} {stay.words}{end}: {meanwhile}",
-        help=_instead(program, call, stay) + (_GIVES_UP if gives_up_at_a_miss(system, call) else ""),
+        help=_instead(program, call, stay),
         further=(Related(other.place, f"here it {words.words}", again=True) for _, other, words in others),
         identity=(call.api,),
         group=(*_cause(callback), worst),
@@ -347,8 +347,6 @@ _ANSWERS = frozenset({Role.SERVICE, Role.LIFECYCLE, Role.GOAL, Role.CANCEL, Role
 """Roles of callbacks that somebody waits for: what they return is the answer."""
 
 _OWN_GROUP = "give this callback its own callback group"
-_GIVES_UP = "; cancel the timer only once the server is there"
-"""What is said where a first miss, without a wait, would be the last one."""
 _INSTEAD = {
     "sleep": "continue from a timer instead of sleeping",
     "discovery": "check once without waiting, and try again from a timer",

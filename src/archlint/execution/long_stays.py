@@ -6,13 +6,15 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_not_installed
+from archlint.analysis.order import is_called_in_branches
 from archlint.analysis.reach import argument, judged_calls
 from archlint.analysis.source_code import source_code
 from archlint.execution.callback_roles import runs_in_executor
 from archlint.execution.commands import ends_the_machine, is_soon_over
 from archlint.execution.kept_waiting import blocks_nobody
 from archlint.execution.loop_times import in_loops
-from archlint.execution.own_timers import ends_its_timer_after, ends_its_timer_before, runs_once
+from archlint.execution.openings import lets_settle
+from archlint.execution.own_timers import ends_its_timer_after, ends_its_timer_before, gives_up_at_a_miss, runs_once
 from archlint.execution.present_servers import is_there
 from archlint.execution.processes import is_signalled_to_end
 from archlint.execution.recoveries import brings_up_again
@@ -27,6 +29,8 @@ if TYPE_CHECKING:
 
 MOMENT = 0.25
 """Seconds of a sleep that are not worth a word, unless a loop adds them up or a timer comes more often."""
+_NOW_AND_THEN = 0.1
+"""Seconds of a sleep under a condition that a timer may lose: a few of its turns, once."""
 DISCOVERY = 1.0
 """Seconds that a callback may look for a server."""
 _TRIFLES = frozenset({"clear", "cls", "reset", ""})
@@ -42,12 +46,14 @@ def long_stays(system: System) -> Iterator[LongStay]:
         if stay is None or _trifle(call) or not _is_long(system, call, stay) or blocks_nobody(call.context, program):
             continue
         if (
-            is_signalled_to_end(code, call, stay)
+            is_signalled_to_end(code, call)
             or (stay.kind == "discovery" and is_there(system, call))
             or ends_with_the_node(code, call, stay)
             or ends_the_machine(code, call)
-            or (stay.kind == "discovery" and runs_once(system, call))
+            or (stay.kind in ("discovery", "process") and runs_once(system, call))
+            or (stay.kind == "discovery" and gives_up_at_a_miss(system, call))
             or (stay.kind in ("sleep", "process") and brings_up_again(code, call))
+            or (stay.kind == "sleep" and lets_settle(code, call, stay))
             or hands_over(code, call, stay)
             or (stay.kind == "process" and (not call.looped or is_retry(code, call)) and is_soon_over(code, call))
             or _is_no_program(system, call.context)
@@ -64,7 +70,9 @@ def _is_long(system: System, call: ApiCall, stay: Stay) -> bool:
     if stay.kind not in ("sleep", "process") or stay.seconds is None:
         return True
     period, seconds = period_of(system, call), in_loops(source_code(system), call, stay, with_callers=True)
-    return seconds > MOMENT or (period is not None and seconds > period)
+    if seconds > MOMENT or period is None:
+        return seconds > MOMENT
+    return seconds > period and (seconds > _NOW_AND_THEN or not is_called_in_branches(source_code(system), call))
 
 
 def _trifle(call: ApiCall) -> bool:

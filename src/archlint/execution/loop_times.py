@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from archlint.finding import Place
     from archlint.model import ApiCall
 
-TINY = 0.01
+TINY = 0.02
 """Seconds of a pause between the items of something."""
 
 _RUNS_EMPTY = frozenset({"in_waiting", "inWaiting", "out_waiting", "empty", "qsize"})

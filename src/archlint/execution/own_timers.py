@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from collections.abc import Set as AbstractSet
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
@@ -68,14 +69,22 @@ def _guard(code: SourceCode, end: ApiCall) -> tuple[Place, ...]:
     ended = [] if expression is None else [expression.func, *(given.value for given in expression.args)]
     owners = {part.dotted for part in everything_in(ended, facts.Attribute)}
     for branch in statements_of(code.body(end), facts.If):
-        timers = [part for part in everything_in([branch.test], facts.Attribute) if part.dotted in owners]
-        if timers and any(covers(line, end.place.span) for line in branch.body) and not _calls(branch.test):
-            return (*way, Place.of(end.file, timers[0].span))
+        asked = _asked_for(branch.test, owners)
+        if asked is not None and any(covers(line, end.place.span) for line in branch.body):
+            return (*way, Place.of(end.file, asked))
     return (*way, last)
 
 
-def _calls(test: facts.Expr) -> bool:
-    return any(True for _ in calls_in(test))
+def _asked_for(test: facts.Expr, owners: AbstractSet[str]) -> facts.Span | None:
+    """Where a test only asks whether an object is there: ``self.timer``, ``hasattr(self, 'timer')``."""
+    match test:
+        case facts.Call(
+            func=facts.Name(id="hasattr"), args=[owner, facts.Argument(value=facts.Literal(text=name))], span=span
+        ):
+            return span if f"{owner.value.dotted}.{name}" in owners else None
+    if any(True for _ in calls_in(test)):
+        return None
+    return next((part.span for part in everything_in([test], facts.Attribute) if part.dotted in owners), None)
 
 
 def _ends_of_timer(system: System, call: ApiCall) -> list[ApiCall]:

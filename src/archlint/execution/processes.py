@@ -16,30 +16,25 @@ from archlint.syntax.walk import calls_in
 
 if TYPE_CHECKING:
     from archlint.analysis.source_code import SourceCode
-    from archlint.execution.sleeps import Stay
     from archlint.model import ApiCall
 
 _ENDS = frozenset({"terminate", "kill", "send_signal"})
-_KILLS = frozenset({"kill"})
-_KILLING: frozenset[object] = frozenset({"SIGKILL", 9})
-_ENDING = _KILLING | {"SIGINT", 2, "SIGTERM", 15, "SIGHUP", 1, "SIGQUIT", 3}
+_ENDING: frozenset[object] = frozenset({"SIGKILL", 9, "SIGINT", 2, "SIGTERM", 15, "SIGHUP", 1, "SIGQUIT", 3})
 """Signals that end a process: always, or unless it does otherwise."""
 
 
-def is_signalled_to_end(code: SourceCode, call: ApiCall, stay: Stay) -> bool:
+def is_signalled_to_end(code: SourceCode, call: ApiCall) -> bool:
     """Whether a process that is waited for was just asked to end: ``process.terminate(); process.wait(timeout=1)``.
-    Without a limit it has to be killed: only that cannot be ignored."""
+    Hardly any takes that for a hint only, so that a limit makes no difference."""
     expression = code.expression(call)
     name = "" if expression is None or call.api not in OF_PROCESS else _owner(expression)
-    ends = _KILLS if stay.seconds is None else _ENDS
     if not name:
         return False
     graph = graph_of(code.body(call))
     earlier = graph.before(graph.evaluating(call.place.span), _in_this_iteration)
     groups = _numbers_of(code.body(call), name)
     return any(
-        (earlier_call.func.attribute in ends and _owner(earlier_call) == name)
-        or _signals(earlier_call, name, groups, stay.seconds is None)
+        (earlier_call.func.attribute in _ENDS and _owner(earlier_call) == name) or _signals(earlier_call, name, groups)
         for block in earlier
         for earlier_call in calls_in(block.fact)
     )
@@ -63,14 +58,14 @@ def _is_number_of(value: facts.Expr, process: str) -> bool:
     return any(part.attr == "pid" and dotted(part.value) == process for part in everything_in([value], facts.Attribute))
 
 
-def _signals(call: facts.Call, process: str, numbers: AbstractSet[str], certainly: bool) -> bool:
+def _signals(call: facts.Call, process: str, numbers: AbstractSet[str]) -> bool:
     """Whether a call is ``os.kill(process.pid, signal.SIGTERM)``, or the same for the process's group.  What the number
     of a signal is, a variable does not say: with one, the process is asked to end, though not for certain."""
     if dotted(call.func) not in ("os.kill", "os.killpg") or len(call.args) != len(("pid", "sig")):
         return False
     who, what = (argument.value for argument in call.args)
     number = what.value if isinstance(what, facts.Literal) else dotted(what).rpartition(".")[2]
-    ends = number in (_KILLING if certainly else _ENDING) or (bool(what.variable) and not certainly)
+    ends = number in _ENDING or bool(what.variable)
     return ends and (who.variable in numbers or _is_number_of(who, process))
 
 
