@@ -89,6 +89,18 @@ def test_the_help_is_to_port_the_file_and_each_call_has_its_replacement(said: Sa
     ]
 
 
+def test_what_else_rclpy_refuses_in_such_a_file_is_no_cause_of_its_own(said: Said) -> None:
+    more = "    node = rclpy.create_node('talker')\n    node.create_timer(pub, rate, oneshot=True)\n"
+    more += "    node.logwarn('late')\n"
+    text = UNDER_ANOTHER_NAME.replace("import rclpy as rospy", "import rclpy\nimport rclpy as rospy")
+    text = text.replace("    rate = rospy.Rate(10)\n", f"    rate = rospy.Rate(10)\n{more}")
+    [finding] = said("API002", {"robot/talker.py": text})
+    assert finding.message == "rclpy has no init_node(); 3 more calls in this file are of rospy, too"
+    assert said("API001", {"robot/talker.py": text}) == []
+    ported = TALKER.replace("    rclpy.spin", f"    pub, rate = None, 1.0\n{more}    rclpy.spin")
+    assert [f.message.partition(" fails")[0] for f in said("API001", {"robot/talker.py": ported})] == ["create_timer()"]
+
+
 def test_one_slip_is_no_file_of_ros_1(said: Said) -> None:
     [finding] = said("API002", {"robot/talker.py": ONE_SLIP})
     assert (finding.message, finding.help) == ("rclpy has no sleep()", "use time.sleep()")

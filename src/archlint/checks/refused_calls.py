@@ -28,7 +28,14 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.time_operators import OPERATOR, time_operator_findings
 from archlint.checks.uncalled import UNCALLED, unless_uncalled
-from archlint.checks.unported import OF_ROS_1, functions_of_rospy, is_left_in_ros_1, is_of_rospy, of_one_port
+from archlint.checks.unported import (
+    OF_ROS_1,
+    functions_of_rospy,
+    is_left_in_ros_1,
+    is_of_ros_1,
+    is_of_rospy,
+    of_one_port,
+)
 from archlint.checks.used_values import NOTHING, PLAIN, TEXT, misused_kind_findings, used_value_findings
 from archlint.finding import Finding
 from archlint.libraries.api_signatures import attributes_of, signatures_of
@@ -54,7 +61,8 @@ def refused_call(system: System, options: Options) -> Iterator[Finding]:
     judged = list(_judged(system))
     unported = functions_of_rospy(judged)
     for call in (*judged, *loggers):
-        of_rospy = call.api == "rclpy.spin" and call.misuse is Misuse.MISSING and call.place.file in unported
+        slip = call.api == "rclpy.spin" and call.misuse is Misuse.MISSING and call.place.file in unported
+        of_rospy = slip or is_of_ros_1(unported, call.place.file)  # API002 says to port it
         if call.misuse not in _OF_OTHER_RULES and not of_rospy and _is_refused(call, options.distros):
             yield _finding(call)
     yield from time_operator_findings(system)
@@ -79,15 +87,16 @@ def unknown_attribute(system: System, options: Options) -> Iterator[Finding]:
     yield from late_attribute_findings(system)
     yield from misused_kind_findings(system)
     unported = functions_of_rospy(absent)
-    left = {file for file, names in unported.items() if is_left_in_ros_1(system, file, len(names))}
+    left = {file for file in unported if is_of_ros_1(unported, file) and is_left_in_ros_1(system, file)}
     for diagnostic in absent_import_findings(system, {(call.place.file, call.place.line) for call in absent}):
-        of_rospy = diagnostic.place.file in unported and diagnostic.identity[0].startswith("rclpy.ROS")
+        file = diagnostic.place.file
+        of_rospy = is_of_ros_1(unported, file) or (file in unported and diagnostic.identity[0].startswith("rclpy.ROS"))
         if not of_rospy:
             yield diagnostic
-        elif diagnostic.place.file not in left:
-            yield replace(diagnostic, group=(OF_ROS_1, diagnostic.place.file))
+        elif file not in left:
+            yield replace(diagnostic, group=(OF_ROS_1, file))
     for call, name in judged:
-        if (is_of_rospy(call) and call.place.file in left) or _is_of_action(call, name, judged_calls):
+        if call.place.file in left or _is_of_action(call, name, judged_calls):
             continue
         logs = name in LEVELS and _is_of_node(call)
         diagnostic = finding(
@@ -96,7 +105,7 @@ def unknown_attribute(system: System, options: Options) -> Iterator[Finding]:
             f"{call.given.rpartition('.')[2]} has no {name}()",
             help=_in_place_of_absent(system, call, name, logs),
             identity=(call.api,),
-            group=_group(call, logs),
+            group=(OF_ROS_1, call.place.file) if is_of_ros_1(unported, call.place.file) else _group(call, logs),
             meant=call.wanted,
         )
         yield from [diagnostic] if call.wanted else unless_uncalled(system, diagnostic)

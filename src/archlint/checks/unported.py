@@ -4,7 +4,7 @@ Once for each file, and nothing where no program of the workspace comes to it.""
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -44,11 +44,15 @@ def told_of_rospy(system: System) -> frozenset[str]:
     return frozenset(functions_of_rospy(judged_notes(system, lambda program: program.refused_calls)))
 
 
-def is_left_in_ros_1(system: System, file: str, functions: int = _SEVERAL) -> bool:
-    """Whether a file uses several functions of rospy and no program of the workspace comes to it: nobody ports what
-    nobody starts."""
+def is_of_ros_1(functions: Mapping[str, Collection[str]], file: str) -> bool:
+    """Whether a file asks for several functions of rospy, so that who ports it writes the rest anew, too."""
+    return len(functions.get(file, ())) >= _SEVERAL
+
+
+def is_left_in_ros_1(system: System, file: str) -> bool:
+    """Whether no program of the workspace comes to a file: nobody ports what nobody starts."""
     workspace = system.workspace
-    if workspace is None or functions < _SEVERAL or not workspace.manifests:
+    if workspace is None or not workspace.manifests:
         return False
     return is_not_installed(workspace, file) or is_loose_module(workspace, file)
 
@@ -68,4 +72,12 @@ def of_one_port(findings: Sequence[Finding]) -> Finding:
     )
 
 
-__all__ = ["OF_ROS_1", "functions_of_rospy", "is_left_in_ros_1", "is_of_rospy", "of_one_port", "told_of_rospy"]
+__all__ = [
+    "OF_ROS_1",
+    "functions_of_rospy",
+    "is_left_in_ros_1",
+    "is_of_ros_1",
+    "is_of_rospy",
+    "of_one_port",
+    "told_of_rospy",
+]
