@@ -7,7 +7,6 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.completeness import enclosing_class
-from archlint.analysis.own_names import is_defined_somewhere
 from archlint.analysis.reach import judged_notes
 from archlint.checks.absent_imports import OF_MODULE, absent_import_findings
 from archlint.checks.argument_words import cure_of_keywords, keywords_meant, quoted, what_does_not_fit
@@ -40,6 +39,7 @@ from archlint.checks.used_values import NOTHING, PLAIN, TEXT, misused_kind_findi
 from archlint.finding import Finding
 from archlint.libraries.api_signatures import attributes_of, signatures_of
 from archlint.model import Misuse, RefusedCall
+from archlint.python_code.given_to_libraries import may_have
 from archlint.python_code.logger_calls import GET_LOGGER, LOGGER, refused_logger_calls
 from archlint.python_code.object_members import CalledProperty
 from archlint.python_code.uninitialised_programs import uninitialised_programs
@@ -77,7 +77,7 @@ def unknown_attribute(system: System, options: Options) -> Iterator[Finding]:
     absent = [call for call in judged_calls if call.misuse is Misuse.ABSENT]
     yield from (_called_value(call) for call in judged_calls if call.misuse is Misuse.VALUE)
     named = [(call, (call.parameters or ("",))[0]) for call in absent]
-    judged = [row for row in named if not is_defined_somewhere(system, row[0].place.file, row[1])]
+    judged = [row for row in named if not may_have(system, row[0].place, row[1], of_library=_is_open(row[0]))]
     told = {(call.place.file, call.place.line, name) for call, name in judged}
     for diagnostic in attribute_findings(system):
         # A class of the workspace and the node that it is lack the same.
@@ -191,6 +191,10 @@ def _node_around(system: System, call: RefusedCall) -> str:
     blueprints = (blueprint for node in system.nodes for blueprint in node.blueprints)
     is_node = any((row.place.file, row.class_name) == (call.place.file, cls) for row in blueprints)
     return "self" if is_node else "node"
+
+
+def _is_open(call: RefusedCall) -> bool:
+    return _is_of_node(call) and not call.wanted
 
 
 def _is_of_node(call: RefusedCall) -> bool:

@@ -13,6 +13,7 @@ from archlint.checks.scope import Scope
 from archlint.execution.blocking import in_distros
 from archlint.finding import Finding, Place, Related, Severity
 from archlint.model import Role
+from archlint.python_code.given_to_libraries import may_get_more
 from archlint.python_code.signatures import Signature, annotations_are_texts, signature_of
 
 if TYPE_CHECKING:
@@ -96,7 +97,8 @@ class _Wrong:
 
 def _wrong(system: System, callback: Callback, distros: Sequence[str]) -> _Wrong | None:
     if callback.missing is not None:
-        return _Wrong(callback, None)
+        at, workspace = callback.registered, system.workspace
+        return None if at and workspace and may_get_more(workspace, at) else _Wrong(callback, None)
     signature = signature_of(system, callback)
     if signature is None:
         return None

@@ -24,6 +24,7 @@ from archlint.python_code.class_chains import (
     methods_of,
     targets_of,
 )
+from archlint.python_code.given_to_libraries import gives_itself_to_library
 from archlint.python_code.message_variables import given_to_others
 from archlint.python_code.unshared_objects import asked_in, may_be_given
 from archlint.suggestions import distance, nearest
@@ -152,7 +153,7 @@ def members_of(workspace: WorkspaceIndex, chain: Chain) -> list[frozenset[str]] 
     if not chain.complete or any(names is None for names in foreign):
         return None
     own = [_of_class(workspace, cls) for cls in chain.own]
-    if any(names is None for names in own):
+    if any(names is None for names in own) or gives_itself_to_library(workspace, chain):
         return None
     return [_OF_ALL, *filter(None, foreign), *filter(None, own)]
 
