@@ -368,6 +368,66 @@ def test_one_launch_file_of_several_may_be_put_aside(findings):
     assert [(row.place.file, row.place.line, row.place.column) for row in finding.related] == [("README.md", 3, 5)]
 
 
+@pytest.mark.parametrize(
+    ("listed", "told"),
+    [
+        (("it", "b", "c"), "does not install the launch file 'd.launch.xml'"),
+        (("it", "b", "c", "d"), ""),
+        (("it",), ""),  # the others may be parts of it
+        (("it", "b"), ""),  # as many as are left out
+        (("[a-i]*", "b", "c"), ""),  # what a pattern leaves out may be meant
+    ],
+)
+def test_a_launch_file_that_a_list_of_them_lacks(findings, listed, told):
+    names = [f"launch/{name}.launch.xml" for name in listed]
+    files = {f"launch/{name}.launch.xml": f"<launch>{LAUNCH}</launch>" for name in "bcd"}
+    sources = "glob('launch/[a-i]*')" if "[a-i]*" in listed else str(names)
+    setup = SETUP.replace("glob('launch/*')", sources)
+    messages = [finding.message for finding in findings("PKG004", LAUNCH, **{"setup.py": setup}, **files)]
+    assert len(messages) == bool(told) and all(told in message for message in messages)
+
+
+def test_a_launch_file_that_install_files_lacks(findings):
+    names = "launch/it.launch.xml launch/b.launch.xml"
+    cmake = f"project(robot)\ninstall(FILES {names} DESTINATION share/robot/launch)\nament_package()\n"
+    files = {f"launch/{name}.launch.xml": f"<launch>{LAUNCH}</launch>" for name in "bc"}
+    (finding,) = findings("PKG004", LAUNCH, **{"package.xml": CMAKE, "setup.py": "", "CMakeLists.txt": cmake}, **files)
+    assert finding.message.startswith("package 'robot' does not install the launch file 'c.launch.xml'")
+
+
+@pytest.mark.parametrize(
+    ("packages", "message", "help"),
+    [
+        (
+            "['robot', f'robot/{1 * \"drivers\"}', 'robot.more']",
+            "packages= lists 'robot/drivers', and 1 more, without a folder: the build stops at 'robot/drivers'",
+            "take them off the list",
+        ),
+        (
+            "['robot_py']",
+            "packages= lists 'robot_py', without a folder: the build stops at 'robot_py'; did you mean 'robot'?",
+            "write 'robot'",
+        ),
+    ],
+)
+def test_a_package_that_is_listed_and_has_no_folder(findings, packages, message, help):
+    (finding,) = findings("PKG004", LAUNCH, **{"setup.py": setup(packages)})
+    assert (finding.message, finding.help, finding.place.line) == (message, help, 5)
+
+
+@pytest.mark.parametrize(
+    ("packages", "files"),
+    [
+        ("['robot', 'robot.words']", {"robot/words/data.json": "{}"}),
+        ("['robot', 'robot.words']", {".gitignore": "words/\n"}),
+        ("['robot', 'robot.words']", {"setup.py": setup("['robot', 'robot.words']", "    cmdclass={},\n")}),
+        ("['robot', NAME]", {}),
+    ],
+)
+def test_a_listed_package_that_is_there_or_may_be(findings, packages, files):
+    assert findings("PKG004", LAUNCH, **({"setup.py": setup(packages)} | files)) == []
+
+
 @pytest.mark.parametrize("command", ["ros2 launch launch/it.launch.xml", "ros2 launch it.launch.xml"])
 def test_a_launch_file_that_is_started_by_its_path(findings, command):
     assert findings("PKG004", LAUNCH, **{"setup.py": NO_DATA, "start.sh": f"{command} rate:=2\n"}) == []

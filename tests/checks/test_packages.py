@@ -70,6 +70,27 @@ def test_entry_points_of_other_distributions(findings):
     assert findings("PKG002", **{"setup.py": setup}) == []
 
 
+def test_the_entry_of_a_package_that_was_renamed(findings):
+    setup = SETUP.replace("robot.talker:main", "old_robot.talker:main")
+    (found,) = findings("PKG002", **{"setup.py": setup})
+    assert found.message.endswith("module 'old_robot.talker' does not exist; did you mean 'robot.talker'?")
+    assert (found.help, found.place.line) == ("write 'talker = robot.talker:main'", 6)
+
+
+@pytest.mark.parametrize(
+    "target",
+    [
+        "old_robot.driver:main",  # no module of this package
+        "old_robot.talker:run",  # nor a function of it
+        "tf2_ros.talker:main",  # a package of ROS
+        "serial.talker:main",  # a module that rosdep knows
+        "email.talker:main",  # one of Python's own
+    ],
+)
+def test_the_entry_of_a_module_that_may_be_elsewhere(findings, target):
+    assert findings("PKG002", **{"setup.py": SETUP.replace("robot.talker:main", target)}) == []
+
+
 def test_a_module_beside_the_python_package_is_not_in_it(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     setup = SETUP.replace("robot.talker:main", "robot.scripts.talker:main")

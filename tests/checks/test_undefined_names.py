@@ -9,7 +9,7 @@ import pytest
 
 from archlint.finding import Finding, Severity
 from checks.judging import Judge
-from robot_package import SETUP
+from robot_package import CMAKE, SETUP
 
 NODE = """
 import rclpy
@@ -389,6 +389,21 @@ def test_a_launch_file_beside_the_programs(findings: Callable[..., list[Finding]
     )
     idle = "\n\n\ndef main():\n    pass\n\n\ndef idle():\n    print(math.pi)\n"
     assert not findings("API005", **{"setup.py": setup, "robot/robot_launch.py": launch + idle})
+
+
+@pytest.mark.parametrize(
+    ("line", "help"),
+    [("from glob import glob\n", "write `from glob import glob`"), ("from setuptools import setup\n", "")],
+)
+def test_a_name_that_a_setup_file_does_not_import(findings: Callable[..., list[Finding]], line: str, help: str) -> None:
+    (told,) = findings("API005", **{"setup.py": SETUP.replace(line, "")})
+    assert (told.place.file, told.severity) == ("setup.py", Severity.ERROR)
+    assert told.help == help or not help
+
+
+def test_a_setup_file_that_nothing_runs(findings: Callable[..., list[Finding]]) -> None:
+    files = {"package.xml": CMAKE, "CMakeLists.txt": "project(robot)\nament_package()\n"}
+    assert not findings("API005", **files, **{"setup.py": SETUP.replace("from glob import glob\n", "")})
 
 
 PASTED = """

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from archlint.checks.folding import folds, with_others
+from archlint.checks.listed_packages import of_packages_in_vain, packages_in_vain
 from archlint.checks.packages import workspace_of
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -55,13 +56,15 @@ def _all_left_out(workspace: WorkspaceIndex) -> Iterator[Finding]:
     needed: dict[str, list[LeftOut]] = {}
     for needing in left_out_code(workspace):
         needed.setdefault(needing.package, []).append(needing)
+    in_vain = packages_in_vain(workspace)
     for package, rows in needed.items():
-        if _absent_folder(workspace, package) is None:
+        if _absent_folder(workspace, package) is None and package not in in_vain:
             yield _code(workspace, package, rows)
     yield from _packages_nowhere(workspace)
-    in_vain = list(listed_in_vain(workspace))
+    yield from of_packages_in_vain(workspace, {package: _names(workspace, rows) for package, rows in needed.items()})
+    files_in_vain = list(listed_in_vain(workspace))
     left_out = list(launch_files_left_out(workspace))
-    misspelt = {(row.place.file, row.file): right for row in in_vain if (right := _right_name(row, left_out))}
+    misspelt = {(row.place.file, row.file): right for row in files_in_vain if (right := _right_name(row, left_out))}
     spelt = {(file, right) for (file, _), right in misspelt.items()}
     for launch_row in left_out:
         files = tuple(file for file in launch_row.files if (launch_row.place.file, file) not in spelt)
@@ -72,7 +75,7 @@ def _all_left_out(workspace: WorkspaceIndex) -> Iterator[Finding]:
         named.setdefault(named_row.package, []).append(named_row)
     yield from map(_astray, launch_files_astray(workspace))
     yield from map(_data, named.values())
-    yield from _all_in_vain(workspace, in_vain, misspelt)
+    yield from _all_in_vain(workspace, files_in_vain, misspelt)
     yield from map(_folder, folders_listed(workspace))
     yield from map(_misnamed, misnamed_markers(workspace))
     yield from map(_interfaces, not_generated(workspace))
@@ -118,6 +121,12 @@ def _code(workspace: WorkspaceIndex, package: str, rows: Sequence[LeftOut]) -> F
         related=related,
         identity=(package, *(group.name for group in groups)),
     )
+
+
+def _names(workspace: WorkspaceIndex, rows: Sequence[LeftOut]) -> Sequence[str]:
+    """The packages of Python that files which are left out lie in."""
+    names = {path: name for row in rows for name, path in workspace.code.modules_of(row.package).items()}
+    return [*dict.fromkeys(names[row.file].rpartition(".")[0] for row in rows if row.file in names)]
 
 
 def _absent_folder(workspace: WorkspaceIndex, package: str) -> AbsentFolder | None:

@@ -4,14 +4,17 @@ from __future__ import annotations
 
 import posixpath
 import re
-from collections.abc import Sequence
+import sys
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING, Union
 
 from archlint.analysis.aside import ros1_module
+from archlint.packaging.absent_packages import is_nowhere
 from archlint.packaging.generated_files import submodule_around
 from archlint.place import Place
+from archlint.ros.python_modules import key_of
 from archlint.suggestions import nearest
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in
@@ -77,7 +80,7 @@ def broken_target(workspace: WorkspaceIndex, executable: Executable) -> Broken |
     if not paths:
         ours = {name.partition(".")[0] for name in modules}
         top = module.partition(".")[0]
-        foreign = top not in ours and nearest(top, ours) is None
+        foreign = top not in ours and nearest(top, ours) is None and not _is_of_old_name(workspace, executable, modules)
         unread = is_on_disk(workspace, executable.package, module) or _is_in_empty_submodule(workspace, executable)
         if foreign or unread:
             return None
@@ -104,6 +107,19 @@ def broken_target(workspace: WorkspaceIndex, executable: Executable) -> Broken |
         ros1_module(file_facts) or "",
         _functions(file_facts) != (),
     )
+
+
+def _is_of_old_name(workspace: WorkspaceIndex, executable: Executable, own: Mapping[str, str]) -> bool:
+    """Whether a module of a package that is nowhere, or has no such module, is one of this package under its own name:
+    who renames or copies a package forgets its entries."""
+    module, function = executable.module or "", (executable.function or "main").partition(".")[0]
+    top, _, rest = module.partition(".")
+    same = [path for name, path in own.items() if rest and name.partition(".")[2] == rest]
+    if top in sys.stdlib_module_names or not any(workspace.code.mentions(path, function) for path in same):
+        return False
+    if top in workspace.packages:
+        return module not in workspace.code.modules_of(top)
+    return is_nowhere(workspace, top) and key_of(top) is None
 
 
 def _coroutine(file_facts: facts.Facts, function: str) -> facts.Function | None:

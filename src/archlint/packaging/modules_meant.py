@@ -104,6 +104,9 @@ def _near_module(module: str, known: Collection[str]) -> str | None:
     """The module that was meant: one beside it by the last part of its name, else by the whole name."""
     parent, _, last = module.rpartition(".")
     beside = [name.rpartition(".")[2] for name in known if name.rpartition(".")[0] == parent]
+    same = [name for name in known if parent and name.partition(".")[2] == module.partition(".")[2]]
+    if not beside and len(same) == 1:
+        return same[0]
     if not beside:
         return nearest(module, known)
     near = nearest(last, beside)

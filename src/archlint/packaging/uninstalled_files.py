@@ -9,7 +9,7 @@ from __future__ import annotations
 import fnmatch
 import posixpath
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -43,8 +43,8 @@ class LaunchFilesLeftOut:
 
 
 def launch_files_left_out(workspace: WorkspaceIndex) -> Iterator[LaunchFilesLeftOut]:
-    """Of a package that installs none of the launch files in its folder ``launch``, these; of any other package, those
-    that a text of the workspace says to start by ``ros2 launch PACKAGE FILE``."""
+    """Of a package that installs none of the launch files in its folder ``launch``, these, and those that its list of
+    them lacks; of any other package, those that a text of the workspace says to start by its name."""
     for installs in understood(workspace).values():
         place = mended_at(workspace, installs)
         own = own_launch_files(workspace, installs)
@@ -56,7 +56,8 @@ def launch_files_left_out(workspace: WorkspaceIndex) -> Iterator[LaunchFilesLeft
         if place is None or not missing:
             continue
         told = {file: list(_told_at(workspace, installs.package, file)) for file in missing}
-        if len(missing) < len(own) or any(_is_started_by_path(workspace, file) for file in missing):
+        some = len(missing) < len(own) and not _is_off_a_list(installs, own, missing)
+        if some or any(_is_started_by_path(workspace, file) for file in missing):
             missing = [file for file in missing if told[file]]
         if missing:
             places = tuple(place for file in missing for place in told[file])
@@ -76,6 +77,13 @@ def _is_of_another_project(workspace: WorkspaceIndex, package: str, file: str) -
         return False
     known = {*workspace.packages, *table().names, *(dependency.name for dependency in manifest.dependencies)}
     return all(name is not None and name not in known for name in names)
+
+
+def _is_off_a_list(installs: Installs, own: Sequence[str], missing: Sequence[str]) -> bool:
+    """Whether the build names the launch files that it installs one by one, and more of them than it leaves out: who
+    adds a launch file forgets the list.  One that alone is installed may be all that is meant to be started."""
+    listed = {row.source for row in installs.files if not _is_pattern(row)}
+    return len(missing) < len(own) - len(missing) > 1 and listed.issuperset({*own} - {*missing})
 
 
 def is_left_out_launch_file(workspace: WorkspaceIndex, file: str) -> bool:

@@ -31,9 +31,14 @@ def python_code(installs: Installs, run: SetupRun, keywords: Mapping[str, Value]
         return posixpath.normpath(posixpath.join(installs.folder, path))
 
     absent = _absent(run, shown, names, folders)
+    in_vain = () if absent is not None else tuple(n for n in names if not _is_there(run, shown(_folder(n, folders))))
     return PythonCode(
-        frozenset(map(shown, places)), frozenset(map(shown, files)), run.packages_at, run.searches, absent
+        frozenset(map(shown, places)), frozenset(map(shown, files)), run.packages_at, run.searches, absent, in_vain
     )
+
+
+def _is_there(run: SetupRun, folder: str) -> bool:
+    return run.tree is None or any(True for _ in run.tree.files_below(folder))
 
 
 def _absent(
@@ -43,17 +48,14 @@ def _absent(
 
     Source: ``build_py.check_package`` of setuptools raises "package directory … does not exist".
     """
-    tree, place = run.tree, run.package_dir_at
-    if tree is None or place is None:
+    place = run.package_dir_at
+    if run.tree is None or place is None:
         return None
-
-    def is_there(path: str) -> bool:
-        return any(True for _ in tree.files_below(shown(path)))
 
     for key, folder in folders.items():
         inside = [name for name in names if key in ("", name) or name.startswith(f"{key}.")]
-        if inside and not is_there(folder):
-            return AbsentFolder(folder, place, all(is_there(name.replace(".", "/")) for name in inside))
+        if inside and not _is_there(run, shown(folder)):
+            return AbsentFolder(folder, place, all(_is_there(run, shown(name.replace(".", "/"))) for name in inside))
     return None
 
 

@@ -62,7 +62,7 @@ def import_of(
     if name in _USUAL:
         return _USUAL[name]
     if name in sys.stdlib_module_names:
-        return f"import {name}"
+        return f"from {name} import {name}" if called and name in _WITH_A_FUNCTION_OF_THEIR_NAME else f"import {name}"
     offering = [*(modules_with(name, "launch") if in_launch_file else ()), *modules_with(name, "rclpy")]
     if not offering:
         return _import_of_interface(workspace, name, file)
@@ -90,6 +90,7 @@ _OF_LESSONS = frozenset({"action_tutorials_interfaces", "example_interfaces", "t
 """Packages whose messages are meant where a file imports from them already."""
 
 
+_WITH_A_FUNCTION_OF_THEIR_NAME = frozenset({"glob", "pprint"})
 _SECTIONS = (".msg", ".srv", ".action")
 _PARTS = {
     ".action": ("Goal", "Result", "Feedback"),

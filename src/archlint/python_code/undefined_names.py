@@ -24,6 +24,7 @@ from archlint.syntax.walk import statements_of
 
 if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
+    from archlint.workspace.model import SourceFile
 
 _OF_MODULES = frozenset(
     {"__annotations__", "__builtins__", "__debug__", "__dict__", "__doc__", "__file__", "__loader__", "__name__"}
@@ -38,7 +39,7 @@ _OF_PYTHON_2 = frozenset(
 _ALWAYS = frozenset(dir(builtins)) | _OF_MODULES | _OF_CLASSES | _NEWER | {"WindowsError", "_"}
 _CHECKS_VERSION = frozenset({"PY2", "PY3", "six", "version_info"})
 _ROS_1 = frozenset({"rospy", "roslib"})
-_KINDS = frozenset({"python", "launch_python"})
+_KINDS = frozenset({"python", "launch_python", "setup_py"})
 _SPHINX = "/conf.py"
 """The file for which Sphinx defines names of its own."""
 
@@ -65,7 +66,7 @@ class Undefined:
 def undefined_names(workspace: WorkspaceIndex) -> Iterator[Undefined]:
     """Every such read in the files that were asked for: the first of each name in each function."""
     told = _told_of_launch_files(workspace)
-    for file, file_facts in workspace.code.judged():
+    for file, file_facts in (*workspace.code.judged(), *_setup_files(workspace)):
         if file.kind not in _KINDS or file.relative.endswith(_SPHINX) or workspace.roles.is_test(file.relative):
             continue
         unbound = _unbound(workspace, file.relative)
@@ -89,6 +90,14 @@ def undefined_names(workspace: WorkspaceIndex) -> Iterator[Undefined]:
                 called = span in _called(file_facts)
                 caught = span in _caught(file_facts)
                 yield Undefined(place, read.name.id, known, of_self, read.added, read.without_self, called, caught)
+
+
+def _setup_files(workspace: WorkspaceIndex) -> Iterator[tuple[SourceFile, facts.Facts]]:
+    """Each setup.py that colcon runs: that of a package of CMake is never read."""
+    for file, file_facts in workspace.code.setup_files:
+        package = workspace.packages.get(file.package or "")
+        if package is not None and package.build_type == "ament_python":
+            yield file, file_facts
 
 
 def _is_blank(name: str) -> bool:

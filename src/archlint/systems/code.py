@@ -70,6 +70,12 @@ class WorkspaceCode:
         return [(file, read) for file, read in rows if read is not None]
 
     @cached_property
+    def setup_files(self) -> list[tuple[SourceFile, Facts]]:
+        """Each setup.py that was asked for."""
+        setups = [file for file in self._files if file.kind == "setup_py" and not file.context]
+        return [(file, read) for file in setups if (read := self._facts_of(file)) is not None]
+
+    @cached_property
     def helpers(self) -> frozenset[str]:
         """The files of Python that those asked for import, be it through others, and that name nothing of ROS: what
         fails in them fails in the node that runs them all the same."""

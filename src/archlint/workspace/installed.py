@@ -122,6 +122,8 @@ class PythonCode:
     place: Place
     searched: bool = False
     absent: AbsentFolder | None = None
+    listed_in_vain: tuple[str, ...] = ()
+    """The packages whose folders are not there: setuptools stops at the first."""
 
     def has(self, path: str) -> bool:
         """Whether a file of Python, by its shown path, is installed."""
