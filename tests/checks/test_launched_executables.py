@@ -8,6 +8,8 @@ from archlint.config.settings import load
 from archlint.engine.pipeline import Request, check
 from robot_package import CMAKE, CMAKE_TESTS, SCRIPTS, SETUP, TALKER, manifest, node
 
+TARGETS = "install(TARGETS ${n} DESTINATION lib/robot)\n"
+
 
 @pytest.mark.parametrize(
     ("cmake", "found"),
@@ -15,7 +17,8 @@ from robot_package import CMAKE, CMAKE_TESTS, SCRIPTS, SETUP, TALKER, manifest, 
         ("project(robot)\nadd_subdirectory(gone)\n" + SCRIPTS, 0),
         ("project(robot)\nmake_node(driver)\n" + SCRIPTS, 0),  # an unknown command may build it
         ("project(robot)\nforeach(n ${NODES})\nadd_executable(${n})\nendforeach()\n" + SCRIPTS, 0),
-        ("project(robot)\nforeach(n driver arm)\nadd_executable(${n})\nendforeach()\n" + SCRIPTS, 0),
+        ("project(robot)\nforeach(n driver arm)\nadd_executable(${n})\n" + TARGETS + "endforeach()\n" + SCRIPTS, 0),
+        ("project(robot)\nforeach(n driver arm)\nadd_executable(${n})\nendforeach()\n" + SCRIPTS, 1),
         ("project(robot)\nadd_subdirectory(src)\n" + SCRIPTS, 0),
         ("project(robot)\ninstall(DIRECTORY nodes/ DESTINATION lib/robot)\n" + SCRIPTS, 0),
         ("project(robot)\n" + SCRIPTS + CMAKE_TESTS, 1),
@@ -26,7 +29,11 @@ from robot_package import CMAKE, CMAKE_TESTS, SCRIPTS, SETUP, TALKER, manifest, 
 )
 def test_what_a_build_with_cmake_leaves_open(findings, cmake, found):
     files = {"CMakeLists.txt": cmake, "package.xml": CMAKE, "setup.py": "", "setup.cfg": "[develop]\n"}
-    files |= {"src/CMakeLists.txt": "add_executable(driver driver.cpp)\n", "nodes/driver": "", "scripts/drive.py": ""}
+    files |= {
+        "src/CMakeLists.txt": "set(n driver)\nadd_executable(driver driver.cpp)\n" + TARGETS,
+        "nodes/driver": "",
+        "scripts/drive.py": "",
+    }
     assert len(findings("LCH001", node(exec="driver"), **files)) == found
 
 

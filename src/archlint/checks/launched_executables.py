@@ -48,6 +48,7 @@ def unknown_executable(system: System, options: Options) -> Iterator[Finding]:
         entry = installs.executables.get(name)
         package = system.workspace.packages.get(installs.package)
         if entry is not None and not (is_ignored_by_cmake(package, entry) and not _is_named_by_cmake(installs, name)):
+            yield from _not_in_sight(installs, started, name)
             continue
         if posixpath.isabs(name):
             continue  # launch_ros starts that file, and asks the package only for its folder: a Python of its own, say
@@ -65,6 +66,21 @@ def unknown_executable(system: System, options: Options) -> Iterator[Finding]:
             help=advice.help,
             identity=(installs.package, name),
             group=(installs.package, _LEFT_OUT if advice.is_left_out else name),
+        )
+
+
+def _not_in_sight(installs: Installs, started: Started, name: str) -> Iterator[Finding]:
+    """The finding for a program that CMake builds and does not install; one that it installs elsewhere PKG013 tells."""
+    astray, built = installs.astray.get(name), installs.executables[name]
+    if astray is not None and not astray.folder:
+        yield finding(
+            "LCH001",
+            started.places.get("executable", started.place),
+            f"package '{installs.package}' builds the executable '{name}' and does not install it",
+            help=f"add install(TARGETS {name} DESTINATION lib/${{PROJECT_NAME}}) to its CMakeLists.txt",
+            related=[Related(built.place, "it is built here")],
+            identity=(installs.package, name),
+            group=(installs.package, _BUILT),
         )
 
 
@@ -99,9 +115,9 @@ def _unread_entry(started: Started, name: str, entry: Executable, installed: dic
 
 
 _NOT_READ = "CMake builds it, and its setup.py is not read"
-_UNREAD, _LEFT_OUT = "setup.py ", "left out "
-"""What the entries of a setup.py that CMake does not read have in common, and the scripts that a package does not
-install: the names of no executable."""
+_UNREAD, _LEFT_OUT, _BUILT = "setup.py ", "left out ", "built "
+"""What the entries of a setup.py that CMake does not read have in common, the scripts that a package does not
+install, and the programs that it only builds: the names of no executable."""
 
 
 def _is_named_by_cmake(installs: Installs, name: str) -> bool:
@@ -125,6 +141,14 @@ def _of_one_executable(several: Sequence[Finding]) -> Finding:
         for finding in several
         for row in (Related(finding.place, f"'{finding.identity[1]}' is started here"), *finding.related)
     ]
+    if first.group[1] == _BUILT:
+        line = f"install(TARGETS {' '.join(sorted(names))} DESTINATION lib/${{PROJECT_NAME}})"
+        return replace(
+            first,
+            message=f"package '{first.identity[0]}' installs {those}: CMake builds them and no more",
+            help=f"add {line} to its CMakeLists.txt",
+            related=tuple(dict.fromkeys(related[1:])),
+        )
     if first.group[1] == _LEFT_OUT:
         return replace(
             first,

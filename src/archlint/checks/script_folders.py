@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
+from archlint.checks.folding import folds, with_others
 from archlint.checks.packages import workspace_of
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related, Severity
+from archlint.packaging.built_programs import BuiltOutOfSight, built_out_of_sight
 from archlint.packaging.script_folders import out_of_sight
 from archlint.systems.model import System
 
@@ -17,7 +19,7 @@ _DECLARED = "it is declared here"
 
 @rule("PKG013", scope=Scope.WORKSPACE, in_use=True)
 def programs_out_of_sight(system: System, options: Options) -> Iterator[Finding]:
-    """Packages of ament_python whose setup.cfg does not send the programs to the folder of the package."""
+    """Programs that setup.cfg or CMake does not send to the folder of their package."""
     workspace = workspace_of(system)
     for row in out_of_sight(workspace) if workspace is not None else ():
         where = f"lib/{row.folder}" if row.folder else "bin"
@@ -33,6 +35,33 @@ def programs_out_of_sight(system: System, options: Options) -> Iterator[Finding]
             identity=(row.package,),
         )
         yield replace(told, severity=Severity.INFO) if program is None else told
+    yield from map(_built, built_out_of_sight(workspace) if workspace is not None else ())
+
+
+_BUILT = "built"
+
+
+def _built(row: BuiltOutOfSight) -> Finding:
+    name, package = row.executable.name, row.executable.package
+    return finding(
+        "PKG013",
+        row.place,
+        f"'{name}' is installed in {row.folder}, where ros2 run and launch do not look: they want lib/{package}"
+        if row.folder
+        else f"'{name}' is built and not installed: ros2 run does not find it",
+        help="install it with DESTINATION lib/${PROJECT_NAME}"
+        if row.folder
+        else f"add install(TARGETS {name} DESTINATION lib/${{PROJECT_NAME}})",
+        related=[] if row.place == row.executable.place else [Related(row.executable.place, "it is built here")],
+        identity=(package, name),
+        group=(row.place.file, _BUILT, row.folder),
+    )
+
+
+@folds("PKG013")
+def _of_one_file(findings: Sequence[Finding]) -> Finding:
+    """One finding for the programs of a CMake file that come to one folder."""
+    return with_others(findings, "another program is", "more programs are", "out of sight, too")
 
 
 __all__ = ["programs_out_of_sight"]

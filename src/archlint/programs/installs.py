@@ -10,6 +10,7 @@ from typing import Protocol
 from archlint.finding import Place
 from archlint.programs.cmake_names import may_make_anything, misnamed_project, misspelt_variables, read_names
 from archlint.programs.cmake_targets import TargetNames
+from archlint.programs.installed_targets import programs_astray
 from archlint.syntax.entry_point_tables import ScriptEntry, entries_of_setup_cfg
 from archlint.workspace.cmake import Argument, Command
 from archlint.workspace.cmake_run import CMakeRun, Step, without_source
@@ -90,6 +91,7 @@ def read_cmake(installs: Installs, path: str, tree: CMakeTree) -> None:
     if not installs.executables and any(may_make_anything(step.command) for step in run.steps):
         installs.open_executables = True
     if not run.open:
+        installs.astray = programs_astray(installs, run.steps, targets)
         read_names(installs, run.steps)
         installs.unset_variables += misspelt_variables(run.steps)
     installs.names_of_nothing += misnamed_project(installs, run.steps)

@@ -33,6 +33,15 @@ class Executable:
     plugin: str = ""
 
 
+@dataclass(frozen=True)
+class Astray:
+    """Where a program that CMake builds comes to instead of ``lib/<package>``: a folder below the prefix, empty where
+    nothing installs it, and the place that says so."""
+
+    folder: str
+    place: Place | None
+
+
 MARKERS = "share/ament_index/resource_index/packages"
 """Where the index of packages has a file for each, below the prefix."""
 
@@ -149,6 +158,8 @@ class Installs:
     too_deep: dict[str, str] = field(default_factory=dict)
     """Programs by name that come to a folder inside ``lib/<package>``, where ``ros2 run`` finds them and launch does
     not: that folder."""
+    astray: dict[str, Astray] = field(default_factory=dict)
+    """Programs by name that CMake builds and that ``ros2 run`` and launch do not find."""
     generated: frozenset[str] | None = None
     """The words that ``rosidl_generate_interfaces`` is given; None where there is none, or one is not known."""
     generated_at: Place | None = None

@@ -1,0 +1,74 @@
+"""Programs of C++ that CMake builds and that ``ros2 run`` does not find, as they are not installed in ``lib/PACKAGE``.
+
+Source: ``get_executable_paths`` of ros2pkg lists ``lib/PACKAGE`` alone.
+"""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from archlint.analysis.aside import is_aside
+from archlint.analysis.kept import once
+from archlint.launch_files.launch_code import started_programs
+
+if TYPE_CHECKING:
+    from archlint.place import Place
+    from archlint.systems.model import WorkspaceIndex
+    from archlint.workspace.installed import Executable
+
+_LIBRARIES = "lib"
+
+
+@dataclass(frozen=True)
+class BuiltOutOfSight:
+    """A program that comes to ``folder``, or is not installed where that is empty."""
+
+    executable: Executable
+    place: Place
+    folder: str
+
+
+def built_out_of_sight(workspace: WorkspaceIndex) -> Iterator[BuiltOutOfSight]:
+    """Each program that somebody starts by the name of its package, and is installed elsewhere; each with a node among
+    the libraries; and of those that are not installed, each that a text says to run, as LCH001 tells the rest."""
+    started = started_programs(workspace)
+    for name in sorted(workspace.installs):
+        installs = workspace.installs[name]
+        package = workspace.manifests.get(installs.folder)
+        if package is None or package.build_type != "ament_cmake" or is_aside(workspace, package.manifest.relative):
+            continue
+        for program, astray in installs.astray.items():
+            executable = installs.executables.get(program)
+            if executable is None or not executable.sources:
+                continue
+            launched, told = (name, program) in started, (name, program) in _told_to_run(workspace)
+            if not astray.folder and not launched and told:
+                yield BuiltOutOfSight(executable, executable.place, "")
+            amid_libraries = astray.folder == _LIBRARIES and _is_of_ros(workspace, executable)
+            if astray.folder and (launched or told or amid_libraries):
+                yield BuiltOutOfSight(executable, astray.place or executable.place, astray.folder)
+
+
+def _is_of_ros(workspace: WorkspaceIndex, executable: Executable) -> bool:
+    return any(workspace.code.mentions(source, "rclcpp") for source in executable.sources)
+
+
+_TEXTS = re.compile(r"(?:.*\.(?:md|rst|txt|sh|bash|zsh|ya?ml|service)|(?:Docker|Make)file[\w.-]*)")
+_COMMAND = re.compile(r"\bros2[ \t]+run[ \t]+([\w-]+)[ \t]+([\w.-]+)")
+
+
+@once
+def _told_to_run(workspace: WorkspaceIndex) -> frozenset[tuple[str, str]]:
+    """Package and executable after each ``ros2 run`` in the documents and scripts of a workspace."""
+    rows: set[tuple[str, str]] = set()
+    for path in workspace.tree.files_below(workspace.tree.top):
+        text = workspace.tree.text(path) if _TEXTS.fullmatch(posixpath.basename(path)) else None
+        rows.update((call[1], call[2]) for call in _COMMAND.finditer(text or ""))
+    return frozenset(rows)
+
+
+__all__ = ["BuiltOutOfSight", "built_out_of_sight"]
