@@ -681,6 +681,33 @@ def test_what_cmake_lists_and_is_not_there(findings, line, message):
 
 
 @pytest.mark.parametrize(
+    ("files", "listed", "right"),
+    [
+        ('"msg/Speed"', "msg/Speed", "msg/Speed.msg"),
+        ("msg/Speed.msg, msg/Turn.msg", "msg/Speed.msg,", "msg/Speed.msg"),
+        ('"srv/Stop" DEPENDENCIES std_msgs', "srv/Stop", "srv/Stop.srv"),
+        ('"msg/Stop"', "msg/Stop", ""),
+        ('"msg/Speed.msg", "msg/Turn.msg"', ",", ""),
+    ],
+)
+def test_an_interface_that_is_listed_by_no_path_of_a_file(findings, files, listed, right):
+    there = dict.fromkeys(("msg/Speed.msg", "msg/Turn.msg"), "float64 value\n") | {"srv/Stop.srv": "---\n"}
+    cmake = BUILD.format(f"rosidl_generate_interfaces(${{PROJECT_NAME}} {files})")
+    (finding,) = findings("PKG004", **OF_CMAKE, **there, **{"CMakeLists.txt": cmake})
+    assert f"the build stops at '{listed}'" in finding.message
+    assert finding.help == (f"write '{right}'" if right else "add the file, or take it off the list")
+
+
+@pytest.mark.parametrize(
+    "words",
+    ['"msg/Speed.msg" DEPENDENCIES std_msgs', '"msg/Speed.msg" LIBRARY_NAME msg/robot', "${FILES}", "robot_msgs"],
+)
+def test_what_else_the_command_for_interfaces_is_given(findings, words):
+    cmake = BUILD.format(f"rosidl_generate_interfaces(${{PROJECT_NAME}} {words})")
+    assert findings("PKG004", **OF_CMAKE, **{"msg/Speed.msg": "float64 value\n", "CMakeLists.txt": cmake}) == []
+
+
+@pytest.mark.parametrize(
     ("line", "files"),
     [
         (INSTALL, {"rviz/robot.rviz": ""}),

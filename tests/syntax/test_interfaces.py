@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from archlint.syntax.facts import FileProblem
-from archlint.syntax.interfaces import FieldType, Interface, parse_interface, parse_type
+from archlint.syntax.interfaces import FieldType, Interface, interface_problems, parse_interface, parse_type
 
 
 def message(text: str):
@@ -196,3 +196,25 @@ def test_an_interface_is_data():
     interface = parse_interface("float64[3] a [1.0, 2.0, 3.0]\nstring A='x'\n---\nint8 ok\n", "srv")
     payload = msgspec.msgpack.encode(interface)
     assert msgspec.msgpack.decode(payload, type=Interface) == interface
+
+
+@pytest.mark.parametrize(
+    ("name", "refused"),
+    [
+        ("Speed.msg", False),
+        ("Speed2.srv", False),
+        ("Sample_Speed.msg", False),
+        ("Speed_Request.msg", False),
+        ("Turn_Goal_Request.msg", False),
+        ("speed.msg", True),
+        ("Motor_Speed.msg", True),
+        ("2Speed.msg", True),
+    ],
+)
+def test_the_name_of_a_file(tmp_path, name: str, refused: bool):
+    """rosidl makes a class of it, and takes nothing but capitals first, letters and digits."""
+    text = b"float64 a\n---\n" if name.endswith(".srv") else b"float64 a\n"
+    problems = interface_problems(str(tmp_path / name), text)
+    stem = name.partition(".")[0]
+    words = f"{stem!r} is not a valid name for an interface: a capital letter first, then letters and digits"
+    assert problems == ([(1, 1, words)] if refused else [])

@@ -40,6 +40,7 @@ if TYPE_CHECKING:
     from archlint.systems.model import System, WorkspaceIndex
     from archlint.workspace.installed import AbsentFolder
 
+_GENERATES = "rosidl_generate_interfaces()"
 _SHOWN = 5
 """How many places that need something are related."""
 
@@ -78,7 +79,8 @@ def _all_left_out(workspace: WorkspaceIndex) -> Iterator[Finding]:
     yield from _all_in_vain(workspace, files_in_vain, misspelt)
     yield from map(_folder, folders_listed(workspace))
     yield from map(_misnamed, misnamed_markers(workspace))
-    yield from map(_interfaces, not_generated(workspace))
+    commands = {row.place.file for row in files_in_vain if row.command == _GENERATES}
+    yield from (_interfaces(row) for row in not_generated(workspace) if row.command.file not in commands)
     yield from imports_of_scripts(workspace)
 
 
@@ -307,7 +309,18 @@ def _elsewhere(workspace: WorkspaceIndex, row: ListedInVain) -> str | None:
         return row.own_marker or None
     if package is None or row.command == "add_subdirectory()":
         return None
-    return folder_meant(workspace, package, row.file) if row.folder else namesake(workspace, package, row.file)
+    if row.folder:
+        return folder_meant(workspace, package, row.file)
+    return namesake(workspace, package, row.file) or _with_its_ending(workspace, package, row.file)
+
+
+def _with_its_ending(workspace: WorkspaceIndex, package: str, file: str) -> str | None:
+    """The interface file that a path means which lacks the ending, ``msg/Speed`` for ``msg/Speed.msg``, or has a comma
+    behind it."""
+    plain = file.rstrip(",")
+    right = plain if plain != file else f"{file}.{posixpath.basename(posixpath.dirname(file))}"
+    path = posixpath.normpath(posixpath.join(workspace.installs[package].folder, right))
+    return right if workspace.tree.is_file(path) else None
 
 
 _A_FOLDER = "a folder"

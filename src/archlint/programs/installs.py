@@ -176,13 +176,26 @@ def _needed(step: Step) -> Iterator[NeededSource]:
     if step.command.name == "ament_add_pytest_test":
         rows = [(a, False) for a in step.command.arguments[1:2] if a.text.endswith(".py")]
     if step.command.name == _GENERATES:
-        rows = [(a, False) for a in step.command.arguments if a.text.endswith((".msg", ".srv", ".action"))]
+        rows = [(a, False) for a in _interface_files(step.command)]
     for argument, folder in rows:
         if not re.search(r"[$<>:]", argument.text) and not posixpath.isabs(without_source(argument.text)):
             place = _place(argument, step.file)
             yield NeededSource(
                 step.path(argument.text), step.command.name, place, folder, step.of_tests, line=step.command.line
             )
+
+
+_WITH_A_FOLDER = re.compile(r"(?:.*/)?(?:msg|srv|action|idl)/[\w.,-]+|,")
+
+
+def _interface_files(command: Command) -> Iterator[Argument]:
+    """The files that interfaces are generated from; a word of something else, such as a package among them, is left
+    out."""
+    for argument in command.arguments[1:]:
+        if argument.text in ("DEPENDENCIES", "LIBRARY_NAME"):
+            return
+        if argument.text.endswith((".msg", ".srv", ".action")) or _WITH_A_FOLDER.fullmatch(argument.text):
+            yield argument
 
 
 def _folder_needed(step: Step) -> Iterator[NeededSource]:

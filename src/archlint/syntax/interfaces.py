@@ -44,6 +44,8 @@ _SEPARATOR = "---"
 _PACKAGE_NAME = re.compile(r"(?!.*__)(?!.*_\Z)[a-z][a-z0-9_]*\Z")
 _FIELD_NAME = _PACKAGE_NAME
 _MESSAGE_NAME = re.compile(r"[A-Z][A-Za-z0-9]*\Z")
+_AROUND_NAME = re.compile(r"^Sample_|(?:_(?:Request|Response|Goal|Result|Feedback))+$")
+"""What ``is_valid_message_name`` of rosidl_adapter takes off before it looks at a name."""
 _CONSTANT_NAME = re.compile(r"[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)*\Z")
 _BOUNDED_STRING = re.compile(r"(w?string)<=([0-9]{1,18})\Z")
 _ARRAY = re.compile(r"(.+?)\[(?:(<=)?([0-9]{1,18}))?\]\Z")
@@ -144,6 +146,10 @@ def interface_problems(path: str, given: bytes | None = None) -> list[tuple[int,
         return [(data.line, data.column, data.message)]
     kind = KIND_OF_SUFFIX[path.rpartition(".")[2]]
     interface = parse_interface(data.decode("utf-8", "replace"), kind)
+    name = path.replace("\\", "/").rpartition("/")[2].rpartition(".")[0]
+    if not _MESSAGE_NAME.match(_AROUND_NAME.sub("", name)):
+        words = f"{name!r} is not a valid name for an interface: a capital letter first, then letters and digits"
+        return [(1, 1, words)]
     return [(problem.line, problem.column, problem.message) for problem in interface.problems]
 
 
