@@ -149,3 +149,12 @@ def test_the_marks_of_a_merge_are_told_as_such(tmp_path: Path, monkeypatch: pyte
     findings = check(Request((".",), load(tmp_path), False, 1)).findings
     told = {row.place.file: "the marks of a merge" in row.message for row in findings if row.code == "LNT002"}
     assert told == {"config/talker.yaml": True, "scripts/listener.py": False, "scripts/talker.py": True}
+
+
+def test_a_cmake_file_that_cannot_be_parsed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "package.xml").write_text(MANIFEST, encoding="utf-8")
+    (tmp_path / "CMakeLists.txt").write_text("project(robot)\nDEPENDENCIES std_msgs\n", encoding="utf-8")
+    (told,) = [row for row in check(Request((".",), load(tmp_path), False, 1)).findings if row.code == "LNT002"]
+    assert (told.place.file, told.place.line) == ("CMakeLists.txt", 2)
+    assert told.message.startswith("CMake cannot read this file: 'DEPENDENCIES' is no command")

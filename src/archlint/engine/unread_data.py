@@ -14,6 +14,7 @@ from archlint.checks.registry import unreadable
 from archlint.launch_files.unloaded_parameter_files import is_template
 from archlint.syntax.descriptions import malformed_description, may_be_description
 from archlint.syntax.parameter_structure import ROOT
+from archlint.workspace.cmake_problems import malformed_cmake
 
 if TYPE_CHECKING:
     from archlint.finding import Finding
@@ -26,7 +27,7 @@ def unread_data(index: WorkspaceIndex, workspace: Workspace) -> Iterator[Finding
     """What is found of the descriptions; of the parameter files what is wrong is known to the launch files."""
     _read_parameter_files(index, workspace)
     yield from _malformed_descriptions(index, workspace)
-    yield from _unmerged(index, workspace)
+    yield from _build_files(index, workspace)
 
 
 _MERGE = re.compile(r"^<<<<<<< .+\n(?:.*\n)*?=======\r?\n(?:.*\n)*?>>>>>>> ", re.MULTILINE)
@@ -35,8 +36,9 @@ _KEEP = "keep one side of the merge, or both, and remove the three marks"
 _BUILD_FILES = ("CMakeLists.txt", ".cmake", "setup.cfg")
 
 
-def _unmerged(index: WorkspaceIndex, workspace: Workspace) -> Iterator[Finding]:
-    """One LNT002 for each build file in which git has left both sides of a merge: CMake takes the marks for words."""
+def _build_files(index: WorkspaceIndex, workspace: Workspace) -> Iterator[Finding]:
+    """One LNT002 for each build file in which git has left both sides of a merge, as CMake takes the marks for words,
+    and for each that CMake cannot parse."""
     asked = {package.name for package in workspace.packages if not package.ros1 and not package.manifest.context}
     files = {file for name in asked & index.installs.keys() for file in index.installs[name].build_files}
     for file in sorted(files):
@@ -46,6 +48,9 @@ def _unmerged(index: WorkspaceIndex, workspace: Workspace) -> Iterator[Finding]:
             line = text.count("\n", 0, merge.start()) + 1
             finding = unreadable(file, line, 1, f"{_UNMERGED}: the build stops")
             yield replace(finding, help=_KEEP)
+        elif not file.endswith("setup.cfg") and (problem := malformed_cmake(text)) is not None:
+            finding = unreadable(file, problem.line, 1, f"CMake cannot read this file: {problem.message}")
+            yield replace(finding, help="correct it: the build stops here")
 
 
 def because_of_a_merge(finding: Finding, tree: Tree) -> Finding:

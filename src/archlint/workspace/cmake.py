@@ -56,7 +56,7 @@ def parse_cmake(text: str) -> list[Command]:
     depth = 0
     line, line_start, at = 1, 0, 0
     text = text[:LIMIT]
-    for kind, position, value in _tokens(text):
+    for kind, position, value in tokens_of(text):
         line += text.count("\n", at, position)
         newline = text.rfind("\n", at, position)
         line_start = newline + 1 if newline >= 0 else line_start
@@ -77,7 +77,7 @@ def parse_cmake(text: str) -> list[Command]:
     return commands
 
 
-def _tokens(text: str) -> Iterator[tuple[str, int, str]]:
+def tokens_of(text: str) -> Iterator[tuple[str, int, str]]:
     """Kind, position and text of each token; comments are left out."""
     at = 0
     closed = True  # a bracket that nothing closes is looked for once, not again at each that follows
