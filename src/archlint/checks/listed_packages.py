@@ -16,7 +16,14 @@ from archlint.packaging.uninstalled_files import understood
 from archlint.suggestions import meant, nearest
 
 if TYPE_CHECKING:
+    from archlint.packaging.left_out_code import LeftOut
     from archlint.systems.model import WorkspaceIndex
+
+
+def _names(workspace: WorkspaceIndex, rows: Sequence[LeftOut]) -> Sequence[str]:
+    """The packages of Python that files which are left out lie in."""
+    names = {path: name for row in rows for name, path in workspace.code.modules_of(row.package).items()}
+    return [*dict.fromkeys(names[row.file].rpartition(".")[0] for row in rows if row.file in names)]
 
 
 def packages_in_vain(workspace: WorkspaceIndex) -> Mapping[str, Sequence[str]]:
@@ -36,16 +43,15 @@ def packages_in_vain(workspace: WorkspaceIndex) -> Mapping[str, Sequence[str]]:
     return rows
 
 
-def of_packages_in_vain(workspace: WorkspaceIndex, left_out: Mapping[str, Sequence[str]]) -> Iterator[Finding]:
-    """One finding for each such setup.py; ``left_out`` are the packages of Python that it does not install and that
-    programs need."""
+def of_packages_in_vain(workspace: WorkspaceIndex, left_out: Mapping[str, Sequence[LeftOut]]) -> Iterator[Finding]:
+    """One finding for each such setup.py; ``left_out`` is the code that it does not install and that programs need."""
     for package, listed in packages_in_vain(workspace).items():
         code = workspace.installs[package].python
         assert code is not None  # or nothing would be listed in vain
         [first, *others] = listed
         own = sorted({name.rpartition(".")[0] for name in workspace.code.modules_of(package)} - {""})
-        [only] = left_out[package] if len(left_out.get(package, ())) == 1 and not others else [None]
-        right = only or (nearest(first, own) if not others else None)
+        needed = _names(workspace, left_out.get(package, ()))
+        right = None if others else needed[0] if len(needed) == 1 else nearest(first, own)
         more = f", and {len(others)} more" if others else ""
         yield finding(
             "PKG004",

@@ -19,7 +19,7 @@ from archlint.packaging.astray_launch_files import launch_files_astray
 from archlint.packaging.copies import are_copies
 from archlint.packaging.interface_dependencies import NotGenerated, not_generated
 from archlint.packaging.left_out_code import LeftOut, has_init, left_out_code
-from archlint.packaging.misplaced_folders import folder_meant
+from archlint.packaging.misplaced_folders import folder_meant, with_its_ending
 from archlint.packaging.refused_manifests import is_passed_over
 from archlint.packaging.uninstalled_data import DataLeftOut, data_left_out
 from archlint.packaging.uninstalled_files import (
@@ -62,7 +62,7 @@ def _all_left_out(workspace: WorkspaceIndex) -> Iterator[Finding]:
         if _absent_folder(workspace, package) is None and package not in in_vain:
             yield _code(workspace, package, rows)
     yield from _packages_nowhere(workspace)
-    yield from of_packages_in_vain(workspace, {package: _names(workspace, rows) for package, rows in needed.items()})
+    yield from of_packages_in_vain(workspace, needed)
     files_in_vain = list(listed_in_vain(workspace))
     left_out = list(launch_files_left_out(workspace))
     misspelt = {(row.place.file, row.file): right for row in files_in_vain if (right := _right_name(row, left_out))}
@@ -123,12 +123,6 @@ def _code(workspace: WorkspaceIndex, package: str, rows: Sequence[LeftOut]) -> F
         related=related,
         identity=(package, *(group.name for group in groups)),
     )
-
-
-def _names(workspace: WorkspaceIndex, rows: Sequence[LeftOut]) -> Sequence[str]:
-    """The packages of Python that files which are left out lie in."""
-    names = {path: name for row in rows for name, path in workspace.code.modules_of(row.package).items()}
-    return [*dict.fromkeys(names[row.file].rpartition(".")[0] for row in rows if row.file in names)]
 
 
 def _absent_folder(workspace: WorkspaceIndex, package: str) -> AbsentFolder | None:
@@ -311,16 +305,7 @@ def _elsewhere(workspace: WorkspaceIndex, row: ListedInVain) -> str | None:
         return None
     if row.folder:
         return folder_meant(workspace, package, row.file)
-    return namesake(workspace, package, row.file) or _with_its_ending(workspace, package, row.file)
-
-
-def _with_its_ending(workspace: WorkspaceIndex, package: str, file: str) -> str | None:
-    """The interface file that a path means which lacks the ending, ``msg/Speed`` for ``msg/Speed.msg``, or has a comma
-    behind it."""
-    plain = file.rstrip(",")
-    right = plain if plain != file else f"{file}.{posixpath.basename(posixpath.dirname(file))}"
-    path = posixpath.normpath(posixpath.join(workspace.installs[package].folder, right))
-    return right if workspace.tree.is_file(path) else None
+    return namesake(workspace, package, row.file) or with_its_ending(workspace, package, row.file)
 
 
 _A_FOLDER = "a folder"

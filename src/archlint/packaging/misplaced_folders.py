@@ -43,4 +43,13 @@ def _folders_in_vain(workspace: WorkspaceIndex) -> frozenset[tuple[str, str]]:
     return frozenset((package, row.file.rstrip("/")) for package, row in rows)
 
 
-__all__ = ["folder_meant", "is_told_with_its_folder"]
+def with_its_ending(workspace: WorkspaceIndex, package: str, file: str) -> str | None:
+    """The interface file that a path means which lacks the ending, ``msg/Speed`` for ``msg/Speed.msg``, or has a comma
+    behind it."""
+    plain = file.rstrip(",")
+    right = plain if plain != file else f"{file}.{posixpath.basename(posixpath.dirname(file))}"
+    path = posixpath.normpath(posixpath.join(workspace.installs[package].folder, right))
+    return right if workspace.tree.is_file(path) else None
+
+
+__all__ = ["folder_meant", "is_told_with_its_folder", "with_its_ending"]

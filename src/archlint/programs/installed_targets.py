@@ -37,10 +37,10 @@ def programs_astray(installs: Installs, steps: Sequence[Step], targets: TargetNa
                 return {}
             folders.setdefault(name.text, []).append(astray)
     rows: dict[str, Astray] = {}
-    for made in _made(steps):
-        where = folders.get(made.text, [])
-        names = targets.of(made)
-        if names is None or made.text in installs.mentioned or any(_may_be_seen(installs, row) for row in where):
+    for target in _made(steps):
+        where = folders.get(target.text, [])
+        names = targets.of(target)
+        if names is None or target.text in installs.mentioned or any(_may_be_seen(installs, row) for row in where):
             continue
         rows |= {name.text: where[0] if where else Astray("", None) for name in names}
     return rows
