@@ -61,17 +61,15 @@ def wrong_accessors(system: System, read: Place, kind: ParameterType) -> Iterato
     if text is None:
         return
     begin, end = _offset(text, read.line, read.column), _offset(text, read.end_line, read.end_column)
-    if _is_chosen_by_type(text, begin):
-        return
     rows = [_METHOD.match(text, end)]
     variable = _VARIABLE.search(text, max(0, begin - _NEAR), begin)
     is_asked = variable is not None and re.search(rf"\b{variable[1]}\s*\.\s*get_type\b", text) is not None
     if variable is not None and not is_asked and len(re.findall(rf"[\w>&]\s+&{{0,2}}{variable[1]}\b", text)) == 1:
         uses = re.finditer(rf"(?<![\w.>]){variable[1]}(?=\s*\.)", text)
         rows += [_METHOD.match(text, use.end()) for use in uses]
-    for row in rows:
-        asked = None if row is None else _asked_for(row)
-        if row is not None and asked not in (None, kind):
+    wrong = [row for row in rows if row is not None and _asked_for(row) not in (None, kind)]
+    if wrong and not _is_chosen_by_type(text, begin):
+        for row in wrong:
             span = *_position(text, row.start(1)), *_position(text, row.end())
             yield WrongAccessor(Place(read.file, *span), f"{row[1]}()", _BY_TYPE[kind])
 

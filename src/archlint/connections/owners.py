@@ -27,6 +27,8 @@ if TYPE_CHECKING:
 def several_owners(system: System, connection: Connection) -> Iterator[list[Endpoint]]:
     """Groups of endpoints of different nodes that meet; the last one in the source comes last."""
     groups: list[list[Endpoint]] = []
+    if all(end.node is connection.providers[0].node for end in connection.providers):
+        return  # as most are, and whether an endpoint owns takes longer to ask
     own = [end for end in connection.providers if _owns(system, end)]
     for owner, other in coexisting_pairs(system, own):
         if (

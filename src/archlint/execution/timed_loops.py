@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from archlint.execution.called_here import called_here
 from archlint.syntax import facts
-from archlint.syntax.parts import everything_in, parts_of
+from archlint.syntax.parts import everything_in, once_for, parts_of
 from archlint.syntax.walk import called_name, statements_of
 
 if TYPE_CHECKING:
@@ -38,6 +38,8 @@ class TimedLoop:
 
 def timed_loops(function: facts.Function, file: facts.Facts) -> Iterator[TimedLoop]:
     """The loops without a wait or an early end that a function, or what it calls in the same file, comes to."""
+    if next(everything_in(file.body, facts.While), None) is None:
+        return
     constants = _constants(file)
     seen: set[tuple[int, tuple[tuple[str, float], ...]]] = set()
     todo: list[tuple[facts.Function, dict[str, float], int]] = [(function, {}, _DEPTH)]
@@ -194,6 +196,7 @@ def _given(call: facts.Call, called: facts.Function, numbers: _Numbers) -> dict[
     return {name: value for name, value in known.items() if value is not None}
 
 
+@once_for
 def _constants(file: facts.Facts) -> dict[str, float]:
     """The numbers that a file gives once, to variables of its own and to attributes."""
     values: dict[str, list[facts.Expr]] = {}

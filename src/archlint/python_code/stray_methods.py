@@ -37,7 +37,7 @@ def stray_methods(workspace: WorkspaceIndex) -> tuple[StrayMethod, ...]:
     return tuple(
         StrayMethod(function.name, Place(file.relative, *function.span), Place(file.relative, *call.span))
         for file, file_facts in workspace.code.judged()
-        if file.kind == "python" and not workspace.roles.is_test(file.relative)
+        if file.kind == "python" and "super" in file_facts.names and not workspace.roles.is_test(file.relative)
         for function in file_facts.body
         if isinstance(function, facts.Function) and (call := _super_of(function)) is not None
     )

@@ -9,7 +9,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from archlint.analysis.kept import kept
 from archlint.libraries.api_signatures import attributes_of
 from archlint.libraries.rclpy.names import NODE_CLASSES
 from archlint.place import Place
@@ -315,14 +314,8 @@ def attributes_of_self(body: Sequence[facts.Base]) -> Iterator[facts.Attribute]:
 
 def _is_made(workspace: WorkspaceIndex, cls: ClassInFile) -> bool:
     """Whether code of the workspace calls a class by its name: it is no base for others alone."""
-
-    def calls() -> set[str]:
-        names: set[str] = set()
-        for _, file_facts in workspace.code.judged():
-            names.update(_called_in(file_facts))
-        return names
-
-    return cls.code.name in kept(workspace, (_is_made,), calls)
+    files = (workspace.facts_at(file) for file in files_with(workspace, cls.code.name))
+    return any(file_facts is not None and cls.code.name in _called_in(file_facts) for file_facts in files)
 
 
 @once_for
