@@ -259,3 +259,22 @@ def test_callbacks_of_a_constructor_that_never_returns(findings, loop: str, told
 def main""",
     ).replace("import rclpy\n", "import rclpy\nimport time\n", 1)
     assert len(findings("API002", **{"robot/talker.py": talker})) == told
+
+
+STEERS = """\
+def steer(self):
+    {first}
+    if self.speed != 'slow':
+        self.pub.publish(Float32(data=self.height))
+"""
+CHOOSES = ("def choose(self):", "    self.speed = 'fast' if self.speed else 'slow'")
+
+
+def test_a_condition_that_holds_with_what_the_constructor_assigns(judge: Judge):
+    lines = STEERS.format(first="self.get_logger().info('steers')").splitlines()
+    judge("API002", _node(TIMER, *lines[:-1], f"{lines[-1]}  # here", *CHOOSES))
+
+
+@pytest.mark.parametrize("first", ["self.speed = 'slow' if self.speed is None else 'fast'", "self.choose()"])
+def test_a_condition_for_a_state_that_the_callback_has_set_by_then(judge: Judge, first: str):
+    judge("API002", _node(TIMER, *STEERS.format(first=first).splitlines(), *CHOOSES))

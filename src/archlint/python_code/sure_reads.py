@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from archlint.python_code.block_bindings import is_plain, read_at, run_before
+from archlint.python_code.class_chains import targets_of
 from archlint.python_code.early_attribute_reads import assigned_at, caught_in, mentioned_in
 from archlint.python_code.first_values import first_values, holds
 from archlint.python_code.methods_at_work import MethodsAtWork, of_self
@@ -56,7 +57,7 @@ def sure_reads(work: MethodsAtWork, method: str, names: frozenset[str], depth: i
         if not nested and all(part.attr not in names for part in reads):
             continue
         is_sure = graph.post_dominates([block], graph.entry, without_exceptions)
-        asks = frozenset[str]() if is_sure else _asked_by(function, _deciders(graph, block, first_values(work)))
+        asks = frozenset[str]() if is_sure else _asked_by(function, _deciders(work, method, graph, block))
         before = [] if _ANYTHING in asks else run_before(graph, block)
         if not before or any(_waits(each) for each in before if each is not block):
             continue
@@ -134,15 +135,26 @@ def _waits(block: Block) -> bool:
 # ------------------------------------------------------------------------------------ what conditions ask for
 
 
-def _deciders(graph: Graph, block: Block, values: Mapping[str, object]) -> list[Block]:
-    """The conditions that decide about a block, but for those that come out so with what the constructor assigns."""
+def _deciders(work: MethodsAtWork, method: str, graph: Graph, block: Block) -> list[Block]:
+    """The conditions that decide about a block, but for those that come out so with what the constructor assigns, where
+    the method has not changed it by then."""
     come_out = {edge.source: edge for edge in graph.outcomes([block]) if edge.test is not None}
     deciders: list[Block] = []
     for decider in graph.deciders([block]):
-        edge = come_out.get(decider)
+        edge, changed = come_out.get(decider), _changed_before(work, method, graph, decider)
+        values = {name: value for name, value in first_values(work).items() if name not in changed}
         if edge is None or edge.test is None or holds(edge.test, values) is not edge.holds:
             deciders.append(decider)
     return deciders
+
+
+def _changed_before(work: MethodsAtWork, method: str, graph: Graph, block: Block) -> set[str]:
+    """The attributes of ``self`` that a method, or one that it calls, may assign before it comes to a block."""
+    before = [each for each in run_before(graph, block) if each is not block]
+    changed = {target.attr for each in before for target in assigned_at(each)}
+    for other in work.after(_run_in(work, method, before)):
+        changed |= {name for target in targets_of(work.methods[other].body) if (name := of_self(target)) is not None}
+    return changed
 
 
 def _asked_by(function: facts.Function, deciders: Sequence[Block]) -> frozenset[str]:
