@@ -45,6 +45,12 @@ def _no_name(file: str, absent: Absent) -> Finding:
     moved = modules_with(name, module)[:1]
     near = "" if moved else near_name(module, name)
     instead = instead_of(f"{module}.{name}")
+    if (
+        not (moved or near or instead or absent.is_import)
+        and module == "rclpy"
+        and name in (attributes_of("rclpy.node.Node") or ())
+    ):
+        instead = f"{name}() of a node"
     hint = f"; it is in {moved[0]}" if moved and not instead else meant(f"'{near}'" if near and not instead else "")
     return finding(
         "API002",
