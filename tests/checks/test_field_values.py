@@ -467,3 +467,46 @@ def test_the_wrong_message_is_told_where_it_is_sent(judge: Judge, between: str, 
     if publisher == "counts":
         sent = SENT.format(value="1", between=between, publisher=publisher) + "  # here"
         judge("TOP005", NODE.format(line=sent, of_joy="pass"))
+
+
+HELPER = """
+    import rclpy
+    from geometry_msgs.msg import Pose, Quaternion
+    from rclpy.node import Node
+
+    def pose_of(orientation):
+        pose = Pose()
+        if {test}:
+            pose.orientation = orientation{found}
+        else:
+            pose.orientation.w = float(orientation[3])
+        return pose
+
+    class Robot(Node):
+        def __init__(self):
+            super().__init__('robot')
+            self.publisher = self.create_publisher(Pose, 'pose', 10)
+            self.publisher.publish(pose_of([0.0, 0.0, 0.0, 1.0]))
+            {also}
+
+    def main():
+        rclpy.init()
+        rclpy.spin(Robot())
+"""
+
+
+@pytest.mark.parametrize("also", ["pass", "self.publisher.publish(pose_of(Quaternion()))"])
+@pytest.mark.parametrize(
+    ("test", "found"),
+    [
+        ("hasattr(orientation, 'x')", ""),
+        ("isinstance(orientation, Quaternion)", ""),
+        ("not isinstance(orientation, (list, tuple))", ""),
+        ("hasattr(orientation, 'x') and orientation.w", ""),
+        ("hasattr(orientation, '__len__')", "  # here"),  # which a list has
+    ],
+)
+def test_a_value_that_code_asks_for_what_only_a_message_has(judge: Judge, test: str, found: str, also: str):
+    if found and "Quaternion" in also:
+        return  # what is right in one run is not wrong each time
+    judge("MSG003", HELPER.format(test=test, found=found, also=also))

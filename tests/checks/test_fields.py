@@ -473,6 +473,34 @@ def test_a_constant_in_words(judge: Judge):
 
 @pytest.mark.parametrize(
     ("errors", "found"),
+    [("AttributeError", ""), ("(KeyError, AttributeError)", ""), ("ValueError", "  # here")],
+)
+def test_the_other_way_where_an_attribute_is_missing(judge: Judge, errors: str, found: str):
+    judge(
+        "MSG001",
+        f"""
+        import rclpy
+        from sensor_msgs.msg import LaserScan
+
+        def on_scan(scan):
+            try:
+                print(scan.ranges)
+            except {errors}:
+                try:
+                    print(scan.angle_min)
+                except {errors}:
+                    print(scan.segments){found}
+
+        rclpy.init()
+        node = rclpy.create_node('watcher')
+        node.create_subscription(LaserScan, 'scan', on_scan, 10)
+        rclpy.spin(node)
+        """,
+    )
+
+
+@pytest.mark.parametrize(
+    ("errors", "found"),
     [
         ("AttributeError", ""),
         ("Exception", ""),

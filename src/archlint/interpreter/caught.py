@@ -43,6 +43,11 @@ def may_expect_missing_attribute(handler: facts.Handler) -> bool:
     return _names_attribute_error(handler.type) and not (_is_for_all(handler.type) and _only_logs(handler))
 
 
+def names_missing_attribute(handler: facts.Handler) -> bool:
+    """Whether a handler says that it is there for an attribute that is missing."""
+    return "AttributeError" in handler.caught
+
+
 def expects_refusal(handler: facts.Handler) -> bool:
     """Whether a handler is there for a call that Python rejects: it names ``TypeError`` or ``AttributeError``."""
     return not handler.caught.isdisjoint(_REFUSALS)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from archlint.interpreter.attributes import set_attribute
 from archlint.interpreter.operators import compare_values
-from archlint.interpreter.type_tests import classes_of, is_any
+from archlint.interpreter.type_tests import classes_of, has_attribute, is_any
 from archlint.interpreter.values import (
     Builtin,
     External,
@@ -65,7 +65,12 @@ def _narrow_class(machine: Machine, test: facts.Call, holds: bool) -> None:
     if len(test.args) != 2 or any(argument.keyword is not None or argument.star for argument in test.args):
         return
     subject, of = (argument.value for argument in test.args)
-    if not isinstance(subject, (facts.Name, facts.Attribute)) or machine.evaluate(test.func) != Builtin("isinstance"):
+    if not isinstance(subject, (facts.Name, facts.Attribute)):
+        return
+    function, name = machine.evaluate(test.func), of.text
+    if function == Builtin("hasattr") and name is not None:
+        _keep(machine, subject, lambda value: has_attribute(value, name) in (None, holds))
+    if function != Builtin("isinstance"):
         return
     classes = classes_of(machine, machine.evaluate(of))
     if classes is not None:

@@ -159,7 +159,15 @@ def _attempt(machine: Machine, s: facts.Try) -> Status:
 def _handle(machine: Machine, handler: facts.Handler) -> Status:
     if handler.name is not None:
         machine.assign_name(handler.name, Unknown("an exception"))
-    return machine.execute(handler.body)
+    # What is done where an attribute was missing is the other way, for other versions: neither has to be there.
+    activation, other_way = machine.activation, caught.names_missing_attribute(handler)
+    activation.forgiving += other_way
+    activation.expecting_refusals += other_way
+    try:
+        return machine.execute(handler.body)
+    finally:
+        activation.forgiving -= other_way
+        activation.expecting_refusals -= other_way
 
 
 def _only_reads(machine: Machine, body: list[facts.Stmt]) -> bool:

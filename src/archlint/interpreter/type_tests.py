@@ -145,6 +145,18 @@ def _sample(value: Known | Holed | ListValue | DictValue) -> object:
     return {}
 
 
+def has_attribute(value: Value, name: str) -> bool | None:
+    """Whether a constant or a collection of Python's own has an attribute; None where that is not known."""
+    match value:
+        case ListValue(kind="set"):
+            return None
+        case Known(kind="path"):
+            return None
+        case Known() | Holed() | ListValue() | DictValue():
+            return hasattr(_sample(value), name)
+    return None
+
+
 _OF_EVERY_SET = frozenset(
     {
         collections.abc.Set,

@@ -9,7 +9,7 @@ from archlint.interpreter.attributes import get_attribute, set_attribute
 from archlint.interpreter.builtins.handlers import first
 from archlint.interpreter.machine import Phase
 from archlint.interpreter.objects.classes import allocate
-from archlint.interpreter.type_tests import isinstance_of
+from archlint.interpreter.type_tests import has_attribute, isinstance_of
 from archlint.interpreter.values import (
     FALSE,
     NONE,
@@ -86,6 +86,9 @@ def _has(machine: Machine, target: Value, name: str) -> Value:
     known = machine.library.has_attribute(target, name) if isinstance(target, ForeignValue) else None
     if known is not None:
         return known
+    verdicts = {has_attribute(option, name) for option in alternatives(target)}
+    if len(verdicts) == 1 and None not in verdicts:
+        return TRUE if True in verdicts else FALSE
     if target.own_class is None:
         return Unknown("hasattr() of an object that is not followed")
     value = get_attribute(machine, target, name)
