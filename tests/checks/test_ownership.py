@@ -447,7 +447,7 @@ TWO = """
 
     class Said:
         def __init__(self, node):
-            self.sayings = node.create_publisher(String, 'words', 10)
+            self.sayings = node.create_publisher(String, 'mode', 10)
 
         def say(self):
             self.sayings.publish(String())
@@ -456,7 +456,7 @@ TWO = """
     class One(Node):
         def __init__(self):
             super().__init__('one')
-            self.words = self.create_publisher(String, 'words', 10)
+            self.words = self.create_publisher(String, 'mode', 10)
             self.create_timer(1.0, self.speak)
 
         def speak(self):

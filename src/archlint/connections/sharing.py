@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
@@ -33,12 +34,19 @@ COMMANDS = frozenset(
 _TO_COMMAND = frozenset({"cmd", "cmds", "command", "commands", "setpoint", "setpoints"})
 _STATES = frozenset({"mode", "state"})
 _TO_LOOK_AT = frozenset({"debug"})
+_SWITCH = "std_msgs/msg/Bool"
 _WORDS = frozenset({"std_msgs/msg/Empty", "std_msgs/msg/String"})
 """Messages that each stand for themselves, unless the topic's name says that they are a state."""
 _WHO = ("agent", "boat", "car", "device", "drone", "node", "robot", "sender", "source", "uav", "unit", "vehicle")
 SENDERS = ("id", "node", "sender", "source", *(f"{who}_{what}" for who in _WHO for what in ("id", "name")))
 """Fields that say whose a message is, or of what: such messages add up."""
 _MANY = 4
+_OVERRIDING = frozenset({"goal", "goals", "target", "targets", "waypoint", "waypoints"})
+"""Words for what a machine is to reach: the last one counts, as with a command."""
+_TO_DEVICES = re.compile(r"(?:can|i2c|modbus|queue|serial|spi|tx|uart)\d*")
+"""Words for what takes each message as it comes and sends it on to a device."""
+_FRAMES = frozenset({"can_msgs/msg/Frame", "std_msgs/msg/ByteMultiArray", "std_msgs/msg/UInt8MultiArray"})
+_OCTETS = frozenset({"byte", "char", "int8", "octet", "uint8"})
 
 
 def _are_commands(connection: Connection, owners: Sequence[Endpoint]) -> bool:
@@ -58,6 +66,31 @@ def are_words(owners: Sequence[Endpoint]) -> bool:
     return all(end.type in _WORDS for end in owners)
 
 
+def overrides(connection: Connection, owners: Sequence[Endpoint]) -> bool:
+    """Whether a message takes back the one before, whoever sent that: a command, a goal, a switch or a state."""
+    if _are_commands(connection, owners) or is_state(connection.name):
+        return True
+    return any(end.type == _SWITCH for end in owners) or not _OVERRIDING.isdisjoint(_last_words(connection.name))
+
+
+def _are_frames(workspace: WorkspaceIndex | None, connection: Connection, owners: Sequence[Endpoint]) -> bool:
+    """Whether each message is a frame for a device, by its type, which has nothing but octets, or by the name of the
+    topic, and no command or state: what writes frames to a bus writes all of them."""
+    if is_named_a_command(connection.name) or is_state(connection.name):
+        return False
+    if any(_TO_DEVICES.fullmatch(word) for word in _last_words(connection.name)):
+        return True
+    return all(end.type in _FRAMES or _is_of_octets(workspace, end.type) for end in owners)
+
+
+def _is_of_octets(workspace: WorkspaceIndex | None, type_: str | None) -> bool:
+    section = None
+    if workspace is not None and workspace.interfaces is not None and type_ is not None:
+        section = workspace.interfaces.section(type_, "")
+    kinds = [] if section is None else [field.type for field in section.fields]
+    return bool(kinds) and all(kind.array and kind.name in _OCTETS for kind in kinds)
+
+
 def is_state(topic: str) -> bool:
     """Whether a topic's name says that it reports how something is, so that the last message is what counts."""
     return not _STATES.isdisjoint(_last_words(topic))
@@ -70,6 +103,8 @@ def is_bus(workspace: WorkspaceIndex | None, connection: Connection, owners: Seq
     if any(end.type in COMMANDS for end in owners):
         return False
     listening = {id(user.node) for user in connection.users}
+    if _are_frames(workspace, connection, owners):
+        return True
     if all(id(end.node) in listening for end in owners) or not _TO_LOOK_AT.isdisjoint(connection.name.split("/")):
         return True
     if not _are_commands(connection, owners) and all(_says_whose(workspace, end.type) for end in owners):
@@ -118,4 +153,13 @@ def _last_words(topic: str) -> list[str]:
     return topic.rpartition("/")[2].lower().split("_")
 
 
-__all__ = ["COMMANDS", "SENDERS", "are_of_one_class", "are_words", "is_bus", "is_named_a_command", "is_state"]
+__all__ = [
+    "COMMANDS",
+    "SENDERS",
+    "are_of_one_class",
+    "are_words",
+    "is_bus",
+    "is_named_a_command",
+    "is_state",
+    "overrides",
+]
