@@ -361,3 +361,97 @@ def test_an_early_end_since_ros_is_shut_down(run: Run):
     """
     assert "ACT003" in codes(run(execute(body.replace("not rclpy.ok()", "self.late"))))
     assert "ACT003" not in codes(run(execute(body)))
+
+
+SUCCEEDED = "goal_handle.succeed()\n"
+
+
+@pytest.mark.parametrize(
+    ("end", "line"),
+    [
+        ("", "def execute(self, goal_handle):"),
+        ("return", "return"),
+        ("return [0, 1]", "return [0, 1]"),
+        ("return goal_handle", "return goal_handle"),
+        ("return Fibonacci.Result", "return Fibonacci.Result"),
+        ("if self.busy():\n    return Fibonacci.Result()", "def execute(self, goal_handle):"),
+        ("self.create_timer(1.0, self.step)\nreturn None", "return None"),
+    ],
+)
+def test_an_execute_callback_that_gives_no_result(run: Run, end: str, line: str):
+    text = execute(SUCCEEDED + end)
+    [finding] = [finding for finding in run(text) if finding.code == "ACT003"]
+    assert text.splitlines()[finding.place.line - 1].strip() == line
+    assert finding.message.endswith("the client never gets one")
+
+
+@pytest.mark.parametrize(
+    "end",
+    [
+        "return Fibonacci.Result()",
+        "result = Fibonacci.Result()\nreturn result",
+        "return self.step()",
+        "raise RuntimeError('busy')",
+        "while rclpy.ok():\n    if self.busy():\n        return Fibonacci.Result()",
+        "if self.busy():\n    return Fibonacci.Result(sequence=[1])\nelse:\n    return self.step()",
+    ],
+)
+def test_an_execute_callback_that_gives_its_result(run: Run, end: str):
+    assert "ACT003" not in codes(run(execute(SUCCEEDED + end)))
+
+
+def test_a_stub_gives_no_result_yet(run: Run):
+    assert "ACT003" not in codes(run(execute("pass")))
+
+
+DECIDING = (
+    "self.server = ActionServer(\n    self, Fibonacci, 'count', self.execute, goal_callback=self.on_goal, "
+    "cancel_callback=self.on_cancel\n)\n"
+)
+
+
+def deciding(on_goal: str, on_cancel: str) -> str:
+    def method(head: str, body: str) -> str:
+        return f"def {head}:\n{textwrap.indent(body, '    ')}\n\n"
+
+    methods = (
+        method("on_goal(self, goal)", on_goal)
+        + method("on_cancel(self, goal_handle)", on_cancel)
+        + method("execute(self, goal_handle)", SUCCEEDED + "return Fibonacci.Result()")
+    )
+    text = source(DECIDING, methods)
+    return text.replace(
+        "import ActionClient, ActionServer", "import ActionClient, ActionServer, CancelResponse, GoalResponse"
+    )
+
+
+ACCEPT, LET = "return GoalResponse.ACCEPT", "return CancelResponse.ACCEPT"
+
+
+@pytest.mark.parametrize(
+    ("on_goal", "on_cancel", "said"),
+    [
+        ("print(goal)", LET, "goal callback"),
+        ("return True", LET, "goal callback"),
+        ("if goal.order:\n    return GoalResponse.ACCEPT", LET, "goal callback"),
+        (ACCEPT, "print('cancel')", "cancel callback"),
+        (ACCEPT, "return True", "cancel callback"),
+    ],
+)
+def test_a_callback_that_says_neither_yes_nor_no(run: Run, on_goal: str, on_cancel: str, said: str):
+    [finding] = [finding for finding in run(deciding(on_goal, on_cancel)) if finding.code == "ACT003"]
+    assert finding.message.startswith(f"the {said} of the action 'count'")
+
+
+@pytest.mark.parametrize(
+    ("on_goal", "on_cancel"),
+    [
+        (ACCEPT, LET),
+        ("return GoalResponse.ACCEPT if goal.order else GoalResponse.REJECT", LET),
+        (ACCEPT, "if goal_handle.is_active:\n    return CancelResponse.ACCEPT"),  # to reject is what falls off here
+        (ACCEPT, "return self.decide(goal_handle)"),
+        ("pass", "pass"),
+    ],
+)
+def test_callbacks_that_decide(run: Run, on_goal: str, on_cancel: str):
+    assert "ACT003" not in codes(run(deciding(on_goal, on_cancel)))

@@ -48,11 +48,11 @@ class _Goal:
 def ends_without_outcome(system: System) -> Iterator[HandlerEnd]:
     """The ends of execute callbacks that some way reaches without an outcome of the goal."""
     for callback, function in handlers_of(system, Role.EXECUTE):
-        if not _never_runs(system, callback):
+        if not never_runs(system, callback):
             yield from _undecided(system, callback, function)
 
 
-def _never_runs(system: System, callback: Callback) -> bool:
+def never_runs(system: System, callback: Callback) -> bool:
     """Whether a server has a callback of its own for accepted goals and no code there executes one: rclpy runs the
     execute callback only when ``execute()`` of the goal is called, which its default does at once."""
     accepting = [
@@ -87,7 +87,7 @@ def _undecided(system: System, callback: Callback, function: facts.Function) -> 
         return settled, after(known, fact, followed)
 
     def branch(state: _State, test: facts.Expr, truth: bool) -> _State | None:
-        if _says_it_is_down(test, truth):
+        if says_it_is_down(test, truth):
             return None  # ROS is shut down: no outcome would reach anybody
         known = within(state[1], test, truth, followed)
         return None if known is None else (state[0], known)
@@ -108,11 +108,11 @@ def _may_be_ended_and_raise(function: facts.Function, goal: _Goal) -> bool:
     return any(_passes_on(fact, goal) for attempt in attempts for fact in statements_of(attempt.body))
 
 
-def _says_it_is_down(test: facts.Expr, truth: bool) -> bool:
+def says_it_is_down(test: facts.Expr, truth: bool) -> bool:
     """Whether ``rclpy.ok()`` or ``self.context.ok()`` comes out false."""
     match test:
         case facts.Unary(op="not"):
-            return _says_it_is_down(test.operand, not truth)
+            return says_it_is_down(test.operand, not truth)
         case facts.Call():
             return not truth and called_name(test) == "ok" and not any(given.star for given in test.args)
     return False
@@ -211,4 +211,4 @@ def _reaches_elsewhere(function: facts.Function, goal: str) -> bool:
     )
 
 
-__all__ = ["ends_without_outcome"]
+__all__ = ["ends_without_outcome", "never_runs", "says_it_is_down"]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
@@ -36,6 +36,11 @@ class HandlerEnd:
     """What is returned instead, in words."""
     serves: str = ""
     """The service whose response it should be, where it is that of another one."""
+
+
+_Test = Callable[[facts.Expr, bool], bool]
+_ANSWERS = {Role.SERVICE: ("its request", "Response"), Role.EXECUTE: ("its goal", "Result")}
+"""What a handler is given, and what the class of its answer is called."""
 
 
 def handlers_of(system: System, role: Role) -> Iterator[tuple[Callback, facts.Function]]:
@@ -105,7 +110,7 @@ def _ends_without_answer(system: System, role: Role) -> Iterator[HandlerEnd]:
     code = source_code(system)
     for callback, function in handlers_of(system, role):
         if not is_stub(function.body):
-            yield from _ends_of(system, callback, function, never_returns(system.workspace, callback.file, function))
+            yield from ends_of(system, callback, function)
     for callback in _callbacks(system, role):
         written = code.function(callback)
         gives = _no_answer(written.body) if isinstance(written, facts.Lambda) else None
@@ -113,10 +118,12 @@ def _ends_without_answer(system: System, role: Role) -> Iterator[HandlerEnd]:
             yield HandlerEnd(callback, callback.place, "lambda", gives)
 
 
-def _ends_of(
-    system: System, callback: Callback, function: facts.Function, raises: NeverReturns
+def ends_of(
+    system: System, callback: Callback, function: facts.Function, nobody_waits: _Test = lambda test, truth: False
 ) -> Iterator[HandlerEnd]:
-    ends = _ends_as_created(source_code(system), callback, function, raises)
+    """The ends of a callback that give no answer, but for those behind a test that says that nobody waits for one."""
+    raises = never_returns(system.workspace, callback.file, function)
+    ends = _ends_as_created(source_code(system), callback, function, raises, nobody_waits)
     for end in {id(end): end for end, states in ends.returns if states - {None}}.values():
         gives = _no_answer(end.value) or _request_or_class(system, callback, function, end.value)
         place = Place.of(callback.file, end.span)
@@ -131,20 +138,21 @@ def _ends_of(
 def _request_or_class(
     system: System, callback: Callback, function: facts.Function, value: facts.Expr | None
 ) -> str | None:
-    """The request that a service handler was given, or a class of responses, where it returns one of these."""
+    """The request or the goal that a handler was given, or a class of answers, where it returns one of these."""
     code = source_code(system).facts_at(callback.file)
-    if callback.role != Role.SERVICE or value is None or code is None:
+    if callback.role not in _ANSWERS or value is None or code is None:
         return None
+    given, answer = _ANSWERS[callback.role]
     request = next((param.name for param in function.params if param.name != "self"), "")
     if value.variable and value.variable == request:
         bound = {target.variable for target in targets_of(function.body)}
-        return None if request in bound else "its request"
-    interface, section = interface_of(code, value.dotted) if value.attribute == "Response" else (None, "")
-    return f"the class {interface.rpartition('/')[2]}.Response itself" if interface and section else None
+        return None if request in bound else given
+    interface, section = interface_of(code, value.dotted) if value.attribute == answer else (None, "")
+    return f"the class {interface.rpartition('/')[2]}.{answer} itself" if interface and section else None
 
 
 def _ends_as_created(
-    code: SourceCode, callback: Callback, function: facts.Function, raises: NeverReturns
+    code: SourceCode, callback: Callback, function: facts.Function, raises: NeverReturns, nobody_waits: _Test
 ) -> Ends[Known | None]:
     """The ends of a handler that is there at all: what was asked before its service was created still holds, where it
     asks for a name of the module that the handler does not set.  Behind a helper that always raises, the state is
@@ -162,7 +170,7 @@ def _ends_as_created(
         return None if raises(fact) else known
 
     def branch(known: Known | None, test: facts.Expr, truth: bool) -> Known | None:
-        return None if known is None else within(known, test, truth, followed)
+        return None if known is None or nobody_waits(test, truth) else within(known, test, truth, followed)
 
     start: Known | None = proven(conditions, followed)
     return graph_of(function.body).ends(start, step, branch)
@@ -186,4 +194,4 @@ def _no_answer(value: facts.Expr | None) -> str | None:
     return None
 
 
-__all__ = ["HandlerEnd", "ends_without_response", "ends_without_result", "handlers_of", "is_stub"]
+__all__ = ["HandlerEnd", "ends_of", "ends_without_response", "ends_without_result", "handlers_of", "is_stub"]
