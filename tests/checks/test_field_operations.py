@@ -7,6 +7,9 @@ import pytest
 from checks.judging import Judge
 
 NODE = """
+import json
+import math
+
 from geometry_msgs.msg import Pose
 from rclpy.node import Node
 from sensor_msgs.msg import Imu, LaserScan
@@ -64,6 +67,29 @@ def _node(topic: str, line: str) -> str:
         ("scan", "return msg.ranges == []", "which never equals a list: this is always False"),
         ("pose", "return msg.position > 0", "is a geometry_msgs/msg/Point, and '>' with a number raises TypeError"),
         ("pose", "return abs(msg.position)", "is a geometry_msgs/msg/Point, and abs() of it raises TypeError"),
+        ("pose", "x, y, z = msg.position", "and unpacking it into several variables raises TypeError"),
+        ("pose", "return 2 * msg.position", "is a geometry_msgs/msg/Point, and '*' with a number raises TypeError"),
+        ("pose", "return msg.position.x.value", "is a float, and has no 'value': this line raises AttributeError"),
+        ("word", "return msg.data.data", "is a string, and has no 'data': this line raises AttributeError"),
+        ("word", "return math.sqrt(msg.data)", "is a string, and math.sqrt() of it raises TypeError"),
+        ("flag", "return msg.data()", "is a bool, and calling it raises TypeError"),
+        ("scan", "return msg.ranges.shape", "is an array of float32, and has no 'shape'"),
+        ("height", "return sum(msg.data)", "is a float, and sum() of it raises TypeError"),
+        ("height", "self.get_logger().info(msg.data)", "is a float, and info() of it raises TypeError"),
+        ("word", "return msg == 'stop'", "'msg' is a message of type std_msgs/msg/String, which never equals a string"),
+        ("word", "return msg + '!'", "'msg' is a message of type std_msgs/msg/String, and '+' with a string raises"),
+        ("word", "return json.loads(msg)", "'msg' is a message of type std_msgs/msg/String, and json.loads() of it"),
+        ("height", "return msg > 0.5", "'msg' is a message of type std_msgs/msg/Float32, and '>' with a number raises"),
+        ("height", "return float(msg)", "'msg' is a message of type std_msgs/msg/Float32, and float() of it raises"),
+        (
+            "scan",
+            "return msg[0]",
+            "'msg' is a message of type sensor_msgs/msg/LaserScan, and taking an item of it raises",
+        ),
+        ("scan", "return min(msg)", "'msg' is a message of type sensor_msgs/msg/LaserScan, and min() of it raises"),
+        ("scan", "return [each for each in msg]", "of type sensor_msgs/msg/LaserScan, and a loop over it raises"),
+        ("count", "a, b = msg", "'msg' is a message of type std_msgs/msg/Int32, and unpacking it into several"),
+        ("count", "self.get_logger().info(msg)", "'msg' is a message of type std_msgs/msg/Int32, and info() of it"),
     ],
 )
 def test_a_field_that_is_taken_for_something_else(judge: Judge, topic: str, line: str, says: str):
@@ -105,6 +131,25 @@ def test_a_field_that_is_taken_for_something_else(judge: Judge, topic: str, line
         ("imu", "return msg.orientation_covariance < 0.5"),
         ("pose", "return msg.position.x > 0"),
         ("pose", "return msg.position == msg.position"),
+        ("pose", "return msg == self.last"),
+        ("pose", "x, y = msg.position.x, msg.position.y"),
+        ("pose", "self.get_logger().info(str(msg)); print(msg, msg.position)"),
+        ("pose", "self.get_logger().info(f'{msg}'); return [msg][0]"),
+        ("pose", "msg = self.flat(msg); return msg[0]"),
+        ("pose", "return [msg[0] for msg in self.rows]"),
+        ("pose", "return lambda msg: msg[0]"),
+        ("pose", "return msg[0] if isinstance(msg, list) else msg.position"),
+        ("pose", "return self.show(msg)"),
+        ("word", "return json.loads(msg.data)['x']"),
+        ("word", "return msg.data.split()[0].strip()"),
+        ("word", "self.get_logger().info(msg.data); first, second = msg.data.split()"),
+        ("word", "first, second = msg.data"),
+        ("flag", "return math.fsum([msg.data]) + round(msg.data)"),
+        ("height", "return math.floor(msg.data).bit_length() + msg.data.hex()"),
+        ("scan", "return msg.ranges.tolist()"),
+        ("scan", "msg.ranges = self.flat(msg.ranges); return msg.ranges.shape"),
+        ("scan", "return max(msg.ranges), sorted(msg.ranges), msg.ranges * 2"),
+        ("scan", "self.get_logger().debug(msg)"),
     ],
 )
 def test_a_field_as_what_it_is(judge: Judge, topic: str, line: str):
@@ -113,6 +158,88 @@ def test_a_field_as_what_it_is(judge: Judge, topic: str, line: str):
 
 def test_where_python_s_objection_is_expected(judge: Judge):
     judge("MSG003", _node("count", "try:; " + "    print('count: ' + msg.data); " + "except TypeError:; " + "    pass"))
+
+
+def test_a_message_whose_operator_is_expected_to_fail(judge: Judge):
+    judge("MSG003", _node("count", "try:; " + "    print(msg[0]); " + "except (TypeError, ValueError):; " + "    pass"))
+
+
+CALLED = """
+from rclpy.node import Node
+from std_msgs.msg import String
+
+
+class Robot(Node):
+    def __init__(self):
+        super().__init__('robot')
+        self.create_subscription(String, 'word', self.on_word, 10{raw})
+        {call}
+
+    def on_word(self, msg):
+        return msg[0]{here}
+"""
+
+
+def test_a_callback_that_code_calls_with_something_else(judge: Judge):
+    judge("MSG003", CALLED.format(raw="", call="self.on_word(['start'])", here=""))
+    judge("MSG003", CALLED.format(raw="", call="", here="  # here"))
+
+
+def test_a_callback_that_gets_the_bytes(judge: Judge):
+    judge("MSG003", CALLED.format(raw=", raw=True", call="", here=""))
+
+
+def test_a_callback_for_messages_and_for_requests(judge: Judge):
+    body = """
+        self.create_subscription(String, 'word', self.act, 10)
+        self.create_service(Trigger, 'act', self.act)
+
+    def act(self, msg, response=None):
+        return {done}
+    """
+    head = NODE.partition("        self.create_subscription")[0]
+    judge("MSG003", head + body.format(done="response or msg[0]"))
+
+
+def test_a_request_that_is_taken_for_what_it_holds(judge: Judge):
+    head = NODE.partition("        self.create_subscription")[0]
+    (finding,) = judge(
+        "MSG003",
+        head
+        + """
+        self.create_service(Trigger, 'act', self.act)
+
+    def act(self, request, response):
+        response.success = request == 'go'  # here
+        return response
+    """,
+    )
+    assert finding.message.startswith("'request' is a message of type std_srvs/srv/Trigger.Request, which never equals")
+
+
+def test_a_field_that_another_method_makes_something_else_of(judge: Judge):
+    judge(
+        "MSG003",
+        """
+        from rclpy.node import Node
+        from std_msgs.msg import String
+
+
+        class Robot(Node):
+            def __init__(self):
+                super().__init__('robot')
+                self.last = String()
+                self.create_subscription(String, 'word', self.on_word, 10)
+                self.create_timer(1.0, self.tick)
+
+            def on_word(self, msg):
+                self.last = msg
+                self.last.data = self.parse(msg.data)
+
+            def tick(self):
+                print(self.last.data.x)
+        """,
+    )
 
 
 def test_one_callback_for_topics_of_two_types(judge: Judge):

@@ -1,4 +1,4 @@
-"""What MSG003 says of code that takes what a field of a message holds for something else."""
+"""What MSG003 says of code that takes a message, or what a field of it holds, for something else."""
 
 from __future__ import annotations
 
@@ -6,7 +6,9 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from archlint.checks.registry import finding
-from archlint.python_code.field_operations import FieldOperation, field_operations
+from archlint.finding import Related
+from archlint.python_code.field_operations import LEVELS, FieldOperation, field_operations
+from archlint.python_code.message_operations import MessageOperation, message_operations
 
 if TYPE_CHECKING:
     from archlint.finding import Finding
@@ -19,6 +21,7 @@ _OTHERS = {"string": "a string", "number": "a number", "list": "a list"}
 def operations_on_fields(system: System) -> Iterator[Finding]:
     """The findings about such code."""
     yield from map(_finding, field_operations(system))
+    yield from map(_of_message, message_operations(system))
 
 
 def _finding(row: FieldOperation) -> Finding:
@@ -35,13 +38,28 @@ def _finding(row: FieldOperation) -> Finding:
     )
 
 
+def _of_message(row: MessageOperation) -> Finding:
+    of = f"{row.type}.{row.section_name}" if row.section_name else row.type
+    creation, node = row.callback.creation, row.callback.node
+    return finding(
+        "MSG003",
+        row.place,
+        f"'{row.name}' is a message of type {of}, {_outcome(row)}",
+        help="use one of its fields",
+        related=[] if creation is None else [Related(creation.place, f"{row.callback.name} gets it from here")],
+        node=None if node is None else node.name.text,
+        identity=(row.callback.name, row.name, row.deed, row.by),
+        group=(row.place.file, row.callback.name, row.name, of),
+    )
+
+
 def _what(row: FieldOperation) -> str:
     if row.kind == "array":
         return f"an array of {row.type_name}"
     return _IS.get(row.kind) or f"a {row.type_name}"
 
 
-def _outcome(row: FieldOperation) -> str:
+def _outcome(row: FieldOperation | MessageOperation) -> str:
     other = _OTHERS.get(row.other, "")
     match row.deed:
         case "adds":
@@ -55,6 +73,12 @@ def _outcome(row: FieldOperation) -> str:
             return "and taking an item of it raises TypeError"
         case "goes through":
             return "and a loop over it raises TypeError"
+        case "unpacks":
+            return "and unpacking it into several variables raises TypeError"
+        case "looks into":
+            return f"and has no '{row.by}': this line raises AttributeError"
+        case "runs":
+            return "and calling it raises TypeError"
     return f"and {row.by}() of it raises TypeError"
 
 
@@ -64,9 +88,13 @@ def _cure(row: FieldOperation) -> str:
             return "use one of its fields"
         case "array", "compares" | "adds" if row.other != "number":
             return "convert it first: list(…)"
+        case "array", "looks into":
+            return "use its items, or make an array of numpy of it first"
         case "array", _:
             return "use one of its items, or the min() or max() of them"
-        case _, "adds" if row.other == "string":
+        case _, "looks into" | "runs" | "unpacks":
+            return "use it as it is"
+        case _, "adds" | "calls" if row.other == "string" or row.by in LEVELS:
             return "convert it: str(…), or write an f-string"
         case _, "takes out of" | "goes through":
             return "use it as it is, or send a message whose field is an array"

@@ -7,12 +7,14 @@ without operators of a message.
 
 from __future__ import annotations
 
+import array
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
 from archlint.analysis.kept import kept_for_each_file
 from archlint.place import Place
+from archlint.python_code.class_chains import targets_of
 from archlint.python_code.tried_code import tried_for
 from archlint.syntax import facts
 from archlint.syntax.bindings import bound_by
@@ -25,7 +27,10 @@ if TYPE_CHECKING:
     from archlint.systems.model import System
 
 _Kind = Literal["int", "float", "bool", "string", "array", "message"]
-_Deed = Literal["adds", "compares", "orders", "calculates", "takes out of", "goes through", "calls"]
+_Deed = Literal[
+    "adds", "compares", "orders", "calculates", "takes out of", "goes through", "unpacks", "looks into", "runs", "calls"
+]
+"""``runs`` is ``msg.data()``, ``calls`` is ``len(msg.data)``."""
 _Other = Literal["string", "number", "list", ""]
 _Spot = tuple[str, int, int, int, int]
 """A file, and the span in it."""
@@ -33,16 +38,29 @@ _Row = tuple[_Deed, _Other, str, facts.Span, facts.Span]
 """What is done, with what beside the field, by which operator or function; the spans of the field and of it all."""
 _ORDER = frozenset({"<", "<=", ">", ">="})
 _EQUAL = frozenset({"==", "!=", "in", "not in"})
-_ARITHMETIC = frozenset({"+", "-", "/", "//", "**"})
+_ARITHMETIC = frozenset({"+", "-", "/", "//", "**", "*"})
 _TIMES = frozenset({"builtin_interfaces/msg/Time", "builtin_interfaces/msg/Duration"})
 """What API001 judges, with the times of rclpy."""
 _NUMBERS: frozenset[_Kind] = frozenset({"int", "float", "bool"})
-_FUNCTIONS = frozenset({"len", "range", "abs", "round", "float", "int"})
+_LOOPS = frozenset({"enumerate", "list", "max", "min", "set", "sorted", "sum", "tuple"})
+_FUNCTIONS = frozenset({"len", "range", "abs", "round", "float", "int"}) | _LOOPS
+_TYPES: dict[_Kind, tuple[type, ...]] = {
+    "int": (int,),
+    "float": (float,),
+    "bool": (bool,),
+    "string": (str,),
+    "array": (array.array,),
+}
+_HAVE = {kind: frozenset(name for type_ in types for name in dir(type_)) for kind, types in _TYPES.items()}
+LEVELS = frozenset({"error", "fatal", "info", "warn", "warning"})
+"""Of a logger of ROS, which takes a text; not ``debug``, at which nobody looks by default."""
+_OF_OBJECTS = frozenset({"unpacks", "looks into", "runs"})
+_EXPECTED = {"TypeError", "AttributeError"}
 
 
 @dataclass(frozen=True)
 class FieldOperation:
-    """``'speed: ' + msg.data``; one that ``fails`` raises a TypeError, the others have one result, whatever comes."""
+    """``'speed: ' + msg.data``; one that ``fails`` raises an error, the others have one result, whatever comes."""
 
     place: Place
     use: FieldUse
@@ -69,7 +87,7 @@ def field_operations(system: System) -> Iterator[FieldOperation]:
         for deed, other, by, field, whole in _rows(workspace, file) or ():
             use, kind = uses.get((file, *field), (None, None))
             held = None if kind is None else _held(kind)
-            if use is not None and kind is not None and held is not None and _goes_wrong(held, deed, other, by):
+            if use is not None and kind is not None and held is not None and goes_wrong(held, deed, other, by):
                 yield FieldOperation(Place(file, *whole), use, held, kind.name, deed, other, by)
 
 
@@ -100,22 +118,31 @@ def _held(kind: FieldType) -> _Kind | None:
     return "bool" if kind.name == "bool" else "string" if kind.name in ("string", "wstring") else None
 
 
-def _goes_wrong(held: _Kind, deed: _Deed, other: _Other, by: str) -> bool:
+def goes_wrong(held: _Kind, deed: _Deed, other: _Other, by: str) -> bool:
+    """Whether Python refuses to do that with what is held, or always has one result."""
     match deed:
         case "adds":
             return held != "string" if other == "string" else other == "list" or held not in _NUMBERS
         case "calculates":
-            return held not in _NUMBERS
+            return held == "message" if by == "*" else held not in _NUMBERS
         case "compares" | "orders":
             if held == "array":
                 return (other == "list") == (deed == "compares")
             if held == "message":
                 return deed == "orders" or other in ("string", "number")
             return other == "list" or (other == "number") == (held == "string")
-        case "takes out of" | "goes through":
+        case "takes out of" | "goes through" | "unpacks":
             return held in _NUMBERS or held == "message"
-    if by == "len":
+        case "looks into":  # MSG001 asks which fields a message has
+            return held != "message" and by not in _HAVE[held]
+        case "runs":
+            return True
+    if by == "len" or by in _LOOPS:
         return held in _NUMBERS or held == "message"
+    if by.startswith("math.") or by in ("abs", "round"):
+        return held in ("string", "message", "array")
+    if by == "json.loads" or by in LEVELS:
+        return held != "string"
     return held not in ("int", "bool") if by == "range" else held in ("message", "array")
 
 
@@ -125,20 +152,24 @@ def _goes_wrong(held: _Kind, deed: _Deed, other: _Other, by: str) -> bool:
 @kept_for_each_file
 def _rows(code: facts.Facts) -> list[_Row]:
     """What a file does with attributes that may be fields, outside of code that expects it to fail."""
-    expecting = tried_for(code.body, {"TypeError"})
+    expecting = tried_for(code.body, _EXPECTED)
     rows: list[_Row] = []
+    given = {target.dotted for target in targets_of(code.body)}
     for function in everything_in(code.body, facts.Function):
-        asked = _asked_for_their_class(function)
+        asked = asked_for_their_class(function)
         for part in parts_of(function.body):
-            for deed, other, by, field, whole in _deeds(part):
+            for deed, other, by, field, whole in deeds_of(part):
                 attribute = _attribute_behind(function, field)
                 certain = deed == "compares" or Itself(part) not in expecting
+                if deed in _OF_OBJECTS and attribute is not None and attribute.dotted in given:
+                    continue  # what another function makes of the field may stand it
                 if attribute is not None and certain and not {attribute.dotted, field.dotted} & asked:
                     rows.append((deed, other, by, attribute.span, whole))
     return rows
 
 
-def _deeds(part: facts.Base) -> Iterator[tuple[_Deed, _Other, str, facts.Expr, facts.Span]]:
+def deeds_of(part: facts.Base) -> Iterator[tuple[_Deed, _Other, str, facts.Expr, facts.Span]]:
+    """What a part does with a field or a message, if it is one: with what beside it, by what, and the spans."""
     match part:
         case facts.Binary(op="+", left=left, right=right, span=span):
             for field, other in ((left, right), (right, left)):
@@ -164,9 +195,25 @@ def _deeds(part: facts.Base) -> Iterator[tuple[_Deed, _Other, str, facts.Expr, f
             yield "goes through", "", "for", field, field.span
         case facts.Generator(iterable=facts.Attribute() | facts.Name() as field):
             yield "goes through", "", "for", field, field.span
-        case facts.Call(func=facts.Name(id=name), args=[facts.Argument(value=field, keyword=None, star="")], span=span):
-            if name in _FUNCTIONS:
-                yield "calls", "", name, field, span
+        case facts.Assign(targets=[facts.Sequence()], value=facts.Attribute() | facts.Name() as field, span=span):
+            yield "unpacks", "", "=", field, span
+        case facts.Attribute(value=facts.Attribute() | facts.Name() as field, attr=name, span=span):
+            yield "looks into", "", name, field, span
+        case facts.Call(func=function, args=given, span=span):
+            if isinstance(function, (facts.Attribute, facts.Name)):
+                yield "runs", "", "()", function, span
+            match given:
+                case [facts.Argument(value=field, keyword=None, star="")] if by := _function_of_values(function):
+                    yield "calls", "", by, field, span
+
+
+def _function_of_values(function: facts.Expr) -> str:
+    """The name of a function, if it is one that takes no message; empty for any other."""
+    match function:
+        case facts.Attribute(attr=level, value=facts.Call(func=logger)) if level in LEVELS:
+            return level if logger.dotted.endswith(".get_logger") else ""
+    name = function.dotted
+    return name if name in _FUNCTIONS or name == "json.loads" or name.startswith("math.") else ""
 
 
 def is_text(part: facts.Base) -> bool:
@@ -248,7 +295,7 @@ def _read_into(function: facts.Function) -> dict[str, facts.Attribute]:
     return attributes
 
 
-def _asked_for_their_class(function: facts.Function) -> set[str]:
+def asked_for_their_class(function: facts.Function) -> set[str]:
     """What a function asks for its class: ``isinstance(msg.data, str)``, ``type(msg.data)``, ``hasattr(…)``."""
     return {
         call.args[0].value.dotted
@@ -257,4 +304,4 @@ def _asked_for_their_class(function: facts.Function) -> set[str]:
     }
 
 
-__all__ = ["FieldOperation", "field_operations", "is_text"]
+__all__ = ["LEVELS", "FieldOperation", "asked_for_their_class", "deeds_of", "field_operations", "goes_wrong", "is_text"]

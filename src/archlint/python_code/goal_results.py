@@ -1,7 +1,7 @@
 """The ends of an action server's callbacks that return no answer: no result, or neither yes nor no.
 
-Source: rclpy/action/server.py.  ``_execute_goal`` puts what the execute callback returns into the answer that the client
-asks for; what is no ``Result`` of the action cannot be put there, and the client never gets an answer.
+Source: rclpy/action/server.py.  ``_execute_goal`` puts what the execute callback returns into the answer that the
+client asks for; what is no ``Result`` of the action cannot be put there, and the client never gets an answer.
 ``_execute_goal_request`` rejects a goal, and ``_execute_cancel_request`` a cancel request, of which the callback does
 not return ``ACCEPT``.
 """

@@ -1,0 +1,111 @@
+"""What callbacks do with the whole message that they are given, as if it were the value in it: ``if msg == 'stop'``.
+
+Source: rosidl_generator_py makes plain objects of messages, with an attribute for each field, and no operators but
+``==`` with another message.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from archlint.analysis.source_code import source_code
+from archlint.model import Role
+from archlint.place import Place
+from archlint.python_code.field_operations import asked_for_their_class, deeds_of, goes_wrong
+from archlint.python_code.tried_code import tried_for
+from archlint.syntax import facts
+from archlint.syntax.bindings import bound_by
+from archlint.syntax.parts import Itself, everything_in, once_for, parts_of
+
+if TYPE_CHECKING:
+    from archlint.model import Callback
+    from archlint.ros.interfaces import MessageClass
+    from archlint.systems.model import System, WorkspaceIndex
+
+_GIVEN: dict[Role, tuple[MessageClass, ...]] = {Role.SUBSCRIPTION: ("",), Role.SERVICE: ("Request", "Response")}
+"""The messages that a callback is called with, in order."""
+_TIMES = frozenset({"builtin_interfaces/msg/Time", "builtin_interfaces/msg/Duration"})
+"""What API001 judges, with the times of rclpy."""
+
+
+@dataclass(frozen=True)
+class MessageOperation:
+    """``msg[0]``, where ``msg`` is the message of a subscription, or the request or response of a service."""
+
+    place: Place
+    callback: Callback
+    name: str
+    type: str
+    section_name: MessageClass
+    deed: str
+    other: str
+    by: str
+    """The operator or the function."""
+
+
+def message_operations(system: System) -> Iterator[MessageOperation]:
+    """Each such piece of Python code, where every caller passes such a message."""
+    workspace = system.workspace
+    if workspace is None:
+        return
+    of_function: dict[Place, list[Callback]] = {}
+    for callback in system.callbacks:
+        if callback.function is not None and not system.roles.is_test(callback.file):
+            of_function.setdefault(callback.function.place, []).append(callback)
+    for place in sorted(of_function):
+        callbacks = of_function[place]
+        function = source_code(system).definition(callbacks[0])
+        if function is not None and _is_only_a_callback(workspace, place.file, function):
+            yield from _of_callback(place.file, function, callbacks)
+
+
+def _of_callback(file: str, function: facts.Function, callbacks: Sequence[Callback]) -> Iterator[MessageOperation]:
+    first = callbacks[0]
+    roles = {callback.role for callback in callbacks}
+    at = {callback.bound_arguments for callback in callbacks}
+    types = {_type_of(callback) for callback in callbacks}
+    if len(roles) != 1 or len(at) != 1 or None in types or any(callback.bound_keywords for callback in callbacks):
+        return
+    positional = [param.name for param in function.params if param.kind in ("positional_only", "normal")]
+    given = dict(zip(positional[first.bound_arguments :], _GIVEN.get(first.role, ()), strict=False))
+    type_name = (_type_of(first) or "") if types else ""
+    if type_name in _TIMES:
+        return
+    for deed, other, by, name, span in _rows(function) if given else ():
+        if name in given:
+            yield MessageOperation(Place(file, *span), first, name, type_name, given[name], deed, other, by)
+
+
+def _type_of(callback: Callback) -> str | None:
+    """The interface whose messages a callback gets; None where it gets bytes, or that is not known."""
+    creation = callback.creation
+    return None if creation is None or creation.raw else creation.type
+
+
+def _is_only_a_callback(workspace: WorkspaceIndex, file: str, function: facts.Function) -> bool:
+    """Whether no code of its file calls a function, and it is one of Python."""
+    code = workspace.facts_at(file)
+    if code is None or workspace.code.kind_of(file) != "python":
+        return False
+    return not any(call.func.last_name == function.name for call in everything_in(code.body, facts.Call))
+
+
+@once_for
+def _rows(function: facts.Function) -> list[tuple[str, str, str, str, facts.Span]]:
+    """What a function does with its parameters that no message stands, by their names, but for those that it binds
+    again or asks for their class."""
+    bound = {name for part in everything_in(function.body) for name in bound_by(part)}
+    expecting = tried_for(function.body, {"TypeError", "AttributeError"})
+    left_out = bound | asked_for_their_class(function)
+    params = {param.name for param in function.params} - left_out
+    rows: list[tuple[str, str, str, str, facts.Span]] = []
+    for part in parts_of(function.body):
+        for deed, other, by, value, span in deeds_of(part) if Itself(part) not in expecting else ():
+            if value.variable in params and goes_wrong("message", deed, other, by):
+                rows.append((deed, other, by, value.variable, span))
+    return rows
+
+
+__all__ = ["MessageOperation", "message_operations"]
