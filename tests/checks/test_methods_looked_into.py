@@ -116,3 +116,88 @@ def test_the_last_of_two_classes_of_one_name_is_the_base(judge: Judge, other: st
 def test_a_class_that_replaces_that_of_rclpy(judge: Judge, imports: str):
     source = NODE.replace("from rclpy.node import Node", imports, 1)
     judge("API002", source.replace("{line}  # here", "self.get_logger.info('checking')"))
+
+
+FUNCTION = """
+    import rclpy
+    from rclpy.node import Node
+
+    class Helper:
+        def __init__(self, node):
+            self.node = node
+
+        def help(self):
+            {line}  # here
+
+    def main():
+        rclpy.init()
+        node = Node('battery')
+        try:
+            rclpy.spin(node)
+        except ValueError:
+            {line}  # here
+"""
+
+
+@pytest.mark.parametrize(
+    ("inside", "outside", "message", "help"),
+    [
+        (
+            "pass",
+            "node.get_logger.info('stopped')",
+            "'get_logger' is a method of a node that is not called, and has no 'info': this line fails with an "
+            "AttributeError",
+            "write node.get_logger().info",
+        ),
+        (
+            "self.node.get_logger.info('stopped')",
+            "pass",
+            "'get_logger' is a method of a node that is not called, and has no 'info': this line fails with an "
+            "AttributeError",
+            "write self.node.get_logger().info",
+        ),
+        (
+            "return self.node.get_clock().now.to_msg()",
+            "pass",
+            "'now' is a method of a clock that is not called, and has no 'to_msg': this line fails with an "
+            "AttributeError",
+            "write self.node.get_clock().now().to_msg",
+        ),
+        (
+            "pass",
+            "print(node.get_clock.now())",
+            "'get_clock' is a method of a node that is not called, and has no 'now': this line fails with an "
+            "AttributeError",
+            "write node.get_clock().now",
+        ),
+    ],
+)
+def test_a_method_of_a_node_in_a_variable(judge: Judge, inside: str, outside: str, message: str, help: str):
+    source = FUNCTION.replace("{line}  # here", inside + ("  # here" if inside != "pass" else ""), 1)
+    source = source.replace("{line}  # here", outside + ("  # here" if outside != "pass" else ""))
+    (finding,) = judge("API002", source)
+    assert (finding.message, finding.help) == (message, help)
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "node.get_logger().info('stopped')",
+        "print(node.get_clock().now().to_msg(), node.get_clock().now().nanoseconds)",
+        "now = node.get_clock().now",
+        "print(now.to_msg())",
+        "print(node.get_logger.__name__)",
+    ],
+)
+def test_methods_in_variables_that_are_called(judge: Judge, line: str):
+    judge("API002", FUNCTION.replace("{line}  # here", "pass", 1).replace("{line}  # here", line))
+
+
+def test_an_object_that_is_given_a_logger_under_the_name(judge: Judge):
+    source = FUNCTION.replace("{line}  # here", "self.node.get_logger.info('stopped')", 1)
+    own = """
+    class Plain:
+        def __init__(self, logger):
+            self.get_logger = logger
+    """
+    judge("API002", source.replace("{line}  # here", "pass") + own)

@@ -190,9 +190,9 @@ def _looked_into(row: LookedInto) -> Finding:
     return finding(
         "API002",
         row.place,
-        f"'{row.method}' is a method of a node that is not called, and has no '{row.name}': this line fails with an "
-        "AttributeError",
-        help=f"write self.{call}.{row.name}",
+        f"'{row.method}' is a method of a {'clock' if row.of_clock else 'node'} that is not called, and has no "
+        f"'{row.name}': this line fails with an AttributeError",
+        help=f"write {row.owner or '…'}.{call}.{row.name}",
         identity=(row.method, row.name),
         group=(OF_OBJECT, row.place.file, row.method),
     )
