@@ -36,12 +36,13 @@ from archlint.checks.unported import (
     of_one_port,
 )
 from archlint.checks.used_values import NOTHING, PLAIN, TEXT, misused_kind_findings, used_value_findings
-from archlint.finding import Finding
+from archlint.finding import Finding, Related
 from archlint.libraries.api_signatures import attributes_of, signatures_of
 from archlint.model import Misuse, RefusedCall
 from archlint.python_code.given_to_libraries import may_have
 from archlint.python_code.logger_calls import GET_LOGGER, LOGGER, refused_logger_calls
 from archlint.python_code.object_members import CalledProperty
+from archlint.python_code.skipped_constructors import SkippedConstructor, skipped_constructors
 from archlint.python_code.uninitialised_programs import uninitialised_programs
 from archlint.ros.distros import DISTROS
 
@@ -256,6 +257,20 @@ def node_not_initialised(system: System, options: Options) -> Iterator[Finding]:
             identity=(program.node, "no init"),
             group=(program.place.file, program.node, "no init"),
         )
+    yield from map(_skipped, () if system.workspace is None else skipped_constructors(system.workspace))
+
+
+def _skipped(row: SkippedConstructor) -> Finding:
+    return finding(
+        "API003",
+        row.place,
+        f"{row.base}.__init__() never runs: Node stands before it and calls no other constructor, so that a {row.cls} "
+        f"has no '{row.attribute}'",
+        help=f"call {row.base}.__init__(self) after super().__init__(…)",
+        related=[Related(row.read, f"this reads '{row.attribute}'")],
+        identity=(row.cls, row.base),
+        group=(row.place.file, row.cls, row.base),
+    )
 
 
 @folds("API003")

@@ -104,7 +104,7 @@ def _add(workspace: WorkspaceIndex, cls: ClassInFile, chain: Chain, depth: int) 
         if base.keyword is not None or base.star:
             chain.complete = False
             continue
-        meant = _class_named(workspace, cls.file, base.value.dotted, depth)
+        meant = class_named(workspace, cls.file, base.value.dotted, depth)
         match meant:
             case ClassInFile():
                 _add(workspace, meant, chain, depth - 1)
@@ -114,7 +114,7 @@ def _add(workspace: WorkspaceIndex, cls: ClassInFile, chain: Chain, depth: int) 
                 chain.complete = False
 
 
-def _class_named(workspace: WorkspaceIndex, file: str, name: str, depth: int) -> ClassInFile | str | None:
+def class_named(workspace: WorkspaceIndex, file: str, name: str, depth: int = _DEPTH) -> ClassInFile | str | None:
     """The class that a dotted name in a file means: one of the workspace, or the canonical name of a foreign one."""
     file_facts = workspace.facts_at(file)
     if file_facts is None or not name or depth <= 0:
@@ -154,8 +154,8 @@ def _imported(
         return canonical(".".join(filter(None, (statement.module, own, rest)))) if foreign else None
     module = workspace.code.path_of_import(file, f"{statement.module}.{own}".lstrip("."), statement.level)
     if module is not None:
-        return _class_named(workspace, module, rest, depth - 1)
-    return None if rest else _class_named(workspace, path, own, depth - 1)
+        return class_named(workspace, module, rest, depth - 1)
+    return None if rest else class_named(workspace, path, own, depth - 1)
 
 
 def _is_foreign(workspace: WorkspaceIndex, file: str, module: str) -> bool:
@@ -232,6 +232,7 @@ __all__ = [
     "Chain",
     "ClassInFile",
     "chain_of",
+    "class_named",
     "classes_asked_for",
     "classes_of",
     "derived_from",
