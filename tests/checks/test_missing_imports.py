@@ -161,6 +161,110 @@ def test_a_file_that_no_console_script_imports(findings: Callable[..., list[Find
     assert findings("API006", **files, **{"robot/tool.py": "import rclpy\nfrom camera import open_camera\n"}) == []
 
 
+DRIVER = {"robot/driver.py": "from {} import open_camera\n\n\ndef drive():\n    return open_camera()\n"}
+
+
+@pytest.mark.parametrize(
+    "line", ["from robot.driver import drive", "from .driver import drive", "from driver import drive"]
+)
+def test_a_file_that_the_file_of_a_console_script_imports(said: Callable[..., list[Finding]], line: str) -> None:
+    told = said(line, **{path: text.format("camera") for path, text in DRIVER.items()})
+    assert told[0].place.file == "robot/driver.py"
+    assert told[0].help == "write `from robot.camera import …`"
+    assert [finding.place.file for finding in told[1:]] == ["robot/talker.py"] * line.startswith("from driver")
+    right = said(
+        "from robot.driver import drive", **{path: text.format("robot.camera") for path, text in DRIVER.items()}
+    )
+    assert right == []
+
+
+DEEP = {"robot/tools/__init__.py": "", "robot/tools/lens.py": "FOCUS = 1\n"}
+
+
+@pytest.mark.parametrize(
+    ("line", "message", "help"),
+    [
+        (
+            "from .camara import open_camera",
+            "there is no module robot.camara: the import fails; did you mean robot.camera?",
+            "import robot.camera",
+        ),
+        (
+            "from . import motors",
+            "robot has no 'motors': the import fails with an ImportError",
+            "define motors there, or import what there is",
+        ),
+        (
+            "from .tools.lens import WIDTH",
+            "robot.tools.lens has no 'WIDTH': the import fails with an ImportError",
+            "define WIDTH there, or import what there is",
+        ),
+        (
+            "from robot.robot.camera import open_camera",
+            "there is no module robot.robot.camera: the import fails; the module is robot.camera",
+            "write `from robot.camera import …`",
+        ),
+        (
+            "from src.robot.robot.tools.lens import FOCUS",
+            "there is no package src: the import fails; the module is robot.tools.lens",
+            "write `from robot.tools.lens import …`",
+        ),
+        (
+            "import lens",
+            "there is no module lens: the import fails; the module is robot.tools.lens",
+            "write `from robot.tools.lens import …`",
+        ),
+        (
+            "from camrea import open_camera",
+            "there is no module camrea: the import fails; the module is robot.camera",
+            "write `from robot.camera import …`",
+        ),
+    ],
+)
+def test_an_own_module_under_another_name(in_src, line: str, message: str, help: str) -> None:
+    (finding,) = in_src(line, **DEEP)
+    assert (finding.message, finding.help) == (message, help)
+
+
+@pytest.fixture
+def in_src(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[..., list[Finding]]:
+    """The same for a package in a folder of the source that has its own name."""
+    monkeypatch.chdir(tmp_path)
+
+    def run(line: str, **files: str) -> list[Finding]:
+        setup = SETUP.replace("['robot']", "['robot', 'robot.tools']")
+        own = {"setup.py": setup, "package.xml": manifest("robot"), "robot/__init__.py": "", "robot/camera.py": CAMERA}
+        own |= files | {"robot/talker.py": TALKER.format(line=line)}
+        beside = {path.removeprefix("top/"): own.pop(path) for path in [*own] if path.startswith("top/")}
+        below = {f"src/robot/{path}": text for path, text in own.items()}
+        write_files(tmp_path, {**below, **beside, "archlint.toml": 'select = ["API006"]\n'})
+        return check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+
+    return run
+
+
+@pytest.mark.parametrize(
+    ("line", "files"),
+    [
+        ("from .tools.lens import FOCUS", {}),
+        ("from . import tools, camera", {}),
+        ("from .tools import lens", {}),
+        ("try:\n    from .motors import stop\nexcept ImportError:\n    stop = None", {}),
+        ("from .messages_pb2 import Message", {}),
+        ("from src.robot.robot.camera import open_camera", {"top/run.sh": "export PYTHONPATH=.\n"}),
+        ("from src.robot.robot.camera import open_camera", {"top/requirements.txt": "src\n"}),
+        ("from src.robot.camera import open_camera", {}),
+        ("from optics import FOCUS", {}),
+        ("from lens import DISTANCE", {}),
+        ("import lens", {"robot/camera/lens.py": ""}),
+        ("import camrea", {}),
+        ("import sys\nsys.path.append('.')\nfrom src.robot.robot.camera import open_camera", {}),
+    ],
+)
+def test_own_modules_that_are_found_or_not_meant(in_src, line: str, files: dict[str, str]) -> None:
+    assert in_src(line, **DEEP, **files) == []
+
+
 def test_a_package_that_has_another_name_now(said):
     (told,) = said("from robot_v2.camera import open_camera")
     assert told.message == "there is no package robot_v2: the import fails; the module is robot.camera"

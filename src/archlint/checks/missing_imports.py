@@ -30,7 +30,10 @@ def _finding(missing: MissingImport) -> Finding:
         help = f"write `from {missing.beside} import …`"
         help += f", and give {missing.without_init} an __init__.py" if missing.without_init else ""
     elif missing.present:
-        message = f"there is no package {module.partition('.')[0]}: the import fails; the module is {missing.present}"
+        top = module.partition(".")[0]
+        own = "." not in module or top == missing.present.partition(".")[0]
+        absent = f"module {module}" if own else f"package {top}"
+        message = f"there is no {absent}: the import fails; the module is {missing.present}"
         help = f"write `from {missing.present} import …`"
     elif missing.interfaces:
         message = f"package {module} has '{name}' in {missing.interfaces}: the import fails with an ImportError"

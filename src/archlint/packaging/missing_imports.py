@@ -14,8 +14,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Union
 
-from archlint.analysis.kept import kept_for_each_file, once
+from archlint.analysis.kept import kept, kept_for_each_file, once
 from archlint.packaging.entry_points import is_on_disk
+from archlint.packaging.imports_by_path import absolute, installed_name, module_of_package
 from archlint.packaging.mistaken_imports import interfaces_of, kind_left_out, near_module
 from archlint.packaging.renamed_packages import present_name
 from archlint.place import Place
@@ -61,10 +62,13 @@ def missing_imports(workspace: WorkspaceIndex) -> Iterator[MissingImport]:
     for file, _ in workspace.code.judged():
         if file.kind != "python" or file.package is None or workspace.roles.is_test(file.relative):
             continue
-        for module, names, span in _imports(workspace, file.relative) or ():
-            place = Place(file.relative, *span)
-            missing = _beside(workspace, file, module, place) or _absent(workspace, file, module, place)
-            missing = missing or _nowhere(workspace, file, module, names, place)
+        for written, level, names, span in _imports(workspace, file.relative) or ():
+            place, module = Place(file.relative, *span), absolute(file, written, level)
+            if not module:
+                continue
+            missing = None if level else _beside(workspace, file, module, place)
+            missing = missing or _absent(workspace, file, module, place)
+            missing = missing or (None if level else _nowhere(workspace, file, module, names, place))
             yield from [missing] if missing else _absent_names(workspace, file, module, names, place)
 
 
@@ -73,6 +77,8 @@ def _nowhere(
 ) -> MissingImport | None:
     """An import from a package that is nowhere, if it is known what was meant."""
     present = present_name(workspace, file, module, names) or interfaces_of(workspace, file, module, names)
+    if present is None and file.relative in _by_console_scripts(workspace):
+        present = installed_name(workspace, file, module) or module_of_package(workspace, file, module, names)
     if present is not None:
         return MissingImport(place, module, present=present)
     near = near_module(workspace, file, module)
@@ -80,12 +86,13 @@ def _nowhere(
 
 
 @kept_for_each_file
-def _imports(code: facts.Facts) -> list[tuple[str, list[str], facts.Span]]:
-    """The absolute imports of a file that nothing goes on without: modules, and names of these."""
+def _imports(code: facts.Facts) -> list[tuple[str, int, list[str], facts.Span]]:
+    """The imports of a file that nothing goes on without: modules, how many dots stand before them, and names of
+    these."""
     forgiven = {Itself[object](part) for block in _tried(code) for part in everything_in(block)}
     every: list[_Import] = [*everything_in(code.body, facts.Import), *everything_in(code.body, facts.ImportFrom)]
     left = [statement for statement in every if Itself(statement) not in forgiven]
-    return [(module, names, statement.span) for statement in left for module, names in _asked_for(statement)]
+    return [(*asked, statement.span) for statement in left for asked in _asked_for(statement)]
 
 
 def _tried(code: facts.Facts) -> Iterator[list[facts.Stmt]]:
@@ -96,12 +103,12 @@ def _tried(code: facts.Facts) -> Iterator[list[facts.Stmt]]:
             yield from (handler.body for handler in statement.handlers)
 
 
-def _asked_for(statement: _Import) -> Iterator[tuple[str, list[str]]]:
+def _asked_for(statement: _Import) -> Iterator[tuple[str, int, list[str]]]:
     match statement:
         case facts.Import(module=module):
-            yield module, []
-        case facts.ImportFrom(module=module, level=0, names=names):
-            yield module, [name for name, _ in names if name != "*"]
+            yield module, 0, []
+        case facts.ImportFrom(module=module, level=level, names=names):
+            yield module, level, [name for name, _ in names if name != "*"]
 
 
 # ------------------------------------------------------------------------------------- what a package does not have
@@ -112,6 +119,8 @@ def _absent(workspace: WorkspaceIndex, file: SourceFile, module: str, place: Pla
     if not _is_whole(workspace, module) or _is_there(workspace, file, module):
         return None
     above, _, last = module.rpartition(".")
+    if file.relative in _by_console_scripts(workspace) and (near := installed_name(workspace, file, module)):
+        return MissingImport(place, module, near=near)
     if above not in workspace.code.modules or _is_made_by_a_tool(last) or _is_on_disk(workspace, module):
         return None
     beside = [name for name in workspace.code.modules if name.rpartition(".")[0] == above]
@@ -205,20 +214,32 @@ def _is_named_in_setup(workspace: WorkspaceIndex, package: str, above: str, top:
 
 @once
 def _by_console_scripts(workspace: WorkspaceIndex) -> frozenset[str]:
-    """The files that console scripts import, by whole names, in packages of Python alone that do not touch the path."""
-    starts = set()
+    """The files that console scripts import, and what these import in turn, in packages of Python alone that do not touch
+    the path."""
+    starts: set[str] = set()
     for package, installs in workspace.installs.items():
-        if installs.python is None or _touches_the_path(workspace, package):
-            continue
-        for executable in installs.executables.values():
+        for executable in installs.executables.values() if _leaves_the_path(workspace, package) else ():
             if executable.module and not executable.script:
                 starts.update(workspace.code.files_named(package, executable.module))
-    return frozenset(starts)
+    reached = workspace.code.reached_from(starts)
+    return frozenset(path for path in reached if _leaves_the_path(workspace, workspace.package_of(path) or ""))
+
+
+def _leaves_the_path(workspace: WorkspaceIndex, package: str) -> bool:
+    installs = workspace.installs.get(package)
+    return installs is not None and installs.python is not None and not _touches_the_path(workspace, package)
 
 
 def _touches_the_path(workspace: WorkspaceIndex, package: str) -> bool:
-    read = (workspace.facts_at(path) for path in workspace.code.files_of(package))
-    return any(code is None or ("path" in code.names and "sys" in code.names and _has_path(code)) for code in read)
+    def touches() -> bool:
+        read = (workspace.facts_at(path) for path in workspace.code.files_of(package))
+        return any(map(_may_touch, read))
+
+    return kept(workspace, (_touches_the_path, package), touches)
+
+
+def _may_touch(code: facts.Facts | None) -> bool:
+    return code is None or ("path" in code.names and "sys" in code.names and _has_path(code))
 
 
 def _has_path(code: facts.Facts) -> bool:

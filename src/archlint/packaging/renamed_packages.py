@@ -63,8 +63,14 @@ def modules_imported(workspace: WorkspaceIndex) -> dict[str, set[str]]:
 
 def is_unknown(workspace: WorkspaceIndex, file: SourceFile, module: str) -> bool:
     """Whether nothing in the workspace, and nothing that is known of elsewhere, has the name of a package."""
-    top = module.partition(".")[0]
-    if top in workspace.code.modules or workspace.code.path_of_import(file.relative, module) is not None:
+    there = workspace.code.path_of_import(file.relative, module) is not None
+    return not there and is_no_package(workspace, module.partition(".")[0])
+
+
+def is_no_package(workspace: WorkspaceIndex, top: str) -> bool:
+    """Whether a top-level name is that of no module or package of the workspace, and of none that is known or wanted
+    from elsewhere."""
+    if top in workspace.code.modules:
         return False
     if top in sys.stdlib_module_names or is_known(top) or not is_nowhere(workspace, top):
         return False
@@ -83,4 +89,4 @@ def _wanted_from_elsewhere(workspace: WorkspaceIndex) -> tuple[str, ...]:
     return tuple(workspace.tree.text(path) or "" for path in sorted(paths))
 
 
-__all__ = ["is_unknown", "modules_imported", "present_name"]
+__all__ = ["is_no_package", "is_unknown", "modules_imported", "present_name"]
