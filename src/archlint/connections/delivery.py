@@ -16,6 +16,7 @@ from archlint.analysis.coexistence import (
     launched_separately,
 )
 from archlint.analysis.kept import once
+from archlint.connections.own_types import is_defined
 from archlint.model import EntityKind
 from archlint.ros.qos import Verdict, compatible
 
@@ -74,7 +75,16 @@ def mistyped_on(system: System, connection: Connection) -> Iterator[Mistyped]:
 
 
 def _meet(system: System, offer: Endpoint, request: Endpoint) -> bool:
-    return coexist(system, offer, request) and not _never_both(system, offer.node, request.node)
+    any_package = _are_for_each_other(system, offer, request)
+    return coexist(system, offer, request, any_package) and not _never_both(system, offer.node, request.node)
+
+
+def _are_for_each_other(system: System, offer: Endpoint, request: Endpoint) -> bool:
+    """Whether two ends of one name have types that the workspace itself defines: in whichever of its packages they are,
+    nobody else is likely to have the other end."""
+    workspace = system.workspace
+    types = {end.type for end in (offer, request)}
+    return workspace is not None and all(type_ is not None and is_defined(workspace, type_) for type_ in types)
 
 
 @once

@@ -7,7 +7,7 @@ Editors write them so.  Python finds them where it is started in the folder abov
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once

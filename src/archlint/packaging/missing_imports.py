@@ -214,8 +214,8 @@ def _is_named_in_setup(workspace: WorkspaceIndex, package: str, above: str, top:
 
 @once
 def _by_console_scripts(workspace: WorkspaceIndex) -> frozenset[str]:
-    """The files that console scripts import, and what these import in turn, in packages of Python alone that do not touch
-    the path."""
+    """The files that console scripts import, and what these import in turn, in packages of Python alone that do not
+    touch the path."""
     starts: set[str] = set()
     for package, installs in workspace.installs.items():
         for executable in installs.executables.values() if _leaves_the_path(workspace, package) else ():
