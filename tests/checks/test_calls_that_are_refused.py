@@ -442,3 +442,61 @@ def test_what_may_be_the_arguments_of_a_thread(judge: Judge, args: str, paramete
 def test_an_action_in_place_of_a_service(judge: Judge, call: str, help: str):
     [finding] = judge("API001", NODE.format(call=f"{call}  # here"))
     assert finding.help == help
+
+
+CALLED_FOR_A_THREAD = """
+    import threading
+
+    import rclpy
+    from rclpy.executors import SingleThreadedExecutor
+    from rclpy.node import Node
+
+
+    class Robot(Node):
+        def drive(self):
+            print('forwards')
+
+        def maker(self):
+            return self.drive
+
+
+    def main():
+        rclpy.init()
+        robot = Robot('robot')
+        executor = SingleThreadedExecutor()
+        executor.add_node(robot)
+        threading.{thread}.start()  {mark}
+
+
+    main()
+"""
+
+
+@pytest.mark.parametrize(
+    ("thread", "what"),
+    [
+        ("Thread(target=rclpy.spin(robot))", "Thread() starts nothing: 'target' takes a function, not what spin()"),
+        ("Thread(target=executor.spin())", "Thread() starts nothing: 'target' takes a function, not what spin()"),
+        ("Thread(target=robot.drive(), daemon=True)", "Thread() starts nothing: 'target' takes a function, not what"),
+        ("Timer(1.0, robot.drive())", "Timer() starts nothing: 'function' takes a function, not what drive() returns"),
+    ],
+)
+def test_a_thread_whose_function_is_called_at_once(judge: Judge, thread: str, what: str):
+    (finding,) = judge("API001", CALLED_FOR_A_THREAD.format(thread=thread, mark="# here"))
+    assert finding.message.startswith(what)
+    assert finding.help == "pass the function itself, without parentheses"
+
+
+@pytest.mark.parametrize(
+    "thread",
+    [
+        "Thread(target=rclpy.spin, args=(robot,))",
+        "Thread(target=executor.spin)",
+        "Thread(target=robot.maker())",
+        "Thread(target=lambda: rclpy.spin(robot))",
+        "Thread(target=None)",
+        "Timer(1.0, robot.drive)",
+    ],
+)
+def test_a_thread_that_gets_its_function(judge: Judge, thread: str):
+    judge("API001", CALLED_FOR_A_THREAD.format(thread=thread, mark=""))

@@ -305,10 +305,11 @@ def _finding(call: RefusedCall) -> Finding:
     name = _name(call.api)
     inherited = _is_inherited_constructor(call)
     no_node = call.misuse is Misuse.KIND and call.parameters == ("node",)
+    outcome = "starts nothing" if _is_called_for_thread(call) else "fails"
     return finding(
         "API001",
         call.place,
-        f"{_subject(name, call)} fails: {_what_is_wrong(call)}",
+        f"{_subject(name, call)} {outcome}: {_what_is_wrong(call)}",
         help=_cure(name, call),
         identity=(call.api, str(call.misuse), *call.parameters),
         # What is no node is none for all calls, and who gives one level of a logger too much does so to the others.
@@ -329,6 +330,11 @@ def of_one_file(findings: Sequence[Finding]) -> Finding:
     if findings[0].group[1] == OPERATOR:
         return with_others(findings, "another operator in this file does", "more operators in this file do", "the same")
     return with_others(findings, "another call in this file fails", "more calls in this file fail", "in the same way")
+
+
+def _is_called_for_thread(call: RefusedCall) -> bool:
+    """Whether a thread is given what a function returns: without a target it ends at once."""
+    return call.api.startswith("threading.") and call.parameters != ("args",) and call.given.endswith("None")
 
 
 def _name(api: str) -> str:
@@ -369,7 +375,6 @@ def _what_is_wrong(call: RefusedCall) -> str:
 
 _OF_ACTIONS = {"create_client": "ActionClient", "create_service": "ActionServer"}
 """What makes for an action what these make for a service."""
-_THREAD = "threading.Thread"
 _ONCE = frozenset({"once", "one_shot", "oneshot"})
 """What a timer of ROS 1 takes so that it runs once."""
 
@@ -390,7 +395,7 @@ def _cure(name: str, call: RefusedCall) -> str:
     if _is_inherited_constructor(call):
         return f"give {call.given} an __init__() that calls super().__init__({', '.join(call.signature)})"
     if call.misuse is Misuse.KIND:
-        if call.api == _THREAD:
+        if call.api.startswith("threading.") and call.parameters == ("args",):
             return "put a comma behind it, which makes the tuple: args=(…,)"
         if call.parameters == ("executor",) and call.api.endswith("spin_until_future_complete"):
             return "give the timeout by name, timeout_sec=…: the executor comes before it"

@@ -78,7 +78,8 @@ _CLASSES = {
     Kind.SERVER: "rclpy.service.Service",
     Kind.TIMER: "rclpy.timer.Timer",
 }
-_THREAD = "threading.Thread"
+_THREADS = {"threading.Thread": "target", "threading.Timer": "function"}
+"""What runs a function in a thread of its own, and the parameter that takes it."""
 _SPINNING = frozenset(
     {"rclpy.spin", "rclpy.spin_once", "rclpy.spin_until_future_complete", "rclpy.executors.Executor.add_node"}
 )
@@ -91,8 +92,8 @@ _GONE_THROUGH = frozenset({"__iter__", "__getitem__", "__getattr__"})
 @once_for
 def kinds_of(api: Api) -> Mapping[str, Kind]:
     """What the parameters of an API take, as far as archlint judges it."""
-    if api.path == _THREAD:
-        return {"args": Kind.ARGUMENTS}
+    if api.path in _THREADS:
+        return {"args": Kind.ARGUMENTS, _THREADS[api.path]: Kind.CALLBACK}
     if not api.path.startswith(_JUDGED):
         return {}
     if api.path in _DESTROYED:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from archlint import model
-from archlint.interpreter.values import Instance, Known, OneOf, Unknown, Value
+from archlint.interpreter.values import Instance, Known, OneOf, Value
 from archlint.libraries.rclpy import nodes
 from archlint.libraries.rclpy.fields import EXECUTOR
 from archlint.libraries.values import ExecutorValue, FutureValue
@@ -166,7 +166,7 @@ def spin(run: Run, call: ApiUse) -> Value:
     spun = nodes.given_nodes(run, call.get("node"), plausible=False)
     lasting = _lasting(run, call, spun)
     if _is_left_out(run, spun):
-        return Unknown("the result of a spin")
+        return Known(None)
     if run.context.role in _STARTED or spun != [run.context.node]:
         given = call.get("executor")
         use = use_of(run, given)
@@ -179,7 +179,7 @@ def spin(run: Run, call: ApiUse) -> Value:
         for node in spun:
             _visit(use, node, _spell(run, call, node, lasting))
     _serve(run, call)
-    return Unknown("the result of a spin")
+    return Known(None)
 
 
 def _spell(run: Run, call: ApiUse, node: model.Blueprint, lasting: model.SpinDuration) -> model.Spell:
@@ -260,4 +260,4 @@ def executor_spin(run: Run, call: ApiUse) -> Value:
     if use is not None and not _is_left_out(run, use.nodes):
         _spins(run, use, call, _lasting(run, call, use.nodes))
     _serve(run, call)
-    return Unknown("the result of a spin")
+    return Known(None)
