@@ -106,3 +106,33 @@ def test_a_loop_that_never_asks_again(judge: Judge, loop: tuple[str, ...], asked
 )
 def test_a_loop_that_asks_again_or_is_left(judge: Judge, loop: tuple[str, ...], then: str):
     judge("TMO003", camera(*loop, then=then))
+
+
+@pytest.mark.parametrize(
+    "loop",
+    [
+        ("for node in (camera, Camera()):", "    rclpy.spin(node)  # here"),
+        ("for node in make():", "    rclpy.spin(node)  # here", "    node.destroy_node()"),
+        ("for number, one in enumerate([executor, MultiThreadedExecutor()]):", "    one.spin()  # here"),
+    ],
+)
+def test_a_loop_over_nodes_that_spins_the_first_alone(judge: Judge, loop: tuple[str, ...]):
+    (finding,) = judge("TMO003", camera(*loop))
+    assert finding.message.endswith("spin() returns only when ROS is shut down: the loop does not come to the next one")
+    assert finding.help == "add the nodes to one executor, and spin that"
+
+
+@pytest.mark.parametrize(
+    "loop",
+    [
+        ("for node in (camera, Camera()):", "    executor.add_node(node)", "executor.spin()"),
+        ("for node in (camera, Camera()):", "    rclpy.spin_once(node, timeout_sec=0.1)"),
+        ("for node in (camera, Camera()):", "    rclpy.spin(node)", "    break"),
+        ("for node in [camera]:", "    rclpy.spin(node)"),
+        ("for node in (camera, Camera()):", "    threading.Thread(target=rclpy.spin, args=(node,)).start()"),
+        ("for _ in range(3):", "    try:", "        rclpy.spin(camera)", "    except RuntimeError:", "        pass"),
+        ("for _ in range(3):", "    rclpy.spin(camera)"),
+    ],
+)
+def test_loops_that_spin_all_or_are_not_over_nodes(judge: Judge, loop: tuple[str, ...]):
+    judge("TMO003", camera(*loop))

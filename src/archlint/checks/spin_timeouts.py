@@ -221,12 +221,17 @@ def _deaf(system: System, loop: DeafLoop) -> Finding:
     call = loop.call
     spin = "rclpy.spin()" if call.api == "rclpy.spin" else "spin()"
     once = "rclpy.spin_once(…, timeout_sec=0.1)" if call.api == "rclpy.spin" else "spin_once(timeout_sec=0.1)"
+    cure = f"write {once}, after which the loop asks again"
+    misses, there = f"ask for {loop.asked} again", f"the loop asks for {loop.asked} here"
+    if not loop.asked:
+        cure = "add the nodes to one executor, and spin that"
+        misses, there = "come to the next one", "the loop takes one after the other"
     diagnostic = finding(
         "TMO003",
         call.place,
-        f"{spin} returns only when ROS is shut down: the loop does not ask for {loop.asked} again",
-        help=f"write {once}, after which the loop asks again",
-        related=[Related(loop.loop, f"the loop asks for {loop.asked} here")],
+        f"{spin} returns only when ROS is shut down: the loop does not {misses}",
+        help=cure,
+        related=[Related(loop.loop, there)],
         node=node_name(system, call.context.node),
         identity=(call.function, loop.asked, "loop"),
     )

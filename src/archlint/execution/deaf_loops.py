@@ -1,4 +1,5 @@
-"""Loops that spin to the end in each round: ``while not node.stopped: executor.spin()``.
+"""Loops that spin to the end in each round: ``while not node.stopped: executor.spin()``, ``for node in nodes:
+rclpy.spin(node)``.
 
 Source: ``Executor.spin`` in rclpy/executors.py returns when the context is shut down or the executor is, and
 ``rclpy.spin`` goes on for as long; what a callback raises passes both.
@@ -29,7 +30,8 @@ _LEAVES = frozenset({"exit", "_exit", "quit", "kill", "SystemExit", "KeyboardInt
 
 @dataclass(frozen=True)
 class DeafLoop:
-    """A loop that asks for ``asked`` once: the spin in it returns only when ROS is shut down."""
+    """A loop that asks for ``asked`` once, or, where that is empty, that spins the first of several nodes alone: the
+    spin in it returns only when ROS is shut down."""
 
     call: ApiCall
     loop: Place
@@ -41,6 +43,8 @@ def deaf_loops(system: System) -> Iterator[DeafLoop]:
     code = source_code(system)
     for program, call in calls_of(system, _SPINS):
         loop = code.loop(call)
+        if isinstance(loop, facts.For) and _spins_each(loop, call):
+            yield DeafLoop(call, Place.of(call.file, getattr(loop.target, "span", loop.span)), "")
         if not isinstance(loop, facts.While) or _is_tried_again(loop, call):
             continue
         asked = [name for name in _asked(loop.test) if not _is_set_in(loop, name)]
@@ -59,6 +63,23 @@ def _asked(test: facts.Expr) -> list[str]:
     }
     asked = (part for part in everything_in([test]) if Itself(part) not in left_out)
     return [part.dotted for part in asked if isinstance(part, (facts.Name, facts.Attribute)) and part.dotted]
+
+
+def _spins_each(loop: facts.For, call: ApiCall) -> bool:
+    """Whether a loop over nodes or executors spins each in its round, with nothing that ends the loop after the first,
+    catches what ends the spin, or changes threads."""
+    names = {name.id for name in everything_in([loop.target], facts.Name)}
+    ends = any(isinstance(part, (facts.Return, facts.Raise, facts.Try)) for part in everything_in(loop.body))
+    if ends or any(jump.kind == "break" for jump in everything_in(loop.body, facts.Jump)):
+        return False
+    if isinstance(loop.iterable, facts.Sequence) and len(loop.iterable.elements) < 2:
+        return False
+    for statement in loop.body:
+        match statement:
+            case facts.Expression(value=facts.Call(func=facts.Attribute(value=owner), args=given) as spin):
+                if spin.span == call.place.span:
+                    return any(part.variable in names for part in (owner, *(argument.value for argument in given)))
+    return False
 
 
 def _is_set_in(loop: facts.While, name: str) -> bool:
