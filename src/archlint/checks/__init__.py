@@ -70,6 +70,7 @@ MODULES: tuple[str, ...] = (
     "type_mismatches",
     "unanswerable",
     "undefined_names",
+    "uninitialised_nodes",
     "unknown_dependencies",
     "unlisted_modules",
     "unchecked_results",

@@ -1,4 +1,4 @@
-"""API001 to API003: calls that rclpy refuses, of what it does not have, and on a node that is not initialised."""
+"""API001 and API002: calls that rclpy refuses, and of what it does not have."""
 
 from __future__ import annotations
 
@@ -36,14 +36,12 @@ from archlint.checks.unported import (
     of_one_port,
 )
 from archlint.checks.used_values import NOTHING, PLAIN, TEXT, misused_kind_findings, used_value_findings
-from archlint.finding import Finding, Related
+from archlint.finding import Finding
 from archlint.libraries.api_signatures import attributes_of, signatures_of
 from archlint.model import Misuse, RefusedCall
 from archlint.python_code.given_to_libraries import may_have
 from archlint.python_code.logger_calls import GET_LOGGER, LOGGER, refused_logger_calls
 from archlint.python_code.object_members import CalledProperty
-from archlint.python_code.skipped_constructors import SkippedConstructor, skipped_constructors
-from archlint.python_code.uninitialised_programs import uninitialised_programs
 from archlint.ros.distros import DISTROS
 
 if TYPE_CHECKING:
@@ -59,7 +57,7 @@ _NEWER = frozenset(DISTROS[DISTROS.index(_AS_NEWEST) + 1 :])
 def refused_call(system: System, options: Options) -> Iterator[Finding]:
     """Calls that rclpy, message_filters or tf2_ros refuse, and operators between times that rclpy does."""
     loggers = [] if system.workspace is None else refused_logger_calls(system.workspace)
-    judged = list(_judged(system))
+    judged = list(judged_refusals(system))
     unported = functions_of_rospy(judged)
     for call in (*judged, *loggers):
         slip = call.api == "rclpy.spin" and call.misuse is Misuse.MISSING and call.place.file in unported
@@ -74,7 +72,7 @@ def refused_call(system: System, options: Options) -> Iterator[Finding]:
 @rule("API002", scope=Scope.CODE)
 def unknown_attribute(system: System, options: Options) -> Iterator[Finding]:
     """Calls of functions and methods that rclpy does not have, and attributes that a class does not have or take."""
-    judged_calls = list(_judged(system))
+    judged_calls = list(judged_refusals(system))
     absent = [call for call in judged_calls if call.misuse is Misuse.ABSENT]
     yield from (_called_value(call) for call in judged_calls if call.misuse is Misuse.VALUE)
     named = [(call, (call.parameters or ("",))[0]) for call in absent]
@@ -225,61 +223,7 @@ def absent_in_one_file(findings: Sequence[Finding]) -> Finding:
     return with_others(findings, "another call in this file does", "more calls in this file do", "the same")
 
 
-@rule("API003", scope=Scope.CODE)
-def node_not_initialised(system: System, options: Options) -> Iterator[Finding]:
-    """Constructors that use the node before they initialise it, and nodes of programs that initialise rclpy later, or
-    never."""
-    for call in _judged(system):
-        if call.misuse is Misuse.BEFORE_INIT:
-            yield finding(
-                "API003",
-                call.place,
-                f"{call.given}() fails: rclpy.init() is called after it",
-                help="call rclpy.init() first",
-                identity=(call.given, "init"),
-            )
-        if call.misuse is Misuse.EARLY:
-            yield finding(
-                "API003",
-                call.place,
-                f"{_name(call.api)}() fails: {call.given} has not called super().__init__() yet",
-                help="call super().__init__('node_name') first",
-                identity=(call.given,),
-                group=(call.place.file, call.given),
-            )
-
-    for program in uninitialised_programs(system):
-        yield finding(
-            "API003",
-            program.place,
-            f"{program.node}() fails: the program never calls rclpy.init()",
-            help="call rclpy.init() first",
-            identity=(program.node, "no init"),
-            group=(program.place.file, program.node, "no init"),
-        )
-    yield from map(_skipped, () if system.workspace is None else skipped_constructors(system.workspace))
-
-
-def _skipped(row: SkippedConstructor) -> Finding:
-    return finding(
-        "API003",
-        row.place,
-        f"{row.base}.__init__() never runs: Node stands before it and calls no other constructor, so that a {row.cls} "
-        f"has no '{row.attribute}'",
-        help=f"call {row.base}.__init__(self) after super().__init__(…)",
-        related=[Related(row.read, f"this reads '{row.attribute}'")],
-        identity=(row.cls, row.base),
-        group=(row.place.file, row.cls, row.base),
-    )
-
-
-@folds("API003")
-def of_one_class(findings: Sequence[Finding]) -> Finding:
-    """The first call of a constructor, with which it ends."""
-    return findings[0]
-
-
-def _judged(system: System) -> Iterator[RefusedCall]:
+def judged_refusals(system: System) -> Iterator[RefusedCall]:
     """The refused calls outside of test code, in the order of the source."""
     noted = judged_notes(system, lambda program: program.refused_calls)
     calls = {(call.place, call.api): call for call in noted}
@@ -302,7 +246,7 @@ def _is_refused(call: RefusedCall, distros: tuple[str, ...]) -> bool:
 
 
 def _finding(call: RefusedCall) -> Finding:
-    name = _name(call.api)
+    name = name_of_call(call.api)
     inherited = _is_inherited_constructor(call)
     no_node = call.misuse is Misuse.KIND and call.parameters == ("node",)
     outcome = "starts nothing" if _is_called_for_thread(call) else "fails"
@@ -337,7 +281,7 @@ def _is_called_for_thread(call: RefusedCall) -> bool:
     return call.api.startswith("threading.") and call.parameters != ("args",) and call.given.endswith("None")
 
 
-def _name(api: str) -> str:
+def name_of_call(api: str) -> str:
     """How code calls it: ``create_timer``, ``QoSProfile``."""
     owner, _, name = api.rpartition(".")
     return owner.rpartition(".")[2] if name == "__init__" else name
