@@ -9,9 +9,12 @@ import pytest
 
 from archlint.config.settings import load
 from archlint.engine.pipeline import Request, check
-from archlint.finding import Finding
+from archlint.finding import Finding, Severity
 
 Judge = Callable[..., list[Finding]]
+
+
+NAMED = {"README.md": "What is not here: our_messages, geometry, csv, tensorflow.\n"}
 
 
 @pytest.fixture
@@ -64,7 +67,7 @@ def test_what_was_meant(judge: Judge, tag: str, meant: str):
     ],
 )
 def test_what_is_known_or_may_be(judge: Judge, tag: str):
-    assert judge(tag) == []
+    assert judge(tag, **NAMED) == []
 
 
 @pytest.mark.parametrize(
@@ -132,7 +135,7 @@ def test_a_rule_of_the_team_for_a_name_that_is_nearly_one_of_rosdep(judge: Judge
 def test_a_module_that_comes_with_python(judge: Judge):
     (one,) = judge("<exec_depend>csv</exec_depend>", **{"robot/node.py": "import csv\nimport rclpy\n"})
     assert one.help == "remove the line"
-    assert judge("<exec_depend>csv</exec_depend>", **{"robot/node.py": "import rclpy\n"}) == []  # it may be a package
+    assert judge("<exec_depend>csv</exec_depend>", **{"robot/node.py": "import rclpy\n"}, **NAMED) == []  # a package
 
 
 def test_opencv_is_what_the_code_of_the_package_uses(judge: Judge):
@@ -164,7 +167,7 @@ def test_a_package_of_pip_for_which_rosdep_has_no_key(judge: Judge):
     tag = "<exec_depend>tensorflow</exec_depend>"
     (one,) = judge(tag, **{"robot/node.py": "import rclpy\nimport tensorflow as tf\n"})
     assert one.message == "'tensorflow' is no key of rosdep, which stops here"
-    assert judge(tag) == []  # perhaps somebody's package with this name
+    assert judge(tag, **NAMED) == []  # perhaps somebody's package with this name
 
 
 def test_what_may_be_a_package_with_the_name_of_a_module(judge: Judge):
@@ -352,3 +355,48 @@ def test_a_package_of_the_workspace_with_a_2_behind_its_name(tmp_path: Path, mon
         told.message
         == "'arm_msgs' is neither a ROS package nor a key of rosdep, which stops here: 'arm_msgs2' was probably meant"
     )
+
+
+@pytest.mark.parametrize(
+    ("name", "help"),
+    [
+        ("TODO", "write the name of the package instead"),
+        ("https://example.org/arm.git", "write the name of the package instead"),
+        ("static_transform_publisher", "write 'tf2_ros' instead"),
+    ],
+)
+def test_what_is_no_package_at_all(judge: Judge, name: str, help: str):
+    (told,) = judge(f"<depend>{name}</depend>", **{"README.md": f"It needs {name}."})
+    assert (told.severity, told.help, told.place.line) == (Severity.WARNING, help, 3)
+
+
+def test_a_name_that_nothing_else_has(judge: Judge):
+    (told,) = judge("<depend>rclpy</depend>", "<depend>acme_interfaces</depend>")
+    assert told.message == (
+        "'acme_interfaces' is neither a ROS package nor a key of rosdep, which stops here, and nothing uses it"
+    )
+    assert (told.severity, told.place.line) == (Severity.INFO, 4)
+
+
+@pytest.mark.parametrize(
+    "files",
+    [
+        {"robot/node.py": "import rclpy\nfrom acme_interfaces.msg import Speed\n"},
+        {"README.md": "Clone acme-interfaces first.\n"},
+        {"config/robot.yaml": "type: acme_interfaces/msg/Speed\n"},
+        {"launch/it.launch.xml": '<launch><include file="$(find-pkg-share acme_interfaces)/a.launch.xml"/></launch>'},
+        {"other/acme_interfaces/CMakeLists.txt": "project(other)\n"},
+    ],
+)
+def test_a_name_that_something_else_has_may_come_from_elsewhere(judge: Judge, files: dict[str, str]):
+    assert judge("<depend>acme_interfaces</depend>", **files) == []
+
+
+def test_a_name_among_many_unknown_ones(judge: Judge):
+    assert judge("<depend>acme_a</depend>", "<depend>acme_b</depend>", "<depend>acme_c</depend>") == []
+
+
+def test_a_name_that_nothing_else_has_beside_one_that_was_meant_for_another(judge: Judge):
+    """What is certain is not hidden behind what is not."""
+    told = judge("<depend>acme_interfaces</depend>", "<depend>Eigen3</depend>")
+    assert [(row.severity, row.place.line) for row in told] == [(Severity.INFO, 3), (Severity.WARNING, 4)]

@@ -13,8 +13,9 @@ from archlint.checks.folding import folds, with_others
 from archlint.checks.packages import workspace_of
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
-from archlint.finding import Finding, Place
+from archlint.finding import Finding, Place, Severity
 from archlint.packaging.absent_packages import has_a_rule_for_rosdep, is_a_key_of_some_file
+from archlint.packaging.idle_dependencies import is_idle
 from archlint.ros import packages, rosdep
 from archlint.ros.mistaken_dependencies import Mistake, Mistaken, mistaken, modules_of_pip, of_python_2
 from archlint.workspace.manifest import condition_holds
@@ -59,7 +60,7 @@ def _of_manifest(workspace: WorkspaceIndex, package: Package, options: Options) 
     for dependency in sorted(first.values(), key=lambda d: d.line):
         outdated = of_python_2(dependency.name)
         if dependency.name not in known:
-            yield from _unknown(workspace, package, dependency, there)
+            yield from _unknown(workspace, package, dependency, there, options)
         elif outdated is not None and dependency.name not in there.union(options.external):
             yield _mistaken(package, dependency, outdated)
 
@@ -72,7 +73,7 @@ def names_meant(workspace: WorkspaceIndex, package: Package, options: Options) -
 
 
 def _unknown(
-    workspace: WorkspaceIndex, package: Package, dependency: Dependency, there: frozenset[str]
+    workspace: WorkspaceIndex, package: Package, dependency: Dependency, there: frozenset[str], options: Options
 ) -> Iterator[Finding]:
     name = dependency.name
     if has_a_rule_for_rosdep(workspace, name):
@@ -92,6 +93,8 @@ def _unknown(
         own += "target_link_libraries() for what uses it"
         needed = _is_found_by_name(workspace, package, dependency)
         yield _finding(package, dependency, meant, f"write '{meant}' instead{own if needed else ''}")
+    elif wrong is None and is_idle(workspace, package, name, there.union(rosdep.keys(), options.external)):
+        yield _idle(package, dependency)
 
 
 def _has_already(package: Package, dependency: Dependency, name: str) -> bool:
@@ -166,6 +169,8 @@ def _mistaken(package: Package, dependency: Dependency, wrong: Mistaken) -> Find
         message = f"'{name}' is for Python 2, which Ubuntu has no packages of since 22.04: rosdep stops here"
     elif wrong.mistake is Mistake.OF_PYTHON:
         message = f"'{name}' is a module of Python itself, and no key of rosdep, which stops here"
+    elif wrong.mistake is Mistake.NOT_FILLED_IN:
+        message, help = f"'{name}' is no name of a package: rosdep stops here", "write the name of the package instead"
     elif instead:
         return _finding(package, dependency, instead, help)
     else:
@@ -178,6 +183,12 @@ def _finding(package: Package, dependency: Dependency, meant: str, help: str) ->
     hint = f": '{meant}' was probably meant" if meant else ": it is a build type"
     message = f"'{dependency.name}' is neither a ROS package nor a key of rosdep, which stops here{hint}"
     return _told(package, dependency, meant, message, help)
+
+
+def _idle(package: Package, dependency: Dependency) -> Finding:
+    message = f"'{dependency.name}' is neither a ROS package nor a key of rosdep, which stops here, and nothing uses it"
+    told = _told(package, dependency, "", message, "remove the line, unless a package from elsewhere is meant")
+    return replace(told, severity=Severity.INFO, group=(package.manifest.relative, "idle"))
 
 
 def _told(package: Package, dependency: Dependency, meant: str, message: str, help: str) -> Finding:

@@ -39,14 +39,14 @@ def is_from_nowhere(workspace: WorkspaceIndex, package: str) -> bool:
     from elsewhere by no file of the workspace, and that of no folder or manifest here which was not read."""
     if not is_nowhere(workspace, package) or package in packages.table().ended or may_be_on_focal(workspace):
         return False
-    return not (is_wanted_from_elsewhere(workspace, package) or package in _folders_and_manifests(workspace))
+    return not (is_wanted_from_elsewhere(workspace, package) or package in folders_and_manifests(workspace))
 
 
 _NAME = re.compile(r"<name>\s*([^<\s]+)\s*</name>")
 
 
 @once
-def _folders_and_manifests(workspace: WorkspaceIndex) -> frozenset[str]:
+def folders_and_manifests(workspace: WorkspaceIndex) -> frozenset[str]:
     """The names of all folders, and those that any package.xml gives a package."""
     tree = workspace.tree
     paths = tree.files_below(tree.top)

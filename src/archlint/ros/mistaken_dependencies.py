@@ -24,6 +24,7 @@ class Mistake(enum.Enum):
     OF_PYTHON = "a module of Python itself"
     NO_NAME = "no name of a package"
     """One that no package of ROS may have: ``sensor_msgs.msg``, ``python3-keras``."""
+    NOT_FILLED_IN = "an address, or a word that stands for a name"
     BY_ANOTHER_NAME = "what rosdep has under another name"
 
 
@@ -95,9 +96,11 @@ _SPELLINGS: Mapping[str, str] = {
     "pyzmq": "python3-zmq",
     "qt5": "qtbase5-dev",
     "rclpy_action": "rclpy",
+    "rmw_zenoh": "rmw_zenoh_cpp",
     "rpi.gpio": "python-rpi.gpio-pip",
     "scikit-image": "python3-skimage",
     "scikit-learn": "python3-sklearn",
+    "static_transform_publisher": "tf2_ros",
     "tkinter": "python3-tk",
     "yamlcpp": "yaml-cpp",
 }
@@ -118,6 +121,8 @@ _OF_PIP_ALONE = frozenset(
     | {"vosk", "webrtcvad"}
 )
 """Packages of pip for which rosdep has no key, by the name of their module."""
+_NAME = re.compile(r"[A-Za-z0-9][\w.+-]*")
+_TO_FILL = frozenset({"FIXME", "TBD", "TODO", "XXX"})
 _OPENCV = re.compile(r"opencv[234]?", re.IGNORECASE)
 _DISTROS = "foxy|galactic|humble|iron|jazzy|kilted|lyrical|rolling"
 _DEBIAN_OF_ROS = re.compile(rf"ros(?:-[a-z]+-|_(?:{_DISTROS})_)([a-z0-9_-]+)")
@@ -131,6 +136,8 @@ def mistaken(name: str, packages: Collection[str], *, is_python: bool) -> Mistak
     ``packages`` are the known ones, ``is_python`` says whether a module of Python may be meant."""
     if name in _OF_ROS_1:
         return Mistaken(Mistake.OF_ROS_1, _OF_ROS_1[name])
+    if _NAME.fullmatch(name) is None or name in _TO_FILL:
+        return Mistaken(Mistake.NOT_FILLED_IN)
     instead = _by_another_name(name, packages, is_python=is_python)
     if instead is not None:
         return Mistaken(Mistake.BY_ANOTHER_NAME, instead)
