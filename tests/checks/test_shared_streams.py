@@ -45,6 +45,7 @@ def main():
 main()
 """
 ALWAYS = "self.create_timer(0.1, self.tick)"
+IF_SEEN = "self.create_timer(0.1, lambda: self.tick() if self.seen else None)"
 AT_TIMES = "self.create_service(Trigger, 'send', self.tick)"
 
 
@@ -57,6 +58,7 @@ AT_TIMES = "self.create_service(Trigger, 'send', self.tick)"
         ("std_msgs.Bool", "light", AT_TIMES, True),
         ("geometry_msgs.PoseStamped", "arm/target", AT_TIMES, True),
         ("std_msgs.Float32", "temperature", ALWAYS, True),
+        ("std_msgs.Float32", "temperature", IF_SEEN, True),
         ("std_msgs.Float32", "temperature", AT_TIMES, False),  # one value more, and the next one comes at once
     ],
 )

@@ -17,7 +17,7 @@ from archlint.connections.hand_overs import hand_over
 from archlint.connections.happenings import are_events, are_requests
 from archlint.connections.owners import several_owners, some_coexist
 from archlint.connections.sharing import are_of_one_class, are_words, is_bus, is_named_a_command, is_state, overrides
-from archlint.connections.streams import sends_again_and_again, waits_for_nobody
+from archlint.connections.streams import is_at_it_all_the_time, sends_again_and_again, waits_for_nobody
 from archlint.connections.switched_off import switch_of
 from archlint.connections.taken_in import ask_with_true, say_whose
 from archlint.finding import Finding, Related, Severity
@@ -72,8 +72,10 @@ def _is_meant(system: System, connection: Connection, owners: list[Endpoint]) ->
         return True
     if sum(switch_of(system, end) is None and not waits_for_nobody(system, end) for end in owners) < 2:
         return True  # as started here, one of them says something
-    if sum(sends_again_and_again(system, end) for end in owners) < (1 if overrides(connection, owners) else 2):
-        return True  # each speaks on an occasion, or one beside a stream of values that stand for themselves
+    if not any(sends_again_and_again(system, end) for end in owners):
+        return True  # each speaks on an occasion: who sent last is meant to be obeyed
+    if not overrides(connection, owners) and sum(is_at_it_all_the_time(system, end) for end in owners) < 2:
+        return True  # what is said on request beside a stream of values takes nothing back
     if not some_coexist(system, owners):
         return True  # alternatives, or started by hand by somebody who knows what else runs
     return hand_over(owners) or take_turns(system, owners)

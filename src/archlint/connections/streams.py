@@ -30,6 +30,18 @@ def sends_again_and_again(system: System, owner: Endpoint) -> bool:
     return not calls or any(_is_again_and_again(system, call, places) for call in calls)
 
 
+def is_at_it_all_the_time(system: System, owner: Endpoint) -> bool:
+    """Whether a timer, each message of data or a loop may publish, on a condition or not: no request or word makes it
+    do so.  So it is where no call that publishes is seen."""
+    calls = publishes_of(system, owner)
+    return not calls or any(
+        call.looped
+        or call.context.role in (Role.TIMER, Role.METHOD)
+        or (call.context.role in _WITH_DATA and not _gets_words(system, call))
+        for call in calls
+    )
+
+
 def waits_for_nobody(system: System, owner: Endpoint) -> bool:
     """Whether a publisher is used only where a message arrives that nobody in a launched system sends: as started
     there, it says nothing."""
@@ -112,4 +124,4 @@ def _asks_for_data(test: facts.Expr) -> bool:
     return False
 
 
-__all__ = ["sends_again_and_again", "waits_for_nobody"]
+__all__ = ["is_at_it_all_the_time", "sends_again_and_again", "waits_for_nobody"]
