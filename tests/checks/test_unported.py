@@ -112,6 +112,13 @@ def test_rospy_itself_is_told_with_its_functions(said: Said) -> None:
     assert said("API005", {"robot/talker.py": HALF}) == []  # API002 says so
 
 
+def test_other_names_of_a_file_of_ros_1_are_for_its_port(said: Said) -> None:
+    names = UNDER_ANOTHER_NAME.replace("    rate =", "    name = raw_input()\n    rate =")
+    assert said("API005", {"robot/talker.py": names}) == []
+    [finding] = said("API005", {"robot/talker.py": TALKER + "    raw_input()\n"})
+    assert finding.help == "write input"
+
+
 @pytest.mark.parametrize(
     ("code", "path", "text"),
     [

@@ -12,7 +12,7 @@ from archlint.checks.folding import folds, with_others
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.uncalled import once_where_uncalled, unless_uncalled
-from archlint.checks.unported import is_left_in_ros_1, told_of_rospy
+from archlint.checks.unported import is_part_of_port, told_of_rospy
 from archlint.finding import Finding, Related, Severity
 from archlint.python_code.how_imported import idle_import_with, import_of, interface_meant
 from archlint.python_code.stray_methods import StrayMethod, stray_methods
@@ -34,17 +34,15 @@ def undefined_name(system: System, options: Options) -> Iterator[Finding]:
     """Names that code reads and that neither the file nor Python defines."""
     if system.workspace is not None:
         leaders: dict[tuple[str, object], str] = {}
-        stray, told_by_others = stray_methods(system.workspace), told_of_rospy(system)
+        stray, unported = stray_methods(system.workspace), told_of_rospy(system)
         yield from map(_outside_of_classes, stray)
         for read in undefined_names(system.workspace):
             if stops_a_launch(system.workspace, read):
                 continue  # LCH008 tells all names of that statement
             if any(method.holds(read.place) for method in stray):
                 continue  # what such a method lacks, its class and the imports of that have
-            if read.name in _OF_ROS_1 and (
-                read.place.file in told_by_others or is_left_in_ros_1(system, read.place.file)
-            ):
-                continue
+            if is_part_of_port(system, unported, read.place.file, of_ros_1=read.name in _OF_ROS_1):
+                continue  # API002 says to port the file, or nobody does
             told = _finding(system.workspace, read)
             statement = getattr(source_code(system).statement_at(read.place), "span", None)
             imports = told.group == (read.place.file, _IMPORTS)

@@ -39,9 +39,16 @@ def is_of_rospy(call: RefusedCall) -> bool:
     return call.given == "rclpy" and bool(instead_of(call.api))
 
 
-def told_of_rospy(system: System) -> frozenset[str]:
-    """The files of which API002 says that they ask rclpy for functions of rospy."""
-    return frozenset(functions_of_rospy(judged_notes(system, lambda program: program.refused_calls)))
+def told_of_rospy(system: System) -> dict[str, set[str]]:
+    """The functions of rospy for which API002 says that files ask rclpy, by file."""
+    return functions_of_rospy(judged_notes(system, lambda program: program.refused_calls))
+
+
+def is_part_of_port(system: System, functions: Mapping[str, Collection[str]], file: str, *, of_ros_1: bool) -> bool:
+    """Whether a name that a file does not define is part of what its port is about: all names of a file that asks for
+    several functions of rospy; ``of_ros_1``, one of rospy itself, where API002 says so of the file, or no program comes
+    to it."""
+    return is_of_ros_1(functions, file) or (of_ros_1 and (file in functions or is_left_in_ros_1(system, file)))
 
 
 def is_of_ros_1(functions: Mapping[str, Collection[str]], file: str) -> bool:
@@ -78,6 +85,7 @@ __all__ = [
     "is_left_in_ros_1",
     "is_of_ros_1",
     "is_of_rospy",
+    "is_part_of_port",
     "of_one_port",
     "told_of_rospy",
 ]
