@@ -142,3 +142,31 @@ def test_a_parameter_and_a_future_in_a_method_that_nothing_calls(
         (tmp_path / name).write_text(text, encoding="utf-8")
     rows = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
     assert sorted(row.code for row in rows if row.place.file == "car/car/drive.py") == told
+
+
+@pytest.mark.parametrize(
+    ("rest", "entry", "told"),
+    [
+        ("", "", 0),
+        ("", ", 'brake = car.brake:main'", 1),
+        ("\n\nif __name__ == '__main__':\n    main()\n", "", 1),
+        ("\n\nrun = main\n", "", 1),
+    ],
+    ids=["nothing calls it", "an entry does", "the file does", "the file passes it on"],
+)
+def test_a_main_that_nothing_calls(tmp_path: Path, monkeypatch, rest: str, entry: str, told: int):
+    main = "\n\ndef main():\n    print(lost)\n"
+    files = {
+        "package.xml": manifest("car"),
+        "setup.py": SETUP.replace(":main']", f":main'{entry}]"),
+        "car/__init__.py": "",
+        "car/drive.py": CAR,
+        "car/brake.py": BRAKE + main + rest,
+        "archlint.toml": 'select = ["API005"]\n',
+    }
+    for name, text in files.items():
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    rows = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+    assert [finding.severity.label for finding in rows] == (["error"] if told else ["info"])  # one who learns has it

@@ -66,6 +66,7 @@ def _node(*lines: str) -> str:
         ("self.pub.publish(Sting())", "; did you mean 'String'?", "write String"),
         ("print(Int32())", "", "write `from std_msgs.msg import Int32`"),  # the file has others of that package
         ("print(Imu())", "", "write `from sensor_msgs.msg import Imu`"),
+        ("print(GoalStatus())", "", "write `from action_msgs.msg import GoalStatus`"),  # actionlib_msgs is of ROS 1
         ("print(Pose())", "", "write `from geometry_msgs.msg import Pose`"),  # turtlesim's is for those who use it
         ("print(JointTrajectory())", "", "define it, or remove the line"),  # of two packages
         ("name = raw_input()", "; did you mean 'input'?", "write input"),

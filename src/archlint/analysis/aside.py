@@ -259,9 +259,10 @@ def _launch_texts(workspace: WorkspaceIndex) -> list[str]:
 
 
 def _mentions_file(text: str, stem: str) -> bool:
-    """Whether ``stem.py``, or a module of that name in a package (``robot.stem``), stands anywhere in a file."""
-    name = re.escape(stem)
-    return stem in text and re.search(rf"(?<!\w){name}\.py(?!\w)|\w\.{name}(?![\w(])", text) is not None
+    """Whether ``stem.py``, or a module of that name in a package (``robot.stem``), stands anywhere in a file.  What a
+    launch file imports of launch is another one: ``launch.actions``."""
+    name, own = re.escape(stem), rf"\w(?<!\blaunch)(?<!\blaunch_ros)\.{re.escape(stem)}(?![\w(])"
+    return stem in text and re.search(rf"(?<!\w){name}\.py(?!\w)|{own}", text) is not None
 
 
 __all__ = [

@@ -29,6 +29,25 @@ def uncalled_method(workspace: WorkspaceIndex | None, place: Place) -> str | Non
     return None if is_called else function.name
 
 
+def uncalled_main(workspace: WorkspaceIndex | None, place: Place) -> str | None:
+    """``main`` where a place is in the function of that name of a module which does not call it, no installed program
+    starts with and no other file asks for it; None for any other place."""
+    file_facts = None if workspace is None else workspace.facts_at(place.file)
+    if workspace is None or file_facts is None or place.file in workspace.code.installed_programs:
+        return None
+    installs = workspace.installs.get(workspace.package_of(place.file) or "")
+    if installs is None or installs.open_executables:
+        return None
+    function = code_of(workspace).function_at(place)
+    if function is None or function.name != _MAIN or all(function is not each for each in file_facts.body):
+        return None
+    named = any(name.id == _MAIN for name in everything_in(file_facts.body, facts.Name))
+    return None if named or is_called_elsewhere(workspace, place.file, _MAIN) else _MAIN
+
+
+_MAIN = "main"
+
+
 def is_called_elsewhere(workspace: WorkspaceIndex, file: str, method: str) -> bool:
     """Whether another Python file may call a method of one: it has a word for both."""
     module, code = posixpath.basename(file).removesuffix(".py"), workspace.code
@@ -47,4 +66,4 @@ def _may_call(workspace: WorkspaceIndex, file: str, module: str, method: str) ->
     return not of_itself and module in workspace.code.reached_from([file])
 
 
-__all__ = ["is_called_elsewhere", "uncalled_method"]
+__all__ = ["is_called_elsewhere", "uncalled_main", "uncalled_method"]

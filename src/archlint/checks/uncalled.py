@@ -9,7 +9,7 @@ from archlint.analysis.aside import is_not_installed
 from archlint.analysis.closed_guards import is_switched_off
 from archlint.analysis.idle_helpers import is_idle_helper
 from archlint.analysis.left_over import is_named_nowhere
-from archlint.analysis.uncalled_methods import uncalled_method
+from archlint.analysis.uncalled_methods import uncalled_main, uncalled_method
 from archlint.analysis.unmet_choices import is_never_chosen
 from archlint.connections.lessons import is_lesson
 from archlint.finding import Severity
@@ -56,10 +56,12 @@ def once_where_uncalled(system: System, diagnostic: Finding) -> Iterator[Finding
 
 def uncalled_in_program(system: System, place: Place) -> str | None:
     """The name of the method of a program, or of a module that only programs of its own package may use, that holds a
-    place, where nothing calls it but methods of that kind."""
+    place, where nothing calls it but methods of that kind; ``main`` of a module that nothing starts."""
     is_program = any(program.executable and program.file == place.file for program in system.programs)
     is_program = is_program or is_not_installed(system.workspace, place.file) or _is_of_programs(system, place.file)
-    return uncalled_method(system.workspace, place) if is_program else None
+    if not is_program:
+        return None
+    return uncalled_method(system.workspace, place) or uncalled_main(system.workspace, place)
 
 
 def _is_of_programs(system: System, file: str) -> bool:

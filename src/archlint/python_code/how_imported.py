@@ -81,13 +81,15 @@ def _import_of_interface(workspace: WorkspaceIndex, name: str, file: str) -> str
     full = (full.split("/") for full in standard_interfaces.table().interfaces if full.endswith(f"/{name}"))
     common = [f"{package}.{kind}" for package, kind, _ in full]
     asked = {imported.module for imported in everything_in(code.body, facts.ImportFrom) if not imported.level}
-    usual = [module for module in common if module.partition(".")[0] not in _OF_LESSONS]
+    usual = [module for module in common if module.partition(".")[0] not in _FOR_FEW]
     modules = [*asked.intersection(own + common)] or own or usual
     return f"from {modules[0]} import {name}" if len(modules) == 1 else ""
 
 
-_OF_LESSONS = frozenset({"action_tutorials_interfaces", "example_interfaces", "turtlesim", "turtlesim_msgs"})
-"""Packages whose messages are meant where a file imports from them already."""
+_FOR_FEW = frozenset({"action_tutorials_interfaces", "example_interfaces", "turtlesim", "turtlesim_msgs"}) | {
+    "actionlib_msgs"
+}
+"""Packages of lessons and of ROS 1, whose messages are meant where a file imports from them already."""
 
 
 _WITH_A_FUNCTION_OF_THEIR_NAME = frozenset({"glob", "pprint"})
