@@ -857,3 +857,55 @@ def test_a_module_that_is_called_like_its_package(tmp_path, monkeypatch, entry: 
     monkeypatch.chdir(tmp_path)
     rows = check(Request((".",), Settings(), cached=False, jobs=1)).findings
     assert [finding.code for finding in rows if finding.code == "API005"] == ["API005"] * told
+
+
+OF_FILES = "from setuptools import setup\nsetup(name='robot', data_files=[('lib/robot', ['robot/arm_v1.4.0.py'])])\n"
+
+
+@pytest.mark.parametrize(
+    ("files", "told"),
+    [
+        ({"robot/arm_v1.4.0.py": "", "robot/arm_v1.10.py": ""}, 0),
+        ({"robot/arm_v1.4.0.py": "", "robot/arm_v1.3.9.py": ""}, 1),
+        ({"robot/arm_v1.4.0.py": ""}, 1),
+        ({"robot/arm_v1.4.0.py": "", "robot/arm_v2.py": "", "README.md": "python3 robot/arm_v1.4.0.py\n"}, 1),
+        ({"robot/arm_v1.4.0.py": "", "robot/arm_v2.py": "", "setup.py": OF_FILES}, 1),
+    ],
+    ids=["a later one", "an earlier one", "none", "told to run", "installed"],
+)
+def test_an_earlier_version_in_a_package(tmp_path, monkeypatch, files: dict[str, str], told: int):
+    code = (
+        "import rclpy\n\n\ndef main():\n    rclpy.init()\n    print(lost)\n\n\nif __name__ == '__main__':\n    main()\n"
+    )
+    package = {"package.xml": MANIFEST.strip(), "setup.py": "from setuptools import setup\nsetup(name='robot')\n"}
+    for name, text in {**package, **files, "robot/__init__.py": ""}.items():
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(code if name == "robot/arm_v1.4.0.py" else text, encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    rows = check(Request((".",), Settings(), cached=False, jobs=1)).findings
+    assert [finding.code for finding in rows if finding.code == "API005"] == ["API005"] * told
+
+
+def test_a_module_of_launch_names_no_file_of_a_package(tmp_path, monkeypatch):
+    """launch.actions is no actions.py of the package, robot.actions is."""
+    code = (
+        "import rclpy\n\n\ndef main():\n    rclpy.init()\n    print(lost)\n\n\nif __name__ == '__main__':\n    main()\n"
+    )
+    files = {
+        "package.xml": MANIFEST.strip(),
+        "setup.py": SETUP.replace("{more}", ""),
+        "robot/driver.py": "def main(): 1\n",
+        "robot/__init__.py": "",
+    }
+    launch = "from launch import LaunchDescription\nfrom launch.actions import ExecuteProcess\n\n\n"
+    launch += "def generate_launch_description():\n    return LaunchDescription([{}])\n"
+    for name, text in {**files, "robot/actions.py": code, "launch/robot.launch.py": launch.format("")}.items():
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    rows = check(Request((".",), Settings(), cached=False, jobs=1)).findings
+    assert [finding.severity for finding in rows if finding.code == "API005"] == [Severity.INFO]
+    started = launch.format("ExecuteProcess(cmd=['python3', '-m', 'robot.actions'])")
+    (tmp_path / "launch/robot.launch.py").write_text(started, encoding="utf-8")
+    rows = check(Request((".",), Settings(), cached=False, jobs=1)).findings
+    assert [finding.severity for finding in rows if finding.code == "API005"] == [Severity.ERROR]

@@ -17,9 +17,9 @@ from archlint.analysis.aside import is_aside
 from archlint.analysis.kept import once
 from archlint.launch.kinds import FileStatus
 from archlint.launch_files.launch_code import writes_files
+from archlint.packaging.foreign_launch_files import is_of_another_project
 from archlint.packaging.generated_files import is_ignored, submodule_around
 from archlint.place import Place
-from archlint.ros.packages import table
 from archlint.workspace.installed import MARKERS
 
 if TYPE_CHECKING:
@@ -52,7 +52,7 @@ def launch_files_left_out(workspace: WorkspaceIndex) -> Iterator[LaunchFilesLeft
             file for file in own if not any(installs.places_of(file)) and file not in files_told_already(workspace)
         ]
         missing = [file for file in missing if not any(map(installs.may_install, paths_below(installs, [file])))]
-        missing = [file for file in missing if not _is_of_another_project(workspace, installs.package, file)]
+        missing = [file for file in missing if not is_of_another_project(workspace, installs.package, file)]
         if place is None or not missing:
             continue
         told = {file: list(_told_at(workspace, installs.package, file)) for file in missing}
@@ -62,21 +62,6 @@ def launch_files_left_out(workspace: WorkspaceIndex) -> Iterator[LaunchFilesLeft
         if missing:
             places = tuple(place for file in missing for place in told[file])
             yield LaunchFilesLeftOut(installs.package, place, tuple(paths_below(installs, missing)), places)
-
-
-def _is_of_another_project(workspace: WorkspaceIndex, package: str, file: str) -> bool:
-    """Whether all that a launch file starts is of packages that are not here, that ROS does not have, and that its own
-    package does not ask for, which has programs of its own and is not named there: it came along with what the package
-    was copied from."""
-    launches = [launched for launched in workspace.launched if launched.file == file]
-    names = [started.package.text for launched in launches for started in launched.started]
-    manifest, installs = workspace.packages.get(package), workspace.installs[package]
-    if not names or manifest is None or not installs.executables or any(launched.included for launched in launches):
-        return False
-    if package in (workspace.tree.text(file) or ""):
-        return False
-    known = {*workspace.packages, *table().names, *(dependency.name for dependency in manifest.dependencies)}
-    return all(name is not None and name not in known for name in names)
 
 
 def _is_off_a_list(installs: Installs, own: Sequence[str], missing: Sequence[str]) -> bool:
@@ -203,7 +188,8 @@ def _programs(workspace: WorkspaceIndex) -> frozenset[str]:
     for path in workspace.tree.files_below(workspace.tree.top):
         text = workspace.tree.text(path) if _TEXTS.fullmatch(posixpath.basename(path)) else None
         for call in _PROGRAM.finditer(text or ""):
-            names.add(posixpath.basename(call[1]).removesuffix(".py").rpartition(".")[2])
+            stem = posixpath.basename(call[1]).removesuffix(".py")
+            names |= {stem, stem.rpartition(".")[2]}
     return frozenset(names)
 
 

@@ -41,19 +41,24 @@ def nothing_runs(workspace: WorkspaceIndex, file: str) -> bool:
     if kind == "interface":
         return _is_put_aside(workspace, file)
     return kind == "python" and (
-        _is_put_aside(workspace, file) or _is_spare_program(workspace, file) or _is_left_out(workspace, file)
+        _is_put_aside(workspace, file)
+        or _is_spare_program(workspace, file)
+        or _is_left_out(workspace, file)
+        or is_earlier_version(workspace, file)
     )
 
 
-_VERSION = re.compile(r"(?P<name>.*[\W_])(?P<word>v|ver|version)(?P<gap>[\W_]?)(?P<number>\d+)\.py", re.IGNORECASE)
+_VERSION = re.compile(
+    r"(?P<name>.*[\W_])(?P<word>v|ver|version)(?P<gap>[\W_]?)(?P<number>\d+(?:\.\d+)*)\.py", re.IGNORECASE
+)
 
 
 def is_earlier_version(workspace: WorkspaceIndex, file: str) -> bool:
-    """Whether a script outside of the packages is called a version of something, a later one lies beside it
+    """Whether a script that no build installs is called a version of something, a later one lies beside it
     (``pick v1.py``, ``pick v2.py``), and no code or document has a word for the earlier one."""
     folder, name = posixpath.split(file)
     version = _VERSION.fullmatch(name)
-    if version is None or workspace.package_of(file) is not None or file in workspace.code.in_use:
+    if version is None or file in workspace.code.in_use or _may_be_installed(workspace, file, name):
         return False
     beside = (posixpath.split(path) for path in workspace.tree.files_below(folder or "."))
     if not any(_follows(version, _VERSION.fullmatch(other)) for place, other in beside if place == folder):
@@ -62,9 +67,21 @@ def is_earlier_version(workspace: WorkspaceIndex, file: str) -> bool:
     return all(path == file for path in mentions) and not is_told_to_run(workspace, file)
 
 
+def _may_be_installed(workspace: WorkspaceIndex, file: str, name: str) -> bool:
+    package = workspace.package_of(file)
+    installs = None if package is None else workspace.installs.get(package)
+    if package is None or installs is None:
+        return package is not None
+    return installs.open_executables or name in installs.words or any(_may_take(row, file) for row in installs.files)
+
+
 def _follows(version: re.Match[str], other: re.Match[str] | None) -> bool:
     same = other is not None and other["name"].lower() == version["name"].lower()
-    return other is not None and same and int(other["number"]) > int(version["number"])
+    return other is not None and same and _parts(other) > _parts(version)
+
+
+def _parts(version: re.Match[str]) -> list[int]:
+    return [int(part) for part in version["number"].split(".")]
 
 
 def is_run_by_hand(workspace: WorkspaceIndex, file: str) -> bool:
