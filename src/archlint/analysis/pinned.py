@@ -71,6 +71,12 @@ def is_for_humble_or_newer(workspace: WorkspaceIndex) -> bool:
     return _is_among(_named_or_told(workspace), frozenset(_SINCE_HUMBLE), but_not=tuple(_OLDER))
 
 
+def is_from_humble_to_jazzy(workspace: WorkspaceIndex) -> bool:
+    """Whether a workspace is for humble, iron or jazzy, and for none before or after, by the same evidence."""
+    later = DISTROS[DISTROS.index("jazzy") + 1 :]
+    return _is_among(_named_or_told(workspace), frozenset({"humble", "iron", "jazzy"}), but_not=(*_OLDER, *later))
+
+
 def is_on_focal(workspace: WorkspaceIndex) -> bool:
     """Whether a workspace is for a distribution on Ubuntu 20.04 and for none that came later, by the same evidence."""
     return _is_among(_named_or_told(workspace), _ON_FOCAL, but_not=_SINCE_HUMBLE)

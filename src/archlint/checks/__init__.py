@@ -53,6 +53,7 @@ MODULES: tuple[str, ...] = (
     "remappings",
     "sequences",
     "scripts",
+    "second_shutdowns",
     "script_folders",
     "service_cycles",
     "signatures",

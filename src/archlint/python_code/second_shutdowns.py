@@ -1,0 +1,104 @@
+"""Programs that shut rclpy down after Ctrl-C, when its signal handler has done so.
+
+Source: ``rclpy.init()`` installs a handler that shuts down every context at SIGINT and SIGTERM, before the spin of the
+main thread ends with KeyboardInterrupt.  ``Context.shutdown`` in rclpy/context.py raises RCLError then ("rcl_shutdown
+already called"), in humble and jazzy; ``rclpy.try_shutdown()`` does not.  Tried with rclpy of jazzy, and of kilted,
+which says nothing.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
+
+from archlint.analysis.kept import kept_for_each_file
+from archlint.place import Place
+from archlint.syntax import facts
+from archlint.syntax.parts import everything_in
+from archlint.syntax.walk import calls_in, statements_of
+
+if TYPE_CHECKING:
+    from archlint.systems.model import WorkspaceIndex
+
+RAISING = frozenset({"humble", "jazzy"})
+"""The distributions whose ``rclpy.shutdown()`` raises an error the second time."""
+_SPINS = frozenset({"spin", "spin_once", "spin_until_future_complete"})
+_INTERRUPT = frozenset({"KeyboardInterrupt", "BaseException"})
+_OF_SIGNALS = frozenset(
+    {"SignalHandlerOptions", "install_signal_handlers", "signal", "signal_handler_options", "uninstall_signal_handlers"}
+)
+"""Words of a program that has its own way with signals."""
+_LEAVES = frozenset({"exit", "_exit", "quit", "init"})
+"""Calls after which the program does not come further, or has a context again."""
+
+
+def second_shutdowns(workspace: WorkspaceIndex) -> Iterator[Place]:
+    """Every such ``rclpy.shutdown()`` in the files that were asked for, outside of test code."""
+    for path in workspace.python_files(mentioning="shutdown"):
+        for span in _shutdowns(workspace, path) or ():
+            yield Place(path, *span)
+
+
+@kept_for_each_file
+def _shutdowns(code: facts.Facts) -> list[facts.Span]:
+    if not _OF_SIGNALS.isdisjoint(code.names):
+        return []
+    targets = [
+        argument.value
+        for call in everything_in(code.body, facts.Call)
+        for argument in call.args
+        if argument.keyword == "target"
+    ]
+    threads = {target.last_name for target in targets}
+    spans = [*_in_block(code.body)]
+    for function in everything_in(code.body, facts.Function):
+        if function.name not in threads:
+            spans += _in_block(function.body)
+    return [*dict.fromkeys(spans)]
+
+
+def _in_block(block: Sequence[facts.Stmt]) -> Iterator[facts.Span]:
+    """The shutdowns behind the spins of a block and of those inside, but for functions and classes in it."""
+    for at, statement in enumerate(block):
+        if isinstance(statement, (facts.Function, facts.Class)):
+            continue
+        if isinstance(statement, facts.Try) and _spins(statement.body):
+            yield from _behind(statement, block[at + 1 :])
+        for inner in statement.blocks:
+            yield from _in_block(inner)
+
+
+def _behind(attempt: facts.Try, after: Sequence[facts.Stmt]) -> Iterator[facts.Span]:
+    """The first shutdown that a program comes to when Ctrl-C ends the spin in a ``try``."""
+    catching = [handler for handler in attempt.handlers if handler.type is None or handler.caught & _INTERRUPT]
+    goes_on = bool(catching) and not any(_leaves(statement) for statement in statements_of(catching[0].body))
+    ways = [*(handler.body for handler in catching[:1]), attempt.final, *([after] if goes_on else [])]
+    shutdowns = (_first_shutdown(way) for way in ways)
+    yield from [span for span in shutdowns if span is not None][:1]
+
+
+def _first_shutdown(statements: Sequence[facts.Stmt]) -> facts.Span | None:
+    for statement in statements:
+        match statement:
+            case facts.Expression(value=facts.Call(args=[]) as call) if call.func.dotted == "rclpy.shutdown":
+                return call.span
+        if _leaves(statement):
+            return None
+    return None
+
+
+def _leaves(statement: facts.Base) -> bool:
+    """Whether code does not come behind a statement, or what it does there is another matter."""
+    if isinstance(statement, (facts.Return, facts.Raise)) or (
+        isinstance(statement, facts.Jump) and statement.kind != "pass"
+    ):
+        return True
+    return any(call.func.last_name in _LEAVES for call in calls_in(statement))
+
+
+def _spins(body: Sequence[facts.Stmt]) -> bool:
+    calls = (call for statement in statements_of(body) for call in calls_in(statement))
+    return any(call.func.attribute in _SPINS for call in calls)
+
+
+__all__ = ["RAISING", "second_shutdowns"]
