@@ -45,6 +45,12 @@ def test_a_first_line_that_ends_as_on_windows(findings, tmp_path):
     assert finding.help == "save the file with Unix line endings"
 
 
+def test_a_template_that_nothing_starts(findings):
+    here = {**HERE, "CMakeLists.txt": SCRIPTS.replace("drive", "drive_template")}
+    assert findings("PKG006", **here, **{"scripts/drive_template.py": DRIVE + GUARD}) == []
+    assert findings("PKG006", node(exec="drive_template.py"), **here, **{"scripts/drive_template.py": DRIVE + GUARD})
+
+
 def test_several_scripts_of_a_package_are_one_finding(findings):
     install = "install(PROGRAMS scripts/drive.py scripts/stop.py DESTINATION lib/robot)\n"
     scripts = {f"scripts/{name}.py": DRIVE + GUARD for name in ("drive", "stop")}

@@ -57,9 +57,14 @@ def unstartable_scripts(workspace: WorkspaceIndex) -> Iterator[Unstartable]:
             if first.startswith("#!") and not first.endswith("\r"):
                 continue
             at = started.get((package, executable.name))
-            by_hand = not is_an_exercise(text) and _is_program(workspace, executable, script)
+            by_hand = not _is_to_be_copied(script, text) and _is_program(workspace, executable, script)
             if (at is not None or by_hand) and not _has_python(workspace, script):
                 yield Unstartable(executable, script, first.startswith("#!"), at, _line_below(text))
+
+
+def _is_to_be_copied(script: str, text: str) -> bool:
+    """Whether a script is there for others to go on from: an exercise, or ``node_template.py``."""
+    return is_an_exercise(text) or "template" in posixpath.basename(script).removesuffix(".py").lower().split("_")
 
 
 def _line_below(text: str) -> int:
