@@ -151,6 +151,11 @@ def test_an_import_for_what_it_does(judge: Judge, line: str, help: str):
     assert finding.help == help
 
 
+def test_a_module_of_a_version_that_ubuntu_does_not_have(judge: Judge):
+    assert judge("import cv2\ncv2.aruco.ArucoDetector(None)") == []
+    assert len(judge("import cv2\ncv2.aruco.detectMarkers(None)")) == 1
+
+
 def test_a_test_dependency_is_not_installed_with_the_node(judge: Judge):
     assert len(judge("import serial", "<test_depend>python3-serial</test_depend>")) == 1
 

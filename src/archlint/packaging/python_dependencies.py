@@ -60,6 +60,8 @@ def modules_to_declare(
         key = None if module in sys.stdlib_module_names else python_modules.key_of(module)
         if key is None or not all(rosdep.is_on(key, release) for release in releases):
             continue
+        if _is_newer_than_ubuntu(workspace, module):
+            continue
         if not _is_judged(workspace, statement.file):
             used_apart |= set() if unused else {(statement.file.package, module)}
             continue
@@ -97,6 +99,15 @@ def _without_brought(uses: Sequence[ModuleUse]) -> list[ModuleUse]:
     and what apt has beside it is a second copy."""
     by_pip = {use.module for use in uses if use.key.endswith("-pip") and not use.unused}
     return [use for use in uses if by_pip.isdisjoint(python_modules.brought_by_pip(use.module))]
+
+
+def _is_newer_than_ubuntu(workspace: WorkspaceIndex, module: str) -> bool:
+    """Whether some code uses what a module has only since a version newer than that of Ubuntu: pip brings it."""
+    return any(workspace.code.files_that_mention(name) for name in _SINCE_PIP.get(module, ()))
+
+
+_SINCE_PIP: Mapping[str, tuple[str, ...]] = {"cv2": ("ArucoDetector", "CharucoDetector", "generateImageMarker")}
+"""Names that came with OpenCV 4.7, where Ubuntu 24.04 has 4.6.  Source: the changes of OpenCV 4.7.0."""
 
 
 def _is_named_apart(workspace: WorkspaceIndex, package: str, module: str) -> bool:
