@@ -10,7 +10,7 @@ from textwrap import dedent
 import pytest
 
 from archlint.finding import Severity
-from robot_package import node
+from robot_package import SETUP, node
 
 LOAD_IT = node('<param from="$(find-pkg-share robot)/config/p.yaml"/>', name="talker")
 
@@ -296,6 +296,20 @@ def test_a_file_that_no_launch_file_gives_to_a_node(findings, text):
         (),
     )
     assert told.message.startswith(message)
+
+
+@pytest.mark.parametrize(
+    ("files", "severity"),
+    [
+        ({}, Severity.INFO),
+        ({"README.md": "Run it with `--params-file params/p.yaml`.\n"}, Severity.WARNING),
+        ({"setup.py": SETUP.replace("glob('config/*')", "glob('params/*')")}, Severity.WARNING),
+    ],
+)
+def test_a_file_that_is_neither_given_to_a_node_nor_installed(findings, files, severity):
+    text = "talker:\n  ros_parameters:\n    rate: 1.0"
+    (told,) = findings("PRM009", node(name="talker"), **{"params/p.yaml": text}, **files)
+    assert told.severity is severity
 
 
 @pytest.mark.parametrize(

@@ -87,6 +87,36 @@ def test_copies_that_differ_in_numbers_are_one_finding():
     assert sleeps(jobs=3) == [finding]
 
 
+LAUNCH = """from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    site = DeclareLaunchArgument('site', default_value='11')
+    return LaunchDescription([site, Node(package='turtlesim', executable='turtlesim_node')])
+"""
+
+
+def unread_arguments() -> list[Finding]:
+    report = check(Request((".",), Settings(), cached=False, jobs=1))
+    return [finding for finding in report.findings if finding.code == "LCH011"]
+
+
+def test_a_copy_outside_of_all_packages_is_told_with_the_original():
+    write("trucks/launch/truck.launch.py", LAUNCH)
+    write("bench/my_truck.launch.py", "# as it was\n" + LAUNCH)
+    [finding] = unread_arguments()
+    assert finding.place.file == "trucks/launch/truck.launch.py"
+    copies = [(row.place.file, row.place.line) for row in finding.related if row.message == AGAIN]
+    assert copies == [("bench/my_truck.launch.py", 8)]
+    write("bench/my_truck.launch.py", LAUNCH.replace("[", "[ "))
+    assert [row.place.file for row in unread_arguments()] == [
+        "bench/my_truck.launch.py",
+        "trucks/launch/truck.launch.py",
+    ]
+
+
 def test_another_function_of_the_file_may_be_another():
     write("trucks/trucks/truck_11.py", TRUCK)
     write("trucks/trucks/truck_12.py", TRUCK.replace("11", "12").replace("info(message.data)", "warn('stop')"))

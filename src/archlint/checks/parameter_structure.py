@@ -26,7 +26,7 @@ from archlint.launch_files.refused_parameter_files import (
     refused_values,
     set_twice,
 )
-from archlint.launch_files.unloaded_parameter_files import misplaced_in_unloaded, twice_in_unloaded
+from archlint.launch_files.unloaded_parameter_files import has_no_reader, misplaced_in_unloaded, twice_in_unloaded
 from archlint.suggestions import listed
 
 if TYPE_CHECKING:
@@ -52,9 +52,10 @@ def given_by_several_launch_files(several: Sequence[Finding]) -> Finding:
 def _in_unloaded(system: System, workspace: WorkspaceIndex) -> Iterator[Finding]:
     """What is wrong with the files that no launch file here gives to a node: asked once, with the open system."""
     if system.launched is None:
-        for key in misplaced_in_unloaded(workspace):
-            yield replace(_misplaced(system, key), severity=Severity.WARNING)
-        yield from map(_twice, twice_in_unloaded(workspace))
+        told = [replace(_misplaced(system, key), severity=Severity.WARNING) for key in misplaced_in_unloaded(workspace)]
+        for diagnostic in (*told, *map(_twice, twice_in_unloaded(workspace))):
+            unread = has_no_reader(workspace, diagnostic.place.file)
+            yield replace(diagnostic, severity=Severity.INFO) if unread else diagnostic
 
 
 def _misplaced(system: System, key: MisplacedIn) -> Finding:

@@ -6,6 +6,7 @@ import re
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
+from functools import cache
 from typing import TYPE_CHECKING
 
 from archlint.checks.folding import all_sites, with_others
@@ -79,6 +80,7 @@ def once_for_copied_code(
     """
     alike: dict[tuple[object, ...], list[Finding]] = {}
     once: dict[tuple[object, ...], Finding] = {}
+    code_of = cache(code_around)
     for finding in sorted(findings, key=lambda finding: finding.sort_key):
         once.setdefault((finding.code, finding.place, finding.message), finding)  # two readers of a file may say it
     for finding in once.values():
@@ -89,8 +91,41 @@ def once_for_copied_code(
         if len({finding.place.file for finding in several}) == 1:
             shown += several
         else:
-            shown += (_of_copied_code(row) for row in _by_code(several, code_around))
+            shown += (_of_copied_code(row) for row in _by_code(several, code_of))
+    shown = _with_loose_copies(shown, package_of, code_of)
     return sorted(shown, key=lambda finding: finding.sort_key)
+
+
+def _with_loose_copies(
+    findings: Sequence[Finding],
+    package_of: Callable[[str], str | None],
+    code_around: Callable[[Place], tuple[str, int] | None],
+) -> list[Finding]:
+    """The findings without those in a copy that lies outside of all packages: they are related to that of the same
+    function in a package, which is what somebody builds."""
+    loose = [finding for finding in findings if package_of(finding.place.file) is None]
+    if not loose or len(loose) == len(findings):
+        return [*findings]
+    said = {(finding.code, finding.message) for finding in loose}
+    originals: dict[tuple[object, ...], int] = {}
+    shown = [finding for finding in findings if package_of(finding.place.file) is not None]
+    for number, finding in enumerate(shown):
+        if (finding.code, finding.message) in said:
+            originals.setdefault((finding.code, finding.message, *_of_function(finding, code_around)), number)
+    for copy in loose:
+        number = originals.get((copy.code, copy.message, *_of_function(copy, code_around)), -1)
+        if number < 0:
+            shown.append(copy)
+        else:
+            told = Related(copy.place, "the same in a copy of this code")
+            shown[number] = replace(shown[number], related=(*shown[number].related, told))
+    return shown
+
+
+def _of_function(finding: Finding, code_around: Callable[[Place], tuple[str, int] | None]) -> tuple[str, int]:
+    """The text of the function that a finding is in, and its line there."""
+    text, begin = code_around(finding.place) or ("", 0)
+    return (text, finding.place.line - begin) if text else (finding.place.file, 0)
 
 
 def _by_code(

@@ -50,6 +50,27 @@ def twice_in_unloaded(workspace: WorkspaceIndex) -> Iterator[SetTwice]:
         yield from set_twice_in(file, None, None, facts)
 
 
+def has_no_reader(workspace: WorkspaceIndex, file: str) -> bool:
+    """Whether nobody is seen to read such a file: no package installs it, and no text for people names it."""
+    installs = workspace.installs.get(workspace.package_of(file) or "")
+    if installs is None or installs.open_files or any(True for _ in installs.places_of(file)):
+        return False
+    below, name = f"{installs.folder}/", posixpath.basename(file)
+    if installs.may_install(file.removeprefix(below)):
+        return False
+    return not any(name in text for text in _told(workspace))
+
+
+_TELLS = re.compile(r"(?:^|/)(?:README[^/]*|[^/]*\.(?:md|rst|sh|bash|txt)|[Dd]ockerfile[^/]*|Makefile)$", re.IGNORECASE)
+"""What says how something is started."""
+
+
+@once
+def _told(workspace: WorkspaceIndex) -> list[str]:
+    tree = workspace.tree
+    return [tree.text(path) or "" for path in tree.files_below(tree.top) if _TELLS.search(path)]
+
+
 def _is_meant(wrong: Misplaced) -> bool:
     return wrong.kind is not Misplacement.MISSPELT or _MISSPELT.match(f" {wrong.key}:") is not None
 
@@ -90,4 +111,4 @@ def _is_named_in_code(workspace: WorkspaceIndex, file: str) -> bool:
     return any(workspace.code.mentions(path, name) for path in workspace.code.files_that_mention("yaml"))
 
 
-__all__ = ["is_template", "misplaced_in_unloaded", "twice_in_unloaded"]
+__all__ = ["has_no_reader", "is_template", "misplaced_in_unloaded", "twice_in_unloaded"]
