@@ -86,6 +86,13 @@ def test_a_path_that_is_right_once_the_folder_is_installed(findings, folders: st
     assert [one.message for one in other] == ["package 'robot' has no parameter file 'config/tall.yaml'"]
 
 
+@pytest.mark.parametrize(("robot", "told"), [("", 0), ("turtle", 1)])
+def test_a_folder_that_whoever_launches_it_has_to_name(findings, robot: str, told: int):
+    argument = f'<arg name="model" default="{robot}"/>'
+    inner = '<param from="$(find-pkg-share robot)/robots/$(var model)/ekf.yaml"/>'
+    assert len(findings("LCH004", argument + node(inner))) == told
+
+
 @pytest.mark.parametrize(
     ("others", "said"), [(["arm"], "; 'arm' has a file of that path"), (["arm", "leg"], ""), ([], "")]
 )

@@ -131,3 +131,55 @@ def test_another_class_has_a_publisher_of_that_name(
     monkeypatch.chdir(tmp_path)
     (tmp_path / "archlint.toml").write_text('select = ["OWN001"]')
     assert len(check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings) == told
+
+
+COMPONENT = """
+#include "rclcpp/rclcpp.hpp"
+#include "rclcpp_components/register_node_macro.hpp"
+#include "std_msgs/msg/float64.hpp"
+class Counter : public rclcpp::Node {
+public:
+  explicit Counter(const rclcpp::NodeOptions & options) : Node("counter", options) {
+    pub_ = create_publisher<std_msgs::msg::Float64>("count", 1);
+    timer_ = create_wall_timer(std::chrono::seconds(1), [this]() { pub_->publish(std_msgs::msg::Float64()); });
+  }
+private:
+  rclcpp::Publisher<std_msgs::msg::Float64>::SharedPtr pub_;
+  rclcpp::TimerBase::SharedPtr timer_;
+};
+RCLCPP_COMPONENTS_REGISTER_NODE(Counter)
+"""
+LIBRARY = """
+project(parts)
+add_library(counter SHARED src/counter.cpp)
+rclcpp_components_register_nodes(counter "Counter")
+install(TARGETS counter LIBRARY DESTINATION lib)
+install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})
+"""
+LOADED = '<composable_node pkg="parts" plugin="Counter" name="{}">{}</composable_node>'
+
+
+@pytest.mark.parametrize(
+    ("given", "told"),
+    [("", 0), ('<param name="step" value="2.0"/>', 1), ('<remap from="other" to="that"/>', 1)],
+    ids=["alike in all", "with a parameter", "with a remapping"],
+)
+def test_a_component_that_is_loaded_twice_says_the_same(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, given: str, told: int
+):
+    """Nothing tells the two apart but their names: whoever loads both shows that this can be done."""
+    loaded = LOADED.format("first", "") + LOADED.format("second", given)
+    container = f'<node_container pkg="rclcpp_components" exec="component_container" name="box">{loaded}'
+    files = {
+        "package.xml": manifest("parts", build_type="ament_cmake"),
+        "CMakeLists.txt": LIBRARY,
+        "src/counter.cpp": COMPONENT,
+        "launch/both.launch.xml": f"<launch>{container}</node_container></launch>",
+        "archlint.toml": 'select = ["OWN001"]',
+    }
+    for path, text in files.items():
+        file = tmp_path / path
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(text)
+    monkeypatch.chdir(tmp_path)
+    assert len(check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings) == told

@@ -154,6 +154,17 @@ def test_the_subscription_that_disagrees_with_the_publisher_is_told():
     assert [related.message.split()[0] for related in finding.related] == ["/a", "/c"]
 
 
+def test_an_end_that_has_a_partner_of_its_type_is_not_what_is_wrong():
+    """A bridge is given the wrong type, and another one in the same launch file the right one."""
+    wrong = node("/bridge", subscriber("x", "p/msg/Two"), publisher("x", "p/msg/Two"))
+    right, source = node("/other", subscriber("x", "p/msg/One")), node("/z", publisher("x", "p/msg/One"))
+
+    [finding] = found(topic_type_mismatch, system(wrong, right, source, name="launch/all.launch.py"))
+
+    assert finding.node == "/bridge"
+    assert finding.message.startswith("/bridge publishes '/x' as p/msg/Two, but /other subscribes to it as p/msg/One")
+
+
 def test_arms_of_one_branch_are_never_both_there():
     judged = system(
         node(

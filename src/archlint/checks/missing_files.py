@@ -61,7 +61,7 @@ def missing_launch_file(system: System, options: Options) -> Iterator[Finding]:
     for reference in references:
         if reference.status not in (FileStatus.MISSING, FileStatus.NOT_INSTALLED) or reference.optional:
             continue
-        if reference not in mixed:
+        if reference not in mixed and not _lacks_a_part(reference):
             uses.setdefault((_decided_at(reference), reference.written), []).append(reference)
     for (place, written), references in uses.items():
         [reference, *others] = sorted(references, key=_by_kind)
@@ -163,6 +163,12 @@ def _mixtures(references: Sequence[FileReference]) -> set[FileReference]:
         complete = {reference.package for reference in uses if reference.status == FileStatus.INSTALLED}
         mixed |= {use for use in uses if use.package in complete and len(packages[_path(use)]) > 1}
     return mixed
+
+
+def _lacks_a_part(reference: FileReference) -> bool:
+    """Whether a folder in the middle of a path is empty, as ``robots//config`` where an argument has the default '':
+    whoever launches the file is to say which."""
+    return "//" in _below_package(reference.written or "")
 
 
 def _path(reference: FileReference) -> str:

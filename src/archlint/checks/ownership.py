@@ -16,7 +16,15 @@ from archlint.connections.echoes import is_driven, repeats
 from archlint.connections.hand_overs import hand_over
 from archlint.connections.happenings import are_events, are_requests
 from archlint.connections.owners import several_owners, some_coexist
-from archlint.connections.sharing import are_of_one_class, are_words, is_bus, is_named_a_command, is_state, overrides
+from archlint.connections.sharing import (
+    are_of_one_class,
+    are_words,
+    is_bus,
+    is_named_a_command,
+    is_state,
+    overrides,
+    say_the_same,
+)
 from archlint.connections.streams import is_at_it_all_the_time, sends_again_and_again, waits_for_nobody
 from archlint.connections.switched_off import switch_of
 from archlint.connections.taken_in import ask_with_true, say_whose
@@ -56,7 +64,7 @@ def multiple_publishers(system: System, options: Options) -> Iterator[Finding]:
 
 def _is_meant(system: System, connection: Connection, owners: list[Endpoint]) -> bool:
     """Whether several nodes are there to publish a topic, or do not do so at once."""
-    if is_bus(system.workspace, connection, owners) or say_whose(system, owners):
+    if is_bus(system.workspace, connection, owners) or say_whose(system, owners) or say_the_same(owners):
         return True
     if any(end.node.program is not None and end.node.program.exhausted for end in owners):
         return True  # the run ended before all that it publishes was seen, and on which occasions

@@ -216,11 +216,12 @@ def _one_type(end: Endpoint, other: Endpoint) -> bool:
 
 def _mismatch(code: str, connection: Connection, pairs: list[tuple[Endpoint, Endpoint]]) -> Finding:
     """One finding for two types of one name: at the endpoint that comes last in the source, of those that disagree with
-    the other side, if any do."""
+    the other side, if any do; what has a partner of its own type is not what is wrong."""
     ends = in_source_order({id(end): end for pair in pairs for end in pair}.values())
     across = [pair for pair in pairs if pair[0].kind != pair[1].kind] or pairs
-    last = in_source_order({id(end): end for pair in across for end in pair}.values())[-1]
-    against = [endpoint for endpoint, other in across if other is last]
+    disagreeing = in_source_order({id(end): end for pair in across for end in pair}.values())
+    last = ([end for end in disagreeing if not _has_partner(connection, end)] or disagreeing)[-1]
+    against = [far for pair in across for end, far in (pair, pair[::-1]) if end is last]
     rest = [end for end in ends if end is not last and end not in against]
     return finding(
         code,
@@ -235,6 +236,12 @@ def _mismatch(code: str, connection: Connection, pairs: list[tuple[Endpoint, End
         identity=(connection.kind, connection.name, *sorted({end.type or "" for end in ends})),
         group=(str(last.place), against[0].place.file, last.type or "", against[0].type or ""),
     )
+
+
+def _has_partner(connection: Connection, end: Endpoint) -> bool:
+    """Whether another node has the other end of a connection for an end, with its type."""
+    others = connection.users if end in connection.providers else connection.providers
+    return any(other.type == end.type and other.node is not end.node for other in others)
 
 
 @folds("TOP001")

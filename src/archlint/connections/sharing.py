@@ -37,7 +37,10 @@ _TO_LOOK_AT = frozenset({"debug"})
 _SWITCH = "std_msgs/msg/Bool"
 _WORDS = frozenset({"std_msgs/msg/Empty", "std_msgs/msg/String"})
 """Messages that each stand for themselves, unless the topic's name says that they are a state."""
-_WHO = ("agent", "boat", "car", "device", "drone", "node", "robot", "sender", "source", "uav", "unit", "vehicle")
+_WHO = (
+    *("agent", "boat", "car", "device", "drone", "node", "resource", "robot", "sender", "source"),
+    *("uav", "unit", "vehicle"),
+)
 SENDERS = ("id", "node", "sender", "source", *(f"{who}_{what}" for who in _WHO for what in ("id", "name")))
 """Fields that say whose a message is, or of what: such messages add up."""
 _MANY = 4
@@ -139,6 +142,17 @@ def are_of_one_class(ends: Sequence[Endpoint]) -> bool:
     return len({_class_of(end.node) for end in ends}) == 1
 
 
+def say_the_same(ends: Sequence[Endpoint]) -> bool:
+    """Whether a launch file loads one component several times and gives none of them anything but a name: what they
+    send is the same, as where a lesson shows that this can be done."""
+    starts = [end.node.started for end in ends]
+    alike = all(
+        start is not None and start.container is not None and not (start.remaps or start.parameters or start.namespace)
+        for start in starts
+    )
+    return alike and are_of_one_class(ends) and len({end.place for end in ends}) == 1
+
+
 def _class_of(node: Node) -> object:
     return node if node.blueprint is None else key_of(node.blueprint)
 
@@ -162,4 +176,5 @@ __all__ = [
     "is_named_a_command",
     "is_state",
     "overrides",
+    "say_the_same",
 ]
