@@ -382,3 +382,12 @@ def test_interfaces_of_one_package_are_one_finding(beside_interfaces):
 )
 def test_what_a_package_of_interfaces_has_or_may_have(beside_interfaces, line: str, files: dict[str, str]) -> None:
     assert not beside_interfaces(line, files)
+
+
+def test_a_module_that_is_called_like_its_package(said: Callable[..., list[Finding]]) -> None:
+    """robot/robot/robot.py is robot.robot, and no other name for robot."""
+    robot = "class Arm:\n    pass\n"
+    assert said("from robot.robot import Arm", **{"robot/robot.py": robot}) == []
+    assert said("import robot.robot", **{"robot/robot.py": robot}) == []
+    (finding,) = said("from robot.robot import Leg", **{"robot/robot.py": robot})
+    assert finding.message == "robot.robot has no 'Leg': the import fails with an ImportError"

@@ -27,6 +27,8 @@ def installed_name(workspace: WorkspaceIndex, file: SourceFile, module: str) -> 
     """The name under which the module is installed that an import means by the path of its file; None where it means
     none so, where Python may find it all the same, and where that is not known."""
     parts = module.split(".")
+    if module in workspace.code.modules:
+        return None  # robot/robot/robot.py is robot.robot
     for end in range(1, len(parts)):
         name = ".".join(parts[end:])
         path = workspace.code.file_of_import(file.relative, name) if name in workspace.code.modules else None
