@@ -158,6 +158,25 @@ def test_the_sleeps_of_a_loop_that_is_known_are_summed_up(run: Run):
     assert "sleeps for 0.5 s in each iteration of a loop, up to 1 s in all" in found.message
 
 
+@pytest.mark.parametrize(
+    ("test", "in_all"),
+    [
+        ("attempt < 3", 3),
+        ("attempt != 3", 3),
+        ("attempt >= 2", 2),
+        ("attempt > 1 and attempt < 3", 4),  # which is not looked into
+        ("read()", 4),
+    ],
+)
+def test_a_loop_that_does_not_sleep_in_each_round(run: Run, test: str, in_all: int):
+    body = f"for attempt in range(4):\n        if {test}:\n            time.sleep(0.5)"
+    [found] = run(source(TIMER, timer(body)))
+    assert f"sleeps for 0.5 s in each iteration of a loop, up to {in_all * 0.5:g} s in all" in found.message
+    other = body.replace(test, "attempt == 3").replace("time.sleep", "read()\n        else:\n            time.sleep")
+    [found] = run(source(TIMER, timer(other)))
+    assert "up to 1.5 s in all" in found.message
+
+
 START = """
 def begin(self):
     {first}

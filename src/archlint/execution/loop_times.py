@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 import math
+import operator
+from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING
 
 from archlint.execution.collection_sizes import most_items
 from archlint.syntax import facts
-from archlint.syntax.parts import names_in
+from archlint.syntax.flow_facts import covers
+from archlint.syntax.parts import everything_in, names_in
+from archlint.syntax.tree import span_of
 from archlint.syntax.walk import called_name
 
 if TYPE_CHECKING:
@@ -38,7 +42,11 @@ def in_loops(
     seconds = stay.seconds
     loops = [code.loop_at(place) for place in call.loops]
     for loop, limit in reversed(tuple(zip(loops, call.limits, strict=True))):
-        seconds = seconds * _times(code, call.file, loop, unknown) if limit is None else max(seconds, limit)
+        if limit is not None:
+            seconds = max(seconds, limit)
+            continue
+        rounds = _rounds_that_come_to(code, call, loop)
+        seconds *= _times(code, call.file, loop, unknown) if rounds is None else rounds
     for place in call.enclosing_loops[: max(0, len(call.enclosing_loops) - len(call.loops))]:
         seconds *= _iterations_at(code, place, unknown) if with_callers else math.inf
     seconds = seconds if stay.seconds > 0 else 0.0
@@ -60,13 +68,53 @@ def _times(code: SourceCode, file: str, loop: Loop | None, unknown: float) -> fl
         return math.inf
     if loop.tests:
         return 1.0 if not _RUNS_EMPTY.isdisjoint(names_in(loop.tests)) else math.inf
-    match loop.head:
+    if isinstance(loop.head, facts.Call) and loop.head.args and called_name(loop.head) == "range":
+        numbers = _range_of(loop.head)
+        return unknown if numbers is None else len(numbers)
+    items = most_items(loop.head, file_facts)
+    return unknown if items is None else items
+
+
+def _range_of(head: facts.Expr | None) -> range | None:
+    """The numbers of ``range(3)``, where they stand there."""
+    match head:
         case facts.Call(args=given) as call if given and called_name(call) == "range":
             bounds = [argument.value.value for argument in given if isinstance(argument.value, facts.Literal)]
             numbers = [bound for bound in bounds if isinstance(bound, int)]
-            return len(range(*numbers)) if len(numbers) == len(given) else unknown
-    items = most_items(loop.head, file_facts)
-    return unknown if items is None else items
+            return range(*numbers) if len(numbers) == len(given) else None
+    return None
+
+
+_COMPARED: Mapping[str, Callable[[int, int], bool]] = {
+    "<": operator.lt,
+    "<=": operator.le,
+    ">": operator.gt,
+    ">=": operator.ge,
+    "==": operator.eq,
+    "!=": operator.ne,
+}
+
+
+def _rounds_that_come_to(code: SourceCode, call: ApiCall, loop: Loop | None) -> int | None:
+    """How many rounds of a ``for`` over numbers come to a call that a test of the number is before: ``if attempt < 2``.
+    None where no test says that."""
+    numbers = None if loop is None else _range_of(loop.head)
+    if loop is None or numbers is None:
+        return None
+    left = [*numbers]
+    for statement in everything_in(code.body(call), facts.For):
+        if span_of(statement.iterable) != span_of(loop.head):
+            continue
+        for branch in everything_in(statement.body, facts.If):
+            match branch.test:
+                case facts.Compare(
+                    left=facts.Name(id=name), ops=[op], comparators=[facts.Literal(value=int(bound))]
+                ) if op in _COMPARED and name == statement.target.variable:
+                    inside = any(covers(each, call.place.span) for each in branch.body)
+                    other = any(covers(each, call.place.span) for each in branch.orelse)
+                    if inside or other:
+                        left = [number for number in left if _COMPARED[op](number, bound) == inside]
+    return None if len(left) == len(numbers) else len(left)
 
 
 def watches_the_clock(code: SourceCode, call: ApiCall) -> bool:
