@@ -117,7 +117,7 @@ CATKIN_BUILD = "project(robot)\nfind_package(\n    catkin\n    REQUIRED COMPONEN
 AMENT_BUILD = "project(robot)\nfind_package(ament_cmake REQUIRED)\nament_package()\n"
 
 
-@pytest.mark.parametrize("manifest", [CATKIN, "<depend>rclpy</depend>"])
+@pytest.mark.parametrize("manifest", [CATKIN, "<depend>rclpy</depend>", EITHER])
 def test_a_package_that_catkin_builds_is_passed_over_whatever_it_imports(tmp_path, monkeypatch, manifest):
     """The imports were replaced, the package was not ported: nothing of ROS 2 builds it."""
     monkeypatch.chdir(tmp_path)

@@ -175,9 +175,12 @@ def _text_of(file: SourceFile, read: Read) -> str:
 
 
 def _as_built(package: Package | None, text: str | None) -> Package | None:
-    """A package whose manifest names no build type is one of catkin where its CMakeLists.txt looks for that, and for
-    nothing of ament: such packages are left over from a port, and nothing of ROS 2 builds them."""
-    if package is None or text is None or package.build_type != "catkin":
+    """A package whose manifest names no build type, or that of catkin among others, is one of catkin where its
+    CMakeLists.txt looks for that, and for nothing of ament: such packages are left over from a port, and nothing of
+    ROS 2 builds them."""
+    if package is None or text is None:
+        return package
+    if package.build_type != "catkin" and all(each.name != "catkin" for each in package.dependencies):
         return package
     run = run_alone(text, package.name)
     if not any(map(_looks_for_catkin, run.steps)) or any("ament" in word for word in run.words):
