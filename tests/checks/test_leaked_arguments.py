@@ -39,6 +39,18 @@ def test_a_default_that_the_next_include_gets(findings):
     assert finding.place.file == "launch/it.launch.xml"
 
 
+@pytest.mark.parametrize("period", [None, 8.0])
+def test_an_argument_that_a_timer_of_the_include_reads_needs_another_name(findings, period: float | None):
+    """A group has given the argument back by the time that the timer fires: what it starts would read the old one."""
+    shown = '<let name="seen" value="$(var rviz)"/>'
+    late = shown if period is None else f'<timer period="{period}">{shown}</timer>'
+    driver = f'<launch><arg name="rviz" default="true"/>{late}</launch>'
+    launch = OWN + include("driver", rviz="false") + '<let name="shown" value="$(var rviz)"/>'
+    (finding,) = findings("LCH009", launch, **FILES | {"launch/driver.launch.xml": driver})
+    words = "put the include into a <group>" if period is None else "rename the argument 'rviz' in one of the two files"
+    assert (finding.help or "").startswith(words)
+
+
 def test_the_launch_files_of_a_package_with_the_same_leak_are_one_finding(findings):
     """They are copies of each other, such as those of a driver for two and for three cameras."""
     launch = include("driver", rviz="false") + include("panel")

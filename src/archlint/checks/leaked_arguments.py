@@ -52,11 +52,14 @@ def _finding(workspace: WorkspaceIndex, leak: LeakedArgument) -> Finding:
         related = [Related(leak.read, f"'{name}' is read here")]
         place = leak.given
     group = "<group>" if not leak.include.file.endswith(".py") else "GroupAction([…])"
+    help = f"put the include into a {group}, which gives the arguments back at its end"
+    if leak.read_late:  # a group has ended by then
+        help = f"rename the argument '{name}' in one of the two files: what is included reads it in a timer or an event"
     return finding(
         "LCH009",
         place,
         message,
-        help=f"put the include into a {group}, which gives the arguments back at its end",
+        help=help,
         related=related,
         identity=(name, leak.file),
         group=(*package_around(workspace, leak.include.file), name, "default" if leak.default else "given"),

@@ -51,6 +51,8 @@ class GivenArguments:
         self._passed: list[frozenset[str]] = []
         """The names that the includes around what is visited pass on, outermost first."""
         self._literals: dict[str, tuple[Value, Place]] = {}
+        self._late: set[tuple[Place, str]] = set()
+        """Includes, each with an argument that a timer or an event of what it includes reads."""
         self._result = result
 
     def note_literal(self, name: str, value: Value, place: Place) -> None:
@@ -78,9 +80,12 @@ class GivenArguments:
         finally:
             self._passed.pop()
 
-    def note_read(self, name: str, value: Value | None, file: str, action: Place) -> None:
-        """An action of a file reads a value, perhaps one that an include in front of it has set there."""
+    def note_read(self, name: str, value: Value | None, file: str, action: Place, *, late: bool) -> None:
+        """An action of a file reads a value, perhaps one that an include in front of it has set there; ``late`` if a
+        timer or an event runs the action."""
         given = self._given.get(name)
+        if late and given is not None and given.value is value and given.file != file:
+            self._late.add((given.include, name))
         if given is None or given.value is not value or given.file != file or given.include == action:
             return
         if not given.was_set:
@@ -132,6 +137,8 @@ class GivenArguments:
             # A file that a launch makes, of another mostly: it may well have what the other has.
             return
         if text.lower() != own_text.lower():
-            leak = LeakedArgument(name, text, own_text, given, read, file, include, default)
+            leak = LeakedArgument(
+                name, text, own_text, given, read, file, include, default, (include, name) in self._late
+            )
             if leak not in self._result.leaked:
                 self._result.leaked.append(leak)

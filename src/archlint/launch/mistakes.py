@@ -33,6 +33,7 @@ class LeakedArgument:
 
     ``given`` is where the ``include`` sets it to ``value``, ``own`` what it would be at ``read`` otherwise, in a file.
     One of a ``default`` is a file's own argument, which another file in the include has declared with another default.
+    A value is ``read_late`` if a timer or an event of what is included reads it, too.
     """
 
     name: str
@@ -43,6 +44,7 @@ class LeakedArgument:
     file: str
     include: Place
     default: bool = False
+    read_late: bool = False
 
     @property
     def is_declared_in_vain(self) -> bool:
