@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
+from archlint.checks.data_beside_modules import of_data_beside_modules
 from archlint.checks.folding import folds, with_others
 from archlint.checks.listed_packages import of_packages_in_vain, packages_in_vain
 from archlint.checks.packages import workspace_of
@@ -82,6 +83,7 @@ def _all_left_out(workspace: WorkspaceIndex) -> Iterator[Finding]:
     commands = {row.place.file for row in files_in_vain if row.command == _GENERATES}
     yield from (_interfaces(row) for row in not_generated(workspace) if row.command.file not in commands)
     yield from imports_of_scripts(workspace)
+    yield from of_data_beside_modules(workspace)
 
 
 # ------------------------------------------------------------------------------------------------- Python code

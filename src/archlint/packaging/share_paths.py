@@ -19,7 +19,7 @@ SHARE = "get_package_share_directory"
 SHARES = frozenset({SHARE, "get_package_share_path"})
 _WRAPPERS = frozenset({"Path", "PurePath", "path", "str", "string", "fspath", "as_posix"})
 """What makes another kind of path, or a text, of a path."""
-_ASKS = frozenset({"exists", "isfile", "is_file", "lexists", "is_regular_file", "isdir", "is_dir", "is_directory"})
+ASKS = frozenset({"exists", "isfile", "is_file", "lexists", "is_regular_file", "isdir", "is_dir", "is_directory"})
 """What code asks that can do without a file."""
 _ROUNDS = 3
 """Variables of variables."""
@@ -43,7 +43,7 @@ class Named(NamedTuple):
 @once_for
 def paths_in_share(file_facts: facts.Facts) -> list[Named]:
     """The paths that a file writes in full; none where it asks whether some file is there."""
-    if any(called_name(call) in _ASKS for call in everything_in(file_facts.body, facts.Call)):
+    if any(called_name(call) in ASKS for call in everything_in(file_facts.body, facts.Call)):
         return []
     reader = _Reader(file_facts)
     parts: list[facts.Call | facts.Binary | facts.FormatString] = []
@@ -90,7 +90,7 @@ class _Reader:
     """What the expressions of a file mean, as far as its own text says."""
 
     def __init__(self, file_facts: facts.Facts) -> None:
-        self._given = _only_given(file_facts)
+        self._given = only_given(file_facts)
         self._paths: dict[str, _Path] = {}
         self._texts = {name: value.text for name, value in self._given.items() if value.text is not None}
         for _ in range(_ROUNDS):
@@ -135,7 +135,7 @@ class _Reader:
         return None if start is None or text is None else _Path(start.package, start.below + text)
 
 
-def _only_given(file_facts: facts.Facts) -> dict[str, facts.Expr]:
+def only_given(file_facts: facts.Facts) -> dict[str, facts.Expr]:
     """The variables that are assigned once, or always the same, and what they are given."""
     given: dict[str, list[facts.Expr | None]] = {}
     for part in everything_in(file_facts.body):
@@ -167,4 +167,4 @@ def _is_like(value: facts.Expr, other: facts.Expr) -> bool:
     return False
 
 
-__all__ = ["SHARE", "Named", "paths_in_share"]
+__all__ = ["ASKS", "SHARE", "Named", "only_given", "paths_in_share"]
