@@ -8,7 +8,8 @@ import pytest
 
 from archlint.config.settings import load
 from archlint.engine.pipeline import Request, check
-from robot_package import CMAKE, SETUP
+from archlint.finding import Finding
+from robot_package import CMAKE, SETUP, write_files
 
 MAIL = 'email="a@example.org"'
 
@@ -38,7 +39,7 @@ def test_with_a_cmake_file_and_without_any(findings, full):
     assert "builds it as plain CMake" in finding.message
 
 
-@pytest.mark.parametrize("files", [{}, {"package.xml": CMAKE}])
+@pytest.mark.parametrize("files", [{}, {"package.xml": CMAKE, "CMakeLists.txt": "project(robot)\n"}])
 def test_manifests_that_are_taken(findings, files):
     assert findings("PKG011", **files) == []
 
@@ -96,6 +97,54 @@ def test_a_package_without_a_build_type_that_depends_on_the_one_it_means(finding
     for tools, build_type in ((tool, "ament_python"), (both, "ament_cmake")):
         (finding,) = findings("PKG011", **{"package.xml": full.format(tools), **python})
         assert finding.help == f"add <export><build_type>{build_type}</build_type></export>"
+
+
+@pytest.fixture
+def of_arm(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, full: str):
+    """What is found of a package of a build type that has these files alone."""
+    monkeypatch.chdir(tmp_path)
+
+    def run(build_type: str, files: dict[str, str]) -> list[Finding]:
+        export = f"\n<export><build_type>{build_type}</build_type></export>"
+        manifest = {"package.xml": full.replace("<name>robot", "<name>arm").format(export)}
+        write_files(tmp_path, manifest | files | {"archlint.toml": 'select = ["PKG011"]\n'})
+        return check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+
+    return run
+
+
+@pytest.mark.parametrize(
+    ("written", "files", "what", "right"),
+    [
+        ("ament_python", {"CMakeLists.txt": AMENT}, "'ament_python' is built by a setup.py", "ament_cmake"),
+        ("ament_cmake", {"setup.py": SETUP}, "'ament_cmake' is built by a CMakeLists.txt", "ament_python"),
+        ("ament_cmake_auto", {"CMakeLists.txt": AMENT}, "colcon knows no build type 'ament_cmake_auto'", "ament_cmake"),
+        ("ament_pyton", {"setup.py": SETUP}, "colcon knows no build type 'ament_pyton'", "ament_python"),
+    ],
+)
+def test_a_build_type_that_is_not_that_of_the_build_files(of_arm, written, files, what, right):
+    (finding,) = of_arm(written, files)
+    assert finding.message.startswith(f"colcon cannot build 'arm': {what}")
+    assert finding.help == f"write <build_type>{right}</build_type>"
+    assert (finding.place.file, finding.place.line) == ("package.xml", 2)
+
+
+@pytest.mark.parametrize(
+    ("written", "files"),
+    [
+        ("ament_cmake", {"CMakeLists.txt": AMENT}),
+        ("ament_cmake", {"CMakeLists.txt": AMENT, "setup.py": SETUP}),
+        ("ament_python", {"CMakeLists.txt": AMENT, "setup.py": SETUP}),
+        ("cmake", {"CMakeLists.txt": AMENT}),
+        ("ament_cargo", {"CMakeLists.txt": AMENT}),
+        ("ament_python", {"CMakeLists.txt": "project(arm)\n"}),  # it is not known what this is for
+        ("ament_cmake", {}),
+        ("acme_build", {"CMakeLists.txt": AMENT}),
+        ("<!-- ament_python -->ament_cmake", {"CMakeLists.txt": AMENT}),
+    ],
+)
+def test_a_build_type_that_fits_or_may(of_arm, written, files):
+    assert of_arm(written, files) == []
 
 
 def test_a_package_of_ros_1(findings, full):

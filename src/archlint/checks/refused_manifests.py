@@ -11,7 +11,14 @@ from archlint.checks.packages import workspace_of
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related
-from archlint.packaging.refused_manifests import RefusedManifest, Untyped, refused_manifests, untyped_manifests
+from archlint.packaging.refused_manifests import (
+    Mistyped,
+    RefusedManifest,
+    Untyped,
+    mistyped_manifests,
+    refused_manifests,
+    untyped_manifests,
+)
 
 if TYPE_CHECKING:
     from archlint.systems.model import System
@@ -25,6 +32,7 @@ def refused_manifest(system: System, options: Options) -> Iterator[Finding]:
         return
     yield from map(_refused, refused_manifests(workspace))
     yield from map(_untyped, untyped_manifests(workspace))
+    yield from map(_mistyped, mistyped_manifests(workspace))
 
 
 def _refused(row: RefusedManifest) -> Finding:
@@ -50,6 +58,23 @@ def _untyped(row: Untyped) -> Finding:
         help=f"put {tag} into <export>" if row.has_export else f"add <export>{tag}</export>",
         identity=(row.package.name, what),
         group=(manifest,),
+    )
+
+
+def _mistyped(row: Mistyped) -> Finding:
+    name = row.package.name
+    what = (
+        f"'{row.written}' is built by a {row.missing}, which is not there"
+        if row.missing
+        else f"colcon knows no build type '{row.written}'"
+    )
+    return finding(
+        "PKG011",
+        row.place,
+        f"colcon cannot build '{name}': {what}",
+        help=f"write <build_type>{row.build_type}</build_type>",
+        identity=(name, what),
+        group=(row.place.file,),
     )
 
 

@@ -9,6 +9,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_aside
+from archlint.packaging.generated_files import is_ignored
+from archlint.place import Place
+from archlint.suggestions import nearest
 from archlint.workspace.refused_manifests import Refusal, refusals
 
 if TYPE_CHECKING:
@@ -68,6 +71,44 @@ def _built_with(workspace: WorkspaceIndex, package: Package) -> str:
     return "ament_python" if is_python else ""
 
 
+@dataclass(frozen=True)
+class Mistyped:
+    """A package whose ``<build_type>`` is not that of its build files: the ``written`` one, and the right one.  The
+    build file that is ``missing`` for the written one is empty where there is no such type."""
+
+    package: Package
+    written: str
+    build_type: str
+    missing: str
+    place: Place
+
+
+_TYPES = {"ament_cmake": "CMakeLists.txt", "ament_python": "setup.py"}
+_OTHER_TYPES = frozenset({"ament_cargo", "ament_gradle", "ament_meson", "bazel", "cargo", "catkin", "cmake", "meson"})
+_TYPE = re.compile(r"<build_type\b[^>]*>\s*([^<\s]+)\s*</build_type>")
+
+
+def mistyped_manifests(workspace: WorkspaceIndex) -> Iterator[Mistyped]:
+    """Each package that colcon cannot build with the type that its manifest has.
+
+    Source: the build tasks of colcon-ros are named after the types that there are, and look for that build file.
+    """
+    for package in _judged(workspace):
+        text = workspace.tree.text(package.manifest.relative) or ""
+        types = [*_TYPE.finditer(_COMMENT.sub(lambda comment: " " * len(comment[0]), text))]
+        right = _built_with(workspace, package)
+        if len(types) != 1 or not right or right == types[0][1] or refusals(text):
+            continue
+        written = types[0][1]
+        path = posixpath.normpath(posixpath.join(package.relative, _TYPES.get(written, "")))
+        of_another = written in _TYPES and not workspace.tree.is_file(path) and not is_ignored(workspace, path)
+        no_type = written.startswith(tuple(_TYPES)) or nearest(written, _TYPES) is not None
+        if of_another or (written not in {*_TYPES, *_OTHER_TYPES} and no_type):
+            line = text.count("\n", 0, types[0].start()) + 1
+            place = Place(package.manifest.relative, line, 1, line, 1)
+            yield Mistyped(package, written, right, _TYPES.get(written, ""), place)
+
+
 def _asks_for_python(package: Package) -> bool:
     """Whether a package is to be built with ament_python, as its dependencies say, and not with CMake."""
     tools = {dependency.name for dependency in package.dependencies if dependency.kind == "buildtool"}
@@ -103,4 +144,12 @@ def _judged(workspace: WorkspaceIndex) -> Iterator[Package]:
             yield package
 
 
-__all__ = ["RefusedManifest", "Untyped", "is_passed_over", "refused_manifests", "untyped_manifests"]
+__all__ = [
+    "Mistyped",
+    "RefusedManifest",
+    "Untyped",
+    "is_passed_over",
+    "mistyped_manifests",
+    "refused_manifests",
+    "untyped_manifests",
+]
