@@ -74,6 +74,7 @@ def _node(topic: str, line: str) -> str:
         ("word", "return math.sqrt(msg.data)", "is a string, and math.sqrt() of it raises TypeError"),
         ("flag", "return msg.data()", "is a bool, and calling it raises TypeError"),
         ("scan", "return msg.ranges.shape", "is an array of float32, and has no 'shape'"),
+        ("scan", "return msg.ranges.copy()", "is an array of float32, and has no 'copy'"),
         ("height", "return sum(msg.data)", "is a float, and sum() of it raises TypeError"),
         ("height", "self.get_logger().info(msg.data)", "is a float, and info() of it raises TypeError"),
         ("word", "return msg == 'stop'", "'msg' is a message of type std_msgs/msg/String, which never equals a string"),
@@ -306,3 +307,11 @@ def test_a_response_that_a_client_reads(judge: Judge):
     assert finding.message == (
         "'sum' of example_interfaces/srv/AddTwoInts.Response is an int, and '+' with a string raises TypeError"
     )
+
+
+@pytest.mark.parametrize(
+    ("asks", "help"), [("copy()", "convert it first: list(…)"), ("shape", "use its items, or make")]
+)
+def test_the_cure_for_what_a_list_has_or_an_array_of_numpy(judge: Judge, asks: str, help: str):
+    (finding,) = judge("MSG003", _node("scan", f"return msg.ranges.{asks}  # here"))
+    assert finding.help.startswith(help)

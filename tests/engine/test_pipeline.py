@@ -595,3 +595,17 @@ def test_of_a_large_file_the_beginning_and_the_size_are_hashed(monkeypatch: pyte
     ]
     assert digests[0] == digests[3]  # nobody reads what is behind the limit
     assert len(set(digests)) == 5
+
+
+def test_interfaces_of_a_package_with_one_flaw_are_one_finding(workspace: Path):
+    write("robot/package.xml", PACKAGE.format(name="robot"))
+    names = ("Fly", "Hold", "Land")
+    for name in names:
+        write(f"robot/srv/{name}.srv", "---\nbool Success\n")
+    write("robot/srv/Stop.srv", "---\nbool Done\n")
+    listed = " ".join(f"srv/{name}.srv" for name in (*names, "Stop"))
+    write("robot/CMakeLists.txt", f"project(robot)\nrosidl_generate_interfaces(robot {listed})\n")
+    told = [finding for finding in run().findings if finding.code == "LNT002"]
+    assert [finding.place.file for finding in told] == ["robot/srv/Fly.srv", "robot/srv/Stop.srv"]
+    assert told[0].message.endswith("; 2 more files have the same")
+    assert [row.place.file for row in told[0].related] == ["robot/srv/Hold.srv", "robot/srv/Land.srv"]

@@ -82,11 +82,17 @@ def _outcome(row: FieldOperation | MessageOperation) -> str:
     return f"and {row.by}() of it raises TypeError"
 
 
+_OF_LISTS = frozenset({"clear", "copy", "sort"})
+"""What a list has and an ``array.array`` has not."""
+
+
 def _cure(row: FieldOperation) -> str:
     match row.kind, row.deed:
         case "message", _:
             return "use one of its fields"
         case "array", "compares" | "adds" if row.other != "number":
+            return "convert it first: list(…)"
+        case "array", "looks into" if row.by in _OF_LISTS:
             return "convert it first: list(…)"
         case "array", "looks into":
             return "use its items, or make an array of numpy of it first"

@@ -8,6 +8,7 @@ from functools import cache, partial
 from typing import TYPE_CHECKING
 
 from archlint.analysis.source_code import code_of
+from archlint.checks.folding import with_others
 from archlint.checks.idle_contracts import idle_patterns
 from archlint.checks.launch_notices import argument_notices
 from archlint.checks.registry import failure, registered, unreadable, unreadable_interface
@@ -337,7 +338,9 @@ def _of_manifests(workspace: Workspace, tree: SourceTree) -> Iterator[tuple[str,
 def _of_interfaces(
     workspace: Workspace, systems: Sequence[System], tree: SourceTree, faults: Faults
 ) -> Iterator[Finding]:
-    """One LNT002 for an interface file that rosidl refuses, if the build of its package gives it to rosidl."""
+    """One LNT002 for the interface files of a package that rosidl refuses for the same reason, if the build of the
+    package gives them to rosidl."""
+    alike: dict[tuple[str | None, str], list[Finding]] = {}
     table = systems[0].workspace.interfaces if systems[0].workspace is not None else None
     old = {package.name for package in workspace.packages if package.ros1}
     for file in workspace.files:
@@ -345,7 +348,10 @@ def _of_interfaces(
             with faults.contained("reading this interface", Place(file.relative, 1, 1, 1, 1)):
                 problems = interface_problems(file.path, tree.given(file.relative))
                 if problems and (table is None or table.is_built(file)):
-                    yield unreadable_interface(file.relative, problems)
+                    told = unreadable_interface(file.relative, problems)
+                    alike.setdefault((file.package, told.message), []).append(told)
+    for row in alike.values():
+        yield with_others(row, "another file has", "more files have", "the same") if len(row) > 1 else row[0]
 
 
 def _importers(module: SourceFile, files: Sequence[SourceFile], facts: FactsOfFiles) -> list[Place]:
