@@ -10,6 +10,7 @@ from archlint.checks.registry import finding
 from archlint.checks.uncalled import once_where_uncalled, unless_uncalled
 from archlint.finding import Finding, Related, Severity
 from archlint.launch_files.launch_properties import ActionOverwritten, overwritten_actions
+from archlint.place import Place
 from archlint.python_code.absent_asked import AbsentAsked, absent_asked
 from archlint.python_code.absent_members import AbsentMember, absent_members
 from archlint.python_code.enum_members import absent_enum_members
@@ -20,6 +21,7 @@ from archlint.python_code.methods_looked_into import LookedInto, methods_looked_
 from archlint.python_code.object_members import CalledProperty, object_members
 from archlint.python_code.overwritten_methods import OverwrittenMethod, overwritten_methods
 from archlint.python_code.own_objects import absent_of_objects
+from archlint.python_code.parsed_arguments import absent_arguments
 from archlint.python_code.policy_members import absent_policies
 from archlint.python_code.unassigned_attributes import (
     Overwritten,
@@ -27,7 +29,7 @@ from archlint.python_code.unassigned_attributes import (
     overwritten_properties,
     unassigned_attributes,
 )
-from archlint.suggestions import listed, meant
+from archlint.suggestions import listed, meant, nearest
 
 if TYPE_CHECKING:
     from archlint.systems.model import System, WorkspaceIndex
@@ -57,6 +59,10 @@ def attribute_findings(system: System) -> Iterator[Finding]:
     of_objects.update((absent.place, absent) for absent in absent_members(system.workspace))
     for absent in (*of_objects.values(), *absent_enum_members(system.workspace)):
         yield from unless_uncalled(system, _absent(absent))
+    for path in system.workspace.python_files(mentioning="ArgumentParser"):
+        for name, names, span in absent_arguments(system.workspace, path) or ():
+            near = nearest(name, names) or ""
+            yield _absent(AbsentMember(Place(path, *span), "what parse_args() returns", name, near, called=False))
     for absent in absent_policies(system.workspace):
         yield from unless_uncalled(system, _absent(absent))
     for of_logger in absent_of_loggers(system.workspace):
