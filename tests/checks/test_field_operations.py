@@ -315,3 +315,75 @@ def test_a_response_that_a_client_reads(judge: Judge):
 def test_the_cure_for_what_a_list_has_or_an_array_of_numpy(judge: Judge, asks: str, help: str):
     (finding,) = judge("MSG003", _node("scan", f"return msg.ranges.{asks}  # here"))
     assert finding.help.startswith(help)
+
+
+KEPT = """
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import Float32, String
+
+
+class Robot(Node):
+    def __init__(self):
+        super().__init__('robot')
+        self.speed = {first}
+        self.create_subscription(Float32, 'speed', self.on_speed, 10)
+        self.create_timer(1.0, self.tick)
+
+    def on_speed(self, msg):
+        self.speed = {kept}
+
+    def tick(self):
+        {line}
+
+
+def main():
+    rclpy.init()
+    rclpy.spin(Robot())
+"""
+
+
+@pytest.mark.parametrize("first", ["None", "0.0"])
+@pytest.mark.parametrize(
+    ("line", "says"),
+    [
+        ("print(self.speed > 0.5)", "'>' with a number raises TypeError"),
+        ("print(self.speed + 1)", "'+' with a number raises TypeError"),
+        ("print(abs(self.speed))", "abs() of it raises TypeError"),
+        ("self.get_logger().info(self.speed)", "info() of it raises TypeError"),
+    ],
+)
+def test_a_message_that_is_kept_and_taken_for_its_value(judge: Judge, first: str, line: str, says: str):
+    (finding,) = judge("MSG003", KEPT.format(first=first, kept="msg", line=f"{line}  # here"))
+    assert finding.message == (
+        f"'self.speed' is a message of type std_msgs/msg/Float32 once Robot.on_speed has run, and {says}"
+    )
+    assert finding.help == "keep the field that is meant, or use one of its fields"
+
+
+@pytest.mark.parametrize(
+    ("first", "kept", "line"),
+    [
+        ("0.0", "msg.data", "print(self.speed > 0.5)"),
+        ("None", "msg", "print(self.speed.data > 0.5)"),
+        ("None", "msg", "if self.speed is not None: print(str(self.speed))"),
+        ("0", "msg", "if self.speed == 0: print('none yet')"),
+        ("Float32()", "msg", "print(self.speed.data)"),
+        ("self.load()", "msg", "print(self.speed > 0.5)"),
+        ("0.0", "msg", "self.speed = 0.1 if self.speed else 0.2; self.speed += self.step(); print(self.speed > 0.5)"),
+        ("0.0", "msg", "print(isinstance(self.speed, float) and self.speed > 0.5)"),
+        ("0.0", "self.value(msg)", "print(self.speed > 0.5)"),
+        ("0.0", "msg", "setattr(self, 'speed', 1.0); print(self.speed > 0.5)"),
+    ],
+)
+def test_what_is_kept_of_a_message(judge: Judge, first: str, kept: str, line: str):
+    judge("MSG003", KEPT.format(first=first, kept=kept, line=line))
+
+
+def test_an_attribute_that_others_set(judge: Judge):
+    others = """
+
+def reset(robot):
+    robot.speed = 0.0
+"""
+    judge("MSG003", KEPT.format(first="0.0", kept="msg", line="print(self.speed > 0.5)") + others)

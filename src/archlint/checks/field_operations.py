@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from archlint.checks.registry import finding
 from archlint.finding import Related
 from archlint.python_code.field_operations import LEVELS, FieldOperation, field_operations
+from archlint.python_code.kept_messages import kept_message_operations
 from archlint.python_code.message_operations import MessageOperation, message_operations
 
 if TYPE_CHECKING:
@@ -21,7 +22,7 @@ _OTHERS = {"string": "a string", "number": "a number", "list": "a list"}
 def operations_on_fields(system: System) -> Iterator[Finding]:
     """The findings about such code."""
     yield from map(_finding, field_operations(system))
-    yield from map(_of_message, message_operations(system))
+    yield from map(_of_message, (*message_operations(system), *kept_message_operations(system)))
 
 
 def _finding(row: FieldOperation) -> Finding:
@@ -41,11 +42,12 @@ def _finding(row: FieldOperation) -> Finding:
 def _of_message(row: MessageOperation) -> Finding:
     of = f"{row.type}.{row.section_name}" if row.section_name else row.type
     creation, node = row.callback.creation, row.callback.node
+    since = f" once {row.callback.name} has run" if row.kept else ""
     return finding(
         "MSG003",
         row.place,
-        f"'{row.name}' is a message of type {of}, {_outcome(row)}",
-        help="use one of its fields",
+        f"'{row.name}' is a message of type {of}{since}, {_outcome(row)}",
+        help="keep the field that is meant, or use one of its fields" if row.kept else "use one of its fields",
         related=[] if creation is None else [Related(creation.place, f"{row.callback.name} gets it from here")],
         node=None if node is None else node.name.text,
         identity=(row.callback.name, row.name, row.deed, row.by),

@@ -6,10 +6,11 @@ Source: rosidl_generator_py makes plain objects of messages, with an attribute f
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from archlint.analysis.kept import once
 from archlint.analysis.source_code import source_code
 from archlint.model import Role
 from archlint.place import Place
@@ -43,39 +44,57 @@ class MessageOperation:
     other: str
     by: str
     """The operator or the function."""
+    kept: bool = False
+    """Whether an attribute holds the message since that came."""
+
+
+@dataclass(frozen=True)
+class Delivered:
+    """A function of Python that is called as a callback alone, with messages under some of its ``names``."""
+
+    file: str
+    function: facts.Function
+    callback: Callback
+    type: str
+    names: Mapping[str, MessageClass]
 
 
 def message_operations(system: System) -> Iterator[MessageOperation]:
     """Each such piece of Python code, where every caller passes such a message."""
-    workspace = system.workspace
-    if workspace is None:
-        return
+    for row in delivered(system):
+        for deed, other, by, name, span in _rows(row.function):
+            if name in row.names:
+                place = Place(row.file, *span)
+                yield MessageOperation(place, row.callback, name, row.type, row.names[name], deed, other, by)
+
+
+@once
+def delivered(system: System) -> list[Delivered]:
+    """The callbacks of which every caller passes messages, outside of test code."""
     of_function: dict[Place, list[Callback]] = {}
     for callback in system.callbacks:
         if callback.function is not None and not system.roles.is_test(callback.file):
             of_function.setdefault(callback.function.place, []).append(callback)
-    for place in sorted(of_function):
-        callbacks = of_function[place]
-        function = source_code(system).definition(callbacks[0])
-        if function is not None and _is_only_a_callback(workspace, place.file, function):
-            yield from _of_callback(place.file, function, callbacks)
+    rows = (_delivered(system, place.file, of_function[place]) for place in sorted(of_function))
+    return [row for row in rows if row is not None]
 
 
-def _of_callback(file: str, function: facts.Function, callbacks: Sequence[Callback]) -> Iterator[MessageOperation]:
-    first = callbacks[0]
+def _delivered(system: System, file: str, callbacks: Sequence[Callback]) -> Delivered | None:
+    first, workspace = callbacks[0], system.workspace
+    function = source_code(system).definition(first)
+    if workspace is None or function is None or not _is_only_a_callback(workspace, file, function):
+        return None
     roles = {callback.role for callback in callbacks}
     at = {callback.bound_arguments for callback in callbacks}
     types = {_type_of(callback) for callback in callbacks}
     if len(roles) != 1 or len(at) != 1 or None in types or any(callback.bound_keywords for callback in callbacks):
-        return
+        return None
     positional = [param.name for param in function.params if param.kind in ("positional_only", "normal")]
     given = dict(zip(positional[first.bound_arguments :], _GIVEN.get(first.role, ()), strict=False))
-    type_name = (_type_of(first) or "") if types else ""
-    if type_name in _TIMES:
-        return
-    for deed, other, by, name, span in _rows(function) if given else ():
-        if name in given:
-            yield MessageOperation(Place(file, *span), first, name, type_name, given[name], deed, other, by)
+    type_name = _type_of(first)
+    if not given or type_name is None or type_name in _TIMES:
+        return None
+    return Delivered(file, function, first, type_name, given)
 
 
 def _type_of(callback: Callback) -> str | None:
@@ -96,7 +115,7 @@ def _is_only_a_callback(workspace: WorkspaceIndex, file: str, function: facts.Fu
 def _rows(function: facts.Function) -> list[tuple[str, str, str, str, facts.Span]]:
     """What a function does with its parameters that no message stands, by their names, but for those that it binds
     again or asks for their class."""
-    bound = {name for part in everything_in(function.body) for name in bound_by(part)}
+    bound = names_bound(function)
     expecting = tried_for(function.body, {"TypeError", "AttributeError"})
     left_out = bound | asked_for_their_class(function)
     params = {param.name for param in function.params} - left_out
@@ -108,4 +127,9 @@ def _rows(function: facts.Function) -> list[tuple[str, str, str, str, facts.Span
     return rows
 
 
-__all__ = ["MessageOperation", "message_operations"]
+def names_bound(function: facts.Function) -> set[str]:
+    """The names that the body of a function binds, those of functions and comprehensions in it included."""
+    return {name for part in everything_in(function.body) for name in bound_by(part)}
+
+
+__all__ = ["Delivered", "MessageOperation", "delivered", "message_operations", "names_bound"]
