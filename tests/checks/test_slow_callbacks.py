@@ -2162,3 +2162,35 @@ def test_a_brief_pause_in_a_program_that_tries_something_out(findings, name: str
         "robot/talker.py": "",
     }
     assert len(findings("EXE003", **files)) == told
+
+
+MENU = """
+def menu():
+    while True:
+        {line}
+
+
+def main():
+    rclpy.init()
+    node = Robot()
+    {before}
+    rclpy.spin(node)
+
+
+if __name__ == '__main__':
+    main()
+"""
+
+
+@pytest.mark.parametrize(
+    ("line", "before", "expected"),
+    [
+        ("print('which?')", "menu()", []),
+        ("print('which?')", "pass", ["EXE003"]),
+        ("if load(): break", "menu()", ["EXE003"]),
+        ("print('which?')", "if load(): menu()", ["EXE003"]),
+    ],
+)
+def test_a_node_that_no_call_comes_to_spin(run: Run, line: str, before: str, expected: list[str]):
+    main = MENU.format(line=line, before=before)
+    assert [code for code in codes(run(source(TIMER, timer("time.sleep(1.0)"), main))) if code == "EXE003"] == expected

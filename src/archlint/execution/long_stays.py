@@ -20,6 +20,7 @@ from archlint.execution.processes import is_signalled_to_end
 from archlint.execution.recoveries import brings_up_again
 from archlint.execution.retries import around_future, is_retry
 from archlint.execution.sleeps import Stay, stay_of
+from archlint.execution.spins import is_never_spun_at_all
 from archlint.execution.ways_out import ends_with_the_node, hands_over
 from archlint.model.given import Constant
 
@@ -57,6 +58,7 @@ def long_stays(system: System) -> Iterator[LongStay]:
             or hands_over(code, call, stay)
             or (stay.kind == "process" and (not call.looped or is_retry(code, call)) and is_soon_over(code, call))
             or _is_no_program(system, call.context)
+            or (call.context.node is not None and is_never_spun_at_all(code, program, call.context.node))
         ):
             continue
         yield program, call, stay

@@ -10,7 +10,7 @@ from archlint.execution.callback_roles import runs_in_executor
 from archlint.model import ExecutorKind, Role, SpinDuration
 from archlint.model.given import Node, Object
 from archlint.syntax import facts
-from archlint.syntax.control_flow import graph_of
+from archlint.syntax.control_flow import always_raises, graph_of
 from archlint.syntax.parts import everything_in
 from archlint.syntax.walk import called_name, calls_in, parts_of
 
@@ -138,6 +138,29 @@ def _comes_first(code: SourceCode, call: ApiCall, later: ApiCall) -> bool:
         return False
     return all(
         called_name(inner_call) != "init" for block in graph.between(first, last) for inner_call in calls_in(block.fact)
+    )
+
+
+def is_never_spun_at_all(code: SourceCode, program: Program, node: Blueprint) -> bool:
+    """Whether a program comes to no spin of a node, since a function that it calls before each never returns: the menu
+    of ``start(robot)``, in front of ``rclpy.spin(robot)``."""
+    spells = [spell for use in program.executors if use.spun for spell in use.spells.get(node, ())]
+    return bool(spells) and all(_is_behind_endless_call(code, program, spell.place) for spell in spells)
+
+
+def _is_behind_endless_call(code: SourceCode, program: Program, place: Place) -> bool:
+    later = next((call for call in program.calls if call.place == place), None)
+    written = None if later is None else code.facts_at(later.file)
+    if later is None or written is None:
+        return False
+    endless = {each.name for each in written.body if isinstance(each, facts.Function) and always_raises(each.body)}
+    graph = graph_of(code.body(later))
+    spins = graph.evaluating(place.span)
+    return bool(spins and endless) and any(
+        not endless.isdisjoint(call.func.variable for call in calls_in(block.fact))
+        and block not in spins
+        and all(graph.dominates([block], spin) for spin in spins)
+        for block in graph.blocks
     )
 
 
