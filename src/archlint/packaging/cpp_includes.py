@@ -83,6 +83,13 @@ def has_header(workspace: WorkspaceIndex, package: str, header: str) -> bool:
     return makes or any(f"/{path}".endswith(f"/{header}") for path in _code(workspace).get(package, ()))
 
 
+def headers_of(workspace: WorkspaceIndex, package: str, header: str) -> list[str]:
+    """The files of a package that an include may mean, by their paths below its folder."""
+    folder = workspace.installs[package].folder
+    paths = (path for path in _code(workspace).get(package, ()) if f"/{path}".endswith(f"/{header}"))
+    return [path if folder == "." else path.removeprefix(f"{folder}/") for path in paths]
+
+
 _OF_INTERFACES = (["msg"], ["srv"], ["action"])
 
 
@@ -133,4 +140,4 @@ def includes_of(text: str) -> Sequence[tuple[str, int]]:
     return rows
 
 
-__all__ = ["has_header", "includes_of", "packages_of_headers"]
+__all__ = ["has_header", "headers_of", "includes_of", "packages_of_headers"]
