@@ -489,6 +489,26 @@ def test_an_error_in_code_that_no_package_installs_is_information(tmp_path, monk
 
 
 @pytest.mark.parametrize(
+    ("files", "told"),
+    [
+        ({"robot/trial/one.py": "from .steps import go\n"}, 0),  # neither installed nor to be started by its path
+        ({"robot/trial/one.py": "from .steps import go\n", "robot/trial/__init__.py": ""}, 1),
+        ({"robot/trial/one.py": "from robot.steps import go\n"}, 1),
+        ({"robot/trial/one.py": "import steps\n"}, 1),
+    ],
+)
+def test_what_nobody_can_run_fails_nowhere(tmp_path, monkeypatch, files, told: int):
+    own = {"package.xml": MANIFEST.strip(), "setup.py": SETUP.replace("{more}", ""), "robot/__init__.py": ""}
+    own |= {"robot/driver.py": "def main(): pass\n", "robot/steps.py": "def go(): pass\n"}
+    for name, text in {**own, **files}.items():
+        (tmp_path / name).parent.mkdir(exist_ok=True, parents=True)
+        (tmp_path / name).write_text(text + (SLEEPS if "one" in name else ""), encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    rows = check(Request((".",), Settings(unused_files=True), cached=False, jobs=1)).findings
+    assert len([finding for finding in rows if finding.code == "EXE004"]) == told
+
+
+@pytest.mark.parametrize(
     ("paths", "count", "copies"),
     [
         (["robot/driver.py"], 2, ""),

@@ -150,6 +150,7 @@ def _judged(
     old = half_ported(workspace, known, facts)
     aside = uninstalled.files_of(index, candidates)
     candidates = uninstalled.as_information(as_information(candidates, old), aside)
+    candidates = uninstalled.without_dead_ends(candidates, aside, index)
     outcome = suppressions.apply(_wanted(candidates, request.settings, workspace), by_file)
     ran.append(_ran(request, systems))
     stale = suppressions.stale(outcome.unused, ran[-1])

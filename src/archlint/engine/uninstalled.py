@@ -12,6 +12,7 @@ from archlint.analysis.aside import is_not_installed
 from archlint.checks.folding import all_sites, with_others
 from archlint.checks.registry import registered
 from archlint.finding import Finding, Related, Severity
+from archlint.syntax import facts
 
 if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
@@ -35,6 +36,20 @@ def as_information(findings: Iterable[Finding], files: AbstractSet[str]) -> list
         for finding, aside in rows
         if not aside or finding.place.file.endswith(_ENDINGS)
     ]
+
+
+def without_dead_ends(findings: Iterable[Finding], files: AbstractSet[str], workspace: WorkspaceIndex) -> list[Finding]:
+    """The findings without those about code in some files that nobody can run: what imports beside itself
+    (``from .arm import Arm``) cannot be started by its path, and a folder without ``__init__.py`` is not installed."""
+    dead = {file for file in files if _is_dead_end(workspace, file)}
+    return [finding for finding in findings if finding.place.file not in dead or not _is_about_calls(finding)]
+
+
+def _is_dead_end(workspace: WorkspaceIndex, file: str) -> bool:
+    init, code = posixpath.join(posixpath.dirname(file), "__init__.py"), workspace.facts_at(file)
+    if code is None or workspace.package_of(file) is None or workspace.tree.is_file(init):
+        return False
+    return any(isinstance(statement, facts.ImportFrom) and statement.level > 0 for statement in code.body)
 
 
 _ENDINGS = (".py", ".pyw")
@@ -109,4 +124,4 @@ def _is_about_code(finding: Finding) -> bool:
     return check is not None and check.scope.of_code and not check.says_if_installed
 
 
-__all__ = ["as_information", "files_of", "once_for_a_file"]
+__all__ = ["as_information", "files_of", "once_for_a_file", "without_dead_ends"]
