@@ -558,3 +558,46 @@ def test_loops_of_a_class_with_one_cure_are_one_finding(judge: Judge):
     assert near.help == "check without waiting, and handle the case that it is missing: if not ….service_is_ready():"
     assert [row.message for row in near.related][-1] == "another such loop is here"
     assert new.help.startswith("create the client in the constructor")
+
+
+ASYNC = """
+    import asyncio
+    import time
+
+    import rclpy
+    from rclpy.node import Node
+    from std_srvs.srv import Trigger
+
+
+    class Relay(Node):
+        def __init__(self):
+            super().__init__('relay')
+            self.far = self.create_client(Trigger, 'far')
+            self.create_subscription(Trigger, 'go', self.on_go, 10)
+            self.create_timer(1.0, self.tick)
+
+        async def tick(self):
+            while not self.far.wait_for_service(timeout_sec=0.5):{here}
+                {pause}
+
+        def on_go(self, message):
+            print(message)
+
+
+    def main():
+        rclpy.init()
+        rclpy.spin(Relay())
+"""
+
+
+@pytest.mark.parametrize(
+    ("pause", "code"),
+    [("time.sleep(0.1)", "TMO004"), ("await asyncio.sleep(0)", "TMO004"), ("await asyncio.sleep(0.1)", "EXE010")],
+)
+def test_a_loop_that_raises_in_its_first_round(judge: Judge, pause: str, code: str):
+    told = "  # here"
+    if code == "EXE010":
+        judge("EXE010", ASYNC.format(here="", pause=f"{pause}{told}"))
+        judge("TMO004", ASYNC.format(here="", pause=pause))
+    else:
+        judge("TMO004", ASYNC.format(here=told, pause=pause))

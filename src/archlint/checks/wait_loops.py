@@ -31,6 +31,7 @@ from archlint.execution.stuck import clients_of_handlers
 from archlint.execution.wait_loops import LoopEnd, end_of, only_the_server_ends
 from archlint.finding import Finding, Place, Related, Severity
 from archlint.model import Role
+from archlint.python_code.foreign_awaits import foreign_awaits
 
 if TYPE_CHECKING:
     from archlint.model import ApiCall
@@ -43,8 +44,11 @@ _IN_CLASS = "class"
 def endless_wait_loop(system: System, options: Options) -> Iterator[Finding]:
     """Loops that repeat until a server appears, and that nothing else ends.  Those with which a program starts count in
     a lesson, if they do not say what they wait for, and with ``start-up``."""
+    code, raising = source_code(system), {call.place for _, call in foreign_awaits(system)}
     for calls, end in _endless_loops(system, options.distros, start_up=options.flag("start-up")):
-        yield _endless(system, calls, end)
+        # A round of the loop that awaits asyncio's sleep raises, as EXE010 says, and ends it.
+        if raising.isdisjoint(code.calls_in(calls[0].loops[-1])):
+            yield _endless(system, calls, end)
 
 
 def endless_in_callbacks(system: System, distros: Sequence[str]) -> frozenset[Place]:
