@@ -149,10 +149,12 @@ def test_a_parameter_and_a_future_in_a_method_that_nothing_calls(
     [
         ("", "", 0),
         ("", ", 'brake = car.brake:main'", 1),
-        ("\n\nif __name__ == '__main__':\n    main()\n", "", 1),
+        ("\n\nif __name__ == '__main__':\n    main()\n", "", 0),
+        ("\n\nif __name__ == '__main__':\n    main()\n", ", 'brake = car.brake:main'", 1),
+        ("\n\nmain()\n", "", 1),
         ("\n\nrun = main\n", "", 1),
     ],
-    ids=["nothing calls it", "an entry does", "the file does", "the file passes it on"],
+    ids=["nothing calls it", "an entry does", "who tries it out", "the program", "the file", "the file passes it on"],
 )
 def test_a_main_that_nothing_calls(tmp_path: Path, monkeypatch, rest: str, entry: str, told: int):
     main = "\n\ndef main():\n    print(lost)\n"
@@ -168,5 +170,17 @@ def test_a_main_that_nothing_calls(tmp_path: Path, monkeypatch, rest: str, entry
         (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / name).write_text(text, encoding="utf-8")
     monkeypatch.chdir(tmp_path)
-    rows = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
-    assert [finding.severity.label for finding in rows] == (["error"] if told else ["info"])  # one who learns has it
+
+    def labels() -> list[str]:
+        report = check(Request((".",), load(tmp_path), cached=False, jobs=1))
+        return [finding.severity.label for finding in report.findings]
+
+    assert labels() == (["error"] if told else ["info"])  # one who learns has it
+    if "__main__" in rest:
+        (tmp_path / "brake.launch.py").write_text(
+            "from launch import LaunchDescription\nfrom launch.actions import ExecuteProcess\n\n\n"
+            "def generate_launch_description():\n"
+            "    return LaunchDescription([ExecuteProcess(cmd=['python3', '-m', 'car.brake'])])\n",
+            encoding="utf-8",
+        )
+        assert labels() == ["error"]

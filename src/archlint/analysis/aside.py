@@ -236,6 +236,11 @@ def _is_named(workspace: WorkspaceIndex, installs: Installs, file: str) -> bool:
     if f"{stem}.py" in installs.words or (not target and _is_built(workspace, installs, stem)):
         return True
     # A launch file starts executables by their names, and this file is none: only as a file or a module can it run.
+    return is_named_by_launch(workspace, stem)
+
+
+def is_named_by_launch(workspace: WorkspaceIndex, stem: str) -> bool:
+    """Whether a launch file has a word for ``stem.py``, as a file or as a module."""
     return any(_mentions_file(text, stem) for text in _launch_texts(workspace))
 
 
@@ -272,6 +277,7 @@ __all__ = [
     "is_example",
     "is_left_alone",
     "is_loose_module",
+    "is_named_by_launch",
     "is_not_installed",
     "ros1_module",
     "starts_ros",

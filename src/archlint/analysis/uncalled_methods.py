@@ -5,10 +5,12 @@ from __future__ import annotations
 import posixpath
 from typing import TYPE_CHECKING
 
+from archlint.analysis.aside import is_named_by_launch
 from archlint.analysis.left_over import idle_callers, idle_methods
 from archlint.analysis.source_code import code_of
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in
+from archlint.syntax.walk import main_guard
 
 if TYPE_CHECKING:
     from archlint.finding import Place
@@ -31,7 +33,8 @@ def uncalled_method(workspace: WorkspaceIndex | None, place: Place) -> str | Non
 
 def uncalled_main(workspace: WorkspaceIndex | None, place: Place) -> str | None:
     """``main`` where a place is in the function of that name of a module which does not call it, no installed program
-    starts with and no other file asks for it; None for any other place."""
+    starts with and no other file asks for it; None for any other place.  What a module calls that others import, below
+    ``if __name__ == '__main__':`` alone, tried it out."""
     file_facts = None if workspace is None else workspace.facts_at(place.file)
     if workspace is None or file_facts is None or place.file in workspace.code.installed_programs:
         return None
@@ -41,7 +44,11 @@ def uncalled_main(workspace: WorkspaceIndex | None, place: Place) -> str | None:
     function = code_of(workspace).function_at(place)
     if function is None or function.name != _MAIN or all(function is not each for each in file_facts.body):
         return None
-    named = any(name.id == _MAIN for name in everything_in(file_facts.body, facts.Name))
+    stem = posixpath.basename(place.file).removesuffix(".py")
+    tried_out = place.file in workspace.code.in_use and not is_named_by_launch(workspace, stem)
+    guard = main_guard(file_facts) if tried_out else None
+    code = [each for each in file_facts.body if each is not guard]
+    named = any(name.id == _MAIN for name in everything_in(code, facts.Name))
     return None if named or is_called_elsewhere(workspace, place.file, _MAIN) else _MAIN
 
 
