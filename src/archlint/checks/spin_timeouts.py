@@ -7,6 +7,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_example
+from archlint.analysis.copied_classes import is_in_copied_class
 from archlint.analysis.left_over import is_dead, is_never_made
 from archlint.analysis.limit_sites import sites_of_spin, spins_for_a_result
 from archlint.analysis.order import always_comes_before
@@ -70,7 +71,7 @@ def spin_without_timeout(system: System, options: Options) -> Iterator[Finding]:
         if not spins_for_own_task(system, program, call)
         if call.context.role != Role.METHOD or _may_be_called(program, call)
         if not _is_refused(program, call) and not _may_be_meant_as_a_limit(source_code(system), call)
-        if not _fails_before(system, call)
+        if not _fails_before(system, call) and not is_in_copied_class(system, call)
         if not _is_uncalled(system, call) and not _is_all_there_is_to_do(system, program, call)
         if not is_done_before(source_code(system), call)
         if not _is_part_of_start(system, call) and not _is_never_reached(source_code(system), program, call)
