@@ -373,6 +373,7 @@ def test_a_message_that_is_kept_and_taken_for_its_value(judge: Judge, first: str
         ("0.0", "msg", "self.speed = 0.1 if self.speed else 0.2; self.speed += self.step(); print(self.speed > 0.5)"),
         ("0.0", "msg", "print(isinstance(self.speed, float) and self.speed > 0.5)"),
         ("0.0", "self.value(msg)", "print(self.speed > 0.5)"),
+        ("[]", "msg; self.speed = [msg]", "print(self.speed[0])"),
         ("0.0", "msg", "setattr(self, 'speed', 1.0); print(self.speed > 0.5)"),
     ],
 )
@@ -387,3 +388,36 @@ def reset(robot):
     robot.speed = 0.0
 """
     judge("MSG003", KEPT.format(first="0.0", kept="msg", line="print(self.speed > 0.5)") + others)
+
+
+@pytest.mark.parametrize("first", ["None", "0.0"])
+@pytest.mark.parametrize(
+    ("line", "says"),
+    [
+        ("print('speed: ' + self.speed)", "'+' with a string raises TypeError"),
+        ("print(self.speed[0])", "taking an item of it raises TypeError"),
+        ("print(len(self.speed))", "len() of it raises TypeError"),
+        ("self.get_logger().info(self.speed)", "info() of it raises TypeError"),
+        ("print(self.speed())", "calling it raises TypeError"),
+    ],
+)
+def test_a_field_that_is_kept_and_taken_for_something_else(judge: Judge, first: str, line: str, says: str):
+    (finding,) = judge("MSG003", KEPT.format(first=first, kept="msg.data", line=f"{line}  # here"))
+    assert finding.message == f"'self.speed' is 'data' of std_msgs/msg/Float32, a float, and {says}"
+    assert [related.message for related in finding.related] == ["'self.speed' gets it here"]
+
+
+@pytest.mark.parametrize(
+    ("first", "kept", "line"),
+    [
+        ("0.0", "msg.data", "print(f'speed: {self.speed}', 'speed: ' + str(self.speed), self.speed + 1)"),
+        ("'none'", "msg.data", "if self.speed == 'none': return"),
+        ("0.0", "str(msg.data)", "print('speed: ' + self.speed)"),
+        ("self.load()", "msg.data", "print('speed: ' + self.speed)"),
+        ("0.0", "msg.data", "self.speed = self.load(); print('speed: ' + self.speed)"),
+        ("0.0", "msg.data", "print('speed: ' + self.speed if isinstance(self.speed, str) else '')"),
+        ("0.0", "msg.data; self.speed = [msg.data]", "print(self.speed[0])"),
+    ],
+)
+def test_a_field_that_is_kept_as_what_it_is(judge: Judge, first: str, kept: str, line: str):
+    judge("MSG003", KEPT.format(first=first, kept=kept, line=line))

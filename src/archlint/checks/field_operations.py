@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from archlint.checks.registry import finding
 from archlint.finding import Related
 from archlint.python_code.field_operations import LEVELS, FieldOperation, field_operations
+from archlint.python_code.kept_fields import kept_field_operations
 from archlint.python_code.kept_messages import kept_message_operations
 from archlint.python_code.message_operations import MessageOperation, message_operations
 
@@ -21,21 +22,24 @@ _OTHERS = {"string": "a string", "number": "a number", "list": "a list"}
 
 def operations_on_fields(system: System) -> Iterator[Finding]:
     """The findings about such code."""
-    yield from map(_finding, field_operations(system))
+    yield from map(_finding, (*field_operations(system), *kept_field_operations(system)))
     yield from map(_of_message, (*message_operations(system), *kept_message_operations(system)))
 
 
 def _finding(row: FieldOperation) -> Finding:
     use = row.use
     of = f"{use.type}.{use.section_name}" if use.section_name else use.type
+    field = f"'{use.name}' of {of}"
+    field = f"'{row.attribute}' is {field}," if row.attribute else f"{field} is"
     return finding(
         "MSG003",
         row.place,
-        f"'{use.name}' of {of} is {_what(row)}, {_outcome(row)}",
+        f"{field} {_what(row)}, {_outcome(row)}",
         help=_cure(row),
         node=None if use.node is None else use.node.name.text,
+        related=[Related(use.place, f"'{row.attribute}' gets it here")] if row.attribute else [],
         identity=(use.type, use.section_name, use.name, row.deed, row.by),
-        group=(row.place.file, of, use.name, row.deed, row.other, row.by),
+        group=(row.place.file, of, use.name, row.deed, row.other, row.by, row.attribute),
     )
 
 

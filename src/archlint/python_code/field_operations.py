@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
-from archlint.analysis.kept import kept_for_each_file
+from archlint.analysis.kept import kept_for_each_file, once
 from archlint.place import Place
 from archlint.python_code.class_chains import targets_of
 from archlint.python_code.tried_code import tried_for
@@ -71,6 +71,8 @@ class FieldOperation:
     other: _Other
     by: str
     """The operator or the function."""
+    attribute: str = ""
+    """The attribute of ``self`` that holds the field, where it is not read right there."""
 
     @property
     def fails(self) -> bool:
@@ -82,16 +84,17 @@ def field_operations(system: System) -> Iterator[FieldOperation]:
     workspace = system.workspace
     if workspace is None:
         return
-    uses = _fields_read(system)
+    uses = fields_read(system)
     for file in sorted({file for file, *_ in uses}):
         for deed, other, by, field, whole in _rows(workspace, file) or ():
             use, kind = uses.get((file, *field), (None, None))
-            held = None if kind is None else _held(kind)
+            held = None if kind is None else held_in(kind)
             if use is not None and kind is not None and held is not None and goes_wrong(held, deed, other, by):
                 yield FieldOperation(Place(file, *whole), use, held, kind.name, deed, other, by)
 
 
-def _fields_read(system: System) -> dict[_Spot, tuple[FieldUse, FieldType]]:
+@once
+def fields_read(system: System) -> dict[_Spot, tuple[FieldUse, FieldType]]:
     """What reads fields, by its place, where it is of one type whoever comes there."""
     table = None if system.workspace is None else system.workspace.interfaces
     uses: dict[_Spot, tuple[FieldUse, FieldType] | None] = {}
@@ -106,7 +109,7 @@ def _fields_read(system: System) -> dict[_Spot, tuple[FieldUse, FieldType]]:
     return {key: row for key, row in uses.items() if row is not None}
 
 
-def _held(kind: FieldType) -> _Kind | None:
+def held_in(kind: FieldType) -> _Kind | None:
     """What Python finds in a field; None where that depends, or is not judged here."""
     numeric = kind.name in ("float32", "float64", *INTEGER_RANGES) and kind.name not in ("byte", "char")
     if kind.array:
@@ -304,4 +307,14 @@ def asked_for_their_class(function: facts.Function) -> set[str]:
     }
 
 
-__all__ = ["LEVELS", "FieldOperation", "asked_for_their_class", "deeds_of", "field_operations", "goes_wrong", "is_text"]
+__all__ = [
+    "LEVELS",
+    "FieldOperation",
+    "asked_for_their_class",
+    "deeds_of",
+    "field_operations",
+    "fields_read",
+    "goes_wrong",
+    "held_in",
+    "is_text",
+]

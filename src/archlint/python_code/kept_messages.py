@@ -14,7 +14,7 @@ from archlint.python_code.field_operations import asked_for_their_class, deeds_o
 from archlint.python_code.message_operations import Delivered, MessageOperation, delivered, names_bound
 from archlint.python_code.message_variables import given_to_others
 from archlint.python_code.methods_at_work import of_self
-from archlint.python_code.plain_kinds import kind_of, values_of_self
+from archlint.python_code.plain_kinds import values_of_self
 from archlint.python_code.text_sums import is_its_own
 from archlint.python_code.tried_code import tried_for
 from archlint.syntax import facts
@@ -54,7 +54,7 @@ def _of_class(
     attributes = {
         name: row
         for name, row in kept.items()
-        if is_its_own(workspace, file, number, name) and not _is_given(workspace, name)
+        if is_its_own(workspace, file, number, name) and not is_given(workspace, name)
     }
     for method in methods_of(cls) if attributes else ():
         asked = asked_for_their_class(method)
@@ -72,7 +72,7 @@ def _of_class(
                 )
 
 
-def _is_given(workspace: WorkspaceIndex, name: str) -> bool:
+def is_given(workspace: WorkspaceIndex, name: str) -> bool:
     """Whether any code gives an object that is not ``self`` an attribute of a name."""
     files = (workspace.facts_at(path) for path in files_with(workspace, name))
     return any(code is None or name in given_to_others(code) for code in files)
@@ -91,13 +91,21 @@ def _kept(cls: facts.Class, rows: list[Delivered]) -> dict[str, _Kept]:
         known = [value for value in values if value is not None]
         whole = [messages[Itself[facts.Base](value)] for value in known if Itself[facts.Base](value) in messages]
         others = [value for value in known if Itself[facts.Base](value) not in messages]
-        if whole and len(known) == len(values) and all(map(_is_plain, others)):
+        if whole and len(known) == len(values) and all(map(is_plain, others)):
             attributes[name] = _Kept(whole[0], all(is_none(value) for value in others))
     return attributes
 
 
-def _is_plain(value: facts.Expr) -> bool:
-    return isinstance(value, facts.Literal) or kind_of(value, {}) is not None
+def is_plain(value: facts.Expr) -> bool:
+    """Whether an expression stands for nothing yet: a constant, or an empty list, tuple or dict."""
+    match value:
+        case facts.Unary(op="-", operand=operand):
+            return isinstance(operand, facts.Literal)
+        case facts.Literal() | facts.Sequence(elements=[]):
+            return True
+        case facts.Mapping():
+            return not value.children()
+    return False
 
 
-__all__ = ["kept_message_operations"]
+__all__ = ["is_given", "is_plain", "kept_message_operations"]
