@@ -191,3 +191,32 @@ def test_a_process_that_only_other_arguments_start(findings, other, count):
     files = {"config/p.yaml": f"talker: {RATE}\nlistener: {RATE}\n"}
     told = findings("PRM005", BY_ARGUMENT + node(LOAD_IT) + other, **files)
     assert [finding.place.line for finding in told] == [2] * count
+
+
+REWRITES = """\
+from launch import LaunchDescription
+from launch_ros.actions import Node
+from launch_ros.substitutions import FindPackageShare
+from nav2_common.launch import RewrittenYaml
+
+def generate_launch_description():
+    made = RewrittenYaml(source_file=[FindPackageShare('robot'), '/config/p.yaml'], {more}, convert_types=True)
+    return LaunchDescription([Node(package='robot', executable='talker', name='talker', parameters=[made])])
+"""
+
+
+@pytest.mark.parametrize(
+    ("more", "told"),
+    [
+        ("param_rewrites={}", 1),
+        ("param_rewrites={'rate': '2.0'}, root_key=''", 1),
+        ("param_rewrites={}, root_key='left'", 0),  # the keys are others then
+        ("param_rewrites={}, key_rewrites={'Talker': 'talker'}", 0),
+        ("param_rewrites=anything()", 0),
+    ],
+)
+def test_a_file_of_which_the_launch_makes_another_one(findings, more: str, told: int):
+    files = {"config/p.yaml": f"Talker: {RATE}\n", "launch/new.launch.py": REWRITES.replace("{more}", more)}
+    messages = [row.message for row in findings("PRM005", **files)]
+    assert len(messages) == told
+    assert all(message.endswith("starts a node '/Talker'; did you mean '/talker'?") for message in messages)

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.declared_parameters import declared_by, followed
 from archlint.analysis.kept import once
+from archlint.launch.named_files import Replacing, Rewriting, Written
 from archlint.launch.parameter_sources import ParameterFileUse
 from archlint.launch.started import Started
 from archlint.systems.overrides import Setting, applied
@@ -68,14 +69,19 @@ def systems_that_load(workspace: WorkspaceIndex) -> dict[str, list[System]]:
 
 @once
 def rewritten_files(workspace: WorkspaceIndex) -> frozenset[str | None]:
-    """The parameter files of which a launch makes another one."""
+    """The parameter files of which a launch makes another one, in which the sections may have other keys."""
     return frozenset(
         use.reference.source
         for system in workspace.systems
         for started in (system.launched.started if system.launched is not None else ())
         for use in started.parameters
-        if isinstance(use, ParameterFileUse) and use.changes
+        if isinstance(use, ParameterFileUse) and not all(map(_keeps_keys, use.changes))
     )
+
+
+def _keeps_keys(change: Rewriting | Replacing | Written) -> bool:
+    """Whether nothing but values of parameters becomes another one."""
+    return isinstance(change, Rewriting) and not change.keys and not change.root_key
 
 
 def files_of_process(started: Started) -> list[str]:
