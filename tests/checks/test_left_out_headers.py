@@ -19,6 +19,7 @@ add_library(kinematics src/solver.cpp)
 ament_package()
 """
 INSTALLED = "install(DIRECTORY include/ DESTINATION include)"
+EXPORTED = "\nament_export_include_directories(include)"
 USER = """cmake_minimum_required(VERSION 3.8)
 project(arm)
 find_package(kinematics REQUIRED)
@@ -72,9 +73,10 @@ def test_a_header_that_nothing_installs(judge: Judge, lines: str):
 @pytest.mark.parametrize(
     "lines",
     [
-        INSTALLED,
-        "install(DIRECTORY include/${PROJECT_NAME} DESTINATION include)",
-        "install(FILES include/kinematics/solver.hpp DESTINATION include/kinematics)",
+        INSTALLED + EXPORTED,
+        "install(DIRECTORY include/${PROJECT_NAME} DESTINATION include)" + EXPORTED,
+        "install(FILES include/kinematics/solver.hpp DESTINATION include/kinematics)" + EXPORTED,
+        INSTALLED + "\ninstall(TARGETS kinematics EXPORT all DESTINATION lib)\nament_export_targets(all)",
         "install(TARGETS kinematics DESTINATION lib PUBLIC_HEADER DESTINATION include)",
         "ament_auto_package()",
         "install(DIRECTORY ${HEADERS} DESTINATION include)",
@@ -83,6 +85,15 @@ def test_a_header_that_nothing_installs(judge: Judge, lines: str):
 )
 def test_a_header_that_is_installed_or_may_be(judge: Judge, lines: str):
     assert judge(lines) == []
+
+
+def test_a_header_that_is_installed_and_not_exported(judge: Judge):
+    (told,) = judge(f"{INSTALLED}\ninstall(TARGETS kinematics DESTINATION lib)")
+    assert told.message == (
+        "package 'kinematics' installs the header 'include/kinematics/solver.hpp', which arm/src/driver.cpp includes, "
+        "and does not export its folder: its build does not find it"
+    )
+    assert (told.place.file, told.place.line) == ("kinematics/CMakeLists.txt", 6)
 
 
 @pytest.mark.parametrize(

@@ -20,6 +20,13 @@ _INSTALL_MORE = frozenset({"ament_auto_package", "catkin", "catkin_package", "FI
 """Words of CMake files that install headers without their names, or are for ROS 1."""
 
 
+_EXPORT = frozenset(
+    {"ament_export_include_directories", "ament_export_interfaces", "ament_export_targets", "CONFIG_EXTRAS"}
+    | {"CONFIG_EXTRAS_POST", "configure_package_config_file", "EXPORT", "ament_cmake_auto"}
+)
+"""Words with which a CMake file tells others of its folders, or may."""
+
+
 @dataclass(frozen=True)
 class HeaderLeftOut:
     """A header of a ``package``, by its path below the folder of that, with the place that includes it; ``place`` is
@@ -29,6 +36,8 @@ class HeaderLeftOut:
     file: str
     included_at: Place
     place: Place
+    installed: bool = False
+    """Whether it is installed, and the folder that it comes to is not exported."""
 
 
 def headers_left_out(workspace: WorkspaceIndex) -> Iterator[HeaderLeftOut]:
@@ -56,13 +65,16 @@ def _left_out(workspace: WorkspaceIndex, owner: str, header: str, at: Place) -> 
     if installs is None or place is None or package.build_type != "ament_cmake":
         return
     files = headers_of(workspace, owner, header)
-    if files and _INSTALL_MORE.isdisjoint(installs.words) and not any(_may_be_installed(installs, f) for f in files):
-        yield HeaderLeftOut(owner, files[0], at, place)
+    if not files or not _INSTALL_MORE.isdisjoint(installs.words) or any(map(installs.may_install, files)):
+        return
+    installed = any(_is_installed(installs, file) for file in files)
+    if not installed or _EXPORT.isdisjoint(installs.words):
+        yield HeaderLeftOut(owner, files[0], at, place, installed)
 
 
-def _may_be_installed(installs: Installs, file: str) -> bool:
+def _is_installed(installs: Installs, file: str) -> bool:
     path = posixpath.normpath(posixpath.join(installs.folder, file))
-    return installs.may_install(file) or any(True for _ in installs.places_of(path))
+    return any(True for _ in installs.places_of(path))
 
 
 __all__ = ["HeaderLeftOut", "headers_left_out"]
