@@ -242,10 +242,12 @@ def test_a_slip_is_a_name_whose_class_follows_its_namespace_otherwise(
     assert bool(check(request(folder, **nodes, **many(*MOSTLY_RELATIVE))).findings) is told
 
 
-def test_where_all_other_names_are_absolute_the_relative_one_does_not_fit(folder: Path):
-    """No namespace is meant to apply there: taking the '/' from one more name would be the wrong end."""
+@pytest.mark.parametrize(("family", "told"), [("lidar", False), ("part", True)])
+def test_a_relative_name_of_a_family_of_absolute_ones_does_not_fit(folder: Path, family: str, told: bool):
+    """Taking the '/' from one more name of ``/lidar/…`` would be the wrong end."""
     nodes = {"lidar": node("Lidar", "lidar/scan"), "user": subscriber("User", "/lidar/scan")}
-    assert check(request(folder, **nodes, **many(*ALL_ABSOLUTE))).findings == []
+    others = many(*(f"/{family}/state{number}" for number in range(7)))
+    assert bool(check(request(folder, **nodes, **others)).findings) is told
 
 
 CREATES = "\n        self.create_publisher(String, '{}', 10)"

@@ -80,7 +80,7 @@ def told(system: System, names: Sequence[FixedName], everywhere: bool) -> list[t
     """
     if everywhere or is_lesson_about_names(system):
         return _told_of_all(system.workspace, names, everywhere)
-    parted = {} if _are_absolute_throughout(names) else _parted(system.workspace, names)
+    parted = _without_exceptions(_parted(system.workspace, names), names)
     kept = _with_other_absolute_names(names, parted)
     meant = {_end_of(name) for name in names if name.home in kept}
     return [
@@ -90,18 +90,22 @@ def told(system: System, names: Sequence[FixedName], everywhere: bool) -> list[t
     ]
 
 
-_MANY = 5
-_EXCEPTIONS = 3
-"""How many times more absolute names than relative ones make a relative one the exception."""
+def _without_exceptions(
+    parted: Mapping[tuple[str, str | None], Reason], names: Iterable[FixedName]
+) -> dict[tuple[str, str | None], Reason]:
+    """The names but for those of a family, such as all that begin with ``/robot/``, of which more are absolute than
+    relative: there, the relative end is what does not fit."""
+    written = {(name.text, name.is_absolute) for name in names if name.is_absolute or name.is_relative}
+    begins = Counter((_family(text), absolute) for text, absolute in written if "/" in text[1:])
+    return {
+        (text, type): reason
+        for (text, type), reason in parted.items()
+        if "/" not in text[1:] or begins[_family(text), True] - 1 <= begins[_family(text), False]
+    }
 
 
-def _are_absolute_throughout(names: Iterable[FixedName]) -> bool:
-    """Whether the names of a workspace are absolute but for a few: there, a relative one is what does not fit, and no
-    namespace is meant to apply."""
-    absolute = {_end_of(name) for name in names if name.is_absolute}
-    relative = {_end_of(name) for name in names if name.is_relative}
-    beside = {text for text, _ in relative}
-    return len(absolute) >= _MANY and sum(text[1:] not in beside for text, _ in absolute) > _EXCEPTIONS * len(relative)
+def _family(text: str) -> str:
+    return text.strip("/").partition("/")[0]
 
 
 def _with_other_absolute_names(
