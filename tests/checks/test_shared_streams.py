@@ -57,6 +57,7 @@ AT_TIMES = "self.create_service(Trigger, 'send', self.tick)"
         ("std_msgs.Int32", "mode", AT_TIMES, True),
         ("std_msgs.Bool", "light", AT_TIMES, True),
         ("geometry_msgs.PoseStamped", "arm/target", AT_TIMES, True),
+        ("std_msgs.Float32", "motor_speed", AT_TIMES, True),
         ("std_msgs.Float32", "temperature", ALWAYS, True),
         ("std_msgs.Float32", "temperature", IF_SEEN, True),
         ("std_msgs.Float32", "temperature", AT_TIMES, False),  # one value more, and the next one comes at once

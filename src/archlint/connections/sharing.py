@@ -44,8 +44,13 @@ _WHO = (
 SENDERS = ("id", "node", "sender", "source", *(f"{who}_{what}" for who in _WHO for what in ("id", "name")))
 """Fields that say whose a message is, or of what: such messages add up."""
 _MANY = 4
-_OVERRIDING = frozenset({"goal", "goals", "target", "targets", "waypoint", "waypoints"})
-"""Words for what a machine is to reach: the last one counts, as with a command."""
+_OVERRIDING = frozenset(
+    {
+        *("goal", "goals", "target", "targets", "waypoint", "waypoints"),
+        *("speed", "speeds", "steering", "throttle", "torque", "vel", "velocity", "velocities"),
+    }
+)
+"""Words for what a machine is to reach, and for what it drives with: the last one counts, as with a command."""
 _TO_DEVICES = re.compile(r"(?:can|i2c|modbus|queue|serial|spi|tx|uart)\d*")
 """Words for what takes each message as it comes and sends it on to a device."""
 _FRAMES = frozenset({"can_msgs/msg/Frame", "std_msgs/msg/ByteMultiArray", "std_msgs/msg/UInt8MultiArray"})
