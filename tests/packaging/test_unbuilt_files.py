@@ -104,7 +104,7 @@ MERGE = "<<<<<<< HEAD\nfind_package(nav_msgs REQUIRED)\n=======\nfind_package(st
         (MERGE, 1),
         ("# =======\n# a heading\n# =======\n", 0),
         ('message("<<<<<<< here")\n', 0),
-        ("<<<<<<< HEAD\nfind_package(nav_msgs REQUIRED)\n", 0),
+        ("<<<<<<< HEAD\nfind_package(nav_msgs REQUIRED)\n", 1),  # no whole merge, and no command either
     ],
 )
 def test_a_merge_that_is_left_in_a_build_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, text: str, told: int):
