@@ -44,3 +44,31 @@ def test_so_does_one_that_creates_in_a_method_of_its_node() -> None:
     )
     [node] = graph({"src/robot.cpp": text % "make();"})["nodes"]
     assert {end["name"] for end in node["publishers"]} == {"/base", "/arm"}
+
+
+ASIDE = """
+#include <thread>
+#include "rclcpp/rclcpp.hpp"
+#include "std_msgs/msg/string.hpp"
+void listen(std::shared_ptr<rclcpp::Node> node, std::string topic) {
+  static auto sub = node->create_subscription<std_msgs::msg::String>(topic, 10, [](const std_msgs::msg::String &) {});
+}
+int main(int argc, char ** argv) {
+  rclcpp::init(argc, argv);
+  auto node = std::make_shared<rclcpp::Node>("robot");
+  std::thread beside(listen, node, "scan");
+  rclcpp::spin(node);
+}
+"""
+
+
+def test_a_function_that_a_thread_calls_with_a_name() -> None:
+    [node] = graph({"src/robot.cpp": ASIDE})["nodes"]
+    assert [end["name"] for end in node["subscribers"]] == ["/scan"]
+
+
+def test_a_partial_of_one_function_or_another() -> None:
+    text = ASIDE.replace("std::thread beside(listen", "std::thread beside(argc > 1 ? listen : other")
+    text = text.replace("int main", "void other(std::shared_ptr<rclcpp::Node>, std::string) {}\nint main")
+    [node] = graph({"src/robot.cpp": text})["nodes"]
+    assert [end["name"] for end in node["subscribers"]] == ["/scan"]

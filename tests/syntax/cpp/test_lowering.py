@@ -41,6 +41,12 @@ def in_a_method(statement: str) -> str:
             "timer_ = create_wall_timer(std::chrono::milliseconds(500), std::bind(&Talker::tick, this));",
             "?timer_ = self.create_timer(timer_period_sec=0.5, callback=self.tick)",
         ),
+        ("t_ = std::thread(&Talker::run, this);", "?t_ = std.thread(self.run)"),
+        ("t_ = new std::thread(run, 5);", "?t_ = std.thread(functools.partial(?run, 5))"),
+        (
+            "t_ = std::make_unique<std::thread>(&Talker::run, this, 5);",
+            "?t_ = std.thread(functools.partial(self.run, 5))",
+        ),
         (
             "create_wall_timer(std::chrono::milliseconds{500}, f);",
             "self.create_timer(timer_period_sec=0.5, callback=?f)",

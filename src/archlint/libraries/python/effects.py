@@ -19,6 +19,7 @@ from archlint.interpreter.values import (
     PythonValue,
     Unknown,
     Value,
+    alternatives,
     as_default,
     constant,
     file_origin,
@@ -30,6 +31,8 @@ from archlint.libraries.python import argument_parsers
 from archlint.libraries.python.copies import _copy, _deep_copy
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+
     from archlint.libraries.api_use import ApiUse, Effect, Plain
     from archlint.libraries.run import Run
 
@@ -38,12 +41,16 @@ def partial(run: Run, call: ApiUse) -> Value:
     function = call.get("function")
     if function is None:
         return Unknown("partial() without a function")
-    keywords = tuple((name, value) for name, value in call.keywords.items() if name != "function")
+    keywords = {name: value for name, value in call.keywords.items() if name != "function"}
+    return one_of([_partial(option, call.rest, keywords) for option in alternatives(function)])
+
+
+def _partial(function: Value, rest: Sequence[Value], keywords: Mapping[str, Value]) -> Value:
     if isinstance(function, Partial):
         # One of one, as Python makes it: a chain of them would be as deep as the loop that builds it.
-        keywords = tuple({**dict(function.keywords), **dict(keywords)}.items())
-        return Partial(function.function, (*function.args, *call.rest)[:ITEM_LIMIT], keywords)
-    return Partial(function, tuple(call.rest), keywords)
+        keywords = {**dict(function.keywords), **keywords}
+        return Partial(function.function, (*function.args, *rest)[:ITEM_LIMIT], tuple(keywords.items()))
+    return Partial(function, tuple(rest), tuple(keywords.items()))
 
 
 def import_module(run: Run, call: ApiUse) -> Value:

@@ -107,6 +107,9 @@ POINTERS = frozenset(
 
 INTERFACE_KINDS = frozenset({"msg", "srv", "action"})
 
+THREADS = frozenset({"std.jthread", "std.thread"})
+"""Classes whose constructor takes a function and what it is to be called with, as ``std::bind`` does."""
+
 SAME = frozenset(
     {
         *("std.move", "std.forward", "std.ref", "std.cref", "std.static_pointer_cast", "std.dynamic_pointer_cast"),

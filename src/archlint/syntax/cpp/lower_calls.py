@@ -15,6 +15,7 @@ from archlint.syntax.cpp.known_names import (
     PAIRS_MADE_BY,
     SAME,
     SEQUENCES,
+    THREADS,
 )
 from archlint.syntax.cpp.lower_expressions import given
 from archlint.syntax.cpp.lower_methods import MethodLowering
@@ -255,7 +256,9 @@ class CallLowering(MethodLowering):
         if path.endswith((".make_shared", ".make_unique")):
             return self.constructed(path.rpartition(".")[0], last, arguments, span)
         if path == "std.bind":
-            return self._bound(arguments, span)
+            return self.bound(arguments, span)
+        if path in THREADS:
+            return self.constructed(path, last, arguments, span)
         loop = self.algorithm(path, arguments, span)
         if loop is not None:
             return loop
@@ -309,8 +312,8 @@ class CallLowering(MethodLowering):
 
     # ------------------------------------------------------------------------------- functions as values
 
-    def _bound(self, arguments: Node, span: Span) -> Expr:
-        """``std::bind(&Talker::on_timer, this, _1)``: the method of that object."""
+    def bound(self, arguments: Node, span: Span) -> Expr:
+        """``std::bind(&Talker::on_timer, this, _1)``: the method of that object.  So ``std::thread`` takes it."""
         nodes = [argument for argument in arguments.named_children if argument.type != "comment"]
         if not nodes:
             return facts.Opaque("std::bind", span)

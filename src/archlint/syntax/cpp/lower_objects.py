@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from archlint.syntax import facts
 from archlint.syntax.cpp import calls
-from archlint.syntax.cpp.known_names import DURATIONS, IN_PYTHON, INTERFACE_KINDS, MAPS, RATIOS, SEQUENCES
+from archlint.syntax.cpp.known_names import DURATIONS, IN_PYTHON, INTERFACE_KINDS, MAPS, RATIOS, SEQUENCES, THREADS
 from archlint.syntax.cpp.lower_expressions import given
 from archlint.syntax.cpp.lower_macros import MacroLowering
 from archlint.syntax.cpp.names import Names, Part
@@ -97,6 +97,8 @@ class ObjectLowering(MacroLowering):
         self, path: str, last: Part, arguments: Node | None, span: Span, values: list[Expr] | None = None
     ) -> Expr:
         """An object of a library's class, or what its function gives."""
+        if path in THREADS and arguments is not None:
+            return facts.Call(self.names.library(path, span), given([self.bound(arguments, span)]), span)
         if values is None:
             values = [] if arguments is None else self.lower_all(arguments.named_children)
         if path.startswith("std.") and (collection := self._collection(last, arguments, values, span)) is not None:
@@ -126,6 +128,10 @@ class ObjectLowering(MacroLowering):
         if path == "rclcpp.Parameter":
             return facts.Call(function, calls.parameter(values), span)
         return facts.Call(function, given(values), span)
+
+    def bound(self, arguments: Node, span: Span) -> Expr:
+        """A function with what it is to be called with, of ``(&Talker::run, this, 5)``."""
+        raise NotImplementedError
 
     def note_options(self, name: str, kind: Sequence[Part]) -> None:
         """Take note of a variable or parameter that is an ``rclcpp::NodeOptions``."""
