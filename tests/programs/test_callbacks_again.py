@@ -144,3 +144,34 @@ def test_so_does_who_has_imported_the_module_itself(runs: Runs):
 
 def test_an_object_that_a_callback_has_replaced_may_be_changed_by_another(runs: Runs):
     assert runs.published(f"{CHECKS_TASK}\nself.task = Task('idle')", "self.task.mode = 'driving'") == ["/driving"]
+
+
+def test_who_has_put_something_else_there_first_has_read_nothing_of_others(runs: Runs):
+    assert runs.published(f"self.mode = 'parked'\n{CHECKS_MODE}", "self.mode = 'driving'") == []
+    assert not any(runs.again)
+
+
+def test_who_does_so_on_one_way_only_has(runs: Runs):
+    first = f"if msg.data:\n    self.mode = 'parked'\n{CHECKS_MODE}"
+    assert runs.published(first, "self.mode = 'driving'") == ["/driving"]
+    assert runs.again[0] == ["Robot.first"]
+
+
+def test_who_does_not_ask_what_leads_to_a_new_object_does_not_find_it(runs: Runs):
+    """The task that the first callback asks is its own."""
+    first = f"task = Task('idle')\n{CHECKS_TASK.replace('self.task', 'task')}"
+    assert runs.published(first, "self.task = Task('driving')") == []
+    assert not any(runs.again)
+
+
+def test_an_object_that_a_callback_puts_in_place_before_it_asks_it_is_no_news_to_itself(runs: Runs):
+    assert runs.published(f"self.task = Task('idle')\nself.task.done = True\n{CHECKS_TASK}", "pass") == []
+    assert not any(runs.again)
+
+
+def test_who_waits_for_others_meets_the_module_that_they_have_imported(runs: Runs):
+    """The spin inside of the first callback has the second import the module."""
+    (runs.folder / "settings.py").write_text("mode = 'idle'\n", encoding="utf-8")
+    first = f"import settings\n{CHECKS_MODE.replace('self.mode', 'settings.mode')}"
+    first = f"self.create_subscription(String, 'inner', self.second, 10)\nrclpy.spin_once(self)\n{first}"
+    assert runs.published(first, "import settings", "import settings\nsettings.mode = 'driving'") == ["/driving"]

@@ -42,8 +42,10 @@ class Store:
         self._older: set[int] = set()
         self.work = 0
         """Slots and items that joins have looked at, until somebody counts and takes them."""
-        self.seen: set[Slot] | None = None
-        """What is read, while somebody wants to know."""
+        self._met: _Met | None = None
+        """What is read of the state that the present callback has met."""
+        self._met_before = 0
+        """The keys below this one are of what was there before it ran."""
         self._reads: list[tuple[Slot, object, int]] | None = None
         """What was read, and from which layer (-1: from none), while somebody watches."""
 
@@ -58,8 +60,8 @@ class Store:
     def get(self, key: int, slot: str | Field[Any]) -> Any:
         """What a slot holds; None where nobody has written it."""
         at = (key, slot)
-        if self.seen is not None:
-            self.seen.add(at)
+        if key < self._met_before:
+            self._note_met(at)
         if self._reads is not None:
             return self._noted(at, None)
         for layer in reversed(self.layers):
@@ -91,8 +93,8 @@ class Store:
 
     def value_at(self, at: Slot) -> object:
         """What a slot holds, whatever it is; MISSING where nobody has written it."""
-        if self.seen is not None:
-            self.seen.add(at)
+        if at[0] < self._met_before:
+            self._note_met(at)
         if self._reads is not None:
             return self._noted(at, MISSING)
         return next((layer[at] for layer in reversed(self.layers) if at in layer), MISSING)
@@ -117,6 +119,37 @@ class Store:
         self._named = len(base)
         rows = ((slot, base[key, slot]) for slot in self._names.get(key, ()))
         return [(slot, value) for slot, value in rows if isinstance(value, Value)]
+
+    @contextmanager
+    def meeting(self, oldest: int) -> Iterator[set[Slot]]:
+        """Note what is read of the state that is here now, and not of what has taken its place since.  What is made
+        has keys from ``oldest`` on."""
+        kept = self._met, self._met_before
+        self._met, self._met_before = _Met(self.depth), oldest
+        try:
+            yield self._met.slots
+        finally:
+            has_imported = self._met_before > oldest
+            self._met, before = kept
+            self._met_before = self._met_before if has_imported and self._met is not None else before
+
+    def _note_met(self, at: Slot) -> None:
+        met = self._met
+        if met is not None and at not in met.slots and (at in met.mixed or not self._is_written_since(at, met)):
+            met.slots.add(at)
+
+    def _note_mixed(self, slots: Iterable[Slot], branches: Sequence[Layer]) -> None:
+        """Of what branches write, note that where one of them does not the callback still has what it met."""
+        met, oldest = self._met, self._met_before
+        if met is None:
+            return
+        for at in slots:
+            is_open = at[0] < oldest and any(at not in branch for branch in branches)
+            if is_open and not self._is_written_since(at, met):
+                met.mixed.add(at)
+
+    def _is_written_since(self, at: Slot, met: _Met) -> bool:
+        return any(at in layer for layer in self.layers[met.depth :])
 
     def _noted(self, at: Slot, default: object) -> object:
         assert self._reads is not None
@@ -215,6 +248,7 @@ class Store:
             for at in slots:
                 if any(at not in branch for branch in branches):
                     self._noted(at, None)  # what was there before is one of what it may hold now
+        self._note_mixed(slots, branches)
         below = self.layers[::-1]
         top = self.layers[-1]
         for at in slots:
@@ -262,6 +296,18 @@ class Store:
         finally:
             self.layers, self._at_base, self._oldest, self._older, self._inner = kept
             self._inner.append(range(first, self._next + 1))
+            if self._met is not None:  # other callbacks may write the variables of the module, too
+                self._met_before = self._next + 1
+
+
+class _Met:
+    """What a callback reads of the state that it meets; what it writes is in the layers from ``depth`` on."""
+
+    def __init__(self, depth: int) -> None:
+        self.depth = depth
+        self.slots: set[Slot] = set()
+        self.mixed: set[Slot] = set()
+        """What it has written on some ways only, so that what was there before may still be there."""
 
 
 class _Missing:

@@ -66,7 +66,7 @@ def _of_given_types(functions: list[FunctionValue], site: CallSite) -> list[Func
     """Those of some functions whose parameters have the most types in common with the constants of a call."""
     if len(functions) < 2:
         return functions
-    given = [_KIND_OF_VALUE.get(type(value.value)) if isinstance(value, Known) else None for value in site.args]
+    given = [_KIND_OF_VALUE.get(value.python_type) if isinstance(value, Known) else None for value in site.args]
     shared = [_types_shared(function, given) for function in functions]
     return [function for function, count in zip(functions, shared, strict=True) if count == max(shared)]
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Set
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
@@ -11,6 +12,7 @@ from archlint.finding import Place
 if TYPE_CHECKING:
     from archlint.branches import BranchArm
     from archlint.interpreter.activation import Activation
+    from archlint.interpreter.heap import Slot
     from archlint.interpreter.identity import Key
     from archlint.interpreter.modules import Module
     from archlint.interpreter.values import ClassValue, Value
@@ -35,8 +37,8 @@ class Pending:
     lineage: Lineage = ()
     began: int = 0
     """Which of the program's roots it was when it last ran, counted from 1."""
-    read: frozenset[tuple[int, str]] = frozenset()
-    """What it read then of attributes of objects and of variables of modules."""
+    read: Set[Slot] = frozenset()
+    """What it read then of the state that it met."""
     within: Within | None = None
     """Where that was; None at the end of the program, when all ways through it are joined."""
 
@@ -50,9 +52,9 @@ class Left:
     within: Within = ()
     by: int = 0
     """Which root left it, where that one has made the object itself and nothing that was there before leads to it."""
-    leaks: bool = False
-    """Whether the callback has made the object, and something that was there before may lead to it now: who finds it
-    there has not asked this object before."""
+    doors: frozenset[Slot] = frozenset()
+    """Where something that was there before leads to it, if the callback has made the object: who has read one of these
+    may find the object, and has not asked it before."""
 
     def is_new_to(self, pending: Pending) -> bool:
         """Whether a callback has not met it yet."""

@@ -12,9 +12,20 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import chain
 from typing import TYPE_CHECKING
 
-from archlint.interpreter.heap import Layer
+from archlint.interpreter.heap import Layer, Slot
 from archlint.interpreter.repeats import is_older
-from archlint.interpreter.values import ClassValue, Instance, Known, OneOf, Unknown, Value, alternatives, one_of
+from archlint.interpreter.values import (
+    ClassValue,
+    Entries,
+    Instance,
+    Items,
+    Known,
+    OneOf,
+    Unknown,
+    Value,
+    alternatives,
+    one_of,
+)
 from archlint.libraries.interest import MAKERS
 from archlint.libraries.rclpy.callables import function_of
 from archlint.libraries.rclpy.callback_arguments import GOAL_HANDLE
@@ -44,23 +55,19 @@ def written(run: Run, layer: Layer) -> Written:
     ]
 
 
-def _is_kept_to_itself(layer: Layer, oldest: int) -> bool:
-    """Whether nothing that was there before a callback ran leads to what it has made, with keys from ``oldest`` on."""
-    return all(
-        isinstance(slot, str) and isinstance(value, Value) and is_older(value, oldest)
-        for (key, slot), value in layer.items()
-        if key < oldest
-    )
+def _doors(layer: Layer, oldest: int) -> frozenset[Slot]:
+    """Where something that was there before a callback ran leads to what it has made, with keys from ``oldest`` on."""
+    return frozenset(at for at, content in layer.items() if at[0] < oldest and not _is_older(content, oldest))
 
 
-def read(run: Run) -> frozenset[tuple[int, str]]:
-    """What a callback has read of attributes of the program's objects and of variables of modules."""
-    modules = run.index.scopes
-    return frozenset(
-        (key, slot)
-        for key, slot in run.store.seen or ()
-        if isinstance(slot, str) and (key in run.instances or key in modules)
-    )
+def _is_older(content: object, oldest: int) -> bool:
+    """Whether a slot holds nothing that was made from the key ``oldest`` on; of what no code reaches nobody knows."""
+    match content:
+        case Items(values=values) | Entries(values=values):
+            return all(is_older(value, oldest) for value in values)
+        case Value():
+            return is_older(content, oldest)
+    return False
 
 
 def note(run: Run, rows: Written, layer: Layer, pending: Pending, oldest: int) -> None:
@@ -69,10 +76,10 @@ def note(run: Run, rows: Written, layer: Layer, pending: Pending, oldest: int) -
     ``layer`` is all that this one has written, and ``oldest`` the first key of the objects that it has made."""
     after, within = run.callbacks.count, (*run.callbacks.within, *run.branch_arms)
     news = [(key, slot) for key, slot, before, value in rows if _is_news(run, before, value)]
-    leaks = any(key >= oldest for key, _ in news) and not _is_kept_to_itself(layer, oldest)
+    doors = _doors(layer, oldest) if any(key >= oldest for key, _ in news) else frozenset()
     for key, slot in news:
         is_own = key >= oldest
-        row = Left(after, within, pending.began if is_own and not leaks else 0, is_own and leaks)
+        row = Left(after, within, pending.began if is_own and not doors else 0, doors if is_own else frozenset())
         run.callbacks.news.setdefault(slot, {}).setdefault(key, set()).add(row)
 
 
@@ -107,8 +114,8 @@ def readers(run: Run, pending: Iterable[Pending], news: News) -> list[Pending]:
 
     Of those in C++, only the ones that may add something to a node: what else they do there, no rule asks for.
     """
-    left = {(key, slot): rows for slot, keys in news.items() for key, rows in keys.items()}
-    leaking = {slot: {row for rows in keys.values() for row in rows if row.leaks} for slot, keys in news.items()}
+    left: dict[Slot, set[Left]] = {(key, slot): rows for slot, keys in news.items() for key, rows in keys.items()}
+    leaking = {slot: {row for rows in keys.values() for row in rows if row.doors} for slot, keys in news.items()}
     leaking = {slot: rows for slot, rows in leaking.items() if rows}
     called = _functions(run)
 
@@ -117,9 +124,13 @@ def readers(run: Run, pending: Iterable[Pending], news: News) -> list[Pending]:
         used = _all_names(_code_of(run, each.value), called) if in_cpp or leaking else set()
         if in_cpp and MAKERS.isdisjoint(used):
             return False
-        # Who finds an object has not asked it before: what counts is what the functions that it names read.
-        rows = [left[at] for at in each.read & left.keys()] + [leaking[slot] for slot in used & leaking.keys()]
-        return any(row.is_new_to(each) for row in chain.from_iterable(rows))
+        # Who finds an object has not asked it before: what counts is what the functions that it names read, and
+        # whether it has read what leads there.
+        findable = (
+            row for slot in used & leaking.keys() for row in leaking[slot] if not each.read.isdisjoint(row.doors)
+        )
+        rows = chain(chain.from_iterable(left[at] for at in each.read & left.keys()), findable)
+        return any(row.is_new_to(each) for row in rows)
 
     return [each for each in pending if concerns(each)]
 

@@ -108,23 +108,23 @@ def run_root(run: Run, pending: Pending) -> None:
     run.activations = []
     enter_root(run, module)
     depth, oldest = run.store.depth, run.store.new_key()
-    kept_seen, run.store.seen = run.store.seen, set()
-    run.store.push()
     before = attributes_at_any_time(run) if _is_called_from_elsewhere(callback) else {}
-    run.store.layers[-1].update(before)
+    if before:
+        run.store.push()
+        run.store.apply(before)
+    run.store.push()
     try:
-        given = run.call(value, CallSite(_fit(value, pending.arguments)))
-        mistaken_futures.note_response(run, callback, given)
-        if callback.role == model.Role.METHOD and not isinstance(value, BoundMethod):
-            escapes.escape(run, [given], f"{callback.name}() returns it to its caller")
+        with run.store.meeting(oldest) as pending.read:
+            given = run.call(value, CallSite(_fit(value, pending.arguments)))
+            mistaken_futures.note_response(run, callback, given)
+            if callback.role == model.Role.METHOD and not isinstance(value, BoundMethod):
+                escapes.escape(run, [given], f"{callback.name}() returns it to its caller")
     except Exception as error:
         run.note_fault(f"following {callback.name}", error, callback.place)
     finally:
         layer = {slot: value for slot, value in run.store.cut(depth).items() if before.get(slot) is not value}
         run.context, run.activations, run.callbacks.lineage = kept_context, kept_activations, kept_lineage
         run.callbacks.within = kept_within
-        pending.read = left_behind.read(run)
-        run.store.seen = kept_seen
         run.left -= run.steps
         _, run.repeats, run.runs, run.branch_arms = kept_bounds
         run.steps, run.allowed_steps = 0, max(FEW_STEPS, kept_allowed - kept_bounds[0])
