@@ -99,7 +99,7 @@ def _typed(sites: Sites, provider: str, user: str, rule: str, module: str, name:
         edits = _other_type(other, module, name)
         if edits is not None:
             # The code that goes with the old type is wrong now, and the package of the new one undeclared.
-            yield Defect(edits, (rule,), _places(one, other), also=("MSG001", "PKG001", "TOP005"))
+            yield Defect(edits, (rule,), _places(one, other), also=("MSG001", "MSG003", "PKG001", "TOP005"))
 
 
 @plants("another message type at one end")
